@@ -1,0 +1,73 @@
+"""Every error that the program raises on purpose, as one tree.
+
+    ScegenError
+    ├── InputError              the user's input cannot be used        exit code 2
+    │   ├── NotTrafficError     the text does not describe traffic
+    │   ├── VocabularyError     a word outside the vocabulary, a broken file
+    │   └── InfeasibleError     understood, but it cannot exist
+    │       ├── RoadInfeasibleError
+    │       ├── NoScenarioError
+    │       └── MotionInfeasibleError
+    └── MissingToolError        a tool outside the package is needed   exit code 3
+
+Messages say what is wrong, where, and what to do about it.
+"""
+
+from __future__ import annotations
+
+
+class ScegenError(Exception):
+    """Base of all errors with a message for the user.
+
+    Args:
+        message: what is wrong, in one sentence.
+        where: the file, field or phrase concerned.
+        hint: what the user can do about it.
+    """
+
+    exit_code = 2
+
+    def __init__(self, message: str, *, where: str | None = None, hint: str | None = None) -> None:
+        self.message = message
+        self.where = where
+        self.hint = hint
+        super().__init__(self.render())
+
+    def render(self) -> str:
+        """The message with its place and its hint, as printed."""
+        text = f"{self.where}: {self.message}" if self.where else self.message
+        return f"{text}\n  {self.hint}" if self.hint else text
+
+
+class InputError(ScegenError):
+    """The input cannot be used as it is."""
+
+
+class NotTrafficError(InputError):
+    """The text does not describe a traffic situation."""
+
+
+class VocabularyError(InputError):
+    """A value outside the vocabulary, or a file that does not follow its schema."""
+
+
+class InfeasibleError(InputError):
+    """The request is understood but contradicts itself or geometry."""
+
+
+class RoadInfeasibleError(InfeasibleError):
+    """No road network with these parameters exists; the message gives the reason."""
+
+
+class NoScenarioError(InfeasibleError):
+    """No assignment of entries and movements satisfies the functional scenario."""
+
+
+class MotionInfeasibleError(InfeasibleError):
+    """A participant cannot move as asked on this road."""
+
+
+class MissingToolError(ScegenError):
+    """A program or package outside the installation is needed."""
+
+    exit_code = 3

@@ -1,0 +1,1 @@
+"""Road networks: junction templates to geometry and topology, no file format."""

@@ -1,0 +1,211 @@
+"""The road network as geometry and topology, before any file format.
+
+Conventions, which export and motion rely on:
+
+* Arm roads run from their outer end (s = 0) to the junction, reference line on the centre
+  line. In right-hand traffic the lanes towards the junction are right lanes (ids -1, -2, ...),
+  those away from it left lanes (1, 2, ...); in left-hand traffic the other way round. Lane
+  number k of the scenario files (1 = next to the centre line) is the lane with |id| = k.
+* Connecting roads have exactly one driving lane, id -1 in right-hand and left-hand traffic
+  alike, travelled along s, with the reference line on the lane's centre (lane offset w/2).
+* Ring roads of a roundabout run in the direction of traffic; their lanes are -1 (nearest to
+  the reference line) and -2; ring lane number 1 of the scenario files is the innermost lane.
+* A ``straight`` is two arm roads joined end to end; it has no junction.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from scegen.road.geometry import Pose, ReferenceLine
+from scegen.scenario.vocabulary import DrivingSide
+
+
+class LaneType(StrEnum):
+    """OpenDRIVE lane types in use (e_laneType)."""
+
+    DRIVING = "driving"
+    PARKING = "parking"
+    SIDEWALK = "sidewalk"
+    SHOULDER = "shoulder"
+    BORDER = "border"
+
+
+class ContactPoint(StrEnum):
+    """Which end of a road a link meets."""
+
+    START = "start"
+    END = "end"
+
+
+@dataclass(frozen=True, slots=True)
+class Lane:
+    """A lane of constant width. ``id`` as in OpenDRIVE: negative right of the reference line.
+
+    ``predecessor`` and ``successor`` are lane ids of the linked road (None where there is
+    none, or where a junction's connections say it).
+    """
+
+    id: int
+    type: LaneType
+    width_m: float
+    predecessor: int | None = None
+    successor: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class RoadLink:
+    """What a road end is joined to: another road's end, or a junction (contact None)."""
+
+    element: str  # "road" or "junction"
+    id: int
+    contact: ContactPoint | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Crosswalk:
+    """A marked crosswalk over the full carriageway, its middle at ``s_m`` on its road."""
+
+    id: int
+    s_m: float
+    width_m: float
+    t_min_m: float
+    t_max_m: float
+
+
+@dataclass(frozen=True, slots=True)
+class Road:
+    """A road: reference line, lanes, links. ``lane_offset_m`` shifts lane 0 to the left.
+
+    ``speed_limit_mps`` holds on all its lanes; ``junction`` is the id of the junction that a
+    connecting road belongs to, None otherwise. ``arm`` is the arm number of an arm road.
+    """
+
+    id: int
+    name: str
+    line: ReferenceLine
+    lanes: tuple[Lane, ...]
+    speed_limit_mps: float
+    driving_side: DrivingSide
+    lane_offset_m: float = 0.0
+    junction: int | None = None
+    arm: int | None = None
+    predecessor: RoadLink | None = None
+    successor: RoadLink | None = None
+    crosswalks: tuple[Crosswalk, ...] = ()
+
+    @property
+    def length_m(self) -> float:
+        """Length of the reference line."""
+        return self.line.length_m
+
+    def lane(self, lane_id: int) -> Lane:
+        """The lane with this id; KeyError if there is none."""
+        for candidate in self.lanes:
+            if candidate.id == lane_id:
+                return candidate
+        raise KeyError(lane_id)
+
+    def lane_centre_t_m(self, lane_id: int) -> float:
+        """Offset of a lane's centre from the reference line (m, left positive)."""
+        sign = 1 if lane_id > 0 else -1
+        inside = sum(
+            lane.width_m
+            for lane in self.lanes
+            if lane.id * sign > 0 and abs(lane.id) < abs(lane_id)
+        )
+        return self.lane_offset_m + sign * (inside + self.lane(lane_id).width_m / 2)
+
+    def edge_t_m(self, sign: int) -> float:
+        """Offset of the outer edge of the last driving lane on one side (+1 left, -1 right)."""
+        driving = [
+            lane.width_m
+            for lane in self.lanes
+            if lane.id * sign > 0 and lane.type is LaneType.DRIVING
+        ]
+        return self.lane_offset_m + sign * sum(driving)
+
+
+@dataclass(frozen=True, slots=True)
+class Connection:
+    """One way into a junction: incoming lane → lane of a connecting road, met at its start."""
+
+    id: int
+    incoming_road: int
+    connecting_road: int
+    from_lane: int
+    to_lane: int
+
+
+@dataclass(frozen=True, slots=True)
+class JunctionArea:
+    """A junction of OpenDRIVE: the connections that lead through it."""
+
+    id: int
+    name: str
+    connections: tuple[Connection, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class RouteStep:
+    """A stretch of a route: one lane of one road, travelled along s (``forward``) or against."""
+
+    road: int
+    lane: int
+    forward: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Route:
+    """A drivable way from an arm's outer end to another's, lane by lane, without lane changes.
+
+    ``entry_lane``, ``exit_lane`` and ``ring_lane`` are numbers as in the scenario files
+    (``ring_lane`` None away from roundabouts).
+    """
+
+    entry: int
+    entry_lane: int
+    exit: int
+    exit_lane: int
+    ring_lane: int | None
+    steps: tuple[RouteStep, ...]
+
+
+@dataclass(frozen=True)
+class RoadNetwork:
+    """Roads and junctions of one scenario; ``arm_roads[i]`` is the id of arm i's road.
+
+    ``routes`` holds every route by (entry, exit), U-turns included where they are asked for;
+    it is filled by the builder and is complete: each lane of each arm is on some route.
+    """
+
+    name: str
+    driving_side: DrivingSide
+    roads: tuple[Road, ...]
+    junctions: tuple[JunctionArea, ...]
+    arm_roads: tuple[int, ...]
+    routes: dict[tuple[int, int], tuple[Route, ...]] = field(default_factory=dict)
+
+    def road(self, road_id: int) -> Road:
+        """The road with this id; KeyError if there is none."""
+        for candidate in self.roads:
+            if candidate.id == road_id:
+                return candidate
+        raise KeyError(road_id)
+
+    def arm_road(self, arm: int) -> Road:
+        """The road of an arm."""
+        return self.road(self.arm_roads[arm])
+
+    def pose_at(self, step: RouteStep, travelled_m: float, left_m: float = 0.0) -> Pose:
+        """The pose on a lane's centre after ``travelled_m`` in driving direction on that step.
+
+        ``left_m`` shifts it to the driver's left.
+        """
+        road = self.road(step.road)
+        t = road.lane_centre_t_m(step.lane)
+        if step.forward:
+            return road.line.pose(travelled_m, t + left_m)
+        back = road.line.pose(road.length_m - travelled_m, t - left_m)
+        return back.reversed()

@@ -1,0 +1,1 @@
+"""The three levels of a scenario (PEGASUS): functional, logical, concrete; and their files."""

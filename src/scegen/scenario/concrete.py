@@ -1,0 +1,235 @@
+"""Concrete scenario (PEGASUS level 3): every number that the simulator files are made of.
+
+The file is meant to be edited by hand: change a number, generate from it again. Positions
+along a drive are metres travelled from the outer end of the entry arm.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from scegen.scenario.functional import MAX_ARMS, Environment, Hazard
+from scegen.scenario.logical import LogicalScenario, Side
+from scegen.scenario.model import ArmSet, FrozenModel, Identifier
+from scegen.scenario.vocabulary import (
+    Control,
+    DrivingSide,
+    HazardKind,
+    JunctionKind,
+    ParticipantKind,
+    Role,
+)
+
+
+class ArmRoad(FrozenModel):
+    """One arm of the junction.
+
+    ``angle_deg`` is its direction seen from the centre, counter-clockwise from east;
+    ``angle_to_previous_deg`` the angle from the arm before it. ``lanes_in`` lead to the
+    junction, ``lanes_out`` away from it; in right-hand traffic the road, which runs towards
+    the junction, has them as its right and left lanes.
+    """
+
+    id: int = Field(ge=0)
+    length_m: float = Field(gt=0, le=2000)
+    angle_deg: float = Field(ge=0, lt=360)
+    angle_to_previous_deg: float
+    lanes_in: int = Field(ge=1, le=3)
+    lanes_out: int = Field(ge=1, le=3)
+    lane_width_m: float = Field(default=3.5, ge=2.0, le=6.0)
+    speed_limit_mps: float = Field(gt=0, le=70)
+
+
+class RoadParameters(FrozenModel):
+    """All that determines the road network.
+
+    ``corner_radius_m`` is the kerb radius between neighbouring arms, ``ring_radius_m`` the
+    radius of the outermost ring lane's centre; None lets the road package choose.
+    ``parking_lanes`` are arms with a strip for standing vehicles beside the travelled lanes;
+    ``u_turns`` arms where turning back is possible.
+    """
+
+    kind: JunctionKind
+    arms: tuple[ArmRoad, ...] = Field(min_length=2, max_length=MAX_ARMS)
+    driving_side: DrivingSide = DrivingSide.RIGHT
+    control: Control = Control.UNCONTROLLED
+    corner_radius_m: float | None = Field(default=None, gt=0, le=100)
+    ring_radius_m: float | None = Field(default=None, gt=0, le=200)
+    ring_lanes: int = Field(default=1, ge=1, le=2)
+    crosswalks: ArmSet = frozenset()
+    parking_lanes: ArmSet = frozenset()
+    u_turns: ArmSet = frozenset()
+
+
+class AtTime(FrozenModel):
+    """Fires when the simulation time reaches ``time_s``."""
+
+    type: Literal["time"] = "time"
+    time_s: float = Field(ge=0)
+
+
+class Travelled(FrozenModel):
+    """Fires when ``participant`` has travelled ``distance_m`` since its start."""
+
+    type: Literal["travelled"] = "travelled"
+    participant: Identifier
+    distance_m: float = Field(ge=0)
+
+
+class DistanceBelow(FrozenModel):
+    """Fires when the straight distance to ``participant`` falls below ``distance_m``.
+
+    Measured between the entities' reference points (freespace off).
+    """
+
+    type: Literal["distance_below"] = "distance_below"
+    participant: Identifier
+    distance_m: float = Field(gt=0)
+
+
+Trigger = Annotated[AtTime | Travelled | DistanceBelow, Field(discriminator="type")]
+
+
+class SpeedPhase(FrozenModel):
+    """When ``trigger`` fires, change speed linearly to ``target_speed_mps`` at ``rate_mps2``.
+
+    ``hazard`` names the danger that the phase serves. Phases start in order: a phase can only
+    fire once its predecessor has fired.
+    """
+
+    trigger: Trigger
+    target_speed_mps: float = Field(ge=0, le=100)
+    rate_mps2: float = Field(gt=0, le=20)
+    hazard: HazardKind | None = None
+
+
+class LaneChange(FrozenModel):
+    """A change of lane baked into the path.
+
+    At ``position_m`` along the drive the vehicle starts to move into ``lane_after``, and has
+    arrived ``length_m`` later. Lanes count from 1 at the centre line outwards;
+    0 stands for the lane of oncoming traffic next to the centre line. In a ring, 1 is the
+    innermost lane.
+    """
+
+    position_m: float = Field(ge=0)
+    length_m: float = Field(gt=0)
+    lane_after: int = Field(ge=0, le=3)
+    hazard: HazardKind | None = None
+
+
+class DriveMotion(FrozenModel):
+    """A vehicle's way. It starts ``start_m`` along the drive, in lane ``entry_lane``.
+
+    ``turning_starts_m`` and ``turning_ends_m`` are where the junction (or ring) begins and
+    ends on its way; they follow from the road and are checked, not obeyed.
+    """
+
+    type: Literal["drive"] = "drive"
+    entry: int = Field(ge=0)
+    entry_lane: int = Field(ge=1, le=3)
+    exit: int = Field(ge=0)
+    exit_lane: int = Field(ge=1, le=3)
+    ring_lane: int | None = Field(default=None, ge=1, le=2)
+    start_m: float = Field(ge=0)
+    turning_starts_m: float
+    turning_ends_m: float
+    lane_changes: tuple[LaneChange, ...] = ()
+
+
+class CrossingMotion(FrozenModel):
+    """Walks or rides across arm ``arm``, ``from_junction_m`` before its inner end.
+
+    Starts ``setback_m`` outside the carriageway on ``start_side``, seen by entering traffic;
+    stops after ``stops_after_m`` on its way, or goes across (None).
+    """
+
+    type: Literal["crossing"] = "crossing"
+    arm: int = Field(ge=0)
+    start_side: Side
+    from_junction_m: float = Field(ge=0)
+    setback_m: float = Field(ge=0)
+    stops_after_m: float | None = Field(default=None, gt=0)
+
+
+class StandingMotion(FrozenModel):
+    """Stands on arm ``arm``, ``from_junction_m`` before its inner end (rear axle), on ``side``."""
+
+    type: Literal["standing"] = "standing"
+    arm: int = Field(ge=0)
+    side: Side
+    from_junction_m: float = Field(ge=0)
+    in_lane: bool = False
+
+
+Motion = Annotated[DriveMotion | CrossingMotion | StandingMotion, Field(discriminator="type")]
+
+
+class ConcreteParticipant(FrozenModel):
+    """A participant with its way and its speed program (empty = keeps ``speed_mps``)."""
+
+    id: Identifier
+    kind: ParticipantKind
+    role: Role = Role.OTHER
+    parked: bool = False
+    speed_mps: float = Field(ge=0, le=100)
+    motion: Motion
+    speed_program: tuple[SpeedPhase, ...] = ()
+
+
+class Change(FrozenModel):
+    """Provenance: who set a parameter, from what, to what, and why."""
+
+    parameter: str
+    by: str
+    before: float | None = None
+    after: float
+    reason: str
+
+
+class ConcreteScenario(FrozenModel):
+    """All numbers of one scenario, and the logical scenario that it makes concrete."""
+
+    level: Literal["concrete"] = "concrete"
+    name: str = Field(pattern=r"^[A-Za-z0-9_-]+$", max_length=100)
+    description: str
+    seed: int = Field(ge=0)
+    logical: LogicalScenario
+    road: RoadParameters
+    participants: tuple[ConcreteParticipant, ...] = Field(min_length=1)
+    environment: Environment = Environment()
+    hazards: tuple[Hazard, ...] = ()
+    duration_s: float = Field(gt=0, le=600)
+    provenance: tuple[Change, ...] = ()
+
+    @model_validator(mode="after")
+    def _one_ego(self) -> ConcreteScenario:
+        egos = [p.id for p in self.participants if p.role is Role.EGO]
+        if len(egos) != 1:
+            msg = f"exactly one participant must have the role ego, found {egos or 'none'}"
+            raise ValueError(msg)
+        ids = [p.id for p in self.participants]
+        if len(set(ids)) != len(ids):
+            msg = f"participant ids are not unique: {sorted(ids)}"
+            raise ValueError(msg)
+        for participant in self.participants:
+            for phase in participant.speed_program:
+                reference = getattr(phase.trigger, "participant", None)
+                if reference is not None and reference not in ids:
+                    msg = f"a trigger of {participant.id} names the unknown {reference!r}"
+                    raise ValueError(msg)
+        return self
+
+    @property
+    def ego(self) -> ConcreteParticipant:
+        """The vehicle under test."""
+        return next(p for p in self.participants if p.role is Role.EGO)
+
+    def participant(self, name: str) -> ConcreteParticipant:
+        """The participant with this id; KeyError if there is none."""
+        for candidate in self.participants:
+            if candidate.id == name:
+                return candidate
+        raise KeyError(name)

@@ -1,0 +1,231 @@
+"""Functional scenario (PEGASUS level 1): what a description says, in words and sets.
+
+A set holds every value that the text allows; an empty set leaves the choice to enumeration.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import Literal
+
+from pydantic import Field, model_validator
+
+from scegen.scenario.model import ArmSet, FrozenModel, Identifier, Interval, VocabularySet
+from scegen.scenario.vocabulary import (
+    Approach,
+    Control,
+    DrivingSide,
+    EvidenceSource,
+    HazardKind,
+    JunctionKind,
+    Maneuver,
+    ParticipantKind,
+    RoadSurface,
+    Role,
+    TimeOfDay,
+    Visibility,
+    Weather,
+)
+
+MAX_ARMS = 8
+ARM_COUNTS: dict[JunctionKind, tuple[int, int]] = {
+    JunctionKind.STRAIGHT: (2, 2),
+    JunctionKind.T: (3, 3),
+    JunctionKind.Y: (3, 3),
+    JunctionKind.FOUR_WAY: (4, 4),
+    JunctionKind.SKEWED: (4, 4),
+    JunctionKind.MULTI_WAY: (3, MAX_ARMS),
+    JunctionKind.ROUNDABOUT: (3, 6),
+}
+"""Fewest and most arms of each junction kind."""
+
+
+class Junction(FrozenModel):
+    """The road network that a description speaks of.
+
+    ``arm_angles_deg`` are the directions of the arms seen from the centre, in degrees
+    counter-clockwise from east, one per arm in rising order; empty means the kind's own.
+    ``lanes`` is the number of lanes per direction of each arm; empty means one everywhere.
+    ``crosswalks`` are the arms that a marked crosswalk runs across.
+    """
+
+    kind: JunctionKind
+    arms: int = Field(ge=2, le=MAX_ARMS)
+    arm_angles_deg: tuple[float, ...] = ()
+    lanes: tuple[int, ...] = ()
+    ring_lanes: int | None = Field(default=None, ge=1, le=2)
+    speed_limit_mps: float | None = Field(default=None, gt=0, le=70)
+    driving_side: DrivingSide = DrivingSide.RIGHT
+    control: Control = Control.UNCONTROLLED
+    crosswalks: ArmSet = frozenset()
+
+    @model_validator(mode="after")
+    def _fits_its_kind(self) -> Junction:
+        fewest, most = ARM_COUNTS[self.kind]
+        if not fewest <= self.arms <= most:
+            wanted = f"{fewest}" if fewest == most else f"{fewest} to {most}"
+            msg = f"a {self.kind} junction has {wanted} arms, not {self.arms}"
+            raise ValueError(msg)
+        if self.arm_angles_deg and len(self.arm_angles_deg) != self.arms:
+            msg = f"arm_angles_deg gives {len(self.arm_angles_deg)} angles for {self.arms} arms"
+            raise ValueError(msg)
+        if list(self.arm_angles_deg) != sorted(a % 360 for a in self.arm_angles_deg):
+            msg = "arm_angles_deg must rise from arm to arm within [0, 360)"
+            raise ValueError(msg)
+        if self.lanes and len(self.lanes) != self.arms:
+            msg = f"lanes gives {len(self.lanes)} numbers for {self.arms} arms"
+            raise ValueError(msg)
+        if any(not 1 <= count <= 3 for count in self.lanes):
+            msg = "lanes per direction must be 1, 2 or 3"
+            raise ValueError(msg)
+        if any(not 0 <= arm < self.arms for arm in self.crosswalks):
+            msg = f"crosswalks names an arm outside 0..{self.arms - 1}"
+            raise ValueError(msg)
+        return self
+
+
+class Participant(FrozenModel):
+    """Somebody or something in traffic.
+
+    ``approaches`` are relative to the ego; ``entries`` are arm numbers; ``speed_mps`` is the
+    range that the text gives, None if it gives none.
+    """
+
+    id: Identifier
+    kind: ParticipantKind = ParticipantKind.CAR
+    role: Role = Role.OTHER
+    parked: bool = False
+    approaches: VocabularySet[Approach] = frozenset()
+    maneuvers: VocabularySet[Maneuver] = frozenset()
+    entries: ArmSet = frozenset()
+    speed_mps: Interval | None = None
+
+
+class Relation(FrozenModel):
+    """Where ``participant`` comes from, seen from a ``reference`` that is not the ego."""
+
+    participant: Identifier
+    reference: Identifier
+    approaches: VocabularySet[Approach] = Field(min_length=1)
+
+
+class Hazard(FrozenModel):
+    """A danger: its kind, who causes it, who suffers it (ids; empty = not said)."""
+
+    kind: HazardKind
+    by: tuple[Identifier, ...] = ()
+    to: tuple[Identifier, ...] = ()
+
+
+class Environment(FrozenModel):
+    """Conditions around the traffic; None = not said."""
+
+    weather: Weather | None = None
+    time_of_day: TimeOfDay | None = None
+    road_surface: RoadSurface | None = None
+    visibility: Visibility | None = None
+
+
+class Evidence(FrozenModel):
+    """What one field rests on.
+
+    ``field`` is a path such as ``junction.kind`` or ``participants.car_1.maneuvers``;
+    hazards are named by kind (``hazards.speeding``). ``start`` and ``end`` are character
+    offsets into the description, ``text`` the words between them; a field that does not
+    rest on words has a ``reason`` instead.
+    """
+
+    field: str
+    source: EvidenceSource
+    text: str | None = None
+    start: int | None = Field(default=None, ge=0)
+    end: int | None = Field(default=None, ge=0)
+    reason: str | None = None
+
+    @model_validator(mode="after")
+    def _rests_on_something(self) -> Evidence:
+        if self.source is EvidenceSource.STATED and self.text is None:
+            msg = f"stated field {self.field} names no words of the text"
+            raise ValueError(msg)
+        if self.source is not EvidenceSource.STATED and not self.reason:
+            msg = f"field {self.field} is {self.source} without a reason"
+            raise ValueError(msg)
+        return self
+
+
+class Unsupported(FrozenModel):
+    """Words understood to matter but not expressible, and what was done instead."""
+
+    text: str
+    start: int = Field(ge=0)
+    end: int = Field(ge=0)
+    instead: str
+
+
+class FunctionalScenario(FrozenModel):
+    """A description, understood. Exactly one participant is the ego."""
+
+    level: Literal["functional"] = "functional"
+    description: str
+    junction: Junction
+    participants: tuple[Participant, ...] = Field(min_length=1)
+    relations: tuple[Relation, ...] = ()
+    hazards: tuple[Hazard, ...] = ()
+    environment: Environment = Environment()
+    evidence: tuple[Evidence, ...] = ()
+    unsupported: tuple[Unsupported, ...] = ()
+
+    @model_validator(mode="after")
+    def _consistent(self) -> FunctionalScenario:
+        ids = Counter(p.id for p in self.participants)
+        doubled = [name for name, times in ids.items() if times > 1]
+        if doubled:
+            msg = f"two participants are called {doubled[0]!r}"
+            raise ValueError(msg)
+        egos = [p.id for p in self.participants if p.role is Role.EGO]
+        if len(egos) != 1:
+            msg = f"exactly one participant must have the role ego, found {egos or 'none'}"
+            raise ValueError(msg)
+        for participant in self.participants:
+            if any(not 0 <= arm < self.junction.arms for arm in participant.entries):
+                msg = (
+                    f"{participant.id} enters at an arm outside 0..{self.junction.arms - 1}: "
+                    f"{sorted(participant.entries)}"
+                )
+                raise ValueError(msg)
+        named = [(r.participant, "relations") for r in self.relations]
+        named += [(r.reference, "relations") for r in self.relations]
+        named += [(name, f"hazards.{h.kind}") for h in self.hazards for name in (*h.by, *h.to)]
+        for name, place in named:
+            if name not in ids:
+                msg = f"{place} names the unknown participant {name!r}"
+                raise ValueError(msg)
+        return self
+
+    @property
+    def ego(self) -> Participant:
+        """The vehicle under test."""
+        return next(p for p in self.participants if p.role is Role.EGO)
+
+    def participant(self, name: str) -> Participant:
+        """The participant with this id; KeyError if there is none."""
+        for candidate in self.participants:
+            if candidate.id == name:
+                return candidate
+        raise KeyError(name)
+
+    @property
+    def vehicles(self) -> tuple[Participant, ...]:
+        """Participants that drive from an entry to an exit: not parked, walking or crossing."""
+        return tuple(
+            p
+            for p in self.participants
+            if not p.parked
+            and p.kind is not ParticipantKind.PEDESTRIAN
+            and p.maneuvers != frozenset({Maneuver.CROSS})
+        )
+
+    @property
+    def crossers(self) -> tuple[Participant, ...]:
+        """Pedestrians, and cyclists whose maneuver is to cross."""
+        return tuple(p for p in self.participants if not p.parked and p not in self.vehicles)

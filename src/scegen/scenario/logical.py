@@ -1,0 +1,165 @@
+"""Logical scenarios (PEGASUS level 2): who enters and leaves where, and parameter ranges.
+
+One functional scenario has a set of logical ones; the set says how it was reduced and how
+many assignments stand behind every scenario, so that nothing is merged in silence.
+"""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Literal
+
+from pydantic import Field, model_validator
+
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.model import FrozenModel, Identifier
+from scegen.scenario.vocabulary import ArmsMode, Maneuver, Reduction
+
+
+class Side(StrEnum):
+    """A side of the road, seen by traffic that enters the junction on that arm."""
+
+    RIGHT = "right"
+    LEFT = "left"
+
+
+class Drive(FrozenModel):
+    """A vehicle's assignment: enters at arm ``entry``, makes move ``move``, leaves at ``exit``.
+
+    ``turn`` names the movement by geometry; ``maneuver`` is what it does beside (a lane
+    change, an overtake), or the same as ``turn``. ``rank`` orders the vehicles of one entry
+    arm, 0 = first to arrive; ``beside`` names the one next to which it travels, in another lane.
+    """
+
+    type: Literal["drive"] = "drive"
+    participant: Identifier
+    entry: int = Field(ge=0)
+    move: int = Field(ge=0)
+    exit: int = Field(ge=0)
+    turn: Maneuver
+    maneuver: Maneuver
+    rank: int = Field(default=0, ge=0)
+    beside: Identifier | None = None
+
+
+class Crossing(FrozenModel):
+    """A pedestrian's or cyclist's assignment: crosses arm ``arm``, starting on side ``start``."""
+
+    type: Literal["crossing"] = "crossing"
+    participant: Identifier
+    arm: int = Field(ge=0)
+    start: Side
+
+
+class Standing(FrozenModel):
+    """A parked vehicle's assignment: stands on side ``side`` of arm ``arm``.
+
+    ``in_lane`` says that it blocks the travelled lane instead of standing beside it.
+    """
+
+    type: Literal["standing"] = "standing"
+    participant: Identifier
+    arm: int = Field(ge=0)
+    side: Side = Side.RIGHT
+    in_lane: bool = False
+
+
+Assignment = Drive | Crossing | Standing
+
+
+class ConflictKind(StrEnum):
+    """How the paths of two participants meet."""
+
+    CROSSING = "crossing"
+    MERGING = "merging"
+    DIVERGING = "diverging"
+    FOLLOWING = "following"
+    NONE = "none"
+
+
+class Conflict(FrozenModel):
+    """A pair of participants whose paths meet."""
+
+    first: Identifier
+    second: Identifier
+    kind: ConflictKind
+
+
+class ParameterRange(FrozenModel):
+    """A parameter that concretization may choose within ``[low, high]``; ``name`` ends in its unit.
+
+    ``name`` is ``<participant>.<quantity>`` or ``road.<quantity>``; ``reason`` says where the
+    range comes from.
+    """
+
+    name: str
+    low: float
+    high: float
+    default: float
+    reason: str
+
+    @model_validator(mode="after")
+    def _ordered(self) -> ParameterRange:
+        if not self.low <= self.default <= self.high:
+            msg = f"{self.name}: default {self.default:g} outside [{self.low:g}, {self.high:g}]"
+            raise ValueError(msg)
+        return self
+
+
+class LogicalScenario(FrozenModel):
+    """One distinct traffic scenario.
+
+    ``pattern`` is the multiset of the drivers' symbolic moves, sorted (the source paper's
+    caption); ``class_size`` counts the assignments that the reduction holds to be this one.
+    """
+
+    index: int = Field(ge=0)
+    slug: str = Field(pattern=r"^[a-z0-9-]+$")
+    pattern: tuple[int, ...]
+    class_size: int = Field(default=1, ge=1)
+    assignments: tuple[Assignment, ...]
+    conflicts: tuple[Conflict, ...] = ()
+    parameters: tuple[ParameterRange, ...] = ()
+
+    @property
+    def drives(self) -> tuple[Drive, ...]:
+        """The assignments of vehicles that drive."""
+        return tuple(a for a in self.assignments if isinstance(a, Drive))
+
+    @property
+    def crossings(self) -> tuple[Crossing, ...]:
+        """The assignments of those who cross an arm."""
+        return tuple(a for a in self.assignments if isinstance(a, Crossing))
+
+    @property
+    def standings(self) -> tuple[Standing, ...]:
+        """The assignments of parked vehicles."""
+        return tuple(a for a in self.assignments if isinstance(a, Standing))
+
+    def assignment(self, participant: str) -> Assignment:
+        """The assignment of one participant; KeyError if it has none."""
+        for candidate in self.assignments:
+            if candidate.participant == participant:
+                return candidate
+        raise KeyError(participant)
+
+
+class Certificate(FrozenModel):
+    """What the enumeration claims: ``total`` assignments fall into ``count`` scenarios."""
+
+    total: int = Field(ge=0)
+    count: int = Field(ge=0)
+    complete: bool
+    method: str
+
+
+class LogicalSet(FrozenModel):
+    """All logical scenarios of one functional scenario, under one reduction."""
+
+    level: Literal["logical"] = "logical"
+    functional: FunctionalScenario
+    reduction: Reduction
+    arms: ArmsMode
+    certificate: Certificate
+    notes: tuple[str, ...] = ()
+    scenarios: tuple[LogicalScenario, ...]

@@ -1,0 +1,54 @@
+"""The base of every scenario type: frozen, closed, and the same bytes in YAML and JSON."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from enum import Enum
+from typing import Annotated, Any, TypeVar
+
+from pydantic import BaseModel, ConfigDict, Field, PlainSerializer, model_validator
+
+T = TypeVar("T", bound=Enum)
+
+
+class FrozenModel(BaseModel):
+    """Immutable, hashable where its fields are, refuses unknown fields."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+
+def _in_order(values: Iterable[Any]) -> list[Any]:
+    """Sets are written in the order of the vocabulary, so that files never differ by chance."""
+
+    def position(value: Any) -> int:  # noqa: ANN401 - enum members or ints
+        return list(type(value)).index(value) if isinstance(value, Enum) else int(value)
+
+    return sorted(values, key=position)
+
+
+VocabularySet = Annotated[frozenset[T], PlainSerializer(_in_order, return_type=list[Any])]
+"""A set of vocabulary members, serialised as a list in vocabulary order."""
+
+ArmSet = Annotated[frozenset[int], PlainSerializer(_in_order, return_type=list[int])]
+"""A set of arm numbers, serialised in rising order."""
+
+Identifier = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]*$", max_length=40)]
+"""Names of participants: lower case, usable as file, XML and ASP constants."""
+
+
+class Interval(FrozenModel):
+    """A closed range of a quantity in SI units; ``low == high`` is an exact statement."""
+
+    low: float
+    high: float
+
+    @model_validator(mode="after")
+    def _ordered(self) -> Interval:
+        if self.low > self.high:
+            msg = f"low {self.low:g} lies above high {self.high:g}"
+            raise ValueError(msg)
+        return self
+
+    def clip(self, value: float) -> float:
+        """The nearest value inside the range."""
+        return min(max(value, self.low), self.high)
