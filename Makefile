@@ -1,0 +1,52 @@
+# The two commands: `make demo` and `make test`. All that they need goes into .venv.
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+DEMO_TEXT := A vehicle tailgating another car at a four-way stop, leading to a sudden braking event as a pedestrian steps into the crosswalk.
+
+.DEFAULT_GOAL := help
+.PHONY: help demo test lint types layers asam interop benchmark schemas lock clean
+
+help: ## what there is to make
+	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## /  \1\t/' | expand -t 14
+
+$(VENV)/.installed: pyproject.toml constraints.txt
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
+	  { echo "Python 3.11 or newer is needed; name one: make PYTHON=python3.12 $(MAKECMDGOALS)" >&2; exit 1; }
+	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	@echo "installing into $(VENV) (once, a minute or two)"
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev]'
+	@touch $@
+
+$(VENV)/asam/.installed: $(VENV)/.installed src/scegen/checking/data/asam-constraints.txt
+	@echo "installing the ASAM checkers into $(VENV)/asam (once)"
+	@$(BIN)/python -m scegen.checking.environment asam
+	@touch $@
+
+asam: $(VENV)/asam/.installed ## install the ASAM checkers in an environment of their own
+
+demo: $(VENV)/asam/.installed ## from a sentence to simulator files, in ./demo
+	$(BIN)/scegen generate "$(DEMO_TEXT)" -o demo --count 2 --check full --force
+
+test: $(VENV)/asam/.installed ## all tests
+	$(BIN)/python -m pytest -n 2 -m "not interop"
+
+lint: $(VENV)/.installed ## ruff, mypy strict, import-linter
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+
+interop: $(VENV)/asam/.installed ## independent validators: ASAM, carla.Map, netconvert, esmini if present
+	$(BIN)/python -m scegen.checking.environment interop
+	$(BIN)/python -m pytest -n 2 -m "interop"
+
+benchmark: $(VENV)/asam/.installed ## the source paper's eleven sentences
+	$(BIN)/scegen benchmark paper
+
+lock: ## pin what is installed now
+	@{ sed -n '1p' constraints.txt; $(BIN)/python -m pip freeze --exclude-editable | grep -vE '^(pip|setuptools)=='; } > constraints.new
+	@mv constraints.new constraints.txt
+
+clean: ## remove everything made
+	rm -rf $(VENV) demo .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis

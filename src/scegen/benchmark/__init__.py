@@ -1,0 +1,1 @@
+"""Measured claims: the source paper's own experiment, repeated."""

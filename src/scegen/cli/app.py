@@ -1,0 +1,69 @@
+"""The application: its commands, and one place where errors become messages and exit codes."""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import Annotated
+
+import typer
+
+from scegen import __version__
+from scegen.cli import benchmark, check, generate, levels, machine
+from scegen.cli.console import stderr
+from scegen.errors import ScegenError
+
+INTERRUPTED = 130
+
+app = typer.Typer(
+    name="scegen",
+    help="From an English description of traffic to every scenario it can mean, "
+    "as OpenDRIVE and OpenSCENARIO files.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+)
+
+
+def _version(wanted: bool) -> None:  # noqa: FBT001 - typer's callback
+    if wanted:
+        typer.echo(f"scegen {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _options(
+    version: Annotated[  # noqa: ARG001 - handled by the callback
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Say the version.")
+    ] = False,
+) -> None:
+    pass
+
+
+app.command("generate")(generate.generate)
+app.command("understand")(levels.understand)
+app.command("enumerate")(levels.enumerate_)
+app.command("concretize")(levels.concretize)
+app.command("check")(check.check)
+app.command("play")(machine.play)
+app.command("schema")(levels.schema)
+app.command("doctor")(machine.doctor)
+app.add_typer(benchmark.app, name="benchmark")
+
+
+def main() -> None:
+    """Run the command line; every expected error is one message and an exit code."""
+    try:
+        app()
+    except ScegenError as error:
+        stderr.print("error:", style="bold red", end=" ")
+        stderr.print(error.render(), markup=False)
+        sys.exit(error.exit_code)
+    except KeyboardInterrupt:
+        stderr.print("interrupted; nothing was written")
+        sys.exit(INTERRUPTED)
+    except BrokenPipeError:
+        # the reader of stdout is gone (| head); Python would complain again at exit
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(1)

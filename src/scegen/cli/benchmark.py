@@ -1,0 +1,68 @@
+"""scegen benchmark: measured claims."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from scegen.cli.console import result_json, working
+
+if TYPE_CHECKING:
+    from scegen.benchmark.paper import Row
+
+app = typer.Typer(help="Repeat measured claims.", no_args_is_help=True, rich_markup_mode=None)
+
+
+@app.callback()
+def _group() -> None:
+    """Repeat measured claims."""
+
+
+@app.command("paper")
+def paper(
+    json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
+    seed: Annotated[int, typer.Option(min=0, help="Seed of everything random.")] = 0,
+) -> None:
+    """The source paper's eleven sentences: understood, made, and passed by every checker."""
+    from scegen.benchmark.paper import PAPER_CASES, PAPER_SUCCESSES, run
+
+    with working() as progress:
+        rows = list(run(progress, seed=seed))
+    green = sum(row.green for row in rows)
+    if json:
+        result_json(
+            {
+                "green": green,
+                "cases": len(rows),
+                "paper": {"successes": PAPER_SUCCESSES, "cases": PAPER_CASES},
+                "rows": [row.to_data() for row in rows],
+            }
+        )
+    else:
+        _print_table(rows, f"ours {green}/{len(rows)}, the paper {PAPER_SUCCESSES}/{PAPER_CASES}")
+    if any(not row.understood or row.problem or "failed" in row.checks.values() for row in rows):
+        raise typer.Exit(1)
+
+
+def _print_table(rows: list[Row], caption: str) -> None:
+    from rich.console import Console
+    from rich.table import Table
+
+    checkers = list(dict.fromkeys(name for row in rows for name in row.checks))
+    table = Table(caption=f"cases with every check passed: {caption}", caption_justify="left")
+    table.add_column("case", no_wrap=True)
+    for name in ("understood", "participants", "scenarios", "files", *checkers):
+        table.add_column(name, justify="center")
+    marks = {"passed": "yes", "failed": "NO", "not_run": "not run", "": "-"}
+    for row in rows:
+        table.add_row(
+            row.case,
+            "yes" if row.understood else f"NO: {', '.join(row.wrong_fields)}",
+            str(row.participants),
+            str(row.scenarios),
+            str(row.files) if row.problem is None else f"none: {row.problem}",
+            *(marks[row.checks.get(name, "")] for name in checkers),
+        )
+    console = Console()
+    console.print(table)

@@ -1,0 +1,48 @@
+"""scegen check: every checker on what was made, or on any OpenDRIVE and OpenSCENARIO file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from scegen.cli.console import result_json, working
+from scegen.errors import InputError, MissingToolError
+
+
+def check(
+    paths: Annotated[
+        list[Path],
+        typer.Argument(metavar="DIR|FILE...", help="Folders made by generate, or single files."),
+    ],
+    require: Annotated[
+        str, typer.Option(help="Checkers that must have run, such as esmini,asam-opendrive.")
+    ] = "",
+    json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
+) -> None:
+    """Check files by geometry, topology, schema, the ASAM checkers and esmini."""
+    from scegen.checking import CHECKERS, CheckStatus, check_path, reports_table
+
+    required = {name.strip() for name in require.split(",") if name.strip()}
+    if unknown := required - set(CHECKERS):
+        raise InputError(
+            f"no checker is called {sorted(unknown)[0]!r}",
+            where="--require",
+            hint=f"there are: {', '.join(CHECKERS)}",
+        )
+    with working() as progress:
+        progress("checking")
+        reports = [report for path in paths for report in check_path(path)]
+    if json:
+        result_json([report.to_dict() for report in reports])
+    else:
+        from rich.console import Console
+
+        Console().print(reports_table(reports))
+    if not all(report.ok for report in reports):
+        raise typer.Exit(1)
+    for report in reports:
+        for item in report.results:
+            if item.checker in required and item.status is CheckStatus.NOT_RUN:
+                raise MissingToolError(f"{item.checker} did not run: {item.detail}")

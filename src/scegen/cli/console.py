@@ -1,0 +1,40 @@
+"""Where words go: results to stdout, everything else to stderr."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+from rich.console import Console
+from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+
+stderr = Console(stderr=True, highlight=False, soft_wrap=True)
+
+
+def say(text: str) -> None:
+    """A remark for the person, on stderr."""
+    stderr.print(text, markup=False)
+
+
+def result(text: str) -> None:
+    """A result, on stdout, exactly as it is."""
+    sys.stdout.write(text if text.endswith("\n") else text + "\n")
+
+
+def result_json(data: object) -> None:
+    """A result as indented JSON, on stdout."""
+    result(json.dumps(data, indent=2, ensure_ascii=False))
+
+
+@contextmanager
+def working() -> Iterator[Callable[[str], None]]:
+    """Show the step under way on a terminal; nothing where stderr is no terminal."""
+    if not stderr.is_terminal:
+        yield lambda _: None
+        return
+    columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
+    with Progress(*columns, console=stderr, transient=True) as progress:
+        task = progress.add_task("starting", total=None)
+        yield lambda step: progress.update(task, description=step)

@@ -1,0 +1,86 @@
+"""scegen generate: all stages."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from scegen.cli.console import result, result_json, say, working
+from scegen.cli.options import CheckDepth, OscVersion
+from scegen.scenario.vocabulary import ArmsMode, Reduction
+
+if TYPE_CHECKING:
+    from scegen.pipeline.generate import Result
+
+
+def generate(
+    source: Annotated[
+        str,
+        typer.Argument(
+            metavar="TEXT|FILE",
+            help="A description, or a file: text, functional.yaml, logical.json, concrete.yaml.",
+        ),
+    ],
+    output: Annotated[Path, typer.Option("--output", "-o", help="Folder to make.")],
+    pick: Annotated[
+        str | None,
+        typer.Option(help="Logical scenarios to make: all, numbers (3), ranges (0-4), names."),
+    ] = None,
+    count: Annotated[
+        int, typer.Option(help="How many to make where --pick names none, richest first.")
+    ] = 1,
+    seed: Annotated[int, typer.Option(min=0, help="Seed of everything random.")] = 0,
+    reduction: Annotated[
+        Reduction, typer.Option(help="Which assignments count as one scenario.")
+    ] = Reduction.EXACT,
+    arms: Annotated[
+        ArmsMode, typer.Option(help="Whether all arms count alike.")
+    ] = ArmsMode.DISTINCT,
+    osc: Annotated[OscVersion, typer.Option(help="Version of OpenSCENARIO.")] = OscVersion.V1_0,
+    check: Annotated[
+        CheckDepth, typer.Option(help="quick leaves out the ASAM checkers.")
+    ] = CheckDepth.QUICK,
+    force: Annotated[
+        bool, typer.Option("--force", help="Replace what lies in the folder.")
+    ] = False,
+    json: Annotated[bool, typer.Option("--json", help="Print summary.json.")] = False,
+) -> None:
+    """Make simulator files from a description (or from any level, edited by hand)."""
+    from scegen.pipeline.generate import Options
+    from scegen.pipeline.generate import generate as run
+    from scegen.pipeline.source import resolve_source
+    from scegen.pipeline.verdict import CheckDepth as Depth
+
+    with working() as progress:
+        progress("understanding")
+        options = Options(pick, count, seed, reduction, arms, osc.value, Depth(check.value), force)
+        made = run(resolve_source(source), output, options, progress)
+    if json:
+        import json as json_module
+
+        result_json(json_module.loads((output / "summary.json").read_text(encoding="utf-8")))
+    else:
+        _tell(made)
+    if not made.ok:
+        raise typer.Exit(1)
+
+
+def _tell(made: Result) -> None:
+    functional, logical = made.functional, made.logical
+    if functional is not None:
+        for phrase in functional.unsupported:
+            say(f'not expressed: "{phrase.text}" ({phrase.instead})')
+    if logical is not None:
+        certificate = logical.certificate
+        say(
+            f"{certificate.total} assignments, {certificate.count} distinct scenarios "
+            f"(reduction {logical.reduction}, arms {logical.arms})"
+        )
+    for name, reason in made.skipped.items():
+        say(f"skipped {name}: {reason}")
+    for name, report in made.checks.items():
+        states = ", ".join(f"{r.checker} {r.status}" for r in report.results)
+        result(f"{made.folder / 'scenarios' / name}  {states}".rstrip())
+    say(f"open {made.folder / 'report.html'}")

@@ -1,0 +1,103 @@
+"""What lies in an output folder beside the scenarios: the levels, pictures, report, summary."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+
+from scegen import __version__
+from scegen.checking import CheckReport
+from scegen.pipeline.export import PREVIEW_FILE
+from scegen.pipeline.folder import digest
+from scegen.report.gallery import gallery_svg
+from scegen.report.html import CheckRow, ConcreteEntry, ReportInput, report_html
+from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.files import to_json, to_yaml
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.logical import LogicalSet
+
+
+@dataclass(frozen=True, slots=True)
+class Made:
+    """A concrete scenario with its files and its checks."""
+
+    concrete: ConcreteScenario
+    files: dict[str, bytes]
+    checks: CheckReport
+
+
+def folder_files(
+    functional: FunctionalScenario | None,
+    logical: LogicalSet | None,
+    made: list[Made],
+    skipped: dict[str, str],
+    seed: int,
+) -> dict[str, bytes]:
+    """The files at the top of the output folder by name, the summary last."""
+    files: dict[str, bytes] = {}
+    if functional is not None:
+        files["functional.yaml"] = to_yaml(functional).encode()
+    if logical is not None:
+        files["logical.json"] = to_json(logical).encode()
+        files["gallery.svg"] = gallery_svg(logical).encode()
+    files["report.html"] = report_html(_report_input(functional, logical, made, skipped)).encode()
+    files["summary.json"] = _summary(logical, made, skipped, seed, files)
+    return files
+
+
+def _report_input(
+    functional: FunctionalScenario | None,
+    logical: LogicalSet | None,
+    made: list[Made],
+    skipped: dict[str, str],
+) -> ReportInput:
+    entries = tuple(
+        ConcreteEntry(
+            concrete=item.concrete,
+            preview_png=item.files[PREVIEW_FILE],
+            folder=f"scenarios/{item.concrete.name}",
+            checks=tuple(
+                CheckRow(result.checker, str(result.status), result.summary)
+                for result in item.checks.results
+            ),
+        )
+        for item in made
+    )
+    return ReportInput(functional, logical, entries, tuple(skipped.items()))
+
+
+def _summary(
+    logical: LogicalSet | None,
+    made: list[Made],
+    skipped: dict[str, str],
+    seed: int,
+    top: dict[str, bytes],
+) -> bytes:
+    """No times and no paths: the same run gives the same bytes."""
+    hashes = {name: digest(content) for name, content in top.items()}
+    for item in made:
+        folder = f"scenarios/{item.concrete.name}"
+        hashes |= {f"{folder}/{name}": digest(content) for name, content in item.files.items()}
+    summary = {
+        "scegen": __version__,
+        "seed": seed,
+        "description": made[0].concrete.description,
+        "enumeration": logical
+        and {
+            "reduction": logical.reduction,
+            "arms": logical.arms,
+            **logical.certificate.model_dump(mode="json"),
+        },
+        "scenarios": [
+            {
+                "name": item.concrete.name,
+                "folder": f"scenarios/{item.concrete.name}",
+                "logical_index": item.concrete.logical.index,
+                "checks": {r.checker: str(r.status) for r in item.checks.results},
+            }
+            for item in made
+        ],
+        "skipped": skipped,
+        "files": dict(sorted(hashes.items())),
+    }
+    return (json.dumps(summary, indent=2, ensure_ascii=False) + "\n").encode()

@@ -1,0 +1,36 @@
+"""A concrete scenario as files: road, scenario, the numbers themselves and a picture."""
+
+from __future__ import annotations
+
+from scegen.export.opendrive import write_opendrive
+from scegen.export.openscenario import write_openscenario
+from scegen.motion import build_paths
+from scegen.report.preview import preview_png
+from scegen.road import build_network
+from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.files import to_yaml
+
+ROAD_FILE = "road.xodr"
+SCENARIO_FILE = "scenario.xosc"
+CONCRETE_FILE = "concrete.yaml"
+PREVIEW_FILE = "preview.png"
+
+
+def export_scenario(concrete: ConcreteScenario, *, osc: str = "1.0") -> dict[str, bytes]:
+    """The files of one scenario folder by name.
+
+    Args:
+        concrete: the scenario.
+        osc: version of OpenSCENARIO, ``1.0`` or ``1.2``.
+
+    Raises:
+        RoadInfeasibleError, MotionInfeasibleError: the numbers cannot be built.
+    """
+    network = build_network(concrete.road, name=concrete.name)
+    paths = build_paths(concrete, network)
+    return {
+        ROAD_FILE: write_opendrive(network),
+        SCENARIO_FILE: write_openscenario(concrete, paths, road_file=ROAD_FILE, version=osc),
+        CONCRETE_FILE: to_yaml(concrete).encode(),
+        PREVIEW_FILE: preview_png(concrete, network, paths),
+    }

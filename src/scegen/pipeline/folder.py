@@ -1,0 +1,106 @@
+"""The output folder: written whole or not at all, and never over somebody's own edits."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import shutil
+import tempfile
+from pathlib import Path
+
+from scegen.errors import InputError
+
+SUMMARY_FILE = "summary.json"
+
+
+def digest(content: bytes) -> str:
+    """SHA-256 of a file's content, in hexadecimal."""
+    return hashlib.sha256(content).hexdigest()
+
+
+def require_usable(folder: Path, *, force: bool) -> None:
+    """Refuse a folder that cannot be written, or whose content would be lost.
+
+    Files made here and not changed since are replaced; a file that somebody edited, or a
+    folder that something else filled, is only touched with ``force``.
+
+    Raises:
+        InputError: says which file or folder is in the way, and what to do.
+    """
+    if folder.exists() and not folder.is_dir():
+        raise InputError("is a file, not a folder", where=str(folder), hint="choose another -o")
+    existing = next(p for p in (folder, *folder.absolute().parents) if p.exists())
+    try:
+        with tempfile.TemporaryDirectory(prefix=".scegen-", dir=existing):
+            pass
+    except OSError as error:
+        raise InputError(
+            f"cannot be written: {error.strerror}", where=str(folder), hint="choose another -o"
+        ) from error
+    if force or not folder.exists() or not any(folder.iterdir()):
+        return
+    for name, reason in _in_the_way(folder):
+        raise InputError(
+            f"{name} {reason}",
+            where=str(folder),
+            hint="choose another -o, or --force to replace what is there",
+        )
+
+
+def _in_the_way(folder: Path) -> list[tuple[str, str]]:
+    summary = folder / SUMMARY_FILE
+    try:
+        made = json.loads(summary.read_text(encoding="utf-8"))["files"]
+    except (OSError, ValueError, KeyError, TypeError):
+        return [("the folder", "is not empty and was not made by scegen generate")]
+    changed = []
+    for path in sorted(p for p in folder.rglob("*") if p.is_file() and p != summary):
+        name = path.relative_to(folder).as_posix()
+        if name not in made:
+            changed.append((name, "was not made by scegen generate"))
+        elif digest(path.read_bytes()) != made[name]:
+            changed.append((name, "was changed since it was made"))
+    return changed
+
+
+def replace_content(folder: Path, staged: Path) -> None:
+    """Move everything in ``staged`` into ``folder``, replacing what has the same name.
+
+    What is replaced is kept aside until all is in place, and put back if anything fails.
+
+    Raises:
+        InputError: the folder cannot be written; it is as it was before.
+    """
+    made_here = not folder.exists()
+    moved: list[tuple[Path, Path | None]] = []
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(prefix=".scegen-", dir=folder) as work:
+            fresh, old = Path(work, "new"), Path(work, "old")
+            shutil.copytree(staged, fresh)
+            old.mkdir()
+            try:
+                for source in sorted(fresh.iterdir()):
+                    target = folder / source.name
+                    kept = target.rename(old / source.name) if target.exists() else None
+                    moved.append((target, kept))
+                    source.rename(target)
+            except OSError:
+                _put_back(moved)
+                raise
+    except OSError as error:
+        if made_here:
+            shutil.rmtree(folder, ignore_errors=True)
+        raise InputError(
+            f"cannot be written: {error.strerror}", where=str(folder), hint="choose another -o"
+        ) from error
+
+
+def _put_back(moved: list[tuple[Path, Path | None]]) -> None:
+    for target, kept in reversed(moved):
+        if target.is_dir():
+            shutil.rmtree(target, ignore_errors=True)
+        else:
+            target.unlink(missing_ok=True)
+        if kept is not None:
+            kept.rename(target)

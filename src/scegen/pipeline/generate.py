@@ -1,0 +1,130 @@
+"""All stages in a row, from a source at any level to a finished folder."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from scegen.checking import CheckReport
+from scegen.enumeration import enumerate_scenarios
+from scegen.errors import InfeasibleError, InputError
+from scegen.motion import concretize
+from scegen.pipeline.contents import Made, folder_files
+from scegen.pipeline.export import export_scenario
+from scegen.pipeline.folder import replace_content, require_usable
+from scegen.pipeline.picking import pick
+from scegen.pipeline.source import Source
+from scegen.pipeline.verdict import CheckDepth, check_scenario_folder
+from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.logical import LogicalSet
+from scegen.scenario.vocabulary import ArmsMode, Reduction
+
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """What ``generate`` may be told.
+
+    ``count`` is how many concrete scenarios to make where ``pick`` names none; with ``pick``,
+    all that it names are made.
+    """
+
+    pick: str | None = None
+    count: int = 1
+    seed: int = 0
+    reduction: Reduction = Reduction.EXACT
+    arms: ArmsMode = ArmsMode.DISTINCT
+    osc: str = "1.0"
+    depth: CheckDepth = CheckDepth.QUICK
+    force: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """What was made: scenario folders by name, their checks, and what could not be made."""
+
+    folder: Path
+    functional: FunctionalScenario | None
+    logical: LogicalSet | None
+    checks: dict[str, CheckReport]
+    skipped: dict[str, str]
+
+    @property
+    def ok(self) -> bool:
+        """Whether no check failed."""
+        return all(report.ok for report in self.checks.values())
+
+
+def generate(
+    source: Source, folder: Path, options: Options, progress: Progress = lambda _: None
+) -> Result:
+    """Make the folder ``folder`` from ``source``; it is written whole or not at all.
+
+    Raises:
+        InputError: the source, the options or the folder cannot be used.
+        InfeasibleError: nothing with these properties exists.
+    """
+    require_usable(folder, force=options.force)
+    if options.count < 1:
+        raise InputError(f"must be at least 1, not {options.count}", where="--count")
+    functional = source if isinstance(source, FunctionalScenario) else None
+    logical = source if isinstance(source, LogicalSet) else None
+    if functional is not None:
+        progress("enumerating logical scenarios")
+        logical = enumerate_scenarios(functional, reduction=options.reduction, arms=options.arms)
+    if logical is not None:
+        functional = logical.functional
+    concretes, skipped = _concretes(source, logical, options, progress)
+
+    checks: dict[str, CheckReport] = {}
+    made: list[Made] = []
+    with tempfile.TemporaryDirectory(prefix="scegen-") as staging:
+        staged = Path(staging)
+        for concrete in concretes:
+            progress(f"writing and checking {concrete.name}")
+            files = export_scenario(concrete, osc=options.osc)
+            place = staged / "scenarios" / concrete.name
+            _write(place, files)
+            checks[concrete.name] = check_scenario_folder(place, options.depth)
+            made.append(Made(concrete, files, checks[concrete.name]))
+        progress("drawing the report")
+        _write(staged, folder_files(functional, logical, made, skipped, options.seed))
+        replace_content(folder, staged)
+    return Result(folder, functional, logical, checks, skipped)
+
+
+def _concretes(
+    source: Source, logical: LogicalSet | None, options: Options, progress: Progress
+) -> tuple[list[ConcreteScenario], dict[str, str]]:
+    """The concrete scenarios asked for, and the reasons for those that cannot exist."""
+    if isinstance(source, ConcreteScenario):
+        return [source], {}
+    if logical is None:  # a source is of one of the three levels
+        raise InputError("has no logical scenarios")
+    picked = pick(logical, options.pick)
+    wanted = len(picked) if options.pick else min(options.count, len(picked))
+    concretes: list[ConcreteScenario] = []
+    skipped: dict[str, str] = {}
+    for scenario in picked:
+        if len(concretes) == wanted:
+            break
+        progress(f"concretizing {scenario.index:03d}-{scenario.slug}")
+        try:
+            concretes.append(concretize(logical.functional, scenario, seed=options.seed))
+        except InfeasibleError as error:
+            skipped[f"{scenario.index:03d}-{scenario.slug}"] = error.render()
+    if not concretes:
+        name, reason = next(iter(skipped.items()))
+        more = f" (and {len(skipped) - 1} more)" if len(skipped) > 1 else ""
+        raise InfeasibleError(f"none of the scenarios can be made: {name}{more}: {reason}")
+    return concretes, skipped
+
+
+def _write(folder: Path, files: dict[str, bytes]) -> None:
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, content in files.items():
+        (folder / name).write_bytes(content)

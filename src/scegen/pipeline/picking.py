@@ -1,0 +1,68 @@
+"""Choosing logical scenarios: by number, by name, or the ones with most conflicts."""
+
+from __future__ import annotations
+
+import re
+
+from scegen.errors import InputError
+from scegen.scenario.logical import ConflictKind, LogicalScenario, LogicalSet
+
+_WEIGHT = {
+    ConflictKind.CROSSING: 3,
+    ConflictKind.MERGING: 2,
+    ConflictKind.FOLLOWING: 1,
+    ConflictKind.DIVERGING: 1,
+    ConflictKind.NONE: 0,
+}
+
+
+def pick(logical: LogicalSet, expression: str | None) -> tuple[LogicalScenario, ...]:
+    """The scenarios that ``expression`` names, in its order; by conflict richness if None.
+
+    An expression is ``all``, or a comma-separated list of numbers (``3``), ranges (``0-4``)
+    and names (``000-ego-left`` or its slug).
+
+    Raises:
+        InputError: a part names no scenario.
+    """
+    if expression is None:
+        return tuple(sorted(logical.scenarios, key=lambda s: (-_richness(s, logical), s.index)))
+    if expression.strip() == "all":
+        return logical.scenarios
+    by_index = {s.index: s for s in logical.scenarios}
+    by_name = {s.slug: s for s in reversed(logical.scenarios)}
+    by_name |= {f"{s.index:03d}-{s.slug}": s for s in logical.scenarios}
+    chosen: dict[int, LogicalScenario] = {}
+    for part in (p.strip() for p in expression.split(",")):
+        bounds = re.fullmatch(r"(\d{1,9})(?:-(\d{1,9}))?", part)
+        if bounds:
+            first = int(bounds[1])
+            last = int(bounds[2] or first)
+            if last < first or last not in by_index or first not in by_index:
+                raise _unknown(part, logical)
+            chosen |= {i: by_index[i] for i in range(first, last + 1) if i in by_index}
+        elif part in by_name:
+            chosen[by_name[part].index] = by_name[part]
+        else:
+            raise _unknown(part, logical)
+    return tuple(chosen.values())
+
+
+def _richness(scenario: LogicalScenario, logical: LogicalSet) -> int:
+    """Conflicts count by kind, and twice where the ego or somebody in a hazard takes part."""
+    centre = {logical.functional.ego.id}
+    for hazard in logical.functional.hazards:
+        centre.update(hazard.by, hazard.to)
+    return sum(
+        _WEIGHT[c.kind] * (1 + len(centre & {c.first, c.second})) for c in scenario.conflicts
+    )
+
+
+def _unknown(part: str, logical: LogicalSet) -> InputError:
+    count = len(logical.scenarios)
+    numbers = "only number 0" if count == 1 else f"numbers 0 to {count - 1}"
+    return InputError(
+        f"{part!r} names no logical scenario; there are {numbers}",
+        where="--pick",
+        hint="use 'all', numbers (3), ranges (0-4) or names as in logical.json",
+    )

@@ -1,0 +1,54 @@
+"""What the user hands in: a sentence, or a file of any level."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from scegen.errors import InputError
+from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.files import load_any, read_text
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.logical import LogicalSet
+from scegen.understanding import read
+
+Source = FunctionalScenario | LogicalSet | ConcreteScenario
+_FILE_ENDINGS = (".yaml", ".yml", ".json", ".txt", ".md")
+_LONGEST_PATH = 1024
+
+
+def resolve_source(text_or_path: str) -> Source:
+    """The scenario that an argument stands for.
+
+    A path to a YAML or JSON file is loaded at its level, any other file is read as a
+    description, and everything else is the description itself.
+
+    Raises:
+        InputError: the text is empty, not traffic, or the file cannot be used.
+    """
+    path = _as_path(text_or_path)
+    if path is None:
+        return read(text_or_path)
+    return load_any(path) or read(read_text(path))
+
+
+def _as_path(argument: str) -> Path | None:
+    """The path that an argument means, None if it is a description."""
+    stripped = argument.strip()
+    if not stripped or "\n" in stripped or len(stripped) > _LONGEST_PATH or "\0" in stripped:
+        return None
+    path = Path(stripped)
+    try:
+        exists = path.exists()
+    except OSError:
+        return None
+    if exists:
+        if path.is_dir():
+            raise InputError(
+                "is a folder, not a description or a scenario file",
+                where=stripped,
+                hint="name a file in it, such as functional.yaml or scenarios/…/concrete.yaml",
+            )
+        return path
+    if stripped.lower().endswith(_FILE_ENDINGS) and " " not in stripped:
+        raise InputError("there is no such file", where=stripped, hint="check the path")
+    return None

@@ -1,0 +1,113 @@
+"""The output folder is written whole or not at all, and nobody's edits are lost."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from scegen.errors import InputError
+from scegen.pipeline.folder import digest, replace_content, require_usable
+
+
+def make(folder: Path, **files: str) -> Path:
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, content in files.items():
+        (folder / name).write_text(content)
+    return folder
+
+
+def made_by_us(folder: Path, **files: str) -> Path:
+    make(folder, **files)
+    hashes = {name: digest(content.encode()) for name, content in files.items()}
+    (folder / "summary.json").write_text(json.dumps({"files": hashes}))
+    return folder
+
+
+def test_new_and_empty_folders_are_usable(tmp_path):
+    require_usable(tmp_path / "a" / "b", force=False)
+    require_usable(make(tmp_path / "empty"), force=False)
+    assert not (tmp_path / "a").exists()
+
+
+def test_our_own_unchanged_output_may_be_replaced(tmp_path):
+    require_usable(made_by_us(tmp_path / "out", road="x"), force=False)
+
+
+def test_an_edited_file_is_named_and_kept(tmp_path):
+    out = made_by_us(tmp_path / "out", road="x")
+    (out / "road").write_text("edited by hand")
+    with pytest.raises(InputError, match="road was changed since it was made"):
+        require_usable(out, force=False)
+    require_usable(out, force=True)
+
+
+def test_an_added_file_is_named(tmp_path):
+    out = made_by_us(tmp_path / "out", road="x")
+    make(out, notes="mine")
+    with pytest.raises(InputError, match="notes was not made by scegen"):
+        require_usable(out, force=False)
+
+
+@pytest.mark.parametrize("summary", [None, "not json", "[]", "{}"])
+def test_a_foreign_folder_is_refused(tmp_path, summary):
+    out = make(tmp_path / "out", thesis="years of work")
+    if summary is not None:
+        (out / "summary.json").write_text(summary)
+    with pytest.raises(InputError, match="was not made by scegen generate"):
+        require_usable(out, force=False)
+
+
+def test_a_file_in_the_way_is_refused(tmp_path):
+    (tmp_path / "out").write_text("a file")
+    with pytest.raises(InputError, match="is a file"):
+        require_usable(tmp_path / "out", force=True)
+    with pytest.raises(InputError, match="cannot be written"):
+        require_usable(tmp_path / "out" / "deeper", force=True)
+
+
+def test_a_place_where_nothing_can_be_made_is_refused():
+    with pytest.raises(InputError, match="cannot be written"):
+        require_usable(Path("/proc/scegen"), force=False)
+
+
+def test_content_is_replaced_by_name_and_the_rest_stays(tmp_path):
+    out = make(tmp_path / "out", report="old", notes="mine")
+    make(out / "scenarios", stale="old")
+    staged = make(tmp_path / "staged", report="new")
+    make(staged / "scenarios", fresh="new")
+    replace_content(out, staged)
+    assert (out / "report").read_text() == "new"
+    assert (out / "notes").read_text() == "mine"
+    assert [p.name for p in (out / "scenarios").iterdir()] == ["fresh"]
+    assert not [p for p in out.iterdir() if p.name.startswith(".")]
+
+
+def test_a_failure_half_way_puts_everything_back(tmp_path, monkeypatch):
+    out = make(tmp_path / "out", a="old a", b="old b")
+    staged = make(tmp_path / "staged", a="new a", b="new b")
+    rename = Path.rename
+
+    def fails_at_new_b(self: Path, target: Path) -> Path:
+        if self.name == "b" and self.parent.name == "new":
+            raise OSError(28, "No space left on device")
+        return rename(self, target)
+
+    monkeypatch.setattr(Path, "rename", fails_at_new_b)
+    with pytest.raises(InputError, match="No space left"):
+        replace_content(out, staged)
+    monkeypatch.undo()
+    assert (out / "a").read_text() == "old a"
+    assert (out / "b").read_text() == "old b"
+    assert sorted(p.name for p in out.iterdir()) == ["a", "b"]
+
+
+def test_a_folder_that_was_not_there_is_removed_after_a_failure(tmp_path, monkeypatch):
+    staged = make(tmp_path / "staged", a="new a")
+
+    def fails(self: Path, target: Path) -> Path:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(Path, "rename", fails)
+    with pytest.raises(InputError):
+        replace_content(tmp_path / "out", staged)
+    assert not (tmp_path / "out").exists()
