@@ -10,11 +10,10 @@ from typing import Any
 
 from scegen.checking import CheckReport, CheckStatus
 from scegen.errors import ScegenError
-from scegen.pipeline.generate import Options, generate
-from scegen.pipeline.verdict import CheckDepth
+from scegen.pipeline.generate import generate
+from scegen.pipeline.options import CheckDepth, Options
 from scegen.scenario.functional import FunctionalScenario
-from scegen.understanding import read
-from scegen.understanding.scoring import PaperCase, paper_cases, score
+from scegen.understanding import Case, paper_cases, read, score
 
 PAPER_SUCCESSES = 9
 PAPER_CASES = 11
@@ -68,14 +67,15 @@ def run(progress: Progress = lambda _: None, *, seed: int = 0) -> Iterator[Row]:
         yield _row(case, seed)
 
 
-def _row(case: PaperCase, seed: int) -> Row:
+def _row(case: Case, seed: int) -> Row:
     try:
         functional = read(case.text)
     except ScegenError as error:
         return Row(case.id, False, ("text",), 0, 0, 0, {}, error.render())
     judged = score(case.expect, functional)
+    wrong = tuple(name for name, holds in judged.fields.items() if not holds)
     with tempfile.TemporaryDirectory(prefix="scegen-paper-") as folder:
-        return _made(case.id, functional, judged.wrong, Path(folder) / "out", seed)
+        return _made(case.id, functional, wrong, Path(folder) / "out", seed)
 
 
 def _made(
@@ -87,9 +87,7 @@ def _made(
     except ScegenError as error:
         return Row(case, not wrong, wrong, count, 0, 0, {}, error.render())
     scenarios = result.logical.certificate.count if result.logical else 0
-    return Row(
-        case, not wrong, wrong, count, scenarios, len(result.checks), _worst(result.checks)
-    )
+    return Row(case, not wrong, wrong, count, scenarios, len(result.checks), _worst(result.checks))
 
 
 def _worst(reports: dict[str, CheckReport]) -> dict[str, str]:

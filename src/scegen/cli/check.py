@@ -22,18 +22,18 @@ def check(
     json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
 ) -> None:
     """Check files by geometry, topology, schema, the ASAM checkers and esmini."""
-    from scegen.checking import CHECKERS, CheckStatus, check_path, reports_table
+    from scegen.checking import CHECKERS, CheckStatus, check_files, reports_table
 
     required = {name.strip() for name in require.split(",") if name.strip()}
     if unknown := required - set(CHECKERS):
         raise InputError(
-            f"no checker is called {sorted(unknown)[0]!r}",
+            f"no checker is called {min(unknown)!r}",
             where="--require",
             hint=f"there are: {', '.join(CHECKERS)}",
         )
     with working() as progress:
         progress("checking")
-        reports = [report for path in paths for report in check_path(path)]
+        reports = check_files(paths)
     if json:
         result_json([report.to_dict() for report in reports])
     else:

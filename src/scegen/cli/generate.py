@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from scegen.cli.console import result, result_json, say, working
-from scegen.cli.options import CheckDepth, OscVersion
+from scegen.pipeline.options import CheckDepth, Options, OscVersion
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 
 if TYPE_CHECKING:
@@ -48,14 +48,12 @@ def generate(
     json: Annotated[bool, typer.Option("--json", help="Print summary.json.")] = False,
 ) -> None:
     """Make simulator files from a description (or from any level, edited by hand)."""
-    from scegen.pipeline.generate import Options
     from scegen.pipeline.generate import generate as run
     from scegen.pipeline.source import resolve_source
-    from scegen.pipeline.verdict import CheckDepth as Depth
 
     with working() as progress:
         progress("understanding")
-        options = Options(pick, count, seed, reduction, arms, osc.value, Depth(check.value), force)
+        options = Options(pick, count, seed, reduction, arms, osc, check, force)
         made = run(resolve_source(source), output, options, progress)
     if json:
         import json as json_module

@@ -34,7 +34,9 @@ def play(
     if not headless and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
         say("no screen here: playing without a window")
         headless = True
-    view = ["--headless", "--fixed_timestep", "0.05"] if headless else ["--window", "60 60 1200 700"]
+    view = (
+        ["--headless", "--fixed_timestep", "0.05"] if headless else ["--window", "60 60 1200 700"]
+    )
     arguments = [program, "--osc", file.name, *" ".join(view).split(), "--logfile_path", os.devnull]
     code = subprocess.run(arguments, cwd=file.parent, check=False).returncode
     if code:
@@ -61,7 +63,9 @@ def _scenario_file(folder: Path, scenario: str | None) -> Path:
         ):
             return file
     names = ", ".join(file.parent.name for file in found)
-    raise InputError(f"there is no scenario {scenario!r}", where=str(folder), hint=f"there are: {names}")
+    raise InputError(
+        f"there is no scenario {scenario!r}", where=str(folder), hint=f"there are: {names}"
+    )
 
 
 def doctor(

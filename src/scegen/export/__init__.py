@@ -1,0 +1,1 @@
+"""Simulator files: OpenDRIVE and OpenSCENARIO, the only place that speaks their XML."""

@@ -6,7 +6,7 @@ import json
 from dataclasses import dataclass
 
 from scegen import __version__
-from scegen.checking import CheckReport
+from scegen.checking import CheckReport, CheckResult
 from scegen.pipeline.export import PREVIEW_FILE
 from scegen.pipeline.folder import digest
 from scegen.report.gallery import gallery_svg
@@ -57,13 +57,20 @@ def _report_input(
             preview_png=item.files[PREVIEW_FILE],
             folder=f"scenarios/{item.concrete.name}",
             checks=tuple(
-                CheckRow(result.checker, str(result.status), result.summary)
+                CheckRow(result.checker, result.status.value, _findings(result))
                 for result in item.checks.results
             ),
         )
         for item in made
     )
     return ReportInput(functional, logical, entries, tuple(skipped.items()))
+
+
+def _findings(result: CheckResult) -> str:
+    """What the checker says, in a line each."""
+    lines = [result.detail] if result.detail else []
+    lines += [f"{f.severity} {f.rule} at {f.place}: {f.message}" for f in result.findings]
+    return "\n".join(lines)
 
 
 def _summary(

@@ -7,40 +7,26 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from scegen.checking import CheckReport
+from scegen.checking import CHECKERS, QUICK_CHECKERS, CheckReport, check_files
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import InfeasibleError, InputError
 from scegen.motion import concretize
 from scegen.pipeline.contents import Made, folder_files
 from scegen.pipeline.export import export_scenario
 from scegen.pipeline.folder import replace_content, require_usable
+from scegen.pipeline.options import CheckDepth, Options
 from scegen.pipeline.picking import pick
 from scegen.pipeline.source import Source
-from scegen.pipeline.verdict import CheckDepth, check_scenario_folder
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
-from scegen.scenario.vocabulary import ArmsMode, Reduction
 
 Progress = Callable[[str], None]
-
-
-@dataclass(frozen=True, slots=True)
-class Options:
-    """What ``generate`` may be told.
-
-    ``count`` is how many concrete scenarios to make where ``pick`` names none; with ``pick``,
-    all that it names are made.
-    """
-
-    pick: str | None = None
-    count: int = 1
-    seed: int = 0
-    reduction: Reduction = Reduction.EXACT
-    arms: ArmsMode = ArmsMode.DISTINCT
-    osc: str = "1.0"
-    depth: CheckDepth = CheckDepth.QUICK
-    force: bool = False
+_CHECKERS = {
+    CheckDepth.NONE: (),
+    CheckDepth.QUICK: QUICK_CHECKERS,
+    CheckDepth.FULL: CHECKERS,
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,17 +66,16 @@ def generate(
         functional = logical.functional
     concretes, skipped = _concretes(source, logical, options, progress)
 
-    checks: dict[str, CheckReport] = {}
-    made: list[Made] = []
     with tempfile.TemporaryDirectory(prefix="scegen-") as staging:
         staged = Path(staging)
+        files: dict[str, dict[str, bytes]] = {}
         for concrete in concretes:
-            progress(f"writing and checking {concrete.name}")
-            files = export_scenario(concrete, osc=options.osc)
-            place = staged / "scenarios" / concrete.name
-            _write(place, files)
-            checks[concrete.name] = check_scenario_folder(place, options.depth)
-            made.append(Made(concrete, files, checks[concrete.name]))
+            progress(f"writing {concrete.name}")
+            files[concrete.name] = export_scenario(concrete, osc=options.osc)
+            _write(staged / "scenarios" / concrete.name, files[concrete.name])
+        progress("checking")
+        checks = _checks(staged, [concrete.name for concrete in concretes], options.depth)
+        made = [Made(c, files[c.name], checks[c.name]) for c in concretes]
         progress("drawing the report")
         _write(staged, folder_files(functional, logical, made, skipped, options.seed))
         replace_content(folder, staged)
@@ -122,6 +107,15 @@ def _concretes(
         more = f" (and {len(skipped) - 1} more)" if len(skipped) > 1 else ""
         raise InfeasibleError(f"none of the scenarios can be made: {name}{more}: {reason}")
     return concretes, skipped
+
+
+def _checks(staged: Path, names: list[str], depth: CheckDepth) -> dict[str, CheckReport]:
+    places = [staged / "scenarios" / name for name in names]
+    reports = check_files(places, _CHECKERS[depth])
+    return {
+        name: CheckReport(f"scenarios/{name}", report.results)
+        for name, report in zip(names, reports, strict=True)
+    }
 
 
 def _write(folder: Path, files: dict[str, bytes]) -> None:

@@ -6,10 +6,13 @@ Conventions, which export and motion rely on:
   line. In right-hand traffic the lanes towards the junction are right lanes (ids -1, -2, ...),
   those away from it left lanes (1, 2, ...); in left-hand traffic the other way round. Lane
   number k of the scenario files (1 = next to the centre line) is the lane with |id| = k.
-* Connecting roads have exactly one driving lane, id -1 in right-hand and left-hand traffic
-  alike, travelled along s, with the reference line on the lane's centre (lane offset w/2).
-* Ring roads of a roundabout run in the direction of traffic; their lanes are -1 (nearest to
-  the reference line) and -2; ring lane number 1 of the scenario files is the innermost lane.
+* Connecting roads have exactly one driving lane, travelled along s, with the reference line on
+  the lane's centre (lane offset half its width). Its id is -1 in right-hand traffic and 1 in
+  left-hand traffic, because OpenDRIVE lets right lanes run along s only where traffic keeps
+  right (ASAM OpenDRIVE 1.7, 9.1). Take lane ids from routes and connections.
+* Ring roads of a roundabout run in the direction of traffic; their lanes are -1 and -2 (1 and 2
+  in left-hand traffic), where ring lane number k of the scenario files, 1 = innermost, is the
+  lane with |id| = k.
 * A ``straight`` is two arm roads joined end to end; it has no junction.
 """
 
@@ -17,6 +20,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import StrEnum
+from functools import cached_property
 
 from scegen.road.geometry import Pose, ReferenceLine
 from scegen.scenario.vocabulary import DrivingSide
@@ -187,12 +191,13 @@ class RoadNetwork:
     arm_roads: tuple[int, ...]
     routes: dict[tuple[int, int], tuple[Route, ...]] = field(default_factory=dict)
 
+    @cached_property
+    def _by_id(self) -> dict[int, Road]:
+        return {road.id: road for road in self.roads}
+
     def road(self, road_id: int) -> Road:
         """The road with this id; KeyError if there is none."""
-        for candidate in self.roads:
-            if candidate.id == road_id:
-                return candidate
-        raise KeyError(road_id)
+        return self._by_id[road_id]
 
     def arm_road(self, arm: int) -> Road:
         """The road of an arm."""

@@ -1,0 +1,142 @@
+"""All checkers on scenario folders and files."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from scegen.checking import asam, opendrive, openscenario, schema
+from scegen.checking import esmini as player
+from scegen.checking.results import CheckReport, CheckResult, error, not_run, verdict
+from scegen.checking.subject import Subject, find_subjects, read_folder
+from scegen.checking.twin import make_twin
+from scegen.errors import ScegenError
+
+CHECKERS = (
+    opendrive.CHECKER,
+    openscenario.CHECKER,
+    schema.CHECKER,
+    asam.OPENDRIVE,
+    asam.OPENSCENARIO,
+    player.CHECKER,
+)
+"""All checkers, in the order of the reports."""
+QUICK_CHECKERS = tuple(name for name in CHECKERS if not name.startswith("asam"))
+"""Without ASAM's, which cost more than all the rest together."""
+UNSOUND = "the file was not handed on: it is not XML that can be trusted"
+
+
+def check_folder(folder: Path, checkers: Collection[str] = CHECKERS) -> CheckReport:
+    """Check one scenario folder: road.xodr, scenario.xosc, concrete.yaml.
+
+    Raises:
+        InputError: a file is missing or cannot be read.
+    """
+    return check_subjects([read_folder(folder)], checkers)[0]
+
+
+def check_path(path: Path, checkers: Collection[str] = CHECKERS) -> list[CheckReport]:
+    """Check a scenario folder, a folder of ``scegen generate``, or one file.
+
+    Raises:
+        InputError: there is nothing to check, or a file cannot be read.
+    """
+    return check_subjects(find_subjects(path), checkers)
+
+
+def check_files(paths: Iterable[Path], checkers: Collection[str] = CHECKERS) -> list[CheckReport]:
+    """Check several folders and files, ASAM's rules for all of them in one process.
+
+    Raises:
+        InputError: there is nothing to check, or a file cannot be read.
+    """
+    subjects = [subject for path in paths for subject in find_subjects(path)]
+    return check_subjects(subjects, checkers)
+
+
+def check_subjects(subjects: list[Subject], checkers: Collection[str]) -> list[CheckReport]:
+    """Check what was found and read; one report each."""
+    found = [_own(subject, checkers) for subject in subjects]
+    if {asam.OPENDRIVE, asam.OPENSCENARIO} & set(checkers):
+        for results, more in zip(found, _asam(subjects), strict=True):
+            results.extend(result for result in more if result.checker in checkers)
+    order = {name: number for number, name in enumerate(CHECKERS)}
+    return [
+        CheckReport(str(subject.place), tuple(sorted(results, key=lambda r: order[r.checker])))
+        for subject, results in zip(subjects, found, strict=True)
+    ]
+
+
+def _own(subject: Subject, checkers: Collection[str]) -> list[CheckResult]:
+    results: list[CheckResult] = []
+    road, scenario = subject.road, subject.scenario
+    network = None
+    if road is not None:
+        checked = opendrive.check_opendrive(road.name, road.content, subject.concrete)
+        network = checked.network
+        results.append(checked.result)
+    if scenario is not None:
+        results.append(
+            openscenario.check_openscenario(
+                scenario.name,
+                scenario.content,
+                road_file=road.name if road else None,
+                network=network,
+                concrete=subject.concrete,
+            )
+        )
+        if player.CHECKER in checkers:
+            sound = scenario.sound and (road is None or road.sound)
+            results.append(
+                player.check_esmini(scenario.path, network, subject.concrete)
+                if sound
+                else not_run(player.CHECKER, UNSOUND)
+            )
+    if schema.CHECKER in checkers:
+        results.append(schema.check_schema({file.name: file.content for file in subject.files}))
+    return [result for result in results if result.checker in checkers]
+
+
+@dataclass(frozen=True)
+class _Prepared:
+    job: asam.Job
+    results: list[CheckResult]
+
+
+def _asam(subjects: list[Subject]) -> list[list[CheckResult]]:
+    prepared = [_prepare(subject) for subject in subjects]
+    ran = asam.run_asam([item.job for item in prepared])
+    return [item.results + results for item, results in zip(prepared, ran, strict=True)]
+
+
+def _prepare(subject: Subject) -> _Prepared:
+    results = [
+        not_run(checker, UNSOUND)
+        for checker, file in (
+            (asam.OPENDRIVE, subject.road),
+            (asam.OPENSCENARIO, subject.scenario),
+        )
+        if file is not None and not file.sound
+    ]
+    road = subject.road if subject.road and subject.road.sound else None
+    scenario = subject.scenario if subject.scenario and subject.scenario.sound else None
+    job = asam.Job(
+        road=road.content if road else None,
+        scenario=scenario.content if scenario else None,
+        road_file=road.name if road else "road.xodr",
+    )
+    if scenario is None or subject.concrete is None:
+        return _Prepared(job, results)
+    try:
+        twin = make_twin(subject.concrete, job.road_file)
+    except ScegenError as problem:
+        failed = error("asam.twin", "concrete.yaml", f"cannot be built: {problem.message}")
+        return _Prepared(
+            job._replace(scenario=None), [*results, verdict(asam.OPENSCENARIO, [failed])]
+        )
+    if twin.played != scenario.content:
+        note = "scenario.xosc is not what concrete.yaml gives, so no 1.2 twin speaks for it"
+        return _Prepared(job._replace(scenario_note=note), results)
+    note = "on the 1.2 twin"
+    return _Prepared(job._replace(scenario=twin.checked, scenario_note=note), results)

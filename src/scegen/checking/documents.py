@@ -1,0 +1,62 @@
+"""XML files of unknown origin, read safely: no entities, no network, no huge trees."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from lxml import etree
+
+from scegen.checking.results import Finding, error
+from scegen.errors import InputError
+
+
+@dataclass(frozen=True)
+class Document:
+    """A parsed XML file. ``name`` is the file name that findings show."""
+
+    name: str
+    content: bytes
+    root: etree._Element
+
+
+class BrokenXmlError(Exception):
+    """The file is not XML that can be trusted; carries the finding. Never leaves the package."""
+
+    def __init__(self, finding: Finding) -> None:
+        self.finding = finding
+        super().__init__(finding.message)
+
+
+def read_bytes(path: Path) -> bytes:
+    """A file's bytes; InputError if it is missing or cannot be read."""
+    try:
+        return path.read_bytes()
+    except OSError as failure:
+        raise InputError(
+            f"cannot be read: {failure.strerror}", where=str(path), hint="check the path"
+        ) from failure
+
+
+def parse_document(name: str, content: bytes, root_tag: str) -> Document:
+    """Parse XML whose root must be ``root_tag``; BrokenXmlError names the line."""
+    parser = etree.XMLParser(
+        resolve_entities=False,
+        no_network=True,
+        huge_tree=False,
+        load_dtd=False,
+        dtd_validation=False,
+    )
+    try:
+        root = etree.fromstring(content, parser)
+    except (etree.XMLSyntaxError, ValueError) as failure:
+        line = getattr(failure, "lineno", None)
+        place = f"{name}:{line}" if line else name
+        raise BrokenXmlError(error("xml.well_formed", place, f"not XML: {failure}")) from failure
+    if root.getroottree().docinfo.internalDTD is not None:
+        message = "declares a document type; such files are not read (entities could expand)"
+        raise BrokenXmlError(error("xml.no_doctype", name, message))
+    if root.tag != root_tag:
+        message = f"the root element is {root.tag!r}, not {root_tag!r}"
+        raise BrokenXmlError(error("xml.root", name, message))
+    return Document(name, content, root)

@@ -1,0 +1,128 @@
+"""What esmini played, against physics and against the concrete scenario."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from scegen.checking.esmini.recording import Movement
+from scegen.checking.opendrive.arms import Arm, match_arms
+from scegen.checking.opendrive.locate import lanes_at
+from scegen.checking.opendrive.network import Network
+from scegen.checking.results import Finding, error
+from scegen.scenario.bodies import BODIES
+from scegen.scenario.concrete import (
+    ConcreteParticipant,
+    ConcreteScenario,
+    CrossingMotion,
+    DriveMotion,
+    StandingMotion,
+)
+
+JUMP_M = 0.05
+"""How much farther than its speed allows an entity may move in one step."""
+STILL_MPS = 0.05
+"""Slower than this counts as standing."""
+SPARE_MPS2 = 0.5
+"""How far an acceleration may exceed what the body or the program allows (rounding)."""
+
+
+def check_movements(
+    movements: list[Movement], network: Network | None, concrete: ConcreteScenario | None
+) -> Iterator[Finding]:
+    """All rules on all entities; those of the concrete scenario only where there is one."""
+    for movement in movements:
+        yield from _jumps(movement)
+    if concrete is None:
+        return
+    played = {movement.entity: movement for movement in movements}
+    arms = match_arms(network, concrete).arms if network is not None else {}
+    for participant in concrete.participants:
+        found = played.get(participant.id)
+        if found is None:
+            yield error("esmini.missing", participant.id, "does not take part in what esmini plays")
+            continue
+        yield from _physics(found, participant)
+        if network is not None and arms:
+            yield from _way(found, participant, network, arms)
+
+
+def _jumps(movement: Movement) -> Iterator[Finding]:
+    """``esmini.jump``: no step is longer than speed allows."""
+    moved = np.abs(np.diff(movement.point))
+    speed = np.maximum(movement.speed_mps[1:], movement.speed_mps[:-1])
+    beyond = moved - np.abs(speed) * np.diff(movement.time_s)
+    if beyond.size and beyond.max() > JUMP_M:
+        step = int(beyond.argmax())
+        message = f"jumps {moved[step]:.2f} m at {speed[step]:.2f} m/s"
+        yield error("esmini.jump", _when(movement, step + 1), message)
+
+
+def _physics(movement: Movement, participant: ConcreteParticipant) -> Iterator[Finding]:
+    """``esmini.speed``, ``esmini.acceleration``: within what the body or the program allows."""
+    body = BODIES[participant.kind]
+    fastest = max(body.top_speed_mps, *(p.target_speed_mps for p in participant.speed_program), 0.0)
+    step = int(np.abs(movement.speed_mps).argmax())
+    if abs(movement.speed_mps[step]) > fastest + STILL_MPS:
+        message = f"goes {movement.speed_mps[step]:.1f} m/s; a {participant.kind} {fastest:g}"
+        yield error("esmini.speed", _when(movement, step), message)
+    rates = [phase.rate_mps2 for phase in participant.speed_program]
+    hardest = max(body.max_acceleration_mps2, body.max_deceleration_mps2, *rates, 0.0)
+    change = np.diff(movement.speed_mps) / np.maximum(np.diff(movement.time_s), 1e-6)
+    if change.size and np.abs(change).max() > hardest + SPARE_MPS2:
+        step = int(np.abs(change).argmax())
+        message = f"changes speed by {change[step]:.1f} m/s², more than {hardest:g}"
+        yield error("esmini.acceleration", _when(movement, step + 1), message)
+
+
+def _way(
+    movement: Movement, participant: ConcreteParticipant, network: Network, arms: dict[int, Arm]
+) -> Iterator[Finding]:
+    motion = participant.motion
+    if isinstance(motion, DriveMotion):
+        first = _lanes(network, movement, 0, arms[motion.entry])
+        if not first & set(arms[motion.entry].inward):
+            message = f"does not start on a lane into the junction of arm {motion.entry}"
+            yield error("esmini.entry", participant.id, message)
+        last = _lanes(network, movement, -1, arms[motion.exit])
+        if not last & set(arms[motion.exit].outward) and not _stopped(movement, participant):
+            end = movement.point[-1]
+            message = (
+                f"ends at ({end.real:.1f}, {end.imag:.1f}) at {movement.speed_mps[-1]:.1f} m/s, "
+                f"not on a lane out of arm {motion.exit} ({arms[motion.exit].place})"
+            )
+            yield error("esmini.exit_arm", participant.id, message)
+    elif isinstance(motion, CrossingMotion):
+        yield from _crossing(movement, participant, motion)
+    elif isinstance(motion, StandingMotion):
+        away = float(np.abs(movement.point - movement.point[0]).max())
+        if away > JUMP_M:
+            message = f"should stand but moves {away:.2f} m"
+            yield error("esmini.standing", participant.id, message)
+
+
+def _stopped(movement: Movement, participant: ConcreteParticipant) -> bool:
+    """Whether it stands at the end because its program says so."""
+    told = any(phase.target_speed_mps == 0 for phase in participant.speed_program)
+    return told and abs(float(movement.speed_mps[-1])) < STILL_MPS
+
+
+def _crossing(
+    movement: Movement, participant: ConcreteParticipant, motion: CrossingMotion
+) -> Iterator[Finding]:
+    away = float(abs(movement.point[-1] - movement.point[0]))
+    if motion.stops_after_m is not None and away > motion.stops_after_m + 0.5:
+        message = f"should stop after {motion.stops_after_m:g} m but goes {away:.2f} m"
+        yield error("esmini.crossing", participant.id, message)
+    elif away < 1.0:
+        yield error("esmini.crossing", participant.id, "should cross but does not move")
+
+
+def _lanes(network: Network, movement: Movement, step: int, arm: Arm) -> set[int]:
+    under = lanes_at(network, movement.point[[step]])[0]
+    return {lane.lane for lane in under if lane.road == arm.road.id}
+
+
+def _when(movement: Movement, step: int) -> str:
+    return f"{movement.entity} t = {movement.time_s[step]:.2f} s"

@@ -1,0 +1,78 @@
+"""Our own check of OpenDRIVE files: geometry, topology, reachability.
+
+Schema, ASAM's checker, netconvert, CARLA and esmini each let through files with broken roads,
+deleted connections or wrong lane links; these rules do not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+from scegen.checking.documents import BrokenXmlError, parse_document
+from scegen.checking.opendrive.network import Network
+from scegen.checking.opendrive.read import read_network
+from scegen.checking.opendrive.rules.described import check_described
+from scegen.checking.opendrive.rules.elevation import check_elevation
+from scegen.checking.opendrive.rules.folds import check_folds, check_overlaps
+from scegen.checking.opendrive.rules.header import check_version
+from scegen.checking.opendrive.rules.joints import check_joints
+from scegen.checking.opendrive.rules.junctions import check_connecting_roads, check_connections
+from scegen.checking.opendrive.rules.lane_links import check_lane_links
+from scegen.checking.opendrive.rules.plan_view import (
+    check_geometry_kinds,
+    check_reference_line,
+    check_stations,
+)
+from scegen.checking.opendrive.rules.reachability import check_dead_ends, check_reachability
+from scegen.checking.opendrive.rules.road_links import check_road_links
+from scegen.checking.opendrive.rules.sections import check_sections
+from scegen.checking.opendrive.rules.widths import check_width_steps, check_widths
+from scegen.checking.results import CheckResult, Finding, verdict
+from scegen.scenario.concrete import ConcreteScenario
+
+CHECKER = "opendrive"
+Rule = Callable[[Network], Iterator[Finding]]
+
+RULES: tuple[Rule, ...] = (
+    check_version,
+    check_elevation,
+    check_geometry_kinds,
+    check_stations,
+    check_reference_line,
+    check_sections,
+    check_widths,
+    check_width_steps,
+    check_folds,
+    check_overlaps,
+    check_road_links,
+    check_lane_links,
+    check_joints,
+    check_connections,
+    check_connecting_roads,
+    check_dead_ends,
+    check_reachability,
+)
+
+
+class CheckedRoad(NamedTuple):
+    """The verdict, and the network for whoever looks at the scenario next (None if unreadable)."""
+
+    result: CheckResult
+    network: Network | None
+
+
+def check_opendrive(
+    name: str, content: bytes, concrete: ConcreteScenario | None = None
+) -> CheckedRoad:
+    """Check an OpenDRIVE file, against the concrete scenario it should serve if there is one."""
+    try:
+        document = parse_document(name, content, "OpenDRIVE")
+    except BrokenXmlError as broken:
+        return CheckedRoad(verdict(CHECKER, [broken.finding]), None)
+    network, unread = read_network(document)
+    findings = [*unread, *(finding for rule in RULES for finding in rule(network))]
+    if concrete is not None and network.roads:
+        findings += check_described(network, concrete)
+    detail = f"{len(network.roads)} roads, {len(network.junctions)} junctions, {len(RULES)} rules"
+    return CheckedRoad(verdict(CHECKER, findings, detail), network)

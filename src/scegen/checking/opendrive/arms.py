@@ -1,0 +1,87 @@
+"""Arms: the open road ends of a network, and which arm of a concrete scenario each one is."""
+
+from __future__ import annotations
+
+from cmath import phase
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import degrees, remainder
+from typing import NamedTuple
+
+from scegen.checking.opendrive.lanes import driving, reference
+from scegen.checking.opendrive.network import END, START, Network, Road, other_end, road_place
+from scegen.checking.results import Finding, error
+from scegen.scenario.concrete import ConcreteScenario
+
+ANGLE_DEG = 5.0
+"""How far an arm's outer end may lie beside the direction that the scenario gives it."""
+
+
+@dataclass(frozen=True)
+class Arm:
+    """An open end of a road outside junctions; lanes ``inward`` lead away from that end."""
+
+    road: Road
+    contact: str
+
+    @property
+    def inward(self) -> list[int]:
+        """Driving lanes that lead to the junction."""
+        return [n for n in self._lanes() if not self.road.leads_to(n, self.contact)]
+
+    @property
+    def outward(self) -> list[int]:
+        """Driving lanes that lead out of the network."""
+        return [n for n in self._lanes() if self.road.leads_to(n, self.contact)]
+
+    @property
+    def inner(self) -> str:
+        """The end of the road at the junction."""
+        return other_end(self.contact)
+
+    @property
+    def place(self) -> str:
+        """How findings name it."""
+        return road_place(self.road.id, self.contact)
+
+    def _lanes(self) -> list[int]:
+        return driving(self.road.section(self.contact))
+
+
+class MatchedArms(NamedTuple):
+    """The arm roads by arm number; empty where ``findings`` says that they do not fit."""
+
+    arms: dict[int, Arm]
+    findings: tuple[Finding, ...]
+
+
+def open_ends(network: Network) -> Iterator[Arm]:
+    """The road ends that lead out of the network."""
+    for road in network.roads.values():
+        for contact in (START, END):
+            if road.junction is None and road.link(contact) is None:
+                yield Arm(road, contact)
+
+
+def match_arms(network: Network, concrete: ConcreteScenario) -> MatchedArms:
+    """Find each arm by the direction in which its outer end lies, not by ids or names.
+
+    ``xodr.arms``: as many open ends as arms, each within 5° of its direction.
+    """
+    free = [arm for arm in open_ends(network) if arm.road.measurable]
+    if len(free) != len(concrete.road.arms):
+        message = f"has {len(free)} open road ends for {len(concrete.road.arms)} arms"
+        return MatchedArms({}, (error("xodr.arms", network.name, message),))
+    arms: dict[int, Arm] = {}
+    for wanted in concrete.road.arms:
+        off, number = min((_off(arm, wanted.angle_deg), i) for i, arm in enumerate(free))
+        if off > ANGLE_DEG:
+            message = f"no road leads out at {wanted.angle_deg:g}°; the nearest is {off:.1f}° off"
+            return MatchedArms({}, (error("xodr.arms", f"arm {wanted.id}", message),))
+        arms[wanted.id] = free.pop(number)
+    return MatchedArms(arms, ())
+
+
+def _off(arm: Arm, angle_deg: float) -> float:
+    point = reference(arm.road, arm.road.s_at(arm.contact))[0]
+    return abs(remainder(degrees(phase(point)) - angle_deg, 360.0))

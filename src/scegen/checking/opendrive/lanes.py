@@ -1,0 +1,188 @@
+"""Where lanes lie: borders, centres and ends, computed from a road as read."""
+
+from __future__ import annotations
+
+from cmath import exp
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import atan2
+
+from scegen.checking.opendrive.network import (
+    END,
+    START,
+    Geometry,
+    LaneSection,
+    Network,
+    Poly3,
+    Road,
+    lane_place,
+    piece_at,
+)
+
+
+def reference(road: Road, s: float) -> tuple[complex, float, float]:
+    """Point, heading and curvature of the reference line at ``s``."""
+    geometry = geometry_at(road, s)
+    ds = s - geometry.s
+    return geometry.point(ds), geometry.heading_at(ds), geometry.curvature
+
+
+def geometry_at(road: Road, s: float) -> Geometry:
+    """The geometry that covers ``s`` (the last one begun)."""
+    found = road.geometries[0]
+    for geometry in road.geometries:
+        if geometry.s <= s + 1e-9:
+            found = geometry
+    return found
+
+
+def section_at(road: Road, s: float) -> LaneSection:
+    """The lane section that covers ``s``."""
+    found = road.sections[0]
+    for section in road.sections:
+        if section.s <= s + 1e-9:
+            found = section
+    return found
+
+
+def lane_width(section: LaneSection, lane: int, s: float) -> float:
+    """Width of a lane at ``s``."""
+    return _width_piece(section, lane, s).value(s)
+
+
+def _width_piece(section: LaneSection, lane: int, s: float) -> Poly3:
+    widths = section.lanes[lane].widths
+    return piece_at(widths, s) or widths[0]
+
+
+def lane_borders(road: Road, section: LaneSection, lane: int, s: float) -> tuple[float, float]:
+    """Offsets of the inner and the outer border of a lane from the reference line (left > 0)."""
+    offset = piece_at(road.lane_offsets, s)
+    inner = offset.value(s) if offset else 0.0
+    sign = 1 if lane > 0 else -1
+    for number in range(1, abs(lane)):
+        inner += sign * lane_width(section, sign * number, s)
+    return inner, inner + sign * lane_width(section, lane, s)
+
+
+def _centre_slope(road: Road, section: LaneSection, lane: int, s: float) -> float:
+    offset = piece_at(road.lane_offsets, s)
+    slope = offset.slope(s) if offset else 0.0
+    sign = 1 if lane > 0 else -1
+    for number in range(1, abs(lane)):
+        slope += sign * _width_piece(section, sign * number, s).slope(s)
+    return slope + sign * _width_piece(section, lane, s).slope(s) / 2
+
+
+@dataclass(frozen=True, slots=True)
+class LaneEnd:
+    """A lane's end: centre, heading along s, width and height."""
+
+    centre: complex
+    heading: float
+    width: float
+    height: float
+
+
+def lane_end(road: Road, contact: str, lane: int) -> LaneEnd:
+    """The end of a lane at one end of its road."""
+    return lane_pose(road, road.section(contact), lane, road.s_at(contact))
+
+
+def lane_pose(road: Road, section: LaneSection, lane: int, s: float) -> LaneEnd:
+    """A lane's cross-section at ``s``, seen in the given section."""
+    point, heading, curvature = reference(road, s)
+    inner, outer = lane_borders(road, section, lane, s)
+    t = (inner + outer) / 2
+    slope = _centre_slope(road, section, lane, s)
+    elevation = piece_at(road.elevations, s)
+    return LaneEnd(
+        centre=point + 1j * t * exp(1j * heading),
+        heading=heading + atan2(slope, 1 - curvature * t),
+        width=abs(outer - inner),
+        height=elevation.value(s) if elevation else 0.0,
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class LaneJoint:
+    """Two lane ends that a file says are joined; ``by`` names the statement."""
+
+    first_road: Road
+    first_contact: str
+    first_lane: int
+    second_road: Road
+    second_contact: str
+    second_lane: int
+    by: str
+
+    @property
+    def place(self) -> str:
+        """How findings name it."""
+        first = lane_place(self.first_road.id, self.first_lane, self.first_contact)
+        second = lane_place(self.second_road.id, self.second_lane, self.second_contact)
+        return f"{first} – {second}"
+
+    @property
+    def turned(self) -> bool:
+        """Whether the two roads' s run against each other across the joint."""
+        return self.first_contact == self.second_contact
+
+
+def lane_joints(network: Network) -> Iterator[LaneJoint]:
+    """Every joint that lane links and junction connections state between existing lanes."""
+    for road in network.roads.values():
+        for contact in (START, END):
+            yield from _road_joints(network, road, contact)
+    for junction in network.junctions.values():
+        for connection in junction.connections:
+            incoming = network.roads.get(connection.incoming)
+            connecting = network.roads.get(connection.connecting)
+            if incoming is None or connecting is None or connection.contact not in {START, END}:
+                continue
+            met = end_at_junction(incoming, junction.id, connecting, connection.contact)
+            if met is None:
+                continue
+            for lane_from, lane_to in connection.lanes:
+                known = lane_from in incoming.section(met).lanes
+                if known and lane_to in connecting.section(connection.contact).lanes:
+                    yield LaneJoint(
+                        *(incoming, met, lane_from),
+                        *(connecting, connection.contact, lane_to),
+                        f"junction {junction.id} connection {connection.id}",
+                    )
+
+
+def _road_joints(network: Network, road: Road, contact: str) -> Iterator[LaneJoint]:
+    link = road.link(contact)
+    other = network.roads.get(link.id) if link and link.element == "road" else None
+    if link is None or other is None or link.contact not in {START, END}:
+        return
+    for lane in road.section(contact).lanes.values():
+        target = lane.link(contact)
+        if lane.id != 0 and target and target in other.section(link.contact).lanes:
+            yield LaneJoint(road, contact, lane.id, other, link.contact, target, "lane link")
+
+
+def end_at_junction(
+    incoming: Road, junction: str, connecting: Road, connecting_contact: str
+) -> str | None:
+    """The end of an incoming road that meets a connecting road at a junction.
+
+    A road can meet the same junction with both ends; then the connecting road's own link says
+    which end is meant.
+    """
+    ends = [
+        contact
+        for contact in (START, END)
+        if (link := incoming.link(contact)) and (link.element, link.id) == ("junction", junction)
+    ]
+    link = connecting.link(connecting_contact)
+    if link and link.element == "road" and link.id == incoming.id and link.contact in ends:
+        return link.contact
+    return ends[0] if len(ends) == 1 else None
+
+
+def driving(section: LaneSection) -> list[int]:
+    """The driving lanes of a section."""
+    return sorted(lane.id for lane in section.lanes.values() if lane.type == "driving")

@@ -1,0 +1,197 @@
+"""A road network as an OpenDRIVE file states it: data read from the file, nothing derived.
+
+Ids are strings, as in the file; lengths are metres, angles radians.
+"""
+
+from __future__ import annotations
+
+from cmath import exp
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+START, END = "start", "end"
+
+
+@dataclass(frozen=True, slots=True)
+class Poly3:
+    """a + b·u + c·u² + d·u³ with u measured from ``s``."""
+
+    s: float
+    a: float
+    b: float
+    c: float
+    d: float
+
+    def value(self, s: float) -> float:
+        """The value at ``s``."""
+        u = s - self.s
+        return self.a + u * (self.b + u * (self.c + u * self.d))
+
+    def slope(self, s: float) -> float:
+        """The derivative at ``s``."""
+        u = s - self.s
+        return self.b + u * (2 * self.c + u * 3 * self.d)
+
+
+def piece_at(pieces: tuple[Poly3, ...], s: float) -> Poly3 | None:
+    """The last piece that has begun at ``s``; None before the first."""
+    found = None
+    for piece in pieces:
+        if piece.s <= s + 1e-9:
+            found = piece
+    return found
+
+
+@dataclass(frozen=True, slots=True)
+class Geometry:
+    """One planView geometry; ``kind`` is ``line``, ``arc`` or what else the file says."""
+
+    s: float
+    x: float
+    y: float
+    heading: float
+    length: float
+    kind: str
+    curvature: float = 0.0
+
+    def point(self, ds: float) -> complex:
+        """The point ``ds`` after the start, as x + iy.
+
+        Written apart from the generator's own geometry on purpose: a checker that shares the
+        formula would share its bug.
+        """
+        k = self.curvature
+        turned = exp(1j * self.heading)
+        if k == 0.0:
+            return complex(self.x, self.y) + turned * ds
+        return complex(self.x, self.y) + turned * (exp(1j * k * ds) - 1) / (1j * k)
+
+    def heading_at(self, ds: float) -> float:
+        """The heading ``ds`` after the start."""
+        return self.heading + self.curvature * ds
+
+
+@dataclass(frozen=True, slots=True)
+class Lane:
+    """A lane of one section; ``widths`` are counted from the section's start."""
+
+    id: int
+    type: str
+    widths: tuple[Poly3, ...]
+    predecessor: int | None
+    successor: int | None
+
+    def link(self, contact: str) -> int | None:
+        """The lane it is linked to beyond one end."""
+        return self.predecessor if contact == START else self.successor
+
+
+@dataclass(frozen=True, slots=True)
+class LaneSection:
+    """A stretch of road with the same lanes."""
+
+    s: float
+    end: float
+    lanes: dict[int, Lane]
+
+
+@dataclass(frozen=True, slots=True)
+class Link:
+    """What a road end is joined to."""
+
+    element: str
+    id: str
+    contact: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Road:
+    """A road as read; ``junction`` is None outside junctions."""
+
+    id: str
+    length: float
+    rule: str
+    junction: str | None
+    predecessor: Link | None
+    successor: Link | None
+    geometries: tuple[Geometry, ...]
+    lane_offsets: tuple[Poly3, ...]
+    elevations: tuple[Poly3, ...]
+    sections: tuple[LaneSection, ...]
+
+    def link(self, contact: str) -> Link | None:
+        """What lies beyond one end."""
+        return self.predecessor if contact == START else self.successor
+
+    def section(self, contact: str) -> LaneSection:
+        """The lane section at one end."""
+        return self.sections[0] if contact == START else self.sections[-1]
+
+    def s_at(self, contact: str) -> float:
+        """The s of one end."""
+        return 0.0 if contact == START else self.length
+
+    @property
+    def measurable(self) -> bool:
+        """Whether every geometry is a line or an arc, so that positions can be computed."""
+        return all(geometry.kind in {"line", "arc"} for geometry in self.geometries)
+
+    def runs_along_s(self, lane_id: int) -> bool:
+        """Whether traffic on this lane runs in the direction of s.
+
+        OpenDRIVE 1.7, 9.1: right lanes run along the reference line in right-hand traffic and
+        against it in left-hand traffic.
+        """
+        return (lane_id < 0) == (self.rule == "RHT")
+
+    def leads_to(self, lane_id: int, contact: str) -> bool:
+        """Whether traffic on this lane runs towards that end of the road."""
+        return self.runs_along_s(lane_id) == (contact == END)
+
+
+@dataclass(frozen=True, slots=True)
+class Connection:
+    """A connection of a junction; ``lanes`` are (from, to) pairs."""
+
+    id: str
+    incoming: str
+    connecting: str
+    contact: str
+    lanes: tuple[tuple[int, int], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Junction:
+    """A junction as read."""
+
+    id: str
+    connections: tuple[Connection, ...]
+
+
+@dataclass(frozen=True)
+class Network:
+    """Everything that the rules look at."""
+
+    name: str
+    version: tuple[str, str]
+    roads: dict[str, Road]
+    junctions: dict[str, Junction]
+
+    def connecting_roads(self, junction: str) -> Iterator[Road]:
+        """The roads that say they belong to a junction."""
+        return (road for road in self.roads.values() if road.junction == junction)
+
+
+def other_end(contact: str) -> str:
+    """The opposite end of a road."""
+    return END if contact == START else START
+
+
+def road_place(road: str, detail: str = "") -> str:
+    """How findings name a road."""
+    return f"road {road} {detail}".rstrip()
+
+
+def lane_place(road: str, lane: int, detail: str = "") -> str:
+    """How findings name a lane."""
+    return f"road {road} lane {lane} {detail}".rstrip()

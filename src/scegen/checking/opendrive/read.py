@@ -1,0 +1,200 @@
+"""From an OpenDRIVE file to a network; what cannot be read becomes a finding."""
+
+from __future__ import annotations
+
+from math import isfinite
+from typing import NamedTuple
+
+from lxml import etree
+
+from scegen.checking.documents import Document
+from scegen.checking.opendrive.network import (
+    Connection,
+    Geometry,
+    Junction,
+    Lane,
+    LaneSection,
+    Link,
+    Network,
+    Poly3,
+    Road,
+    road_place,
+)
+from scegen.checking.results import Finding, error
+
+READABLE = "xodr.readable"
+
+
+class ReadNetwork(NamedTuple):
+    """The network, without the parts that ``findings`` says could not be read."""
+
+    network: Network
+    findings: tuple[Finding, ...]
+
+
+class _UnreadableError(Exception):
+    """An attribute or element that the reader needs is missing or makes no sense."""
+
+
+def read_network(document: Document) -> ReadNetwork:
+    """Read roads and junctions; a road that cannot be read is left out and reported."""
+    findings: list[Finding] = []
+    roads: dict[str, Road] = {}
+    junctions: dict[str, Junction] = {}
+    for element in document.root.iterfind("road"):
+        place = road_place(element.get("id", "?"), f"(line {element.sourceline})")
+        try:
+            road = _road(element)
+        except _UnreadableError as problem:
+            findings.append(error(READABLE, place, str(problem)))
+            continue
+        if road.id in roads:
+            findings.append(error(READABLE, place, "the id is used by an earlier road"))
+        roads.setdefault(road.id, road)
+    for element in document.root.iterfind("junction"):
+        place = f"junction {element.get('id', '?')} (line {element.sourceline})"
+        try:
+            junction = _junction(element)
+        except _UnreadableError as problem:
+            findings.append(error(READABLE, place, str(problem)))
+            continue
+        if junction.id in junctions:
+            findings.append(error(READABLE, place, "the id is used by an earlier junction"))
+        junctions.setdefault(junction.id, junction)
+    if not roads and not findings:
+        findings.append(error(READABLE, document.name, "has no road"))
+    header = document.root.find("header")
+    version = ("?", "?")
+    if header is not None:
+        version = (header.get("revMajor", "?"), header.get("revMinor", "?"))
+    return ReadNetwork(Network(document.name, version, roads, junctions), tuple(findings))
+
+
+def _text(element: etree._Element, name: str) -> str:
+    value = element.get(name)
+    if value is None:
+        raise _UnreadableError(f"<{element.tag}> has no attribute {name!r}")
+    return value
+
+
+def _number(element: etree._Element, name: str) -> float:
+    text = _text(element, name)
+    try:
+        value = float(text)
+    except ValueError:
+        value = float("nan")
+    if not isfinite(value):
+        raise _UnreadableError(f"<{element.tag}> {name}={text!r} is not a number")
+    return value
+
+
+def _whole(element: etree._Element, name: str) -> int:
+    text = _text(element, name)
+    try:
+        return int(text)
+    except ValueError:
+        raise _UnreadableError(f"<{element.tag}> {name}={text!r} is not a lane number") from None
+
+
+def _poly3(element: etree._Element, start: str, offset: float = 0.0) -> Poly3:
+    a, b, c, d = (_number(element, name) for name in "abcd")
+    return Poly3(offset + _number(element, start), a, b, c, d)
+
+
+def _road(element: etree._Element) -> Road:
+    length = _number(element, "length")
+    junction = element.get("junction", "-1")
+    geometries = tuple(_geometry(g) for g in element.iterfind("planView/geometry"))
+    if not geometries:
+        raise _UnreadableError("has no planView geometry")
+    return Road(
+        id=_text(element, "id"),
+        length=length,
+        rule=element.get("rule", "RHT"),
+        junction=None if junction == "-1" else junction,
+        predecessor=_link(element.find("link/predecessor")),
+        successor=_link(element.find("link/successor")),
+        geometries=geometries,
+        lane_offsets=tuple(_poly3(e, "s") for e in element.iterfind("lanes/laneOffset")),
+        elevations=tuple(_poly3(e, "s") for e in element.iterfind("elevationProfile/elevation")),
+        sections=_sections(element, length),
+    )
+
+
+def _link(element: etree._Element | None) -> Link | None:
+    if element is None:
+        return None
+    return Link(
+        _text(element, "elementType"), _text(element, "elementId"), element.get("contactPoint")
+    )
+
+
+def _geometry(element: etree._Element) -> Geometry:
+    shapes = [child for child in element if isinstance(child.tag, str)]
+    kind = str(shapes[0].tag) if shapes else "nothing"
+    return Geometry(
+        s=_number(element, "s"),
+        x=_number(element, "x"),
+        y=_number(element, "y"),
+        heading=_number(element, "hdg"),
+        length=_number(element, "length"),
+        kind=kind,
+        curvature=_number(shapes[0], "curvature") if kind == "arc" else 0.0,
+    )
+
+
+def _sections(element: etree._Element, length: float) -> tuple[LaneSection, ...]:
+    found = element.findall("lanes/laneSection")
+    if not found:
+        raise _UnreadableError("has no lane section")
+    starts = [_number(section, "s") for section in found]
+    return tuple(
+        LaneSection(start, end, _lanes(section, start))
+        for section, start, end in zip(found, starts, [*starts[1:], length], strict=True)
+    )
+
+
+def _lanes(section: etree._Element, start: float) -> dict[int, Lane]:
+    lanes: dict[int, Lane] = {}
+    for side in ("left", "center", "right"):
+        for element in section.iterfind(f"{side}/lane"):
+            lane = _lane(element, start)
+            wrong_side = {"left": lane.id <= 0, "center": lane.id != 0, "right": lane.id >= 0}
+            if lane.id in lanes or wrong_side[side]:
+                raise _UnreadableError(f"lane {lane.id} stands twice or on the wrong side")
+            lanes[lane.id] = lane
+    for sign in (1, -1):
+        ids = sorted(abs(i) for i in lanes if i * sign > 0)
+        if ids != list(range(1, len(ids) + 1)):
+            raise _UnreadableError(f"lane numbers are not consecutive: {[sign * i for i in ids]}")
+    return lanes
+
+
+def _lane(element: etree._Element, start: float) -> Lane:
+    number = _whole(element, "id")
+    if element.find("border") is not None:
+        raise _UnreadableError(f"lane {number} is given by borders, which this check cannot read")
+    widths = tuple(_poly3(e, "sOffset", start) for e in element.iterfind("width"))
+    if number != 0 and (not widths or widths[0].s > start + 1e-6):
+        raise _UnreadableError(f"lane {number} has no width at the start of its section")
+    predecessor, successor = (
+        None if link is None else _whole(link, "id")
+        for link in (element.find("link/predecessor"), element.find("link/successor"))
+    )
+    return Lane(number, element.get("type", "none"), widths, predecessor, successor)
+
+
+def _junction(element: etree._Element) -> Junction:
+    return Junction(
+        _text(element, "id"), tuple(_connection(e) for e in element.iterfind("connection"))
+    )
+
+
+def _connection(element: etree._Element) -> Connection:
+    return Connection(
+        id=_text(element, "id"),
+        incoming=_text(element, "incomingRoad"),
+        connecting=_text(element, "connectingRoad"),
+        contact=_text(element, "contactPoint"),
+        lanes=tuple((_whole(e, "from"), _whole(e, "to")) for e in element.iterfind("laneLink")),
+    )

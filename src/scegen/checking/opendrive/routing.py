@@ -1,0 +1,95 @@
+"""Where one can drive: lanes as nodes, links and connections as edges."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from dataclasses import dataclass
+
+from scegen.checking.opendrive.arms import Arm
+from scegen.checking.opendrive.lanes import end_at_junction
+from scegen.checking.opendrive.network import END, START, Network, Road
+
+Node = tuple[str, int, int]
+"""Road id, index of the lane section, lane."""
+
+
+@dataclass(frozen=True)
+class LaneGraph:
+    """Directed graph of the driving lanes; ``after`` maps each lane to those that follow."""
+
+    after: dict[Node, tuple[Node, ...]]
+
+    def reach(self, start: Node) -> set[Node]:
+        """All lanes that can be driven to from ``start``, itself included."""
+        seen, open_nodes = {start}, [start]
+        while open_nodes:
+            for following in self.after.get(open_nodes.pop(), ()):
+                if following not in seen:
+                    seen.add(following)
+                    open_nodes.append(following)
+        return seen
+
+
+def lane_graph(network: Network) -> LaneGraph:
+    """The graph of all driving lanes; links to what does not exist lead nowhere."""
+    connected = _connected(network)
+    after: dict[Node, tuple[Node, ...]] = {}
+    for road in network.roads.values():
+        for index, section in enumerate(road.sections):
+            for lane in section.lanes.values():
+                if lane.id != 0 and lane.type == "driving":
+                    node = (road.id, index, lane.id)
+                    after[node] = _after(network, road, node, connected)
+    return LaneGraph(after)
+
+
+def outer_node(arm: Arm, lane: int) -> Node:
+    """The node of a lane at an arm's open end."""
+    return (arm.road.id, _index(arm.road, arm.contact), lane)
+
+
+def _index(road: Road, contact: str) -> int:
+    return 0 if contact == START else len(road.sections) - 1
+
+
+def _after(
+    network: Network, road: Road, node: Node, connected: dict[tuple[str, str, int], list[Node]]
+) -> tuple[Node, ...]:
+    _, index, number = node
+    ahead = END if road.runs_along_s(number) else START
+    target = road.sections[index].lanes[number].link(ahead)
+    step = 1 if ahead == END else -1
+    if 0 <= index + step < len(road.sections):
+        return _driving(network, road.id, index + step, target)
+    link = road.link(ahead)
+    if link is None:
+        return ()
+    if link.element == "junction":
+        return tuple(connected[road.id, ahead, number])
+    other = network.roads.get(link.id)
+    if other is None or link.contact not in {START, END}:
+        return ()
+    return _driving(network, other.id, _index(other, link.contact), target)
+
+
+def _driving(network: Network, road: str, index: int, lane: int | None) -> tuple[Node, ...]:
+    found = network.roads[road].sections[index].lanes.get(lane) if lane else None
+    return ((road, index, found.id),) if found and found.type == "driving" else ()
+
+
+def _connected(network: Network) -> dict[tuple[str, str, int], list[Node]]:
+    connected: dict[tuple[str, str, int], list[Node]] = defaultdict(list)
+    for junction in network.junctions.values():
+        for connection in junction.connections:
+            incoming = network.roads.get(connection.incoming)
+            connecting = network.roads.get(connection.connecting)
+            if incoming is None or connecting is None or connection.contact not in {START, END}:
+                continue
+            contact = end_at_junction(incoming, junction.id, connecting, connection.contact)
+            index = _index(connecting, connection.contact)
+            for lane_from, lane_to in connection.lanes:
+                if contact and lane_to in connecting.sections[index].lanes:
+                    connected[incoming.id, contact, lane_from].append(
+                        (connecting.id, index, lane_to)
+                    )
+    return connected

@@ -1,0 +1,1 @@
+"""One rule per file: each looks at a network and yields findings."""

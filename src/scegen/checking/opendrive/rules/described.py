@@ -1,0 +1,63 @@
+"""The road network is the one that the concrete scenario describes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from scegen.checking.opendrive.arms import Arm, match_arms
+from scegen.checking.opendrive.lanes import lane_width
+from scegen.checking.opendrive.network import Network
+from scegen.checking.opendrive.routing import lane_graph, outer_node
+from scegen.checking.opendrive.tolerances import GAP_M
+from scegen.checking.results import Finding, error
+from scegen.scenario.concrete import ArmRoad, ConcreteScenario
+from scegen.scenario.logical import Drive
+from scegen.scenario.vocabulary import DrivingSide
+
+
+def check_described(network: Network, concrete: ConcreteScenario) -> Iterator[Finding]:
+    """``xodr.described``: arms, lanes, widths and driving side; ``xodr.drive``: every drive."""
+    matched = match_arms(network, concrete)
+    yield from matched.findings
+    if not matched.arms:
+        return
+    rule = "RHT" if concrete.road.driving_side is DrivingSide.RIGHT else "LHT"
+    for wanted in concrete.road.arms:
+        arm = matched.arms[wanted.id]
+        place = f"arm {wanted.id} ({arm.place})"
+        if arm.road.rule != rule:
+            yield error("xodr.described", place, f"has rule {arm.road.rule} instead of {rule}")
+        yield from _lanes(arm, wanted, place)
+    yield from _drives(network, concrete, matched.arms)
+
+
+def _lanes(arm: Arm, wanted: ArmRoad, place: str) -> Iterator[Finding]:
+    found = (len(arm.inward), len(arm.outward))
+    if found != (wanted.lanes_in, wanted.lanes_out):
+        message = (
+            f"has {found[0]} lanes in and {found[1]} out "
+            f"instead of {wanted.lanes_in} and {wanted.lanes_out}"
+        )
+        yield error("xodr.described", place, message)
+    section, s = arm.road.section(arm.contact), arm.road.s_at(arm.contact)
+    for lane in (*arm.inward, *arm.outward):
+        width = lane_width(section, lane, s)
+        if abs(width - wanted.lane_width_m) > GAP_M:
+            message = f"lane {lane} is {width:.2f} m wide instead of {wanted.lane_width_m:g} m"
+            yield error("xodr.described", place, message)
+
+
+def _drives(
+    network: Network, concrete: ConcreteScenario, arms: dict[int, Arm]
+) -> Iterator[Finding]:
+    graph = lane_graph(network)
+    wanted = {(a.entry, a.exit) for a in concrete.logical.assignments if isinstance(a, Drive)}
+    turning = {(arm, arm) for arm in concrete.road.u_turns}
+    for entry, leave in sorted(wanted | turning):
+        if entry not in arms or leave not in arms:
+            continue
+        starts = [outer_node(arms[entry], lane) for lane in arms[entry].inward]
+        reached = {node for start in starts for node in graph.reach(start)}
+        if not any(outer_node(arms[leave], lane) in reached for lane in arms[leave].outward):
+            message = f"no way leads from arm {entry} to arm {leave}, as the scenario needs"
+            yield error("xodr.drive", f"arm {entry}", message)

@@ -1,0 +1,111 @@
+"""Junctions are complete: every connection leads from a lane that exists to one that exists."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from scegen.checking.opendrive.lanes import end_at_junction
+from scegen.checking.opendrive.network import (
+    END,
+    START,
+    Connection,
+    Junction,
+    Network,
+    Road,
+    lane_place,
+    road_place,
+)
+from scegen.checking.results import Finding, error
+
+RULE = "xodr.connection"
+
+
+def check_connections(network: Network) -> Iterator[Finding]:
+    """``xodr.connection``: roads, contact points and lane links of every connection."""
+    for junction in network.junctions.values():
+        for connection in junction.connections:
+            place = f"junction {junction.id} connection {connection.id}"
+            yield from _roads(network, junction, connection, place)
+
+
+def check_connecting_roads(network: Network) -> Iterator[Finding]:
+    """``xodr.connecting_road``: each is named by a connection and joins two roads."""
+    for junction in network.junctions.values():
+        named = {connection.connecting for connection in junction.connections}
+        for road in network.connecting_roads(junction.id):
+            if road.id not in named:
+                message = f"belongs to junction {junction.id}, but no connection names it"
+                yield error("xodr.connecting_road", road_place(road.id), message)
+            for contact in (START, END):
+                link = road.link(contact)
+                if link is None or link.element != "road":
+                    message = "a connecting road must be linked to a road at both ends"
+                    yield error("xodr.connecting_road", road_place(road.id, contact), message)
+
+
+def _roads(
+    network: Network, junction: Junction, connection: Connection, place: str
+) -> Iterator[Finding]:
+    incoming = network.roads.get(connection.incoming)
+    connecting = network.roads.get(connection.connecting)
+    for name, road, number in (
+        ("incoming", incoming, connection.incoming),
+        ("connecting", connecting, connection.connecting),
+    ):
+        if road is None:
+            yield error(RULE, place, f"names {name} road {number}, which does not exist")
+    if incoming is None or connecting is None:
+        return
+    if connecting.junction != junction.id:
+        message = f"road {connecting.id} belongs to {connecting.junction or 'no junction'}"
+        yield error(RULE, place, message)
+    if connection.contact not in {START, END}:
+        yield error(RULE, place, f"has contact point {connection.contact!r}")
+        return
+    contact = end_at_junction(incoming, junction.id, connecting, connection.contact)
+    if contact is None:
+        message = f"no end of incoming road {incoming.id} is linked to junction {junction.id}"
+        yield error(RULE, place, message)
+        return
+    link = connecting.link(connection.contact)
+    if link is None or (link.id, link.contact) != (incoming.id, contact):
+        said = f"{link.element} {link.id} {link.contact or ''}".rstrip() if link else "nothing"
+        message = (
+            f"road {connecting.id} {connection.contact} is linked to {said} "
+            f"instead of road {incoming.id} {contact}"
+        )
+        yield error(RULE, place, message)
+    if not connection.lanes:
+        yield error(RULE, place, "links no lanes")
+    for lane_from, lane_to in connection.lanes:
+        yield from _lanes(
+            (incoming, contact, lane_from), (connecting, connection.contact, lane_to), place
+        )
+
+
+def _lanes(
+    start: tuple[Road, str, int], goal: tuple[Road, str, int], place: str
+) -> Iterator[Finding]:
+    for road, contact, number in (start, goal):
+        lane = road.section(contact).lanes.get(number)
+        if lane is None or number == 0:
+            message = f"links {lane_place(road.id, number)}, which does not exist"
+            yield error(RULE, place, message)
+            return
+        if lane.type != "driving":
+            message = f"links {lane_place(road.id, number)}, which is of type {lane.type}"
+            yield error(RULE, place, message)
+    (incoming, in_contact, lane_from), (connecting, contact, lane_to) = start, goal
+    if not incoming.leads_to(lane_from, in_contact):
+        message = f"comes from {lane_place(incoming.id, lane_from)}, which leaves the junction"
+        yield error(RULE, place, message)
+    if connecting.leads_to(lane_to, contact):
+        message = f"{lane_place(connecting.id, lane_to)} runs against the connection"
+        yield error(RULE, place, message)
+    back = connecting.section(contact).lanes[lane_to].link(contact)
+    if back != lane_from:
+        message = (
+            f"links lane {lane_from} to {lane_place(connecting.id, lane_to)}, "
+            f"which is linked to {'nothing' if back is None else f'lane {back}'}"
+        )
+        yield error(RULE, place, message)

@@ -1,0 +1,81 @@
+"""Our own check of OpenSCENARIO files: references, starts, trajectories, exits."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import PurePosixPath
+
+from scegen.checking.documents import BrokenXmlError, parse_document
+from scegen.checking.opendrive.arms import match_arms
+from scegen.checking.opendrive.network import Network
+from scegen.checking.openscenario.read import read_storyboard
+from scegen.checking.openscenario.rules.paths import check_paths
+from scegen.checking.openscenario.rules.references import (
+    check_ego,
+    check_entities,
+    check_lane_positions,
+    check_participants,
+)
+from scegen.checking.openscenario.rules.starts import check_starts
+from scegen.checking.openscenario.rules.trajectories import (
+    check_trajectories,
+    check_trajectory_starts,
+)
+from scegen.checking.openscenario.situation import Situation
+from scegen.checking.openscenario.storyboard import Storyboard
+from scegen.checking.results import CheckResult, Finding, error, verdict
+from scegen.scenario.concrete import ConcreteScenario
+
+CHECKER = "openscenario"
+Rule = Callable[[Situation], Iterator[Finding]]
+
+RULES: tuple[Rule, ...] = (
+    check_entities,
+    check_ego,
+    check_participants,
+    check_lane_positions,
+    check_starts,
+    check_trajectories,
+    check_trajectory_starts,
+    check_paths,
+)
+
+
+def check_openscenario(
+    name: str,
+    content: bytes,
+    *,
+    road_file: str | None,
+    network: Network | None = None,
+    concrete: ConcreteScenario | None = None,
+) -> CheckResult:
+    """Check an OpenSCENARIO file on its road.
+
+    Args:
+        name: the file's name, for findings.
+        content: the file.
+        road_file: name of the OpenDRIVE file beside it; None if there is none.
+        network: that road, as read; None if it could not be read.
+        concrete: what the file should say, if known.
+    """
+    try:
+        document = parse_document(name, content, "OpenSCENARIO")
+    except BrokenXmlError as broken:
+        return verdict(CHECKER, [broken.finding])
+    storyboard, unread = read_storyboard(document)
+    arms = match_arms(network, concrete).arms if network and concrete else {}
+    situation = Situation(storyboard, network, concrete, arms)
+    findings = [*unread, *_road_file(storyboard, road_file)]
+    findings += (finding for rule in RULES for finding in rule(situation))
+    detail = f"{len(storyboard.entities)} entities, {len(RULES) + 1} rules"
+    return verdict(CHECKER, findings, detail)
+
+
+def _road_file(storyboard: Storyboard, beside: str | None) -> Iterator[Finding]:
+    """``xosc.road_file``: the road that the scenario names lies beside it."""
+    named = storyboard.road_file
+    if named is None:
+        yield error("xosc.road_file", storyboard.name, "names no road file")
+    elif beside is None or PurePosixPath(named).name != beside:
+        message = f"names the road file {named!r}, which does not exist"
+        yield error("xosc.road_file", storyboard.name, message)

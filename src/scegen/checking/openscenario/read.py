@@ -1,0 +1,173 @@
+"""From an OpenSCENARIO file to a storyboard; what cannot be read becomes a finding."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import isfinite
+from typing import NamedTuple
+
+from lxml import etree
+
+from scegen.checking.documents import Document
+from scegen.checking.openscenario.storyboard import (
+    EGO_PROPERTY,
+    Entity,
+    LanePoint,
+    Reference,
+    Start,
+    Storyboard,
+    Trajectory,
+    WorldPoint,
+)
+from scegen.checking.results import Finding, error
+
+READABLE = "xosc.readable"
+BODIES = ("Vehicle", "Pedestrian", "MiscObject", "CatalogReference")
+
+
+class ReadStoryboard(NamedTuple):
+    """The storyboard, without what ``findings`` says could not be read."""
+
+    storyboard: Storyboard
+    findings: tuple[Finding, ...]
+
+
+class _UnreadableError(Exception):
+    """A value that makes no sense, at a line of the file."""
+
+    def __init__(self, element: etree._Element, message: str) -> None:
+        self.line = element.sourceline
+        super().__init__(message)
+
+
+def read_storyboard(document: Document) -> ReadStoryboard:
+    """Read a scenario; parameters (``$name``) are replaced by their declared values."""
+    reader = _Reader(document)
+    return ReadStoryboard(reader.storyboard(), tuple(reader.findings))
+
+
+class _Reader:
+    def __init__(self, document: Document) -> None:
+        self.document = document
+        self.findings: list[Finding] = []
+        declared = document.root.iterfind("ParameterDeclarations/ParameterDeclaration")
+        self.parameters = {"$" + e.get("name", ""): e.get("value", "") for e in declared}
+
+    def storyboard(self) -> Storyboard:
+        root = self.document.root
+        header = root.find("FileHeader")
+        revision = ("?", "?")
+        if header is not None:
+            revision = (header.get("revMajor", "?"), header.get("revMinor", "?"))
+        logic = root.find("RoadNetwork/LogicFile")
+        return Storyboard(
+            name=self.document.name,
+            version=".".join(revision),
+            road_file=None if logic is None else self.text(logic, "filepath"),
+            entities=tuple(self.entity(e) for e in root.iterfind("Entities/ScenarioObject")),
+            starts=tuple(self.starts(root)),
+            trajectories=tuple(self.trajectories(root)),
+            references=tuple(self.references(root)),
+            lane_points=tuple(self.lane_points(root)),
+        )
+
+    def text(self, element: etree._Element, name: str) -> str:
+        value = element.get(name, "")
+        return self.parameters.get(value, value)
+
+    def number(self, element: etree._Element, name: str, default: str | None = None) -> float:
+        text = self.text(element, name) or default
+        try:
+            value = float(text or "")
+        except ValueError:
+            value = float("nan")
+        if not isfinite(value):
+            raise _UnreadableError(element, f"<{element.tag}> {name}={text!r} is not a number")
+        return value
+
+    def report(self, problem: _UnreadableError) -> None:
+        place = f"{self.document.name}:{problem.line}"
+        self.findings.append(error(READABLE, place, str(problem)))
+
+    def entity(self, element: etree._Element) -> Entity:
+        body = next((child for child in element if child.tag in BODIES), None)
+        properties = (
+            (e.get("name", ""), self.text(e, "value")) for e in element.iterfind(".//Property")
+        )
+        category = ""
+        if body is not None:
+            category = body.get("vehicleCategory") or body.get("pedestrianCategory") or ""
+        return Entity(
+            name=self.text(element, "name"),
+            kind=str(body.tag) if body is not None else "",
+            category=category,
+            is_ego=EGO_PROPERTY in properties,
+        )
+
+    def starts(self, root: etree._Element) -> Iterator[Start]:
+        for private in root.iterfind("Storyboard/Init/Actions/Private"):
+            position = private.find("PrivateAction/TeleportAction/Position")
+            yield Start(self.text(private, "entityRef"), self.position(position))
+
+    def position(self, element: etree._Element | None) -> WorldPoint | LanePoint | None:
+        if element is None:
+            return None
+        world, lane = element.find("WorldPosition"), element.find("LanePosition")
+        try:
+            if world is not None:
+                return self.world_point(world)
+            return None if lane is None else self.lane_point(lane)
+        except _UnreadableError as problem:
+            self.report(problem)
+            return None
+
+    def world_point(self, element: etree._Element) -> WorldPoint:
+        x, y = self.number(element, "x"), self.number(element, "y")
+        return WorldPoint(x, y, self.number(element, "h", "0"))
+
+    def lane_point(self, element: etree._Element) -> LanePoint:
+        text = self.text(element, "laneId")
+        if not text.lstrip("+-").isdecimal():
+            raise _UnreadableError(element, f"<LanePosition> laneId={text!r} is not a lane number")
+        return LanePoint(
+            self.text(element, "roadId"),
+            int(text),
+            self.number(element, "s"),
+            self.number(element, "offset", "0"),
+        )
+
+    def trajectories(self, root: etree._Element) -> Iterator[Trajectory]:
+        for group in root.iterfind(".//ManeuverGroup"):
+            actors = tuple(self.text(e, "entityRef") for e in group.iterfind("Actors/EntityRef"))
+            for element in group.iterfind(".//FollowTrajectoryAction//Trajectory"):
+                try:
+                    yield self.trajectory(element, actors)
+                except _UnreadableError as problem:
+                    self.report(problem)
+
+    def trajectory(self, element: etree._Element, actors: tuple[str, ...]) -> Trajectory:
+        if element.find("Shape/Polyline") is None:
+            raise _UnreadableError(element, "the trajectory is not a polyline and is not checked")
+        times: list[float | None] = []
+        points: list[WorldPoint] = []
+        for vertex in element.iterfind("Shape/Polyline/Vertex"):
+            world = vertex.find("Position/WorldPosition")
+            if world is None:
+                raise _UnreadableError(vertex, "a vertex has no world position and is not checked")
+            points.append(self.world_point(world))
+            times.append(self.number(vertex, "time") if vertex.get("time") else None)
+        return Trajectory(element.get("name", "?"), actors, tuple(times), tuple(points))
+
+    def references(self, root: etree._Element) -> Iterator[Reference]:
+        for element in root.iter():
+            if isinstance(element.tag, str) and element.get("entityRef") is not None:
+                place = f"{self.document.name}:{element.sourceline} <{element.tag}>"
+                yield Reference(self.text(element, "entityRef"), place)
+
+    def lane_points(self, root: etree._Element) -> Iterator[tuple[str, LanePoint]]:
+        for element in root.iter("LanePosition"):
+            try:
+                place = f"{self.document.name}:{element.sourceline}"
+                yield place, self.lane_point(element)
+            except _UnreadableError as problem:
+                self.report(problem)

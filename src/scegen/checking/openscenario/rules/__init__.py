@@ -1,0 +1,1 @@
+"""One rule per file: each looks at a situation and yields findings."""

@@ -1,0 +1,64 @@
+"""Trajectories lie where the concrete scenario says: on lanes, and out by the exit arm."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from scegen.checking.opendrive.arms import Arm
+from scegen.checking.opendrive.locate import OnLane
+from scegen.checking.openscenario.situation import Situation
+from scegen.checking.openscenario.storyboard import Trajectory
+from scegen.checking.results import Finding, error
+from scegen.scenario.concrete import CrossingMotion, DriveMotion
+
+
+def check_paths(situation: Situation) -> Iterator[Finding]:
+    """``xosc.off_road``, ``xosc.exit``, ``xosc.crossing``, ``xosc.missing_trajectory``."""
+    for participant in situation.concrete.participants if situation.concrete else ():
+        trajectory = situation.storyboard.trajectory(participant.id)
+        motion = participant.motion
+        if isinstance(motion, DriveMotion | CrossingMotion) and trajectory is None:
+            yield error("xosc.missing_trajectory", participant.id, "moves but has no trajectory")
+        elif trajectory is None or not situation.arms or not trajectory.points:
+            continue
+        elif isinstance(motion, DriveMotion):
+            yield from _drive(situation, participant.id, motion, trajectory)
+        elif isinstance(motion, CrossingMotion):
+            yield from _crossing(situation, participant.id, motion, trajectory)
+
+
+def _drive(
+    situation: Situation, name: str, motion: DriveMotion, trajectory: Trajectory
+) -> Iterator[Finding]:
+    under = situation.lanes_at([vertex.point for vertex in trajectory.points])
+    for number, (vertex, lanes) in enumerate(zip(trajectory.points, under, strict=True)):
+        if all(lane.type != "driving" for lane in lanes):
+            message = f"vertex {number} ({vertex.x:.2f}, {vertex.y:.2f}) lies on no driving lane"
+            yield error("xosc.off_road", name, message)
+            break
+    arm = situation.arms[motion.exit]
+    reached = _on(under[-1], arm)
+    wanted = {lane for lane in arm.outward if abs(lane) == motion.exit_lane}
+    if not reached & wanted:
+        said = ", ".join(f"road {x.road} lane {x.lane}" for x in under[-1]) or "no lane"
+        message = f"ends on {said} instead of arm {motion.exit} ({arm.place}) lane {sorted(wanted)}"
+        yield error("xosc.exit", name, message)
+
+
+def _crossing(
+    situation: Situation, name: str, motion: CrossingMotion, trajectory: Trajectory
+) -> Iterator[Finding]:
+    arm = situation.arms[motion.arm]
+    first, last = trajectory.points[0].point, trajectory.points[-1].point
+    # Sampled finely: the vertices of a walk straight across may all lie beside the lanes.
+    count = max(2, int(abs(last - first) / 0.5))
+    line = [first + (last - first) * i / count for i in range(count + 1)]
+    crossed = set().union(*(_on(lanes, arm) for lanes in situation.lanes_at(line)))
+    missing = {*arm.inward, *arm.outward} - crossed
+    if missing and (motion.stops_after_m is None or not crossed):
+        message = f"does not cross lanes {sorted(missing)} of arm {motion.arm} ({arm.place})"
+        yield error("xosc.crossing", name, message)
+
+
+def _on(lanes: list[OnLane], arm: Arm) -> set[int]:
+    return {lane.lane for lane in lanes if lane.road == arm.road.id}

@@ -1,0 +1,54 @@
+"""Everybody starts where the concrete scenario says."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from scegen.checking.opendrive.arms import Arm
+from scegen.checking.opendrive.locate import OnLane
+from scegen.checking.openscenario.situation import Situation
+from scegen.checking.results import Finding, error
+from scegen.scenario.concrete import ConcreteParticipant, CrossingMotion, DriveMotion
+
+RULE = "xosc.start"
+
+
+def check_starts(situation: Situation) -> Iterator[Finding]:
+    """``xosc.start``: each entity is placed; drivers on their entry lane, the rest at their arm."""
+    for entity in situation.storyboard.entities:
+        position = situation.in_world(situation.storyboard.start(entity.name))
+        if position is None:
+            if situation.network is not None:
+                message = "Init does not teleport it to a position that can be placed"
+                yield error(RULE, entity.name, message)
+            continue
+        lanes = situation.lanes_at([position])[0]
+        participant = situation.participant(entity.name)
+        if participant is not None and situation.arms:
+            yield from _where_asked(participant, situation.arms, lanes)
+        elif entity.kind == "Vehicle" and situation.network is not None and not lanes:
+            yield error(RULE, entity.name, "starts on no lane of the road network")
+
+
+def _where_asked(
+    participant: ConcreteParticipant, arms: dict[int, Arm], lanes: list[OnLane]
+) -> Iterator[Finding]:
+    motion = participant.motion
+    if isinstance(motion, CrossingMotion):
+        return  # starts outside the carriageway: its path is checked instead
+    number = motion.entry if isinstance(motion, DriveMotion) else motion.arm
+    arm = arms[number]
+    here = [lane for lane in lanes if lane.road == arm.road.id]
+    if not here:
+        said = ", ".join(f"road {lane.road} lane {lane.lane}" for lane in lanes) or "no lane"
+        message = f"starts on {said} instead of arm {number} ({arm.place})"
+        yield error(RULE, participant.id, message)
+        return
+    if isinstance(motion, DriveMotion):
+        wanted = {lane for lane in arm.inward if abs(lane) == motion.entry_lane}
+        if not wanted & {lane.lane for lane in here}:
+            message = f"starts on lane {here[0].lane} of {arm.place}, not on {sorted(wanted)}"
+            yield error(RULE, participant.id, message)
+    elif motion.in_lane and all(lane.type != "driving" for lane in here):
+        message = f"should block a lane of {arm.place} but stands beside it"
+        yield error(RULE, participant.id, message)

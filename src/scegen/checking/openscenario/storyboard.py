@@ -1,0 +1,90 @@
+"""A scenario as an OpenSCENARIO file states it: entities, starts, trajectories, references."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+EGO_PROPERTY = ("type", "ego_vehicle")
+"""The property by which CARLA's scenario_runner, and so we, know the ego."""
+
+
+@dataclass(frozen=True, slots=True)
+class WorldPoint:
+    """A position in the world frame (m, rad)."""
+
+    x: float
+    y: float
+    heading: float
+
+    @property
+    def point(self) -> complex:
+        """The position as x + iy."""
+        return complex(self.x, self.y)
+
+
+@dataclass(frozen=True, slots=True)
+class LanePoint:
+    """A position on a lane, as written."""
+
+    road: str
+    lane: int
+    s: float
+    offset: float
+
+
+@dataclass(frozen=True, slots=True)
+class Entity:
+    """A scenario object; ``kind`` is the element that describes it (Vehicle, Pedestrian …)."""
+
+    name: str
+    kind: str
+    category: str
+    is_ego: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Start:
+    """Where the Init section puts an entity."""
+
+    entity: str
+    position: WorldPoint | LanePoint | None
+
+
+@dataclass(frozen=True, slots=True)
+class Trajectory:
+    """A polyline that the entities of its maneuver group follow."""
+
+    name: str
+    actors: tuple[str, ...]
+    times: tuple[float | None, ...]
+    points: tuple[WorldPoint, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """A mention of an entity; ``place`` says where."""
+
+    entity: str
+    place: str
+
+
+@dataclass(frozen=True)
+class Storyboard:
+    """Everything that the rules look at."""
+
+    name: str
+    version: str
+    road_file: str | None
+    entities: tuple[Entity, ...]
+    starts: tuple[Start, ...]
+    trajectories: tuple[Trajectory, ...]
+    references: tuple[Reference, ...]
+    lane_points: tuple[tuple[str, LanePoint], ...]
+
+    def start(self, entity: str) -> WorldPoint | LanePoint | None:
+        """Where an entity starts, if the file says."""
+        return next((s.position for s in self.starts if s.entity == entity), None)
+
+    def trajectory(self, entity: str) -> Trajectory | None:
+        """The first trajectory that an entity follows."""
+        return next((t for t in self.trajectories if entity in t.actors), None)

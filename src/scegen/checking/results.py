@@ -1,0 +1,119 @@
+"""What a check says: findings of rules, one result per checker, one report per folder or file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Any
+
+
+class Severity(StrEnum):
+    """How bad a finding is; only an ``error`` fails a check."""
+
+    ERROR = "error"
+    WARNING = "warning"
+    INFO = "info"
+
+
+class CheckStatus(StrEnum):
+    """``not_run`` is never a pass: the checker is missing or could not look at everything."""
+
+    PASSED = "passed"
+    FAILED = "failed"
+    NOT_RUN = "not_run"
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """One thing that a rule found at one place (a road, a lane, an entity, a line)."""
+
+    rule: str
+    severity: Severity
+    place: str
+    message: str
+
+    def to_data(self) -> dict[str, str]:
+        """The finding as JSON-able data."""
+        return {
+            "rule": self.rule,
+            "severity": self.severity.value,
+            "place": self.place,
+            "message": self.message,
+        }
+
+
+def error(rule: str, place: str, message: str) -> Finding:
+    """A finding that fails its check."""
+    return Finding(rule, Severity.ERROR, place, message)
+
+
+def warning(rule: str, place: str, message: str) -> Finding:
+    """A finding that does not fail its check."""
+    return Finding(rule, Severity.WARNING, place, message)
+
+
+@dataclass(frozen=True, slots=True)
+class CheckResult:
+    """The verdict of one checker; ``detail`` says what was looked at, or why nothing was."""
+
+    checker: str
+    status: CheckStatus
+    findings: tuple[Finding, ...] = ()
+    detail: str = ""
+
+    def to_data(self) -> dict[str, Any]:
+        """The result as JSON-able data."""
+        return {
+            "checker": self.checker,
+            "status": self.status.value,
+            "detail": self.detail,
+            "findings": [finding.to_data() for finding in self.findings],
+        }
+
+
+def verdict(checker: str, findings: Iterable[Finding], detail: str = "") -> CheckResult:
+    """A result that failed if one finding is an error, and passed otherwise."""
+    listed = tuple(findings)
+    failed = any(finding.severity is Severity.ERROR for finding in listed)
+    return CheckResult(
+        checker, CheckStatus.FAILED if failed else CheckStatus.PASSED, listed, detail
+    )
+
+
+def not_run(checker: str, reason: str, findings: Iterable[Finding] = ()) -> CheckResult:
+    """A result of a checker that did not run, or not all of it, with the reason."""
+    return CheckResult(checker, CheckStatus.NOT_RUN, tuple(findings), reason)
+
+
+@dataclass(frozen=True, slots=True)
+class CheckReport:
+    """All results for one scenario folder or one file, in the order of the checkers."""
+
+    folder: str
+    results: tuple[CheckResult, ...]
+
+    @property
+    def ok(self) -> bool:
+        """Whether no checker failed; checkers that did not run are in ``missing``."""
+        return all(result.status is not CheckStatus.FAILED for result in self.results)
+
+    @property
+    def missing(self) -> tuple[CheckResult, ...]:
+        """The checkers that did not run."""
+        return tuple(r for r in self.results if r.status is CheckStatus.NOT_RUN)
+
+    def result(self, checker: str) -> CheckResult:
+        """The result of one checker; KeyError if it was not asked."""
+        for candidate in self.results:
+            if candidate.checker == checker:
+                return candidate
+        raise KeyError(checker)
+
+    def to_data(self) -> dict[str, Any]:
+        """The report as JSON-able data."""
+        return {
+            "folder": self.folder,
+            "ok": self.ok,
+            "results": [result.to_data() for result in self.results],
+        }

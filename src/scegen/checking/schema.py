@@ -1,0 +1,77 @@
+"""XSD: OpenDRIVE 1.7 and OpenSCENARIO by version, with the schema files of the ASAM checkers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, cast
+
+from lxml import etree
+
+from scegen.checking.documents import BrokenXmlError, Document, parse_document
+from scegen.checking.environment import ASAM_HINT, asam_python, site_packages
+from scegen.checking.results import CheckResult, Finding, error, not_run, verdict
+
+CHECKER = "schema"
+SCHEMAS: dict[tuple[str, str, str], str] = {
+    ("OpenDRIVE", "1", "6"): "qc_opendrive/schema/1.6.1/opendrive_16_core.xsd",
+    ("OpenDRIVE", "1", "7"): "qc_opendrive/schema/1.7.0/opendrive_17_core.xsd",
+    ("OpenSCENARIO", "1", "0"): "qc_openscenario/schema/1.0.0/OpenSCENARIO.xsd",
+    ("OpenSCENARIO", "1", "1"): "qc_openscenario/schema/1.1.1/OpenSCENARIO.xsd",
+    ("OpenSCENARIO", "1", "2"): "qc_openscenario/schema/1.2.0/OpenSCENARIO.xsd",
+}
+"""Schema file by root element, revMajor and revMinor; the others are not valid XSD 1.0."""
+HEADERS = {"OpenDRIVE": "header", "OpenSCENARIO": "FileHeader"}
+SHOWN = 10
+"""How many schema errors of one file are listed."""
+
+
+def check_schema(contents: dict[str, bytes]) -> CheckResult:
+    """Validate files, given by name; the suffix says what they are."""
+    python = asam_python()
+    folder = site_packages(python) if python else None
+    if folder is None:
+        return not_run(CHECKER, f"the schema files are not installed; {ASAM_HINT}")
+    findings: list[Finding] = []
+    used = []
+    for name, content in contents.items():
+        root_tag = "OpenDRIVE" if name.lower().endswith(".xodr") else "OpenSCENARIO"
+        try:
+            document = parse_document(name, content, root_tag)
+        except BrokenXmlError as broken:
+            findings.append(broken.finding)
+            continue
+        version = _version(document)
+        if version not in SCHEMAS:
+            message = f"there is no schema for {root_tag} {'.'.join(version[1:])}"
+            findings.append(error("xsd.version", name, message))
+            continue
+        path = folder / SCHEMAS[version]
+        if not path.is_file():
+            return not_run(CHECKER, f"{path.name} is missing; {ASAM_HINT}", findings)
+        used.append(" ".join((version[0], ".".join(version[1:]))))
+        findings += _validate(document, _schema(path))
+    return verdict(CHECKER, findings, ", ".join(used))
+
+
+def _version(document: Document) -> tuple[str, str, str]:
+    header = document.root.find(HEADERS[str(document.root.tag)])
+    get = header.get if header is not None else lambda _name, default: default
+    return str(document.root.tag), get("revMajor", "?"), get("revMinor", "?")
+
+
+@lru_cache(maxsize=8)
+def _schema(path: Path) -> etree.XMLSchema:
+    return etree.XMLSchema(etree.parse(str(path)))
+
+
+def _validate(document: Document, schema: etree.XMLSchema) -> list[Finding]:
+    if schema.validate(document.root):
+        return []
+    log = list(cast("Iterable[Any]", schema.error_log))  # the stubs do not know that it is one
+    found = [error("xsd.valid", f"{document.name}:{e.line}", e.message) for e in log[:SHOWN]]
+    if len(log) > SHOWN:
+        more = f"and {len(log) - SHOWN} more schema errors"
+        found.append(error("xsd.valid", document.name, more))
+    return found

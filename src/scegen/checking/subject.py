@@ -1,0 +1,114 @@
+"""What is checked: a scenario folder, or single files, found and read."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from scegen.checking.documents import BrokenXmlError, parse_document, read_bytes
+from scegen.errors import InputError
+from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.files import load
+
+ROAD_FILE, SCENARIO_FILE, CONCRETE_FILE = "road.xodr", "scenario.xosc", "concrete.yaml"
+SUFFIXES = {".xodr": "OpenDRIVE", ".xosc": "OpenSCENARIO"}
+HINT = "name a folder made by scegen generate, an .xodr or an .xosc file"
+
+
+@dataclass(frozen=True)
+class File:
+    """A file as read; ``sound`` says that it is XML that other programs may be given."""
+
+    path: Path
+    content: bytes
+    sound: bool
+
+    @property
+    def name(self) -> str:
+        """The file name."""
+        return self.path.name
+
+
+@dataclass(frozen=True)
+class Subject:
+    """A road, a scenario, or both, and the concrete scenario that they were made from."""
+
+    place: Path
+    road: File | None
+    scenario: File | None
+    concrete: ConcreteScenario | None
+
+    @property
+    def files(self) -> tuple[File, ...]:
+        """The files that are there."""
+        return tuple(file for file in (self.road, self.scenario) if file is not None)
+
+
+def find_subjects(path: Path) -> list[Subject]:
+    """Everything to check under a path, in the order of names.
+
+    Raises:
+        InputError: nothing there, or a file that cannot be read.
+    """
+    if path.is_file():
+        return [_single(path)]
+    if not path.is_dir():
+        raise InputError("does not exist", where=str(path), hint=HINT)
+    if any((path / name).exists() for name in (ROAD_FILE, SCENARIO_FILE, CONCRETE_FILE)):
+        return [read_folder(path)]
+    inside = path / "scenarios" if (path / "scenarios").is_dir() else path
+    folders = sorted(p.parent for p in inside.glob(f"*/{SCENARIO_FILE}"))
+    if folders:
+        return [read_folder(folder) for folder in folders]
+    files = sorted(p for p in path.iterdir() if p.suffix.lower() in SUFFIXES)
+    if files:
+        return [_single(file) for file in files]
+    raise InputError("holds nothing to check", where=str(path), hint=HINT)
+
+
+def read_folder(folder: Path) -> Subject:
+    """One scenario folder: road.xodr and scenario.xosc, with concrete.yaml if it is there.
+
+    Raises:
+        InputError: a file is missing or cannot be read.
+    """
+    concrete = folder / CONCRETE_FILE
+    return Subject(
+        place=folder,
+        road=_read(folder / ROAD_FILE),
+        scenario=_read(folder / SCENARIO_FILE),
+        concrete=load(concrete, ConcreteScenario) if concrete.is_file() else None,
+    )
+
+
+def _single(path: Path) -> Subject:
+    suffix = path.suffix.lower()
+    if suffix == ".xodr":
+        return Subject(path, _read(path), None, None)
+    if suffix == ".xosc":
+        scenario = _read(path)
+        return Subject(path, _named_road(scenario), scenario, None)
+    raise InputError("is neither an .xodr nor an .xosc file", where=str(path), hint=HINT)
+
+
+def _read(path: Path) -> File:
+    content = read_bytes(path)
+    try:
+        parse_document(path.name, content, SUFFIXES[path.suffix.lower()])
+    except BrokenXmlError:
+        return File(path, content, sound=False)
+    return File(path, content, sound=True)
+
+
+def _named_road(scenario: File) -> File | None:
+    """The road file that a scenario names, seen from where it lies."""
+    if not scenario.sound:
+        return None
+    logic = parse_document(scenario.name, scenario.content, "OpenSCENARIO").root.find(
+        "RoadNetwork/LogicFile"
+    )
+    named = logic.get("filepath") if logic is not None else None
+    path = scenario.path.parent / named if named else None
+    if path is None or path.suffix.lower() != ".xodr" or not path.is_file():
+        return None
+    return _read(path)

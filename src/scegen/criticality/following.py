@@ -1,0 +1,125 @@
+"""Who drives ahead of whom: where a leader's rear lies along its follower's path.
+
+Paths are fixed, so the question is answered once per pair and position of the leader, not once
+per candidate and step.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import nan
+from typing import NamedTuple
+
+import numpy as np
+
+from scegen.criticality.bodies import BodyTable
+from scegen.motion.batch.arrays import BatchTraces, Floats, Ints
+from scegen.motion.batch.kernels import kernel
+from scegen.motion.model import Path
+
+SPACING_M = 0.5
+"""Distance between the leader's positions in the table; interpolated linearly between."""
+SAME_WAY_RAD = np.pi / 4
+"""A body ahead counts as leader while its heading differs by less: else it is cross traffic."""
+
+
+class FollowTable(NamedTuple):
+    """``first[p, 0]`` is where the rows for "the first of pair p follows the second" begin.
+
+    ``first[p, 1]`` the other way round; -1 where the paths never share a corridor. Row n belongs
+    to the leader at ``n * SPACING_M`` along its path: ``rear_m`` is the station of its rearmost
+    point along the follower's path (m), nan where its box lies outside the follower's corridor.
+    """
+
+    first: Ints
+    rear_m: Floats
+
+
+def follow_table(
+    paths: Sequence[Path], bodies: BodyTable, pairs: Sequence[tuple[int, int]]
+) -> FollowTable:
+    """The table for these pairs, both ways round."""
+    first = np.full((len(pairs), 2), -1, dtype=np.int64)
+    parts: list[Floats] = []
+    size = 0
+    for p, (a, b) in enumerate(pairs):
+        for way, (follower, leader) in enumerate(((a, b), (b, a))):
+            rear = rear_stations(paths[follower], paths[leader], bodies, follower, leader)
+            if np.isfinite(rear).any():
+                first[p, way] = size
+                parts.append(rear)
+                size += len(rear)
+    return FollowTable(first, np.concatenate(parts) if parts else np.empty(0))
+
+
+def rear_stations(
+    follower: Path, leader: Path, bodies: BodyTable, f: int, b: int
+) -> Floats:
+    """Station of the rear of leader ``b`` on the path of follower ``f``, by leader position.
+
+    The leader's box is projected onto the tangent of the follower's path at the nearest point
+    with a similar heading; the corridor is as wide as the follower.
+    """
+    rows = int(np.ceil(leader.length_m / SPACING_M)) + 2
+    if follower.length_m == 0.0:
+        return np.full(rows, nan)
+    at = np.minimum(np.arange(rows) * SPACING_M, leader.length_m)
+    heading = np.interp(at, leader.s_m, leader.heading_rad)
+    x = np.interp(at, leader.s_m, leader.x_m) + bodies.ahead_m[b] * np.cos(heading)
+    y = np.interp(at, leader.s_m, leader.y_m) + bodies.ahead_m[b] * np.sin(heading)
+
+    s = np.linspace(0.0, follower.length_m, int(np.ceil(follower.length_m / 0.25)) + 1)
+    way = np.interp(s, follower.s_m, follower.heading_rad)
+    fx, fy = np.interp(s, follower.s_m, follower.x_m), np.interp(s, follower.s_m, follower.y_m)
+    turn = np.angle(np.exp(1j * (heading[:, None] - way[None, :])))
+    away = (x[:, None] - fx) ** 2 + (y[:, None] - fy) ** 2
+    away[np.abs(turn) > SAME_WAY_RAD] = np.inf
+    nearest = np.argmin(away, axis=1)
+    rows_all = np.arange(rows)
+    turn, way = np.abs(turn[rows_all, nearest]), way[nearest]
+    dx, dy = x - fx[nearest], y - fy[nearest]
+    ahead = dx * np.cos(way) + dy * np.sin(way)
+    aside = np.abs(dy * np.cos(way) - dx * np.sin(way))
+
+    length, width = bodies.half_length_m[b], bodies.half_width_m[b]
+    reach = length * np.cos(turn) + width * np.sin(turn)
+    half_breadth = length * np.sin(turn) + width * np.cos(turn)
+    inside = aside < bodies.half_width_m[f] + half_breadth
+    # Beyond either end of the follower's path there is nothing to project on.
+    on_path = (np.abs(ahead) <= 0.5) & np.isfinite(away[rows_all, nearest])
+    return np.where(inside & on_path, s[nearest] + ahead - reach, nan)
+
+
+@kernel
+def write_gaps(
+    traces: BatchTraces, row: int, follower: int, leader: int, front_m: float,
+    following: FollowTable, first: int, gaps: Floats,
+) -> bool:
+    """Write the gap (m) from the follower's front to the leader's rear for every step.
+
+    nan where there is no leader in the corridor ahead. Returns whether there is one at any step.
+
+    Args:
+        traces: the movements.
+        row: the candidate.
+        follower: index of the follower.
+        leader: index of the leader.
+        front_m: distance from the follower's reference point to its front.
+        following: the table.
+        first: its first row for this pair and direction; -1 for none.
+        gaps: output, (steps,).
+    """
+    if first < 0:
+        return False
+    some = False
+    for t in range(gaps.shape[0]):
+        at = traces.s_m[row, t, leader] / SPACING_M
+        n = int(at)
+        low, high = following.rear_m[first + n], following.rear_m[first + n + 1]
+        gap = low + (at - n) * (high - low) - traces.s_m[row, t, follower] - front_m
+        if gap >= 0.0:
+            gaps[t] = gap
+            some = True
+        else:
+            gaps[t] = nan
+    return some

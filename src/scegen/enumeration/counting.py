@@ -1,0 +1,179 @@
+"""Counting without listing: how many assignments, how many scenarios, how large each class.
+
+The solver lists *states*: entries, and the moves of those whose moves matter to others. All
+other moves are independent, so a state stands for a product: c cars at an arm with a choices
+each make a**c assignments, or C(c+a-1, c) if the cars are interchangeable. Rotations divide by
+Burnside's lemma: the number of classes is the mean number of scenarios that a rotation fixes.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Hashable
+from dataclasses import dataclass, field
+
+from scegen.enumeration.patterns import Polynomial, Row, product
+from scegen.enumeration.problem import Problem
+from scegen.enumeration.solving import COUNTED, Solution, Space, choices, states
+from scegen.enumeration.symmetry import Symmetry
+from scegen.errors import InputError
+from scegen.scenario.vocabulary import Reduction
+
+MAX_STATES = 200_000
+"""More states than this are not counted: it would take minutes."""
+
+
+@dataclass
+class Census:
+    """Sums over all states.
+
+    ``fixed[r]`` is the number of scenarios, up to swaps, that turning by r arms maps onto
+    themselves. ``loose`` sums the assignments of entries by the choices that they leave to the
+    independent vehicles (one row each), beside the tied moves; from it follow the patterns.
+    """
+
+    problem: Problem
+    symmetry: Symmetry
+    total: int = 0
+    states: int = 0
+    fixed: Counter[int] = field(default_factory=Counter)
+    loose: Counter[tuple[tuple[Row, ...], tuple[int, ...]]] = field(default_factory=Counter)
+    polynomial: Polynomial | None = None
+
+    def count(self, reduction: Reduction) -> int:
+        """Number of scenarios under a reduction."""
+        if reduction is Reduction.NONE:
+            return self.total
+        if reduction is Reduction.EXACT:
+            return sum(self.fixed.values()) // len(self.symmetry.rotations)
+        same = self._one_row()
+        if same is not None:
+            row, number, _ = same
+            return math.comb(number + len(row) - 1, number)
+        return len(self._patterns())
+
+    def class_size(self, reduction: Reduction, solution: Solution) -> int:
+        """Number of assignments that the reduction holds to be this scenario."""
+        if reduction is Reduction.NONE:
+            return 1
+        if reduction is Reduction.EXACT:
+            return self._swaps(solution) * self._orbit(solution)
+        counts = Counter(move for _, move, _ in solution.drives)
+        same = self._one_row()
+        if same is None:
+            return self._patterns()[tuple(counts[d] for d in range(self.problem.arms))]
+        row, number, entries = same
+        ways = math.factorial(number)
+        for move, manners in row:
+            ways = ways // math.factorial(counts[move]) * manners ** counts[move]
+        return ways * entries
+
+    def _one_row(self) -> tuple[Row, int, int] | None:
+        """If all vehicles choose from the same moves everywhere: the row, vehicles, entries."""
+        rows = {row for key, tied in self.loose for row in key}
+        if len(rows) != 1 or any(sum(tied) for _, tied in self.loose):
+            return None
+        return next(iter(rows)), len(self.problem.vehicles), sum(self.loose.values())
+
+    def _patterns(self) -> Polynomial:
+        if self.polynomial is None:
+            self.polynomial = product(self.loose)
+        return self.polynomial
+
+    def _swaps(self, solution: Solution) -> int:
+        return math.prod(_arrangements(chosen) for chosen in self._choices(solution))
+
+    def _orbit(self, solution: Solution) -> int:
+        if self.symmetry.anchor is not None or len(self.symmetry.rotations) == 1:
+            return len(self.symmetry.rotations)
+        chosen = self._choices(solution)
+        return len({frozenset(self._turned(chosen, r).items()) for r in self.symmetry.rotations})
+
+    def _choices(self, solution: Solution) -> list[list[tuple[int | str, ...]]]:
+        return choices(self.problem, self.symmetry, solution)
+
+    def _turned(
+        self, chosen: list[list[tuple[int | str, ...]]], turn: int
+    ) -> Counter[tuple[int, tuple[int | str, ...]]]:
+        images, arms = self.symmetry.rotations[turn], self.problem.arms
+        return Counter(
+            (images[group], ((int(choice[0]) + turn) % arms, *choice[1:]))
+            for group, members in enumerate(chosen)
+            for choice in members
+        )
+
+    def add(self, state: Solution) -> None:
+        """Add what one state stands for."""
+        chosen = self._choices(state)
+        rows = [
+            self._row(vehicle.id, entry)
+            for vehicle, (entry, move, _) in zip(self.problem.vehicles, state.drives, strict=True)
+            if move == COUNTED
+        ]
+        turned = len(self.symmetry.rotations) if self.symmetry.anchor is not None else 1
+        labelled = turned * math.prod(_arrangements(members) for members in chosen)
+        self.states += 1
+        self.total += labelled * math.prod(sum(manners for _, manners in row) for row in rows)
+        moves = Counter(move for _, move, _ in state.drives if move != COUNTED)
+        tied = tuple(moves[d] for d in range(self.problem.arms))
+        self.loose[tuple(sorted(rows)), tied] += labelled
+        # Every rotation but 0 moves one who is one of a kind: it fixes nothing.
+        for turn in [0] if self.symmetry.anchor is not None else self.symmetry.rotations:
+            self.fixed[turn] += turned * self._fixed_by(chosen, turn)
+
+    def _row(self, vehicle: str, entry: int) -> Row:
+        """(move, number of manners) that a vehicle may choose at an entry."""
+        found = Counter(move for move, _ in self.problem.wanted.get((vehicle, entry), ()))
+        return tuple(sorted(found.items()))
+
+    def _fixed_by(self, chosen: list[list[tuple[int | str, ...]]], turn: int) -> int:
+        """Scenarios in a state, up to swaps, that the rotation maps onto themselves.
+
+        The members at a cell choose a multiset; cells on one cycle must choose alike.
+        """
+        cells = self._turned(chosen, 0)
+        if turn and self._turned(chosen, turn) != cells:
+            return 0
+        ways, seen = 1, set[Hashable]()
+        images, arms = self.symmetry.rotations[turn], self.problem.arms
+        for first, members in cells.items():
+            group, choice = first
+            if first in seen or choice[1] != COUNTED:
+                continue
+            name = self.symmetry.groups[group].members[0]
+            options = len(self.problem.wanted[name, int(choice[0])])
+            ways *= math.comb(members + options - 1, members)
+            cell = first
+            while cell not in seen:
+                seen.add(cell)
+                group, choice = cell
+                cell = (images[group], ((int(choice[0]) + turn) % arms, *choice[1:]))
+        return ways
+
+
+def census(space: Space, symmetry: Symmetry) -> Census:
+    """Go through all states.
+
+    Raises:
+        InputError: there are too many states to count.
+    """
+    out = Census(space.problem, symmetry)
+    for state in states(space, symmetry):
+        if out.states >= MAX_STATES:
+            raise InputError(
+                f"more than {MAX_STATES:,} ways to place the participants on the arms: "
+                "too many to count",
+                where="participants",
+                hint="Say more about where they come from, or describe fewer different ones.",
+            )
+        out.add(state)
+    return out
+
+
+def _arrangements(chosen: list[tuple[int | str, ...]]) -> int:
+    """Ways to hand out these choices to the members of a group, who are told apart by name."""
+    ways = math.factorial(len(chosen))
+    for times in Counter(chosen).values():
+        ways //= math.factorial(times)
+    return ways

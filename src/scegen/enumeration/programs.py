@@ -1,0 +1,94 @@
+"""Running the encodings: facts in, facts out, the same order every time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from enum import StrEnum
+from pathlib import Path
+
+from clorm import FactBase, Predicate, unify
+from clorm.clingo import Control, SolveHandle, Symbol
+
+ENCODINGS = Path(__file__).parent / "encodings"
+
+
+class Part(StrEnum):
+    """The encodings, by file name; each says in its head what it does."""
+
+    ARMS = "arms"
+    WORDS = "words"
+    CONFLICTS = "conflicts"
+    DRIVES = "drives"
+    PLACES = "places"
+    HAZARDS = "hazards"
+    CROSSERS = "crossers"
+    BALANCE = "balance"
+    INTERCHANGEABLE = "interchangeable"
+    ROTATIONS = "rotations"
+    PATTERN = "pattern"
+    HOLDS = "holds"
+    EXPLAIN = "explain"
+    ORDER = "order"
+    STATE = "state"
+
+
+SCENARIO_PARTS = (
+    Part.ARMS,
+    Part.WORDS,
+    Part.CONFLICTS,
+    Part.DRIVES,
+    Part.PLACES,
+    Part.HAZARDS,
+    Part.CROSSERS,
+)
+"""What makes an assignment a scenario, without symmetry and without who decides."""
+
+
+def _quiet(code: object, message: str) -> None:
+    """Drop notes such as "atom does not occur in any rule head": most facts are optional."""
+
+
+def grounded(facts: Iterable[Predicate], parts: Sequence[Part], *options: str) -> Control:
+    """A solver that holds the facts and the parts.
+
+    The seed is fixed and there is one thread, so equal input gives equal output in equal order.
+    """
+    control = Control(["--seed=1", *options], logger=_quiet)
+    for part in parts:
+        control.load(str(ENCODINGS / f"{part}.lp"))
+    control.add_facts(FactBase(facts))
+    control.ground([("base", [])])
+    return control
+
+
+def answer_sets(
+    control: Control, predicates: Sequence[type[Predicate]], *, limit: int = 0
+) -> Iterator[list[Predicate]]:
+    """The shown facts of these predicates in each answer set; ``limit`` 0 means all.
+
+    The same atoms come back in thousands of answer sets: each is made a fact once.
+    """
+    control.configuration.solve.models = limit
+    known: dict[Symbol, list[Predicate]] = {}
+    handle: SolveHandle
+    with control.solve(yield_=True) as handle:
+        for model in handle:
+            facts: list[Predicate] = []
+            for symbol in model.symbols(shown=True):
+                fact = known.get(symbol)
+                if fact is None:
+                    fact = known[symbol] = unify(predicates, [symbol], ordered=True)
+                facts += fact
+            yield facts
+
+
+def consequences(
+    facts: Iterable[Predicate], parts: Sequence[Part], predicates: Sequence[type[Predicate]]
+) -> list[Predicate]:
+    """The one answer set of a program without choices."""
+    return next(answer_sets(grounded(facts, parts), predicates))
+
+
+def satisfiable(control: Control, assumed: Iterable[Predicate] = ()) -> bool:
+    """Whether there is an answer set in which the assumed facts hold."""
+    return bool(control.solve(assumptions=[(fact, True) for fact in assumed]).satisfiable)

@@ -1,0 +1,105 @@
+"""Ranges of the parameters that concretization chooses from, as data."""
+
+from __future__ import annotations
+
+from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.logical import (
+    Assignment,
+    ConflictKind,
+    Crossing,
+    Drive,
+    ParameterRange,
+    Standing,
+)
+from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver, ParticipantKind
+
+URBAN_LIMIT_MPS = 50 / 3.6
+ROUNDABOUT_LIMIT_MPS = 30 / 3.6
+
+Range = tuple[float, float, float, str]
+"""Low, high, default, reason."""
+
+KIND_SPEED_MPS: dict[ParticipantKind, Range] = {
+    ParticipantKind.PEDESTRIAN: (0.8, 2.5, 1.4, "walking to running"),
+    ParticipantKind.BICYCLE: (3.0, 8.0, 5.0, "cycling"),
+}
+HAZARD_SHARE: dict[HazardKind, Range] = {
+    HazardKind.SPEEDING: (1.1, 1.5, 1.25, "speeding"),
+    HazardKind.SLOW_DRIVING: (0.2, 0.5, 0.35, "driving slowly"),
+}
+"""Shares of the speed limit."""
+USUAL_SHARE: Range = (0.6, 1.0, 0.8, "usual")
+
+OFFSET_S: Range = (-2.0, 2.0, 0.0, "arrives at the conflict within 2 s of the ego")
+AHEAD_OFFSET_S: Range = (-4.0, -1.0, -2.0, "arrives before the ego, on the same arm")
+BEHIND_OFFSET_S: Range = (1.0, 4.0, 2.0, "arrives after the ego, on the same arm")
+BESIDE_OFFSET_S: Range = (-0.5, 0.5, 0.0, "arrives beside the ego")
+
+
+def speed_limit_mps(functional: FunctionalScenario) -> float:
+    """The limit said, or the usual one: 50 km/h, 30 km/h at a roundabout."""
+    junction = functional.junction
+    if junction.speed_limit_mps is not None:
+        return junction.speed_limit_mps
+    ring = junction.kind is JunctionKind.ROUNDABOUT
+    return ROUNDABOUT_LIMIT_MPS if ring else URBAN_LIMIT_MPS
+
+
+def speed_range(functional: FunctionalScenario, assignment: Assignment) -> ParameterRange:
+    """How fast a moving participant may be."""
+    participant = functional.participant(assignment.participant)
+    stays = isinstance(assignment, Drive) and assignment.maneuver is Maneuver.STAY
+    chosen = (0.0, 0.0, 0.0, "stays where it is") if stays else _speed(functional, participant)
+    return _parameter(f"{participant.id}.speed_mps", chosen)
+
+
+def _speed(functional: FunctionalScenario, participant: Participant) -> Range:
+    if participant.speed_mps is not None:
+        said = participant.speed_mps
+        return said.low, said.high, (said.low + said.high) / 2, "stated"
+    kind = participant.kind
+    if kind in KIND_SPEED_MPS:
+        return KIND_SPEED_MPS[kind]
+    share = USUAL_SHARE
+    for hazard in functional.hazards:
+        if hazard.kind in HAZARD_SHARE and participant.id in hazard.by:
+            share = HAZARD_SHARE[hazard.kind]
+    limit = speed_limit_mps(functional)
+    low, high, default, reason = share
+    return low * limit, high * limit, default * limit, f"{reason}, limit {limit:.4g} m/s"
+
+
+def offset_range(
+    functional: FunctionalScenario, ego: Assignment, other: Assignment, kind: ConflictKind
+) -> ParameterRange | None:
+    """When another participant arrives, against the ego; None if the two never meet.
+
+    Those whom a hazard puts together with the ego get a range even if their paths do not meet.
+    """
+    if isinstance(other, Standing):
+        return None
+    if kind is ConflictKind.NONE and not _share_a_hazard(functional, other.participant):
+        return None
+    return _parameter(f"{other.participant}.arrival_offset_s", _offset(ego, other))
+
+
+def _offset(ego: Assignment, other: Assignment) -> Range:
+    if isinstance(other, Crossing) or not isinstance(ego, Drive) or not isinstance(other, Drive):
+        return OFFSET_S
+    if ego.entry != other.entry:
+        return OFFSET_S
+    if ego.rank == other.rank:
+        return BESIDE_OFFSET_S
+    return AHEAD_OFFSET_S if other.rank < ego.rank else BEHIND_OFFSET_S
+
+
+def _share_a_hazard(functional: FunctionalScenario, name: str) -> bool:
+    ego = functional.ego.id
+    return any({name, ego} <= {*h.by, *h.to} for h in functional.hazards)
+
+
+def _parameter(name: str, chosen: Range) -> ParameterRange:
+    low, high, default, reason = chosen
+    return ParameterRange(
+        name=name, low=round(low, 3), high=round(high, 3), default=round(default, 3), reason=reason
+    )

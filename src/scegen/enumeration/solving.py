@@ -1,0 +1,195 @@
+"""From a problem to solutions: which encodings and facts each question takes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from clorm import Predicate
+
+from scegen.enumeration import answers as a
+from scegen.enumeration import predicates as p
+from scegen.enumeration.explaining import contradiction
+from scegen.enumeration.problem import Problem
+from scegen.enumeration.programs import SCENARIO_PARTS, Part, answer_sets, grounded, satisfiable
+from scegen.enumeration.symmetry import Symmetry
+from scegen.scenario.vocabulary import Reduction
+
+COUNTED = -1
+"""Stands for the move of a vehicle whose moves are counted instead of chosen."""
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Solution:
+    """One assignment, in listing order of the participants.
+
+    ``drives`` holds (entry, move, manner); in a state, of which only the entries are chosen,
+    the move of an independent vehicle is COUNTED. ``crossings`` holds (arm, side), ``places``
+    (vehicle, reference, word).
+    """
+
+    drives: tuple[tuple[int, int, str], ...]
+    crossings: tuple[tuple[int, str], ...]
+    places: tuple[tuple[str, str, str], ...]
+
+    @property
+    def pattern(self) -> tuple[int, ...]:
+        """The multiset of symbolic moves, sorted."""
+        return tuple(sorted(move for _, move, _ in self.drives))
+
+
+@dataclass(frozen=True)
+class Space:
+    """The assignments that satisfy the problem: its facts with the occupancy limit found."""
+
+    problem: Problem
+    facts: tuple[Predicate, ...]
+    parts: tuple[Part, ...]
+    crowding: int
+
+
+def space_of(problem: Problem) -> Space:
+    """Find the least crowding of arms with which the problem has a solution.
+
+    Raises:
+        NoScenarioError: there is none, however crowded; names the statements that clash.
+    """
+    parts: tuple[Part, ...] = (*SCENARIO_PARTS, Part.HOLDS)
+    if problem.spread:
+        return Space(problem, problem.facts, parts, 0)
+    facts = (*problem.facts, p.FairShare(problem.fair_share))
+    parts = (*parts, Part.BALANCE)
+    tied = tuple(p.Decides(name) for name in sorted(problem.tied))
+    for crowding in range(len(problem.vehicles) + 1):
+        space = Space(problem, (*facts, p.Crowding(crowding)), parts, crowding)
+        if satisfiable(grounded((*space.facts, *tied), parts)):
+            return space
+        if crowding == 0 and not satisfiable(grounded((*facts, *tied), parts)):
+            break
+    raise contradiction(problem)
+
+
+def solutions(
+    space: Space, symmetry: Symmetry, reduction: Reduction, *, limit: int = 0
+) -> Iterator[Solution]:
+    """Every scenario once, in rising order; ``limit`` 0 means all."""
+    problem = space.problem
+    facts = [*space.facts, *(p.Decides(v.id) for v in problem.vehicles)]
+    parts = [*space.parts, Part.ORDER]
+    options = ["--heuristic=Domain"]
+    if reduction is Reduction.PATTERN:
+        facts += _trade_facts(problem)
+        parts.append(Part.PATTERN)
+        options.append("--project=project")
+    elif reduction is Reduction.EXACT:
+        facts += group_facts(problem, symmetry)
+        parts.append(Part.INTERCHANGEABLE)
+        if len(symmetry.rotations) > 1:
+            facts += _rotation_facts(problem, symmetry)
+            parts.append(Part.ROTATIONS)
+    control = grounded(facts, parts, *options)
+    for found in answer_sets(control, (a.Drive, a.Crosses, a.Place), limit=limit):
+        yield _solution(problem, found)
+
+
+def states(space: Space, symmetry: Symmetry) -> Iterator[Solution]:
+    """Every choice of entries, tied moves and crossings, up to swaps of interchangeable ones.
+
+    What is left open are the independent moves, which counting multiplies in. If one vehicle
+    is one of a kind, a state stands for as many as there are rotations: one of each turned set.
+    """
+    problem = space.problem
+    facts = [*space.facts, *group_facts(problem, symmetry)]
+    facts += [p.Decides(name) for name in sorted(problem.tied)]
+    parts = [*space.parts, Part.INTERCHANGEABLE, Part.STATE]
+    if symmetry.anchor is not None:
+        facts += _rotation_facts(problem, symmetry)
+        parts.append(Part.ROTATIONS)
+    control = grounded(facts, parts)
+    predicates = (a.Enters, a.Drive, a.Crosses, a.Place)
+    for found in answer_sets(control, predicates):
+        yield _solution(problem, found)
+
+
+def group_facts(problem: Problem, symmetry: Symmetry) -> list[Predicate]:
+    """Members of each group in a row."""
+    facts: list[Predicate] = [p.OpenPlace(*pair) for pair in problem.open_places]
+    for group in symmetry.groups:
+        facts += [p.Next(a, b) for a, b in zip(group.members, group.members[1:], strict=False)]
+    return facts
+
+
+def _rotation_facts(problem: Problem, symmetry: Symmetry) -> list[Predicate]:
+    facts: list[Predicate] = [p.Rotation(turn) for turn in symmetry.rotations if turn]
+    if symmetry.anchor is not None:
+        return [*facts, p.Anchor(symmetry.anchor)]
+    cells: dict[tuple[int, int, int, str], int] = {}
+    for index, group in enumerate(symmetry.groups):
+        facts.append(p.Size(index, len(group.members)))
+        facts += [p.Member(name, index) for name in group.members]
+    for entry in range(problem.arms):
+        for index, group in enumerate(symmetry.groups):
+            if group.entries is None or entry in group.entries:
+                for move, manner in problem.wanted.get((group.members[0], entry), ()):
+                    cells[index, entry, move, manner] = len(cells)
+    facts += [p.Cell(cell, *key) for key, cell in cells.items()]
+    for turn, images in symmetry.rotations.items():
+        if turn:
+            facts += [
+                p.Turned(turn, cell, cells[images[g], (e + turn) % problem.arms, d, m])
+                for (g, e, d, m), cell in cells.items()
+            ]
+    return facts
+
+
+def _trade_facts(problem: Problem) -> list[Predicate]:
+    """Vehicles may trade moves if they are free of each other and have the same to choose from."""
+    last: dict[frozenset[int], str] = {}
+    facts: list[Predicate] = []
+    for vehicle in problem.vehicles:
+        per_entry = {
+            frozenset(move for move, _ in problem.wanted.get((vehicle.id, entry), ()))
+            for entry in problem.entries.get(vehicle.id, range(problem.arms))
+        }
+        if vehicle.id in problem.tied or len(per_entry) != 1:
+            continue
+        moves = per_entry.pop()
+        if moves in last:
+            facts.append(p.Trades(last[moves], vehicle.id))
+        last[moves] = vehicle.id
+    return facts
+
+
+def _solution(problem: Problem, found: list[Predicate]) -> Solution:
+    drives: dict[str, tuple[int, int, str]] = {}
+    crossings: dict[str, tuple[int, str]] = {}
+    places: list[tuple[str, str, str]] = []
+    for fact in found:
+        if isinstance(fact, a.Drive):
+            drives[fact.id] = (fact.entry, fact.move, fact.manner)
+        elif isinstance(fact, a.Crosses):
+            crossings[fact.id] = (fact.arm, fact.side)
+        elif isinstance(fact, a.Place):
+            places.append((fact.id, fact.reference, fact.word))
+        elif isinstance(fact, a.Enters) and fact.id not in drives:
+            drives[fact.id] = (fact.arm, COUNTED, "none")
+    return Solution(
+        tuple(drives[v.id] for v in problem.vehicles),
+        tuple(crossings[c.id] for c in problem.crossers),
+        tuple(sorted(places)),
+    )
+
+
+def choices(
+    problem: Problem, symmetry: Symmetry, solution: Solution
+) -> list[list[tuple[int | str, ...]]]:
+    """What the members of each group chose, group by group."""
+    chosen: dict[str, tuple[int | str, ...]] = {}
+    stances = dict.fromkeys(problem.names, "none")
+    open_pairs = set(problem.open_places)
+    stances |= {name: word for name, ref, word in solution.places if (name, ref) in open_pairs}
+    for vehicle, drive in zip(problem.vehicles, solution.drives, strict=True):
+        chosen[vehicle.id] = (*drive, stances[vehicle.id])
+    for crosser, crossing in zip(problem.crossers, solution.crossings, strict=True):
+        chosen[crosser.id] = crossing
+    return [[chosen[name] for name in group.members] for group in symmetry.groups]

@@ -1,0 +1,185 @@
+"""Which participants are interchangeable, and which rotations change nothing.
+
+Two vehicles are interchangeable if nothing that the functional scenario says tells them apart.
+A rotation counts if it carries everything said, and with distinct arms the road as built, onto
+itself. Mirror images never count: they swap the sides of the road.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from dataclasses import dataclass
+
+from scegen.enumeration.problem import Problem
+from scegen.scenario.arms import seen_from, turn_name
+from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.vocabulary import ArmsMode, Control, JunctionKind
+
+ANGLE_TOLERANCE_DEG = 1e-6
+
+
+@dataclass(frozen=True)
+class Group:
+    """Interchangeable participants, in listing order; ``entries`` None = open."""
+
+    members: tuple[str, ...]
+    entries: tuple[int, ...] | None
+    drives: bool
+
+    @property
+    def alone(self) -> bool:
+        """Whether there is just one."""
+        return len(self.members) == 1
+
+
+@dataclass(frozen=True)
+class Symmetry:
+    """Groups, and for every rotation (in arms, 0 first) the group that each group becomes."""
+
+    groups: tuple[Group, ...]
+    rotations: dict[int, tuple[int, ...]]
+
+    @property
+    def anchor(self) -> str | None:
+        """A vehicle that is one of a kind on all arms: every rotation moves it."""
+        return next(
+            (g.members[0] for g in self.groups if g.drives and g.entries is None and g.alone), None
+        )
+
+
+def labelled(problem: Problem) -> Symmetry:
+    """No symmetry at all: every participant is somebody (reduction ``none``)."""
+    drivers = {v.id for v in problem.vehicles}
+    groups = tuple(
+        Group((name,), problem.entries.get(name), name in drivers) for name in problem.names
+    )
+    return Symmetry(groups, {0: tuple(range(len(groups)))})
+
+
+def symmetry_of(problem: Problem, arms: ArmsMode) -> Symmetry:
+    """The symmetry that the reduction ``exact`` divides by."""
+    role_counts = role_matters(problem.functional, arms)
+    open_to = [name for name, _ in problem.open_places]
+    kinds: dict[tuple[Hashable, tuple[int, ...] | None], list[str]] = {}
+    for member in (*problem.vehicles, *problem.crossers):
+        said: Hashable = _what_is_said(problem.functional, member, role_counts=role_counts)
+        if open_to.count(member.id) > 1:
+            said = (said, member.id)  # several places to choose: rare enough to list apart
+        kinds.setdefault((said, problem.entries.get(member.id)), []).append(member.id)
+    drivers = {v.id for v in problem.vehicles}
+    groups = [
+        Group(tuple(names), problem.entries.get(names[0]), names[0] in drivers)
+        for names in kinds.values()
+    ]
+    number = {key: index for index, key in enumerate(kinds)}
+    rotations: dict[int, tuple[int, ...]] = {0: tuple(range(len(groups)))}
+    for turn in range(1, problem.arms):
+        if not _road_allows(problem, turn, arms):
+            continue
+        images = [number.get((said, _turned(e, turn, problem.arms))) for said, e in kinds]
+        found = tuple(image for image in images if image is not None)
+        sizes_fit = len(found) == len(groups) and all(
+            len(groups[image].members) == len(group.members)
+            for image, group in zip(found, groups, strict=True)
+        )
+        if sizes_fit:
+            rotations[turn] = found
+    return Symmetry(tuple(groups), rotations)
+
+
+def role_matters(functional: FunctionalScenario, arms: ArmsMode) -> bool:
+    """Whether the ego differs from a like vehicle by its role alone.
+
+    With equal arms, the source paper's view, cars are cars, unless something is seen from the
+    ego; with arms as built, the vehicle under test is somebody.
+    """
+    seen = any(m.approaches for m in functional.participants)
+    others = len(functional.participants) > len(functional.vehicles)
+    return arms is ArmsMode.DISTINCT or seen or others
+
+
+def _turned(entries: tuple[int, ...] | None, turn: int, arms: int) -> tuple[int, ...] | None:
+    return None if entries is None else tuple(sorted((e + turn) % arms for e in entries))
+
+
+def _what_is_said(
+    functional: FunctionalScenario, member: Participant, *, role_counts: bool
+) -> Hashable:
+    """Everything said about a participant, except its arms."""
+    return (
+        member.kind,
+        member.role if role_counts else None,
+        member.maneuvers,
+        member.approaches,
+        member.speed_mps,
+        tuple(
+            (index, member.id in hazard.by, member.id in hazard.to)
+            for index, hazard in enumerate(functional.hazards)
+        ),
+        frozenset(
+            (r.reference, r.approaches) for r in functional.relations if r.participant == member.id
+        ),
+        frozenset(
+            (r.participant, r.approaches) for r in functional.relations if r.reference == member.id
+        ),
+    )
+
+
+def _road_allows(problem: Problem, turn: int, arms: ArmsMode) -> bool:
+    junction = problem.functional.junction
+    n = junction.arms
+    lanes_fit = all(
+        junction.lanes[arm] == junction.lanes[(arm + turn) % n]
+        for arm in range(len(junction.lanes))
+    )
+    if not lanes_fit or any(m.parked and m.entries for m in problem.functional.participants):
+        return False
+    if arms is ArmsMode.EQUAL:
+        return not _words_need_geometry(problem) or _same_words(problem, turn)
+    marked = frozenset((arm + turn) % n for arm in junction.crosswalks)
+    return (
+        marked == junction.crosswalks
+        and _same_angles(problem.angles_deg, turn)
+        and _same_control(problem, turn)
+    )
+
+
+def _words_need_geometry(problem: Problem) -> bool:
+    functional = problem.functional
+    return bool(
+        any(m.maneuvers or m.approaches for m in functional.participants)
+        or functional.relations
+        or functional.hazards
+    )
+
+
+def _same_words(problem: Problem, turn: int) -> bool:
+    """Every movement and every view keeps its name when the arms turn."""
+    angles, n = problem.angles_deg, problem.arms
+
+    def words(entry: int, move: int) -> tuple[Hashable, Hashable]:
+        other = (entry + move) % n
+        return turn_name(angles, entry, move), seen_from(angles, entry, other)
+
+    return all(words(e, d) == words((e + turn) % n, d) for e in range(n) for d in range(n))
+
+
+def _same_angles(angles: tuple[float, ...], turn: int) -> bool:
+    n = len(angles)
+    by = angles[turn] - angles[0]
+    return all(
+        abs((angles[(arm + turn) % n] - angles[arm] - by + 180.0) % 360.0 - 180.0)
+        < ANGLE_TOLERANCE_DEG
+        for arm in range(n)
+    )
+
+
+def _same_control(problem: Problem, turn: int) -> bool:
+    """Yield, stop and signals set one road above the other, except round a ring."""
+    junction = problem.functional.junction
+    alike = {Control.UNCONTROLLED, Control.PRIORITY_TO_RIGHT, Control.ALL_WAY_STOP}
+    if junction.control in alike or (
+        junction.kind is JunctionKind.ROUNDABOUT and junction.control is not Control.SIGNALS
+    ):
+        return True
+    return junction.arms == 4 and turn == 2

@@ -1,0 +1,86 @@
+"""OpenSCENARIO files: a concrete scenario and its paths as one self-contained XML document.
+
+Version 1.0 is the one that esmini and CARLA's scenario_runner both play; everything is inline,
+and only constructs that both understand are used. Version 1.2 is its twin for checkers whose
+rules start there.
+"""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET  # builds, never parses
+from collections.abc import Mapping
+from datetime import datetime
+from threading import Lock
+from typing import Literal
+
+from scenariogeneration import xosc
+from scenariogeneration.xosc.enumerations import VersionBase
+
+from scegen.errors import InputError
+from scegen.export.openscenario_entities import entities
+from scegen.export.openscenario_storyboard import storyboard
+from scegen.export.openscenario_text import header_description, xml_text
+from scegen.motion.model import Path
+from scegen.scenario.concrete import ConcreteScenario
+
+OpenScenarioVersion = Literal["1.0", "1.2"]
+
+_MINOR: dict[str, int] = {"1.0": 0, "1.2": 2}
+_DATE = datetime(2024, 1, 1)  # without a zone: strptime-based readers take none
+"""A fixed date, or files of the same scenario would differ from run to run."""
+_VERSION_LOCK = Lock()
+"""The library keeps the version of the standard in a global."""
+
+
+def write_openscenario(
+    concrete: ConcreteScenario,
+    paths: Mapping[str, Path],
+    *,
+    road_file: str = "road.xodr",
+    version: str = "1.0",
+) -> bytes:
+    """The scenario as an OpenSCENARIO file; the same input gives the same bytes.
+
+    Args:
+        concrete: the scenario.
+        paths: the path of every participant, by id; one vertex means that it stands.
+        road_file: where the OpenDRIVE file lies, as seen from the scenario file.
+        version: of OpenSCENARIO, ``1.0`` or ``1.2``.
+
+    Raises:
+        InputError: the version is none of these, or a participant has no path.
+    """
+    if version not in _MINOR:
+        raise InputError(
+            f"OpenSCENARIO {version} cannot be written", hint=f"use {' or '.join(_MINOR)}"
+        )
+    missing = [p.id for p in concrete.participants if p.id not in paths]
+    if missing:
+        raise InputError(f"no path for {', '.join(missing)}", where=concrete.name)
+    minor = _MINOR[version]
+    with _VERSION_LOCK:
+        before = VersionBase.version_minor
+        try:
+            root = _scenario(concrete, paths, road_file, minor).get_element()
+        finally:
+            VersionBase().setVersion(minor=before)
+    ET.indent(root, "  ")
+    document: bytes = ET.tostring(root, encoding="utf-8", xml_declaration=True)
+    return document + b"\n"
+
+
+def _scenario(
+    concrete: ConcreteScenario, paths: Mapping[str, Path], road_file: str, minor: int
+) -> xosc.Scenario:
+    VersionBase().setVersion(minor=minor)
+    return xosc.Scenario(
+        header_description(concrete.name, concrete.description),
+        "ML-SceGen",
+        xosc.ParameterDeclarations(),
+        entities(concrete),
+        storyboard(concrete, paths, minor),
+        xosc.RoadNetwork(xml_text(road_file)),
+        xosc.Catalog(),
+        osc_minor_version=minor,
+        creation_date=_DATE,
+    )

@@ -1,0 +1,72 @@
+"""Participants as OpenSCENARIO entities: named blueprints with their true boxes."""
+
+from __future__ import annotations
+
+from scenariogeneration import xosc
+
+from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
+from scegen.scenario.vocabulary import ParticipantKind, Role
+
+_CATEGORY: dict[ParticipantKind, str] = {
+    ParticipantKind.CAR: "car",
+    ParticipantKind.VAN: "van",
+    ParticipantKind.TRUCK: "truck",
+    ParticipantKind.BUS: "bus",
+    ParticipantKind.MOTORCYCLE: "motorbike",
+    ParticipantKind.BICYCLE: "bicycle",
+    ParticipantKind.EMERGENCY_VEHICLE: "van",
+}
+_PEDESTRIAN_MASS_KG = 75.0
+_WHEEL_DIAMETER_M = 0.6
+_MAX_STEERING_RAD = 0.6
+
+
+def entities(concrete: ConcreteScenario) -> xosc.Entities:
+    """All participants, named by their ids; standing vehicles are vehicles too."""
+    result = xosc.Entities()
+    for participant in concrete.participants:
+        body = BODIES[participant.kind]
+        if participant.kind is ParticipantKind.PEDESTRIAN:
+            entity = _pedestrian(body)
+        else:
+            entity = _vehicle(participant, body)
+        is_ego = participant.role is Role.EGO
+        entity.add_property("type", "ego_vehicle" if is_ego else "simulation")
+        result.add_scenario_object(participant.id, entity)
+    return result
+
+
+def _box(body: Body) -> xosc.BoundingBox:
+    return xosc.BoundingBox(
+        body.width_m, body.length_m, body.height_m, body.centre_ahead_m, 0.0, body.height_m / 2
+    )
+
+
+def _pedestrian(body: Body) -> xosc.Pedestrian:
+    return xosc.Pedestrian(
+        body.blueprint,
+        _PEDESTRIAN_MASS_KG,
+        xosc.PedestrianCategory.pedestrian,
+        _box(body),
+        body.blueprint,
+    )
+
+
+def _vehicle(participant: ConcreteParticipant, body: Body) -> xosc.Vehicle:
+    """A vehicle whose performance allows all that its program asks: players clip to it."""
+    program = participant.speed_program
+    rates = [phase.rate_mps2 for phase in program]
+    speeds = [participant.speed_mps, *(phase.target_speed_mps for phase in program)]
+    track = round(0.8 * body.width_m, 3)
+    radius = _WHEEL_DIAMETER_M / 2
+    return xosc.Vehicle(
+        body.blueprint,
+        getattr(xosc.VehicleCategory, _CATEGORY[participant.kind]),
+        _box(body),
+        xosc.Axle(_MAX_STEERING_RAD, _WHEEL_DIAMETER_M, track, body.wheelbase_m, radius),
+        xosc.Axle(0.0, _WHEEL_DIAMETER_M, track, 0.0, radius),
+        max(body.top_speed_mps, *speeds),
+        max([body.max_acceleration_mps2, *rates]),
+        max([body.max_deceleration_mps2, *rates]),
+    )

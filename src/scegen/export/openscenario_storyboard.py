@@ -1,0 +1,129 @@
+"""Who stands where at the start, and what everybody does: the storyboard."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import pi
+
+from scenariogeneration import xosc
+
+from scegen.export.openscenario_environment import environment_action
+from scegen.export.openscenario_triggers import (
+    at_end,
+    at_once,
+    phase_event_name,
+    phase_trigger,
+    when_complete,
+)
+from scegen.motion.model import Path
+from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
+
+
+def storyboard(
+    concrete: ConcreteScenario, paths: Mapping[str, Path], minor: int
+) -> xosc.StoryBoard:
+    """The storyboard: one act, one maneuver group for each participant that moves."""
+    stop = at_end("scenario_over", concrete.duration_s, minor)
+    board = xosc.StoryBoard(_init(concrete, paths, minor), stop)
+    moving = [p for p in concrete.participants if _moves(paths[p.id])]
+    act = xosc.Act(
+        "act",
+        at_once("act_starts", concrete.duration_s),
+        at_end("act_over", concrete.duration_s, minor),
+    )
+    for participant in moving:
+        act.add_maneuver_group(
+            _maneuver_group(participant, paths[participant.id], concrete.duration_s, minor)
+        )
+    if not moving:  # the standard wants a story all the same
+        act.add_maneuver_group(xosc.ManeuverGroup("nobody_moves").add_actor(concrete.ego.id))
+    story = xosc.Story("story")
+    story.add_act(act)
+    board.add_story(story)
+    return board
+
+
+def _moves(path: Path) -> bool:
+    return len(path.s_m) > 1
+
+
+def _init(concrete: ConcreteScenario, paths: Mapping[str, Path], minor: int) -> xosc.Init:
+    init = xosc.Init()
+    init.add_global_action(environment_action(concrete.environment, minor))
+    for participant in concrete.participants:
+        path = paths[participant.id]
+        init.add_init_action(participant.id, xosc.TeleportAction(_position(path, 0)))
+        speed = participant.speed_mps if _moves(path) else 0.0
+        init.add_init_action(participant.id, _step_to(speed))
+    return init
+
+
+def _maneuver_group(
+    participant: ConcreteParticipant, path: Path, duration_s: float, minor: int
+) -> xosc.ManeuverGroup:
+    group = xosc.ManeuverGroup(f"{participant.id}_group")
+    group.add_actor(participant.id)
+    follow = f"{participant.id}_follows_path"
+    # Apart from the way: overwriting an older change of speed must not end the trajectory. And
+    # before it: esmini works in file order, and a step must move by the speed that it sets.
+    speed = xosc.Maneuver(f"{participant.id}_speed")
+    overwrite = xosc.Priority.overwrite if minor < 2 else xosc.Priority.override
+    # Last phase first: a phase must not see its predecessor start in the same step.
+    for index, phase in reversed(list(enumerate(participant.speed_program))):
+        name = phase_event_name(participant, index)
+        event = xosc.Event(name, overwrite)
+        dynamics = xosc.TransitionDynamics(
+            xosc.DynamicsShapes.linear, xosc.DynamicsDimension.rate, phase.rate_mps2
+        )
+        event.add_action(
+            f"{name}_action", xosc.AbsoluteSpeedAction(phase.target_speed_mps, dynamics)
+        )
+        event.add_trigger(phase_trigger(participant, index, duration_s=duration_s, minor=minor))
+        speed.add_event(event)
+    # At the end of its path a participant stops; without this, players drive on along the road.
+    arrived = xosc.Event(f"{participant.id}_arrives", overwrite)
+    arrived.add_action(f"{participant.id}_stops", _step_to(0.0))
+    arrived.add_trigger(when_complete(f"{participant.id}_path_ends", follow))
+    speed.add_event(arrived)
+    group.add_maneuver(speed)
+    way = xosc.Maneuver(f"{participant.id}_way")
+    way.add_event(_follow_event(participant, path, follow, duration_s))
+    group.add_maneuver(way)
+    return group
+
+
+def _follow_event(
+    participant: ConcreteParticipant, path: Path, name: str, duration_s: float
+) -> xosc.Event:
+    """Follow the path at whatever speed: no time reference, so the vertex times do not count.
+
+    1.0 demands them all the same; they are those of a constant speed.
+    """
+    trajectory = xosc.Trajectory(f"{participant.id}_path", False)
+    nominal_mps = participant.speed_mps or 1.0
+    trajectory.add_shape(
+        xosc.Polyline(
+            [round(float(s) / nominal_mps, 4) for s in path.s_m],
+            [_position(path, i) for i in range(len(path.s_m))],
+        )
+    )
+    event = xosc.Event(f"{participant.id}_sets_out", xosc.Priority.parallel)
+    event.add_action(name, xosc.FollowTrajectoryAction(trajectory, xosc.FollowingMode.position))
+    event.add_trigger(at_once(f"{participant.id}_at_once", duration_s))
+    return event
+
+
+def _step_to(speed_mps: float) -> xosc.AbsoluteSpeedAction:
+    step = xosc.TransitionDynamics(xosc.DynamicsShapes.step, xosc.DynamicsDimension.time, 0.0)
+    return xosc.AbsoluteSpeedAction(speed_mps, step)
+
+
+def _position(path: Path, index: int) -> xosc.WorldPosition:
+    """A vertex, to 0.1 mm; adding zero turns -0.0 into 0.0."""
+    heading = (float(path.heading_rad[index]) + pi) % (2 * pi) - pi
+    return xosc.WorldPosition(
+        round(float(path.x_m[index]), 4) + 0.0,
+        round(float(path.y_m[index]), 4) + 0.0,
+        0.0,
+        round(heading, 6) + 0.0,
+    )

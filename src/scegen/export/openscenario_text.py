@@ -1,0 +1,26 @@
+"""Free text on its way into an OpenSCENARIO file."""
+
+from __future__ import annotations
+
+import re
+
+LONGEST_TEXT = 2000
+"""Characters kept of a description; players print it, and the whole lies in the other files."""
+
+_ILLEGAL = re.compile(r"[^\t\n\r\x20-\uD7FF\uE000-\uFFFD\U00010000-\U0010FFFF]")
+_SPACES = re.compile(r"\s+")
+
+
+def xml_text(text: str, longest: int = LONGEST_TEXT) -> str:
+    """``text`` on one line, without the characters that XML forbids, cut to ``longest``."""
+    line = _SPACES.sub(" ", _ILLEGAL.sub("", text[: 4 * longest])).strip()
+    return line if len(line) <= longest else line[: longest - 1].rstrip() + "…"
+
+
+def header_description(name: str, description: str) -> str:
+    """The text of the file header.
+
+    It starts with a fixed word because the start of this text has side effects:
+    scenario_runner mirrors the scenario if it reads ``CARLA:``, and ``$`` names a parameter.
+    """
+    return f"Scenario {name}: {xml_text(description)}".rstrip(" :")

@@ -1,0 +1,120 @@
+"""When a phase of a speed program fires, as OpenSCENARIO start triggers.
+
+A phase can only fire once its predecessor has: the state of the predecessor's event is asked
+beside the phase's own condition.
+"""
+
+from __future__ import annotations
+
+from scenariogeneration import xosc
+
+from scegen.scenario.concrete import (
+    AtTime,
+    ConcreteParticipant,
+    SpeedPhase,
+    Travelled,
+)
+
+_SLACK_S = 1e-5
+"""1.0 knows only "greater than": this much earlier, a time on the step's grid counts as reached."""
+
+Condition = xosc.ValueTrigger | xosc.EntityTrigger
+
+
+def phase_event_name(participant: ConcreteParticipant, index: int) -> str:
+    """The name of the event of a phase, unique in the file: players look it up by name alone."""
+    return f"{participant.id}_phase_{index + 1}"
+
+
+def phase_trigger(
+    participant: ConcreteParticipant, index: int, *, duration_s: float, minor: int
+) -> xosc.Trigger:
+    """The start trigger of phase ``index`` of a participant's speed program.
+
+    "Has fired" is "running or complete". Version 1.0 asks for the start instead of the running
+    state, which scenario_runner does not know; it remembers a start, and so does esmini until
+    the condition is looked at, which is why this condition stands behind the phase's own.
+    """
+    phase = participant.speed_program[index]
+    event = phase_event_name(participant, index)
+    fired = ("startTransition" if minor == 0 else "runningState", "completeState")
+    trigger = xosc.Trigger()
+    for number, state in enumerate(fired if index else ("",), start=1):
+        group = xosc.ConditionGroup()
+        # Names must differ between groups: scenario_runner keeps what came true by name.
+        name = f"{event}_when_{number}"
+        group.add_condition(_condition(name, participant, phase, duration_s, minor))
+        if state:
+            before = phase_event_name(participant, index - 1)
+            group.add_condition(_state_condition(f"{event}_after_{number}", "event", before, state))
+        trigger.add_conditiongroup(group)
+    return trigger
+
+
+def when_complete(name: str, action: str) -> xosc.ValueTrigger:
+    """True once the action of this name is over."""
+    return _state_condition(name, "action", action, "completeState")
+
+
+def at_once(name: str, duration_s: float) -> xosc.ValueTrigger:
+    """True from the first instant: "later than 0" would lose a step."""
+    return _value(name, xosc.SimulationTimeCondition(duration_s, xosc.Rule.lessThan))
+
+
+def at_end(name: str, duration_s: float, minor: int) -> xosc.ValueTrigger:
+    """True when the scenario is over, as a stop trigger."""
+    return xosc.ValueTrigger(
+        name,
+        0,
+        xosc.ConditionEdge.none,
+        _reached(duration_s, minor),
+        triggeringpoint="stop",
+    )
+
+
+def _reached(time_s: float, minor: int) -> xosc.SimulationTimeCondition:
+    if minor == 0:
+        return xosc.SimulationTimeCondition(round(time_s - _SLACK_S, 6), xosc.Rule.greaterThan)
+    return xosc.SimulationTimeCondition(time_s, xosc.Rule.greaterOrEqual)
+
+
+def _condition(
+    name: str, owner: ConcreteParticipant, phase: SpeedPhase, duration_s: float, minor: int
+) -> Condition:
+    trigger = phase.trigger
+    if isinstance(trigger, AtTime):
+        if trigger.time_s <= _SLACK_S:
+            return at_once(name, duration_s)
+        return _value(name, _reached(trigger.time_s, minor))
+    if isinstance(trigger, Travelled):
+        return _entity(
+            name, xosc.TraveledDistanceCondition(trigger.distance_m), trigger.participant
+        )
+    kind = xosc.RelativeDistanceType
+    condition = xosc.RelativeDistanceCondition(
+        trigger.distance_m,
+        xosc.Rule.lessThan,
+        kind.cartesianDistance if minor == 0 else kind.euclidianDistance,
+        trigger.participant,
+        freespace=False,
+    )
+    return _entity(name, condition, owner.id)
+
+
+def _value(name: str, condition: object) -> xosc.ValueTrigger:
+    return xosc.ValueTrigger(name, 0, xosc.ConditionEdge.none, condition)
+
+
+def _entity(name: str, condition: object, entity: str) -> xosc.EntityTrigger:
+    return xosc.EntityTrigger(name, 0, xosc.ConditionEdge.none, condition, entity)
+
+
+def _state_condition(name: str, element: str, reference: str, state: str) -> xosc.ValueTrigger:
+    return _value(
+        name,
+        xosc.StoryboardElementStateCondition(
+            getattr(xosc.StoryboardElementType, element),
+            reference,
+            getattr(xosc.StoryboardElementState, state),
+        ),
+    )

@@ -1,0 +1,42 @@
+"""The batch simulator: thousands of candidates of one scenario at a time, in compiled kernels.
+
+All candidates share the paths and the structure of the speed programs; they differ in start
+offset, speeds, trigger values, target speeds and rates. ``scegen.motion.simulate`` is the slow,
+obvious reference. Kept out of ``scegen.motion`` itself: importing numba takes a while.
+"""
+
+from scegen.motion.batch.arrays import (
+    BatchTraces,
+    Candidates,
+    PathTable,
+    PhaseTable,
+    Program,
+    TriggerKind,
+    empty_traces,
+)
+from scegen.motion.batch.compilation import (
+    Phase,
+    build_program,
+    compile_program,
+    path_table,
+    repeat,
+    stack_traces,
+)
+from scegen.motion.batch.simulation import simulate_batch
+
+__all__ = [
+    "BatchTraces",
+    "Candidates",
+    "PathTable",
+    "Phase",
+    "PhaseTable",
+    "Program",
+    "TriggerKind",
+    "build_program",
+    "compile_program",
+    "empty_traces",
+    "path_table",
+    "repeat",
+    "simulate_batch",
+    "stack_traces",
+]

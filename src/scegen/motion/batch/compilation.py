@@ -1,0 +1,136 @@
+"""From scenarios and paths to the arrays of the batch simulator, and from traces to batches."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from scegen.motion.batch.arrays import (
+    BatchTraces,
+    Candidates,
+    PathTable,
+    PhaseTable,
+    Program,
+    TriggerKind,
+    empty_traces,
+)
+from scegen.motion.model import Path, Trace
+from scegen.scenario.concrete import AtTime, ConcreteScenario, SpeedPhase, Travelled
+
+
+@dataclass(frozen=True, slots=True)
+class Phase:
+    """A phase of a speed program in numbers.
+
+    ``subject`` is the index of the participant that the trigger looks at (ignored for TIME);
+    ``value`` is in s or m by ``kind``; ``position_m`` is the point on the subject's path that
+    ARRIVAL_BELOW looks at.
+    """
+
+    kind: TriggerKind
+    subject: int
+    value: float
+    target_speed_mps: float
+    rate_mps2: float
+    position_m: float = 0.0
+
+
+def compile_program(
+    concrete: ConcreteScenario, paths: Mapping[str, Path]
+) -> tuple[Program, Candidates]:
+    """The arrays of a scenario: its program, and its own numbers as the one candidate.
+
+    Participants keep the scenario's order; the phases of a participant follow one another.
+
+    Args:
+        concrete: the scenario.
+        paths: its paths by participant, as :func:`scegen.motion.build_paths` makes them.
+    """
+    index = {p.id: i for i, p in enumerate(concrete.participants)}
+    return build_program(
+        [paths[name] for name in index],
+        [p.speed_mps for p in concrete.participants],
+        [[_phase(phase, index) for phase in p.speed_program] for p in concrete.participants],
+    )
+
+
+def build_program(
+    paths: Sequence[Path], speeds_mps: Sequence[float], phases: Sequence[Sequence[Phase]]
+) -> tuple[Program, Candidates]:
+    """The arrays for hand-made motions; arguments have one entry per participant."""
+    flat = [phase for own in phases for phase in own]
+    points = [paths[p.subject].pose(p.position_m) for p in flat]
+    table = PhaseTable(
+        first=_offsets([len(own) for own in phases]),
+        kind=np.array([int(p.kind) for p in flat], dtype=np.int64),
+        subject=np.array([p.subject for p in flat], dtype=np.int64),
+        point_x_m=np.array([p.x_m for p in points], dtype=np.float64),
+        point_y_m=np.array([p.y_m for p in points], dtype=np.float64),
+    )
+    candidate = Candidates(
+        start_m=np.zeros((1, len(paths))),
+        speed_mps=np.array([speeds_mps], dtype=np.float64),
+        trigger=np.array([[p.value for p in flat]], dtype=np.float64),
+        target_speed_mps=np.array([[p.target_speed_mps for p in flat]], dtype=np.float64),
+        rate_mps2=np.array([[p.rate_mps2 for p in flat]], dtype=np.float64),
+    )
+    return Program(path_table(paths), table), candidate
+
+
+def path_table(paths: Sequence[Path]) -> PathTable:
+    """Polylines one after another."""
+    heading = np.concatenate([p.heading_rad for p in paths]).astype(np.float64)
+    return PathTable(
+        first=_offsets([len(p.s_m) for p in paths]),
+        s_m=np.concatenate([p.s_m for p in paths]).astype(np.float64),
+        x_m=np.concatenate([p.x_m for p in paths]).astype(np.float64),
+        y_m=np.concatenate([p.y_m for p in paths]).astype(np.float64),
+        heading_rad=heading,
+        cos=np.cos(heading),
+        sin=np.sin(heading),
+    )
+
+
+def repeat(candidates: Candidates, count: int) -> Candidates:
+    """``count`` writable copies of the first candidate, to vary from there."""
+    return Candidates(*(np.repeat(array[:1], count, axis=0) for array in candidates))
+
+
+def stack_traces(traces: Sequence[Trace]) -> BatchTraces:
+    """Movements from elsewhere (the reference simulator, a player) as a batch of one candidate.
+
+    Args:
+        traces: one per participant, at the same times, which start at 0 and are evenly spaced.
+    """
+    times = traces[0].time_s
+    dt_s = float(times[-1] / (len(times) - 1)) if len(times) > 1 else 1.0
+    batch = empty_traces(1, len(times), len(traces), 0, dt_s)
+    for i, trace in enumerate(traces):
+        batch.s_m[0, :, i] = trace.s_m
+        batch.x_m[0, :, i] = trace.x_m
+        batch.y_m[0, :, i] = trace.y_m
+        batch.heading_rad[0, :, i] = trace.heading_rad
+        batch.cos[0, :, i] = np.cos(trace.heading_rad)
+        batch.sin[0, :, i] = np.sin(trace.heading_rad)
+        batch.speed_mps[0, :, i] = trace.speed_mps
+    return batch
+
+
+def _phase(phase: SpeedPhase, index: Mapping[str, int]) -> Phase:
+    """A contract phase in numbers."""
+    trigger = phase.trigger
+    if isinstance(trigger, AtTime):
+        kind, subject, value = TriggerKind.TIME, 0, trigger.time_s
+    elif isinstance(trigger, Travelled):
+        kind, subject, value = TriggerKind.TRAVELLED, index[trigger.participant], trigger.distance_m
+    else:
+        kind, subject = TriggerKind.DISTANCE_BELOW, index[trigger.participant]
+        value = trigger.distance_m
+    return Phase(kind, subject, value, phase.target_speed_mps, phase.rate_mps2)
+
+
+def _offsets(lengths: Sequence[int]) -> np.ndarray[tuple[int], np.dtype[np.int64]]:
+    """Where each of several runs of these lengths begins, and where the last ends."""
+    return np.concatenate(([0], np.cumsum(lengths, dtype=np.int64))).astype(np.int64)

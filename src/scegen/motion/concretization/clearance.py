@@ -1,0 +1,67 @@
+"""Keep those apart who have no business with each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+import numpy as np
+
+from scegen.motion.concretization.boxes import Poses, overlaps
+from scegen.motion.concretization.drafts import DriveDraft
+from scegen.motion.model import Array
+
+_SAMPLE_S = 0.1
+_MARGIN_M = 0.5
+_STEP_S = 0.5
+LONGEST_S = 40.0
+
+
+def touch(first: DriveDraft, first_s: float, second: DriveDraft, second_s: float) -> bool:
+    """Whether two drives with these offsets ever touch (or nearly) while both are on the road."""
+    begin = max(first_s, second_s)
+    end = min(first_s + float(first.course.time_s[-1]), second_s + float(second.course.time_s[-1]))
+    if end <= begin:
+        return False
+    times = np.arange(begin, end, _SAMPLE_S)
+    mine, other = _poses(first, times - first_s), _poses(second, times - second_s)
+    reach = first.body.length_m + second.body.length_m
+    near = np.hypot(mine[0] - other[0], mine[1] - other[1]) < reach
+    if not near.any():
+        return False
+    a = (mine[0][near], mine[1][near], mine[2][near])
+    b = (other[0][near], other[1][near], other[2][near])
+    return bool(overlaps(a, first.body, b, second.body, _MARGIN_M).any())
+
+
+def _poses(draft: DriveDraft, times_s: Array) -> Poses:
+    path = draft.laid.path
+    s = np.interp(times_s, draft.course.time_s, draft.course.s_m)
+    return (
+        np.interp(s, path.s_m, path.x_m),
+        np.interp(s, path.s_m, path.y_m),
+        np.interp(s, path.s_m, path.heading_rad),
+    )
+
+
+def clear_offset(
+    draft: DriveDraft,
+    offset_s: float,
+    others: Iterable[DriveDraft],
+    offsets_s: Mapping[str, float],
+    *,
+    direction: int = 1,
+    within_s: float = LONGEST_S,
+) -> float:
+    """The offset next to ``offset_s`` at which a drive touches none of the others.
+
+    ``direction`` 1 looks later, -1 earlier, 0 both ways. Where none ``within_s`` is free, the
+    offset stays.
+    """
+    placed = [(other, offsets_s[other.id]) for other in others]
+    for k in range(int(within_s / _STEP_S) + 1):
+        signs = (direction,) if direction else (1, -1)
+        for sign in signs:
+            tried = offset_s + sign * k * _STEP_S
+            if not any(touch(draft, tried, other, at) for other, at in placed):
+                return tried
+    return offset_s

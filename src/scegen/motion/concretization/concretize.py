@@ -1,0 +1,126 @@
+"""From a logical scenario to numbers, step by step; the same seed gives the same numbers."""
+
+from __future__ import annotations
+
+from math import ceil
+
+import numpy as np
+
+from scegen.errors import MotionInfeasibleError
+from scegen.motion.concretization.assemble import assemble
+from scegen.motion.concretization.clock import schedule
+from scegen.motion.concretization.drafts import DriveDraft, Scene
+from scegen.motion.concretization.encounters import conflict_meetings
+from scegen.motion.concretization.hazards.table import ordered_rules
+from scegen.motion.concretization.lane_choice import choose_lanes
+from scegen.motion.concretization.maneuvers import prepare_maneuvers, shape_maneuvers
+from scegen.motion.concretization.meetings import Meeting
+from scegen.motion.concretization.roads import FIRST_ARM_M, LONGEST_ARM_M, plan
+from scegen.motion.concretization.room import NeedsLongerArms
+from scegen.motion.concretization.speeds import cruise_speed_mps
+from scegen.motion.concretization.standers import go_round_standers, place_standers
+from scegen.motion.concretization.walkers import appointments, place_walkers, program_walkers
+from scegen.road import build_network
+from scegen.scenario.concrete import ConcreteScenario, RoadParameters
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.logical import Drive, LogicalScenario
+from scegen.scenario.vocabulary import Control
+
+_ATTEMPTS = 12
+_ARM_STEP_M = 10.0
+
+
+def concretize(
+    functional: FunctionalScenario,
+    logical: LogicalScenario,
+    *,
+    seed: int = 0,
+    road: RoadParameters | None = None,
+) -> ConcreteScenario:
+    """The first concrete scenario: those in conflict arrive together, dangers get numbers.
+
+    Args:
+        functional: what the description says.
+        logical: who enters and leaves where, one of the functional scenario's.
+        seed: of all random choices (small differences of speed, strength of dangers).
+        road: the road to use; None plans one that is long and wide enough.
+
+    Raises:
+        MotionInfeasibleError: it cannot be driven, or needs something unsupported.
+        RoadInfeasibleError: the junction cannot be built.
+    """
+    ordered_rules(functional.hazards)
+    arm_m = FIRST_ARM_M
+    for _ in range(_ATTEMPTS):
+        parameters = road if road is not None else plan(functional, logical, arm_m)
+        network = build_network(parameters)
+        # The same draws in every attempt: lengthening the road must not change the rest.
+        rng = np.random.Generator(np.random.PCG64(seed))
+        scene = Scene(functional, logical, parameters, network, rng)
+        try:
+            return _compose(scene, seed)
+        except NeedsLongerArms as need:
+            arm_m = ceil((arm_m + need.metres) / _ARM_STEP_M) * _ARM_STEP_M
+            if road is not None or arm_m > LONGEST_ARM_M:
+                longest = max(arm.length_m for arm in parameters.arms)
+                raise MotionInfeasibleError(
+                    f"the arms ({longest:.0f} m) are {need.metres:.0f} m too short for its run-up",
+                    where=need.who,
+                    hint="Give longer arms, or fewer or slower vehicles.",
+                ) from need
+    raise MotionInfeasibleError(f"no arm length up to {arm_m:.0f} m lets everybody in and out")
+
+
+def _compose(scene: Scene, seed: int) -> ConcreteScenario:
+    rules = ordered_rules(scene.functional.hazards)
+    place_standers(scene)
+    for drive in scene.logical.drives:
+        scene.drives[drive.participant] = _draft(scene, drive)
+    for draft in scene.drives.values():
+        choose_lanes(scene, draft)
+    for rule, hazard in rules:
+        if rule.prepare is not None:
+            rule.prepare(scene, hazard)
+    prepare_maneuvers(scene)
+    for draft in scene.drives.values():
+        draft.lay(scene.network)
+    place_walkers(scene)
+    meetings: list[Meeting] = []
+    for rule, hazard in rules:
+        if rule.shape is not None:
+            meetings += rule.shape(scene, hazard)
+    meetings += shape_maneuvers(scene)
+    go_round_standers(scene)
+    for rule, hazard in rules:
+        if rule.act is not None:
+            rule.act(scene, hazard)
+    meetings += conflict_meetings(scene, rules, meetings)
+    _start(scene, meetings)
+    for rule, hazard in rules:
+        if rule.react is not None:
+            rule.react(scene, hazard)
+    program_walkers(scene)
+    return assemble(scene, seed)
+
+
+def _draft(scene: Scene, drive: Drive) -> DriveDraft:
+    participant = scene.functional.participant(drive.participant)
+    return DriveDraft(
+        id=participant.id,
+        kind=participant.kind,
+        drive=drive,
+        cruise_mps=cruise_speed_mps(scene, participant),
+        stops_at_line=scene.road.control is Control.ALL_WAY_STOP,
+    )
+
+
+def _start(scene: Scene, meetings: list[Meeting]) -> None:
+    plan_ = schedule(scene, meetings, appointments(scene))
+    if plan_.shortfall_m > 0:
+        raise NeedsLongerArms(plan_.shortfall_m, plan_.shortest_of)
+    reasons = {m.second: f"{m.reason} with {m.first}" for m in reversed(meetings) if m.reason}
+    for name, draft in scene.drives.items():
+        draft.start_m = draft.course.s_at(-plan_.offsets_s[name])
+        station = draft.laid.station_m(draft.start_m)
+        reason = reasons.get(name, "in line on its arm")
+        scene.note(f"{name}.start_m", station, reason)

@@ -1,0 +1,229 @@
+"""What is known of a scenario while its numbers are being chosen."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from scegen.errors import MotionInfeasibleError
+from scegen.motion.concretization.limits import (
+    COMFORTABLE_BRAKING_MPS2,
+    DEFAULT_LIMIT_MPS,
+    LATERAL_MPS2,
+)
+from scegen.motion.concretization.marks import Mark, Timeline, timeline
+from scegen.motion.concretization.turning import turning_marks
+from scegen.motion.model import Path
+from scegen.motion.paths import END_MARGIN_M
+from scegen.motion.polyline import LaidDrive, lay_polyline
+from scegen.motion.routing import walk_route
+from scegen.road.model import RoadNetwork
+from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.concrete import (
+    Change,
+    CrossingMotion,
+    DriveMotion,
+    LaneChange,
+    RoadParameters,
+    SpeedPhase,
+    StandingMotion,
+)
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.logical import Crossing, Drive, LogicalScenario, Standing
+from scegen.scenario.vocabulary import ParticipantKind
+
+
+@dataclass
+class DriveDraft:
+    """A vehicle's drive in the making.
+
+    ``cruise_mps`` is its speed away from turns; ``marks`` what dangers add to its program;
+    ``laid`` and ``course`` its way and its timeline from the outer end of the entry arm;
+    ``start_m`` where on that path it starts at time 0; ``reactions`` phases that look at others,
+    to be put where the program reaches ``reacts_at_s_m``. ``slowing_mps2`` is how hard it brakes
+    before turns, ``resume_mps`` its speed after them if not ``cruise_mps``.
+    """
+
+    id: str
+    kind: ParticipantKind
+    drive: Drive
+    cruise_mps: float
+    entry_lane: int = 1
+    exit_lane: int = 1
+    ring_lane: int | None = None
+    lateral_mps2: float = LATERAL_MPS2
+    stops_at_line: bool = False
+    slowing_mps2: float = COMFORTABLE_BRAKING_MPS2
+    resume_mps: float | None = None
+    lane_changes: list[LaneChange] = field(default_factory=list)
+    marks: list[Mark] = field(default_factory=list)
+    reactions: list[SpeedPhase] = field(default_factory=list)
+    reacts_at_s_m: float = 0.0
+    start_m: float = 0.0
+    laid_: LaidDrive | None = None
+    course_: Timeline | None = None
+
+    @property
+    def body(self) -> Body:
+        """Its size."""
+        return BODIES[self.kind]
+
+    @property
+    def laid(self) -> LaidDrive:
+        """Its way from the outer end of its entry arm."""
+        if self.laid_ is None:
+            msg = f"{self.id} has not been laid out"
+            raise RuntimeError(msg)
+        return self.laid_
+
+    @property
+    def course(self) -> Timeline:
+        """When it is where if it starts at the outer end of its entry arm."""
+        if self.course_ is None:
+            self.course_ = timeline(self.all_marks(), self.first_speed(), self.laid.path.length_m)
+        return self.course_
+
+    @property
+    def junction_s_m(self) -> float:
+        """Arc length at the inner end of the entry arm."""
+        return self.laid.path_s_m(self.laid.turning_starts_m)
+
+    @property
+    def exit_s_m(self) -> float:
+        """Arc length at the inner end of the exit arm."""
+        return self.laid.path_s_m(self.laid.turning_ends_m)
+
+    def motion(self, start_m: float = 0.0) -> DriveMotion:
+        """The drive as written to files."""
+        laid = self.laid_
+        return DriveMotion(
+            entry=self.drive.entry,
+            entry_lane=self.entry_lane,
+            exit=self.drive.exit,
+            exit_lane=self.exit_lane,
+            ring_lane=self.ring_lane,
+            start_m=round(start_m, 3),
+            turning_starts_m=round(laid.turning_starts_m, 3) if laid else 0.0,
+            turning_ends_m=round(laid.turning_ends_m, 3) if laid else 0.0,
+            lane_changes=tuple(self.lane_changes),
+        )
+
+    def lay(self, network: RoadNetwork) -> None:
+        """Lay the drive out anew, after lanes or lane changes have changed."""
+        self.lane_changes.sort(key=lambda change: change.position_m)
+        stretches, self.exit_lane = walk_route(network, self.motion(), self.id)
+        self.laid_ = lay_polyline(stretches, 0.0, stretches[-1].end_m - END_MARGIN_M)
+        self.course_ = None
+
+    def add_mark(self, mark: Mark) -> None:
+        """Add a mark of a danger; a holding one resumes the speed then in force."""
+        if mark.hold_s is not None:
+            mark = replace(mark, resume_mps=self.speed_in_force(mark.s_m))
+        self.marks.append(mark)
+        self.course_ = None
+
+    def base_marks(self) -> list[Mark]:
+        """Slowing down for turns and stop lines, and speeding up after them."""
+        return turning_marks(
+            self.laid,
+            self.cruise_mps,
+            lateral_mps2=self.lateral_mps2,
+            stops_at_line=self.stops_at_line,
+            front_m=self.body.front_m,
+            slowing_mps2=self.slowing_mps2,
+            resume_mps=self.resume_mps,
+        )
+
+    def all_marks(self) -> list[Mark]:
+        """All marks in the order of the path."""
+        return sorted([*self.base_marks(), *self.marks], key=lambda mark: mark.s_m)
+
+    def first_speed(self) -> float:
+        """The speed at the outer end of the entry arm."""
+        return self.cruise_mps
+
+    def speed_in_force(self, s_m: float) -> float:
+        """The target speed at a place, dangers apart."""
+        speed = self.cruise_mps
+        for mark in self.base_marks():
+            if mark.s_m <= s_m:
+                speed = mark.target_mps
+        return speed
+
+
+@dataclass
+class WalkDraft:
+    """One who crosses an arm, in the making."""
+
+    id: str
+    kind: ParticipantKind
+    crossing: Crossing
+    speed_mps: float
+    motion: CrossingMotion
+    path: Path
+    program: list[SpeedPhase] = field(default_factory=list)
+
+
+@dataclass
+class StandDraft:
+    """One who stands, in the making."""
+
+    id: str
+    kind: ParticipantKind
+    standing: Standing
+    motion: StandingMotion
+    path: Path
+
+
+@dataclass
+class Scene:
+    """Everything about one scenario in the making."""
+
+    functional: FunctionalScenario
+    logical: LogicalScenario
+    road: RoadParameters
+    network: RoadNetwork
+    rng: np.random.Generator
+    drives: dict[str, DriveDraft] = field(default_factory=dict)
+    walks: dict[str, WalkDraft] = field(default_factory=dict)
+    stands: dict[str, StandDraft] = field(default_factory=dict)
+    changes: list[Change] = field(default_factory=list)
+
+    @property
+    def limit_mps(self) -> float:
+        """The speed limit of the junction."""
+        return self.functional.junction.speed_limit_mps or min(
+            DEFAULT_LIMIT_MPS, self.road.arms[0].speed_limit_mps
+        )
+
+    @property
+    def ego(self) -> DriveDraft:
+        """The ego's drive.
+
+        Raises:
+            MotionInfeasibleError: the ego does not drive.
+        """
+        name = self.functional.ego.id
+        if name not in self.drives:
+            raise MotionInfeasibleError("the ego must drive through the junction", where=name)
+        return self.drives[name]
+
+    def allowed(self, name: str, default: tuple[float, float]) -> tuple[float, float]:
+        """The range of a parameter of the logical scenario."""
+        for parameter in self.logical.parameters:
+            if parameter.name == name:
+                return parameter.low, parameter.high
+        return default
+
+    def note(self, parameter: str, after: float, reason: str, before: float | None = None) -> None:
+        """Record who set a parameter and why."""
+        self.changes.append(
+            Change(
+                parameter=parameter,
+                by="concretization",
+                before=before,
+                after=round(after, 3),
+                reason=reason,
+            )
+        )

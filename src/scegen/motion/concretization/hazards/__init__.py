@@ -1,0 +1,1 @@
+"""One small rule per danger: what makes it happen in numbers."""

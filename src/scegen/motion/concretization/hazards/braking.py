@@ -1,0 +1,92 @@
+"""Braking in the wrong place: hard braking, braking too late, stopping in the way."""
+
+from __future__ import annotations
+
+from scegen.motion.concretization.drafts import DriveDraft, Scene
+from scegen.motion.concretization.hazards.rule import Rule, culprits, event_s_m, victims
+from scegen.motion.concretization.limits import HARD_BRAKING_MPS2, STOPPING_MPS2
+from scegen.motion.concretization.marks import Mark
+from scegen.motion.concretization.meetings import drives_meet, meeting_point
+from scegen.scenario.functional import Hazard
+from scegen.scenario.vocabulary import HazardKind
+
+_HARD_HOLD_S = 1.5
+_STOP_HOLD_S = 3.0
+_LATE = 0.5
+"""One who brakes late begins with half of the braking distance left."""
+_CLEAR_OF_WALKER_M = 2.0
+_CLEAR_OF_OTHER_M = 3.0
+"""From the front bumper of one who stops to the line of another's way: half a width and 2 m."""
+_LEAST_STOP_M = 20.0
+_AFTER_WALKER_S = 0.5
+
+
+def _keep_going(scene: Scene, hazard: Hazard) -> None:
+    for draft in culprits(scene, hazard):
+        draft.stops_at_line = False
+
+
+def _stop_at(
+    draft: DriveDraft, stop_s_m: float, rate: float, kind: HazardKind, hold: float
+) -> None:
+    """Come to rest at a place, wait, go on."""
+    speed = draft.course.speed_at(max(1.0, stop_s_m - 5.0))
+    start = stop_s_m - speed**2 / (2 * rate)
+    speed = draft.course.speed_at(max(1.0, start))
+    start = max(3.0, stop_s_m - speed**2 / (2 * rate) - 0.1)
+    draft.add_mark(Mark(start, 0.0, rate, kind, hold_s=hold))
+
+
+def _for_walkers(scene: Scene, draft: DriveDraft) -> tuple[float, float] | None:
+    """Where the reference point must rest for those who cross, and how long until they have."""
+    stops = []
+    for walk in scene.walks.values():
+        point = meeting_point(draft.laid.path, walk.path)
+        if point is not None:
+            place = point.first_s_m - draft.body.front_m - _CLEAR_OF_WALKER_M
+            clear = point.second_s_m + draft.body.width_m / 2 + 1.0 - walk.motion.setback_m
+            stops.append((place, clear / walk.speed_mps))
+    if not stops:
+        return None
+    return min(place for place, _ in stops), max(clear for _, clear in stops)
+
+
+def _hard(scene: Scene, hazard: Hazard) -> None:
+    for draft in culprits(scene, hazard):
+        rate = min(float(scene.rng.uniform(*HARD_BRAKING_MPS2)), draft.body.max_deceleration_mps2)
+        walkers = _for_walkers(scene, draft)
+        hold = _HARD_HOLD_S
+        if walkers is not None and walkers[0] > _LEAST_STOP_M:
+            stop, clear = walkers
+            braking = draft.course.speed_at(stop - 5.0) / rate
+            hold = max(hold, clear - braking + _AFTER_WALKER_S)
+        else:
+            stop = event_s_m(scene, draft, hazard)
+            if draft is scene.ego:
+                # The ego brakes to avoid, the others brake in its way.
+                stop -= draft.body.length_m / 2 + _CLEAR_OF_OTHER_M
+        _stop_at(draft, stop, rate, HazardKind.HARD_BRAKING, hold)
+
+
+def _late(scene: Scene, hazard: Hazard) -> None:
+    for draft in culprits(scene, hazard):
+        rate = min(HARD_BRAKING_MPS2[0], draft.body.max_deceleration_mps2)
+        event = event_s_m(scene, draft, hazard)
+        for victim in victims(scene, hazard, draft):
+            point = drives_meet(draft, victim)
+            event = point.first_s_m if point is not None else event
+        speed = draft.course.speed_at(event - draft.cruise_mps)
+        start = max(3.0, event - _LATE * speed**2 / (2 * rate))
+        draft.add_mark(Mark(start, 0.0, rate, HazardKind.DELAYED_BRAKING, hold_s=_HARD_HOLD_S))
+
+
+def _stopping(scene: Scene, hazard: Hazard) -> None:
+    for draft in culprits(scene, hazard):
+        rate = min(STOPPING_MPS2, draft.body.max_deceleration_mps2)
+        event = event_s_m(scene, draft, hazard)
+        _stop_at(draft, event, rate, HazardKind.STOPPING, _STOP_HOLD_S)
+
+
+HARD_BRAKING = Rule(prepare=_keep_going, act=_hard)
+DELAYED_BRAKING = Rule(prepare=_keep_going, act=_late)
+STOPPING = Rule(prepare=_keep_going, act=_stopping)

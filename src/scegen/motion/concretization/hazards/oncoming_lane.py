@@ -1,0 +1,42 @@
+"""Oncoming lane: strays over the centre line and comes back before the junction."""
+
+from __future__ import annotations
+
+from scegen.motion.concretization.drafts import DriveDraft, Scene
+from scegen.motion.concretization.hazards.rule import Rule, culprits
+from scegen.motion.concretization.lane_choice import change_lanes, entry_lanes
+from scegen.motion.concretization.limits import LANE_CHANGE_S
+from scegen.motion.concretization.meetings import Meeting
+from scegen.motion.concretization.passing import change_length_m, slowing_s_m
+from scegen.motion.concretization.room import NeedsLongerArms
+from scegen.motion.concretization.standers import blocked_lane_ahead
+from scegen.scenario.functional import Hazard
+from scegen.scenario.vocabulary import HazardKind
+
+_STAYS_S = 2.0
+
+
+def _stray(scene: Scene, draft: DriveDraft) -> None:
+    draft.entry_lane = min(entry_lanes(scene, draft))
+    lane = draft.entry_lane
+    change = change_length_m(draft.cruise_mps, LANE_CHANGE_S)
+    whole = 2 * change + _STAYS_S * draft.cruise_mps
+    if scene.network.junctions:
+        end = slowing_s_m(draft) - 2.0
+    else:
+        end = (draft.laid.path.length_m + whole) / 2
+    start = end - whole
+    if start < 10.0:
+        raise NeedsLongerArms(15.0 - start, draft.id)
+    ways = [(start, change, 0), (end - change, change, lane)]
+    change_lanes(scene, draft, ways, HazardKind.ONCOMING_LANE)
+
+
+def _shape(scene: Scene, hazard: Hazard) -> list[Meeting]:
+    for draft in culprits(scene, hazard):
+        if not draft.lane_changes and not blocked_lane_ahead(scene, draft):
+            _stray(scene, draft)
+    return []
+
+
+ONCOMING_LANE = Rule(shape=_shape)

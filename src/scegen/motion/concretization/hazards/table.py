@@ -1,0 +1,61 @@
+"""Which rule makes which danger; rules are applied in this order."""
+
+from __future__ import annotations
+
+from scegen.errors import MotionInfeasibleError
+from scegen.motion.concretization.hazards.braking import DELAYED_BRAKING, HARD_BRAKING, STOPPING
+from scegen.motion.concretization.hazards.conflict import ARRIVES_TOGETHER, STANDS_OR_WALKS
+from scegen.motion.concretization.hazards.cut_in import CUT_IN
+from scegen.motion.concretization.hazards.oncoming_lane import ONCOMING_LANE
+from scegen.motion.concretization.hazards.overtaking import OVERTAKING
+from scegen.motion.concretization.hazards.rule import Rule
+from scegen.motion.concretization.hazards.slow_driving import SLOW_DRIVING
+from scegen.motion.concretization.hazards.speeding import SPEEDING
+from scegen.motion.concretization.hazards.sudden_acceleration import SUDDEN_ACCELERATION
+from scegen.motion.concretization.hazards.sudden_turn import SUDDEN_TURN
+from scegen.motion.concretization.hazards.swerving import LOSS_OF_CONTROL, SWERVING
+from scegen.motion.concretization.hazards.tailgating import TAILGATING
+from scegen.scenario.functional import Hazard
+from scegen.scenario.vocabulary import HazardKind
+
+RULES: dict[HazardKind, Rule] = {
+    HazardKind.SPEEDING: SPEEDING,
+    HazardKind.SLOW_DRIVING: SLOW_DRIVING,
+    HazardKind.SUDDEN_ACCELERATION: SUDDEN_ACCELERATION,
+    HazardKind.SUDDEN_TURN: SUDDEN_TURN,
+    HazardKind.OVERTAKING: OVERTAKING,
+    HazardKind.CUT_IN: CUT_IN,
+    HazardKind.ONCOMING_LANE: ONCOMING_LANE,
+    HazardKind.SWERVING: SWERVING,
+    HazardKind.LOSS_OF_CONTROL: LOSS_OF_CONTROL,
+    HazardKind.TAILGATING: TAILGATING,
+    HazardKind.HARD_BRAKING: HARD_BRAKING,
+    HazardKind.DELAYED_BRAKING: DELAYED_BRAKING,
+    HazardKind.STOPPING: STOPPING,
+    HazardKind.MERGING_CONFLICT: ARRIVES_TOGETHER,
+    HazardKind.UNPROTECTED_LEFT_TURN: ARRIVES_TOGETHER,
+    HazardKind.RED_LIGHT_RUNNING: ARRIVES_TOGETHER,
+    HazardKind.FAILURE_TO_YIELD: ARRIVES_TOGETHER,
+    HazardKind.CROSSING_PEDESTRIAN: STANDS_OR_WALKS,
+    HazardKind.CROSSING_CYCLIST: STANDS_OR_WALKS,
+    HazardKind.OCCLUSION: STANDS_OR_WALKS,
+    HazardKind.OBSTACLE: STANDS_OR_WALKS,
+}
+
+
+def ordered_rules(hazards: tuple[Hazard, ...]) -> list[tuple[Rule, Hazard]]:
+    """The rules of some hazards, in the order of the table.
+
+    Raises:
+        MotionInfeasibleError: a hazard has no rule.
+    """
+    for hazard in hazards:
+        if hazard.kind not in RULES:
+            raise MotionInfeasibleError(
+                f"{hazard.kind} is not supported yet: paths lead forwards only",
+                where="hazards",
+                hint="Leave this danger out or choose another.",
+            )
+    kinds = list(RULES)
+    ranked = sorted(hazards, key=lambda hazard: kinds.index(hazard.kind))
+    return [(RULES[hazard.kind], hazard) for hazard in ranked]

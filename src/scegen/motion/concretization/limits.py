@@ -1,0 +1,50 @@
+"""Numbers of ordinary and dangerous driving, each with its source.
+
+Sources: [EDM] Treiber and Kesting, Traffic Flow Dynamics (2013), ch. 11: comfortable
+acceleration 1-2 m/s2, comfortable braking 2-3 m/s2; [ISO15622] ISO 15622:2018: time gaps of
+adaptive cruise control from 0.8 s, decelerations beyond 3.5 m/s2 are not comfort;
+[AASHTO] A Policy on Geometric Design (2018): 3.4 m/s2 is the braking most drivers exceed only
+in emergencies; lateral acceleration of 4 m/s2 is the usual limit of everyday curves; [2S] the
+two-second rule of driving schools; [UN152] UN R152: emergency braking of at least 5 m/s2.
+Where no source is named, the number is this program's own choice.
+"""
+
+from __future__ import annotations
+
+DEFAULT_LIMIT_MPS = 50 / 3.6
+"""Where the text names no speed limit: the urban limit of the Vienna Convention's countries."""
+
+COMFORTABLE_BRAKING_MPS2 = 2.5  # [EDM]
+COMFORTABLE_ACCELERATION_MPS2 = 2.0  # [EDM]
+HARD_BRAKING_MPS2 = (7.0, 8.0)  # well above [UN152], below the tyre's limit on dry road
+STOPPING_MPS2 = 4.0  # above the 3.4 of [AASHTO]
+SUDDEN_ACCELERATION_MPS2 = (3.0, 4.0)
+
+LATERAL_MPS2 = 4.0  # [AASHTO]
+FAST_LATERAL_MPS2 = 6.0  # those who speed or turn suddenly
+LANE_CHANGE_S = 3.0  # the short end of usual durations, 3-6 s
+ABRUPT_LANE_CHANGE_S = 2.0
+
+HEADWAY_S = 2.0  # [2S]
+QUEUE_GAP_M = 8.0
+TAILGATING_HEADWAY_S = (0.4, 0.8)  # below the least gap of [ISO15622]
+CLOSE_FOLLOWING_S = 1.0  # followed closely, but not tailgated
+CUT_IN_HEADWAY_S = (0.3, 0.6)
+
+SPEEDING_FACTOR = (1.2, 1.5)  # of the limit
+SLOW_FACTOR = (0.35, 0.5)
+JITTER = 0.04  # relative spread of ordinary speeds
+
+WALKING_MPS = 1.4
+CYCLING_MPS = 4.0
+WALKING_START_MPS2 = 2.5
+STOP_LINE_SPEED_MPS = 1.5
+"""At stop lines vehicles slow to this, a rolling stop, and go."""
+
+APPROACH_S = 6.0
+"""The ego drives at least this long before it meets its first conflict partner."""
+LEAD_IN_S = 1.0
+"""Everybody drives at least this long before its first phase."""
+PASSING_LAG_S = 2.5
+"""Where a text names dangers, those who have no part in them pass this much later."""
+MAX_DURATION_S = 60.0

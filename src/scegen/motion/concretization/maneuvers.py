@@ -1,0 +1,107 @@
+"""Lane changes and overtakes that are asked for as manoeuvres, not as dangers."""
+
+from __future__ import annotations
+
+from scegen.errors import MotionInfeasibleError
+from scegen.motion.concretization.drafts import DriveDraft, Scene
+from scegen.motion.concretization.hazards.overtaking import overtake_speeds
+from scegen.motion.concretization.hazards.rule import same_arm
+from scegen.motion.concretization.lane_choice import change_lanes, entry_lanes, lanes_in
+from scegen.motion.concretization.meetings import STRUCTURAL, Meeting
+from scegen.motion.concretization.passing import (
+    change_length_m,
+    pass_drive,
+    slowing_s_m,
+)
+from scegen.motion.concretization.room import NeedsLongerArms
+from scegen.scenario.vocabulary import JunctionKind, Maneuver
+
+
+def prepare_maneuvers(scene: Scene) -> None:
+    """Make those who change lanes round another faster than it."""
+    for draft in scene.drives.values():
+        slower = _passed(scene, draft)
+        if slower is not None:
+            overtake_speeds(scene, draft, slower)
+
+
+def shape_maneuvers(scene: Scene) -> list[Meeting]:
+    """Lane changes and overtakes of those who have none yet, and the meetings they need."""
+    meetings: list[Meeting] = []
+    for draft in scene.drives.values():
+        if draft.lane_changes or draft.drive.maneuver not in _SIDEWAYS:
+            continue
+        passed = _passed(scene, draft)
+        if passed is not None:
+            meetings += pass_drive(
+                scene,
+                draft,
+                passed,
+                oncoming=lanes_in(scene, draft) == 1,
+                comes_back=draft.drive.maneuver is Maneuver.OVERTAKE,
+            )
+        elif not _goes_round_somebody_standing(scene, draft):
+            _free_change(scene, draft)
+    return [*meetings, *_side_by_side(scene)]
+
+
+_SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
+
+
+def _passed(scene: Scene, draft: DriveDraft) -> DriveDraft | None:
+    """The vehicle ahead on the same arm that a lane change or overtake goes round."""
+    if draft.drive.maneuver not in _SIDEWAYS:
+        return None
+    ahead = [
+        other
+        for other in scene.drives.values()
+        if other is not draft
+        and same_arm(other, draft)
+        and other.drive.rank < draft.drive.rank
+        and other.drive.beside is None
+    ]
+    return max(ahead, key=lambda other: other.drive.rank, default=None)
+
+
+def _goes_round_somebody_standing(scene: Scene, draft: DriveDraft) -> bool:
+    return any(
+        stand.standing.in_lane and stand.standing.arm in {draft.drive.entry, draft.drive.exit}
+        for stand in scene.stands.values()
+    )
+
+
+def _free_change(scene: Scene, draft: DriveDraft) -> None:
+    """A change into the lane that leads on, with nobody to pass."""
+    if scene.road.kind is JunctionKind.ROUNDABOUT and lanes_in(scene, draft) < 2:
+        raise MotionInfeasibleError("there is no second lane to change into", where=draft.id)
+    goals = entry_lanes(scene, draft)
+    count = lanes_in(scene, draft)
+    goal = draft.entry_lane if draft.entry_lane in goals else goals[0]
+    start = goal - 1 if goal > 1 else goal + 1
+    if start > count:
+        raise MotionInfeasibleError(
+            f"arm {draft.drive.entry} has one lane: there is no lane to change into",
+            where=draft.id,
+        )
+    draft.entry_lane = start
+    length = change_length_m(draft.cruise_mps)
+    end = slowing_s_m(draft) - 3.0
+    if scene.road.kind is JunctionKind.STRAIGHT:
+        end = (draft.laid.path.length_m + length) / 2
+    if end - length < 10.0:
+        raise NeedsLongerArms(15.0 - (end - length), draft.id)
+    change_lanes(scene, draft, [(end - length, length, goal)])
+
+
+def _side_by_side(scene: Scene) -> list[Meeting]:
+    """Those who travel beside another are level with it half way along the arm."""
+    meetings = []
+    for draft in scene.drives.values():
+        beside = scene.drives.get(draft.drive.beside or "")
+        if beside is None or not same_arm(draft, beside):
+            continue
+        place = draft.junction_s_m * 0.6
+        meetings.append(
+            Meeting(STRUCTURAL + 1, beside.id, draft.id, place, place, 0.0, "side by side")
+        )
+    return meetings

@@ -1,0 +1,113 @@
+"""Where the ways of two participants meet, and when they shall be there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from scegen.motion.concretization.drafts import DriveDraft
+from scegen.motion.model import Array, Path
+
+_SAMPLE_M = 1.0
+_TOUCH_M = 0.8
+"""Ways sampled every metre that come this close cross or merge."""
+_GRAZE_M = 2.0
+"""Ways that come this close without crossing still let cars touch."""
+_OPPOSED_RAD = 2.6
+
+STRUCTURAL, DANGER, DANGER_TO_OTHERS, ORDINARY, BYSTANDER = -1, 1, 2, 3, 4
+"""Priorities of meetings: what a manoeuvre's shape needs, dangers to or by the ego, dangers
+between others, meetings without danger, and those who have no part in the text's dangers."""
+
+
+@dataclass(frozen=True, slots=True)
+class Meeting:
+    """``second`` reaches ``second_s_m`` of its path ``lag_s`` after ``first`` is at ``first_s_m``.
+
+    Meetings of lower ``priority`` are arranged first.
+    """
+
+    priority: int
+    first: str
+    second: str
+    first_s_m: float
+    second_s_m: float
+    lag_s: float = 0.0
+    reason: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class MeetingPoint:
+    """Arc lengths on two paths at which they first come together."""
+
+    first_s_m: float
+    second_s_m: float
+
+
+def sampled(path: Path) -> tuple[Array, Array, Array, Array]:
+    """s, x, y and heading about every metre."""
+    count = max(2, int(path.length_m / _SAMPLE_M) + 1)
+    s = np.linspace(0.0, path.length_m, count)
+    return (
+        s,
+        np.interp(s, path.s_m, path.x_m),
+        np.interp(s, path.s_m, path.y_m),
+        np.interp(s, path.s_m, path.heading_rad),
+    )
+
+
+def meeting_point(first: Path, second: Path) -> MeetingPoint | None:
+    """Where two ways that start apart first cross, merge or graze each other.
+
+    Opposed ways on one line (an oncoming lane) meet in the middle of what they share.
+    """
+    s1, x1, y1, h1 = sampled(first)
+    s2, x2, y2, h2 = sampled(second)
+    distance = np.hypot(x1[:, None] - x2[None, :], y1[:, None] - y2[None, :])
+    nearest = distance.argmin(axis=1)
+    gaps = distance[np.arange(len(s1)), nearest]
+    touching = np.flatnonzero(gaps < _TOUCH_M)
+    if touching.size:
+        i = int(touching[0])
+        turn = (h1[i] - h2[nearest[i]] + np.pi) % (2 * np.pi) - np.pi
+        if abs(turn) > _OPPOSED_RAD:
+            i = int(touching[touching.size // 2])
+    else:
+        i = int(gaps.argmin())
+        if gaps[i] > _GRAZE_M:
+            return None
+    return MeetingPoint(float(s1[i]), float(s2[nearest[i]]))
+
+
+def nearest_s_m(path: Path, x_m: float, y_m: float) -> tuple[float, float]:
+    """(arc length, distance) of the place of a path that is nearest to a point."""
+    s, x, y, _ = sampled(path)
+    gaps = np.hypot(x - x_m, y - y_m)
+    i = int(gaps.argmin())
+    return float(s[i]), float(gaps[i])
+
+
+def drives_meet(first: DriveDraft, second: DriveDraft) -> MeetingPoint | None:
+    """Where two drives from different arms meet, as places of their reference points.
+
+    The bodies' centres are to meet, which lie ahead of the reference points.
+    """
+    if first.drive.entry == second.drive.entry:
+        return None
+    point = meeting_point(first.laid.path, second.laid.path)
+    if point is None:
+        return None
+    return MeetingPoint(
+        max(0.0, point.first_s_m - first.body.centre_ahead_m),
+        max(0.0, point.second_s_m - second.body.centre_ahead_m),
+    )
+
+
+def shared_length_m(first: DriveDraft, second: DriveDraft) -> float:
+    """How far two drives from the same arm run along the same line (0 in different lanes)."""
+    s, x1, y1, _ = sampled(first.laid.path)
+    x2 = np.interp(s, second.laid.path.s_m, second.laid.path.x_m)
+    y2 = np.interp(s, second.laid.path.s_m, second.laid.path.y_m)
+    apart = np.flatnonzero(np.hypot(x1 - x2, y1 - y2) > _GRAZE_M)
+    return float(s[apart[0]]) if apart.size else float(s[-1])

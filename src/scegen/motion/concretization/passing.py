@@ -1,0 +1,109 @@
+"""Passing another: pull out, draw level at a chosen place, pull in again."""
+
+from __future__ import annotations
+
+from math import pi, sqrt
+
+from scegen.motion.concretization.drafts import DriveDraft, Scene
+from scegen.motion.concretization.lane_choice import (
+    change_lanes,
+    entry_lanes,
+    neighbour_lane,
+)
+from scegen.motion.concretization.limits import FAST_LATERAL_MPS2, LANE_CHANGE_S
+from scegen.motion.concretization.meetings import STRUCTURAL, Meeting
+from scegen.motion.concretization.room import NeedsLongerArms
+from scegen.scenario.bodies import Body
+from scegen.scenario.vocabulary import HazardKind
+
+FASTER = 1.5
+"""One who overtakes drives this much faster than the one overtaken (own choice)."""
+_BEHIND_M = 3.0
+_AHEAD_M = 6.0
+_BEFORE_TURNING_M = 3.0
+_BEFORE_JUNCTION_M = 5.0
+
+
+def change_length_m(speed_mps: float, seconds: float = LANE_CHANGE_S) -> float:
+    """Length of a lane change of that duration, at least 8 m."""
+    return max(8.0, speed_mps * seconds)
+
+
+def speed_for_change_mps(length_m: float, width_m: float = 3.5) -> float:
+    """The speed at which a half-cosine change of lane needs 6 m/s2 sideways.
+
+    Its greatest lateral acceleration is width * (pi v / length)^2 / 2.
+    """
+    return length_m / pi * sqrt(2 * FAST_LATERAL_MPS2 / width_m)
+
+
+def slowing_s_m(draft: DriveDraft) -> float:
+    """Where a drive begins to slow down for its turn, or its arm ends."""
+    places = [mark.s_m for mark in draft.base_marks()]
+    return min([draft.junction_s_m - _BEFORE_JUNCTION_M, *places])
+
+
+def pass_drive(
+    scene: Scene,
+    passer: DriveDraft,
+    passed: DriveDraft,
+    *,
+    oncoming: bool,
+    comes_back: bool,
+    hazard: HazardKind | None = None,
+) -> list[Meeting]:
+    """``passer`` overtakes ``passed`` on their common entry arm.
+
+    Returns the meeting side by side.
+
+    Raises:
+        NeedsLongerArms: the arm is too short for it.
+    """
+    lanes = entry_lanes(scene, passer)
+    if comes_back or passed.entry_lane in lanes:
+        passer.entry_lane = passed.entry_lane
+    aside = neighbour_lane(scene, passer, oncoming=oncoming)
+    back = passer.entry_lane in lanes and (comes_back or aside not in lanes)
+    relative = max(passer.cruise_mps - passed.cruise_mps, 1.0)
+    half = (passer.body.length_m + passed.body.length_m) / 2
+    if scene.network.junctions:
+        latest = min(slowing_s_m(passer), slowing_s_m(passed)) - _BEFORE_TURNING_M
+    else:
+        latest = passer.laid.path.length_m * 0.7
+    change = change_length_m(passer.cruise_mps)
+    after = passer.cruise_mps * (half + _AHEAD_M) / relative + change if back else 0.0
+    middle = latest - after
+    out = middle - passer.cruise_mps * (half + _BEHIND_M) / relative - change
+    if out < 0:
+        raise NeedsLongerArms(15.0 - out, passer.id)
+    changes = [(out, change, aside)]
+    if back:
+        changes.append((latest - change, change, passer.entry_lane))
+    change_lanes(scene, passer, changes, hazard)
+    difference = passer.body.centre_ahead_m - passed.body.centre_ahead_m
+    return [
+        Meeting(STRUCTURAL, passed.id, passer.id, middle + difference, middle, 0.0, "side by side")
+    ]
+
+
+def pass_standing(
+    scene: Scene,
+    passer: DriveDraft,
+    middle_m: float,
+    body: Body,
+) -> None:
+    """``passer`` goes round one who stands in its lane, its centre at ``middle_m`` of the way.
+
+    Raises:
+        NeedsLongerArms: there is no room before or behind it.
+    """
+    lane = passer.entry_lane
+    aside = neighbour_lane(scene, passer, oncoming=True)
+    change = change_length_m(min(passer.cruise_mps, 10.0))
+    half = (passer.body.length_m + body.length_m) / 2
+    centre = middle_m - passer.body.centre_ahead_m
+    out = centre - half - _BEHIND_M - change
+    if out < passer.body.rear_m + 2.0:
+        raise NeedsLongerArms(15.0 - out, passer.id)
+    back = (centre + half + _BEHIND_M, change, lane)
+    change_lanes(scene, passer, [(out, change, aside), back])

@@ -1,0 +1,62 @@
+"""Lane numbers of the scenario files and lane ids of the roads, both ways.
+
+Number 1 is the lane next to the centre line, 0 the oncoming lane next to it; in a ring, 1 is
+the innermost lane.
+"""
+
+from __future__ import annotations
+
+from scegen.errors import MotionInfeasibleError
+from scegen.road.model import LaneType, Road
+from scegen.scenario.vocabulary import DrivingSide
+
+
+def arm_lane_id(road: Road, number: int, *, inbound: bool) -> int:
+    """The id of lane ``number`` of an arm for traffic towards (``inbound``) or from the junction.
+
+    Raises:
+        MotionInfeasibleError: the arm has no such driving lane.
+    """
+    side = -1 if inbound == (road.driving_side is DrivingSide.RIGHT) else 1
+    lane_id = -side if number == 0 else side * number
+    driving = {lane.id for lane in road.lanes if lane.type is LaneType.DRIVING}
+    if lane_id not in driving:
+        count = sum(1 for lane in driving if lane * lane_id > 0)
+        direction = "towards" if inbound == (number != 0) else "away from"
+        raise MotionInfeasibleError(
+            f"arm {road.arm} has no lane {number}: {count} lead {direction} the junction",
+            hint="Choose another lane or give the arm more lanes.",
+        )
+    return lane_id
+
+
+def ring_lane_ids(road: Road) -> tuple[int, ...]:
+    """Ids of a ring road's driving lanes from the innermost outwards."""
+    turns_left = sum(s.length_m * s.curvature_1pm for s in road.line.segments) > 0
+    driving = [lane.id for lane in road.lanes if lane.type is LaneType.DRIVING]
+    return tuple(sorted(driving, key=road.lane_centre_t_m, reverse=turns_left))
+
+
+def ring_lane_id(road: Road, number: int) -> int:
+    """The id of ring lane ``number``.
+
+    Raises:
+        MotionInfeasibleError: the ring has no such lane.
+    """
+    ids = ring_lane_ids(road)
+    if not 1 <= number <= len(ids):
+        raise MotionInfeasibleError(
+            f"the ring has {len(ids)} lane(s), so none with number {number}",
+            hint="Give the ring two lanes, or leave out the change of ring lane.",
+        )
+    return ids[number - 1]
+
+
+def ring_lane_number(road: Road, lane_id: int) -> int:
+    """The number of a ring lane, 1 = innermost."""
+    return ring_lane_ids(road).index(lane_id) + 1
+
+
+def is_ring(road: Road) -> bool:
+    """Whether the road is a piece of a roundabout's ring between two of its junctions."""
+    return road.arm is None and road.junction is None

@@ -1,0 +1,58 @@
+"""The paths of a concrete scenario's participants."""
+
+from __future__ import annotations
+
+from scegen.errors import MotionInfeasibleError
+from scegen.motion.model import Path
+from scegen.motion.polyline import LaidDrive, lay_polyline
+from scegen.motion.routing import route_stretches
+from scegen.motion.standing import crossing_path, standing_path
+from scegen.road.model import RoadNetwork
+from scegen.scenario.concrete import ConcreteScenario, CrossingMotion, DriveMotion, Motion
+from scegen.scenario.vocabulary import ParticipantKind
+
+END_MARGIN_M = 2.0
+"""Paths end this far before the outer end of the exit arm: esmini must not run off the road."""
+
+
+def build_paths(concrete: ConcreteScenario, network: RoadNetwork) -> dict[str, Path]:
+    """The path of every participant's reference point, by participant id.
+
+    Args:
+        concrete: the scenario.
+        network: its road network, as ``scegen.road.build_network`` makes it.
+
+    Raises:
+        MotionInfeasibleError: a participant cannot move as its numbers say on these roads.
+    """
+    return {p.id: build_path(p.motion, p.kind, network, p.id) for p in concrete.participants}
+
+
+def build_path(motion: Motion, kind: ParticipantKind, network: RoadNetwork, who: str) -> Path:
+    """The path of one participant; ``who`` names it in messages."""
+    if isinstance(motion, DriveMotion):
+        return lay_drive(network, motion, who).path
+    if isinstance(motion, CrossingMotion):
+        return crossing_path(network, motion, who)
+    return standing_path(network, motion, kind, who)
+
+
+def lay_drive(network: RoadNetwork, motion: DriveMotion, who: str) -> LaidDrive:
+    """A drive laid out on the road, with stations for every vertex.
+
+    Raises:
+        MotionInfeasibleError: no such route or lane, a lane change without room, or a start
+            beyond the entry arm.
+    """
+    stretches = route_stretches(network, motion, who)
+    entry_m = stretches[0].end_m
+    end_m = stretches[-1].end_m - END_MARGIN_M
+    latest = entry_m if network.junctions else end_m
+    if motion.start_m >= latest:
+        raise MotionInfeasibleError(
+            f"starts {motion.start_m:.1f} m along the drive, but arm {motion.entry} ends after "
+            f"{latest:.1f} m",
+            where=who,
+            hint="Start earlier or make the arm longer.",
+        )
+    return lay_polyline(stretches, motion.start_m, end_m)

@@ -1,0 +1,130 @@
+"""The reference simulator: one obvious loop that follows esmini's laws.
+
+In every step the speeds change first and the positions move by the new speed times dt; then the
+conditions are looked at. An action whose condition holds for the first time at a step changes the
+state from the next step on. At most one phase of a participant fires in a step.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from math import hypot
+
+import numpy as np
+
+from scegen.motion.model import Array, Path, Trace
+from scegen.scenario.concrete import (
+    AtTime,
+    ConcreteParticipant,
+    ConcreteScenario,
+    SpeedPhase,
+    Travelled,
+    Trigger,
+)
+
+_ROUNDING = 1e-9
+
+
+@dataclass
+class _Mover:
+    """A participant while it moves; ``s_log`` and ``v_log`` hold one value per step."""
+
+    participant: ConcreteParticipant
+    path: Path
+    speed_mps: float
+    s_m: float = 0.0
+    fired: int = 0
+    active: SpeedPhase | None = None
+    s_log: list[float] = field(default_factory=list)
+    v_log: list[float] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        # Plain lists: indexing numpy scalars one by one is several times slower.
+        self._s, self._x, self._y = (
+            a.tolist() for a in (self.path.s_m, self.path.x_m, self.path.y_m)
+        )
+        self.length_m = self._s[-1]
+        if self.length_m == 0.0:
+            self.speed_mps = 0.0
+
+    def record(self) -> None:
+        self.s_log.append(self.s_m)
+        self.v_log.append(self.speed_mps)
+
+    def move(self, dt_s: float) -> None:
+        """Change speed, then position; stop for good at the end of the path."""
+        if self.active is not None:
+            target, step = self.active.target_speed_mps, self.active.rate_mps2 * dt_s
+            gap = target - self.speed_mps
+            self.speed_mps = target if abs(gap) <= step else self.speed_mps + np.sign(gap) * step
+        self.s_m += self.speed_mps * dt_s
+        if self.s_m >= self.length_m:
+            self.s_m, self.speed_mps, self.active = self.length_m, 0.0, None
+            self.fired = len(self.participant.speed_program)
+
+    @property
+    def position_m(self) -> tuple[float, float]:
+        i = bisect_right(self._s, self.s_m)
+        if i >= len(self._s):
+            return self._x[-1], self._y[-1]
+        p = (self.s_m - self._s[i - 1]) / (self._s[i] - self._s[i - 1])
+        x0, y0 = self._x[i - 1], self._y[i - 1]
+        return x0 + p * (self._x[i] - x0), y0 + p * (self._y[i] - y0)
+
+
+def simulate(
+    concrete: ConcreteScenario, paths: Mapping[str, Path], *, dt_s: float = 0.05
+) -> dict[str, Trace]:
+    """Run a scenario from 0 to ``duration_s``; the traces have the same times.
+
+    A participant that reaches the end of its path stops there with speed 0.
+
+    Args:
+        concrete: the scenario.
+        paths: its paths by participant, as :func:`scegen.motion.build_paths` makes them.
+        dt_s: the time step.
+    """
+    movers = {p.id: _Mover(p, paths[p.id], p.speed_mps) for p in concrete.participants}
+    steps = round(concrete.duration_s / dt_s)
+    for step in range(steps + 1):
+        if step:
+            for mover in movers.values():
+                mover.move(dt_s)
+        for mover in movers.values():
+            mover.record()
+            program = mover.participant.speed_program
+            if mover.fired < len(program):
+                phase = program[mover.fired]
+                if _holds(phase.trigger, mover, movers, step * dt_s):
+                    mover.active = phase
+                    mover.fired += 1
+    times = np.arange(steps + 1, dtype=np.float64) * dt_s
+    return {name: _trace(mover, times) for name, mover in movers.items()}
+
+
+def _holds(trigger: Trigger, owner: _Mover, movers: Mapping[str, _Mover], time_s: float) -> bool:
+    """Whether a phase's condition is true in the present state."""
+    if isinstance(trigger, AtTime):
+        return time_s >= trigger.time_s - _ROUNDING
+    other = movers[trigger.participant]
+    if isinstance(trigger, Travelled):
+        return other.s_m >= trigger.distance_m - _ROUNDING
+    ax, ay = owner.position_m
+    bx, by = other.position_m
+    return hypot(ax - bx, ay - by) < trigger.distance_m
+
+
+def _trace(mover: _Mover, times: Array) -> Trace:
+    path, s = mover.path, np.array(mover.s_log)
+    return Trace(
+        participant=mover.participant.id,
+        kind=mover.participant.kind,
+        time_s=times,
+        s_m=s,
+        x_m=np.interp(s, path.s_m, path.x_m),
+        y_m=np.interp(s, path.s_m, path.y_m),
+        heading_rad=np.interp(s, path.s_m, path.heading_rad),
+        speed_mps=np.array(mover.v_log),
+    )

@@ -1,0 +1,113 @@
+"""Where those stand and walk who do not drive through the junction."""
+
+from __future__ import annotations
+
+from math import pi
+
+import numpy as np
+
+from scegen.errors import MotionInfeasibleError
+from scegen.motion.model import LaneSpan, Path
+from scegen.road.geometry import Pose
+from scegen.road.model import Lane, LaneType, Road, RoadNetwork
+from scegen.scenario.bodies import BODIES
+from scegen.scenario.concrete import CrossingMotion, StandingMotion
+from scegen.scenario.logical import Side
+from scegen.scenario.vocabulary import DrivingSide, ParticipantKind
+
+KERB_GAP_M = 0.3
+"""Between the edge of the carriageway and one who stands beside it without a strip."""
+
+
+def side_sign(side: Side) -> int:
+    """+1 for the left of the reference line, -1 for its right: arm roads run to the junction."""
+    return 1 if side is Side.LEFT else -1
+
+
+def _place_on_arm(road: Road, from_junction_m: float, who: str) -> float:
+    s = road.length_m - from_junction_m
+    if s < 0:
+        raise MotionInfeasibleError(
+            f"{from_junction_m:.1f} m before the junction lies beyond the outer end of "
+            f"{road.name}, which is {road.length_m:.1f} m long",
+            where=who,
+        )
+    return s
+
+
+def crossing_path(network: RoadNetwork, motion: CrossingMotion, who: str) -> Path:
+    """Straight across an arm, at right angles, from one setback to the other.
+
+    The carriageway is counted without parking strips. ``stops_after_m`` cuts the path there.
+    The length of the body does not matter: the path is that of its reference point.
+
+    Raises:
+        MotionInfeasibleError: the place lies off the arm, or the stop behind its end.
+    """
+    if motion.arm >= len(network.arm_roads):
+        raise MotionInfeasibleError(f"there is no arm {motion.arm}", where=who)
+    road = network.arm_road(motion.arm)
+    s = _place_on_arm(road, motion.from_junction_m, who)
+    sign = side_sign(motion.start_side)
+    start_t = road.edge_t_m(sign) + sign * motion.setback_m
+    end_t = road.edge_t_m(-sign) - sign * motion.setback_m
+    length = abs(start_t - end_t)
+    if motion.stops_after_m is not None:
+        if motion.stops_after_m > length:
+            raise MotionInfeasibleError(
+                f"stops after {motion.stops_after_m:.1f} m of a way of {length:.1f} m", where=who
+            )
+        length = motion.stops_after_m
+    start = road.line.pose(s, start_t)
+    heading = start.heading_rad - sign * pi / 2
+    way = Pose(start.x_m, start.y_m, heading)
+    end = way.shifted(forward_m=length)
+    return Path(
+        np.array([0.0, length]),
+        np.array([way.x_m, end.x_m]),
+        np.array([way.y_m, end.y_m]),
+        np.array([heading, heading]),
+        (),
+    )
+
+
+def standing_path(
+    network: RoadNetwork, motion: StandingMotion, kind: ParticipantKind, who: str
+) -> Path:
+    """One pose: on the parking strip, beside the carriageway, or in its outermost lane.
+
+    It heads the way of the traffic on its side.
+
+    Raises:
+        MotionInfeasibleError: the place lies off the arm.
+    """
+    if motion.arm >= len(network.arm_roads):
+        raise MotionInfeasibleError(f"there is no arm {motion.arm}", where=who)
+    road = network.arm_road(motion.arm)
+    s = _place_on_arm(road, motion.from_junction_m, who)
+    sign = side_sign(motion.side)
+    lane = _standing_lane(road, sign, in_lane=motion.in_lane)
+    if lane is not None:
+        t = road.lane_centre_t_m(lane.id)
+    else:
+        t = road.edge_t_m(sign) + sign * (BODIES[kind].width_m / 2 + KERB_GAP_M)
+    forward = (sign == -1) == (network.driving_side is DrivingSide.RIGHT)
+    pose = road.line.pose(s, t)
+    if not forward:
+        pose = pose.reversed()
+    spans: tuple[LaneSpan, ...] = ()
+    if lane is not None:
+        spans = (LaneSpan(road.id, lane.id, forward, 0.0, 0.0),)
+    return Path(
+        np.array([0.0]),
+        np.array([pose.x_m]),
+        np.array([pose.y_m]),
+        np.array([pose.heading_rad]),
+        spans,
+    )
+
+
+def _standing_lane(road: Road, sign: int, *, in_lane: bool) -> Lane | None:
+    wanted = LaneType.DRIVING if in_lane else LaneType.PARKING
+    lanes = [lane for lane in road.lanes if lane.id * sign > 0 and lane.type is wanted]
+    return max(lanes, key=lambda lane: abs(lane.id), default=None)

@@ -1,0 +1,79 @@
+"""Lanes, marks and crosswalks of a road network as point lists, ready to be drawn."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from math import ceil
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scegen.road.geometry import ReferenceLine
+from scegen.road.model import LaneType, Road, RoadNetwork
+
+Array = NDArray[np.float64]
+_STRIPE_M = 0.5
+_STEP_RAD = 0.08
+
+
+@dataclass
+class RoadShapes:
+    """Polygons of lanes by type, and lines by kind, each an array of points (n, 2)."""
+
+    lanes: dict[LaneType, list[Array]] = field(default_factory=dict)
+    centre_lines: list[Array] = field(default_factory=list)
+    lane_lines: list[Array] = field(default_factory=list)
+    stripes: list[Array] = field(default_factory=list)
+
+
+def road_shapes(network: RoadNetwork) -> RoadShapes:
+    """The drawable shapes of a network; marks only where roads do not overlap (no junction)."""
+    shapes = RoadShapes()
+    for road in network.roads:
+        poses = _poses(road.line)
+        for sign in (1, -1):
+            _add_side(shapes, road, poses, sign)
+        if road.junction is None:
+            if {1, -1} <= {lane.id for lane in road.lanes}:
+                shapes.centre_lines.append(_offset(poses, road.lane_offset_m))
+            _add_crosswalks(shapes, road)
+    return shapes
+
+
+def _add_side(shapes: RoadShapes, road: Road, poses: Array, sign: int) -> None:
+    lanes = sorted((lane for lane in road.lanes if lane.id * sign > 0), key=lambda n: abs(n.id))
+    inner = road.lane_offset_m
+    for lane, beyond in zip(lanes, [*lanes[1:], None], strict=False):
+        outer = inner + sign * lane.width_m
+        edge = _offset(poses, outer)
+        outline = np.concatenate((_offset(poses, inner), edge[::-1]))
+        shapes.lanes.setdefault(lane.type, []).append(outline)
+        both_driving = beyond is not None and lane.type is beyond.type is LaneType.DRIVING
+        if both_driving and road.junction is None:
+            shapes.lane_lines.append(edge)
+        inner = outer
+
+
+def _add_crosswalks(shapes: RoadShapes, road: Road) -> None:
+    for crosswalk in road.crosswalks:
+        low, high = (crosswalk.s_m + k * crosswalk.width_m / 2 for k in (-1, 1))
+        count = max(1, int((crosswalk.t_max_m - crosswalk.t_min_m) / (2 * _STRIPE_M)))
+        for t in np.linspace(crosswalk.t_min_m, crosswalk.t_max_m, count + 1)[:-1] + _STRIPE_M / 2:
+            corners = [(low, t), (high, t), (high, t + _STRIPE_M), (low, t + _STRIPE_M)]
+            poses = [road.line.pose(s, at) for s, at in corners]
+            shapes.stripes.append(np.array([(p.x_m, p.y_m) for p in poses]))
+
+
+def _poses(line: ReferenceLine) -> Array:
+    """Points (x, y, heading) along a line, as dense as its bends need."""
+    rows = []
+    for segment in line.segments:
+        bend = abs(segment.curvature_1pm) * segment.length_m
+        count = max(1, ceil(bend / _STEP_RAD))
+        rows += [segment.pose(segment.length_m * i / count) for i in range(count + 1)]
+    return np.array([(p.x_m, p.y_m, p.heading_rad) for p in rows])
+
+
+def _offset(poses: Array, t_m: float) -> Array:
+    x, y, heading = poses.T
+    return np.column_stack((x - t_m * np.sin(heading), y + t_m * np.cos(heading)))

@@ -1,0 +1,233 @@
+"""A junction from above, as a sketch: where roads lie and which way a movement takes.
+
+Coordinates are those of a tile: its centre is (0, 0), x to the right, y up, in pixels.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import atan2, cos, hypot, pi, radians, sin
+
+from scegen.scenario.arms import arm_angles_deg
+from scegen.scenario.functional import Junction
+from scegen.scenario.logical import Crossing, Drive, Side, Standing
+from scegen.scenario.vocabulary import DrivingSide, JunctionKind, Maneuver
+
+Point = tuple[float, float]
+
+REACH = 104.0
+"""Where arms end."""
+_START = 92.0
+_RANK_STEP = 17.0
+_RING = 34.0
+_RING_JOIN = radians(24.0)
+_ARC_STEPS = 24
+_BOX = 9.0
+
+
+@dataclass(frozen=True)
+class Plan:
+    """The sketch of one junction.
+
+    ``lane`` is the width of a lane, ``half`` of each arm's carriageway, ``side`` is +1 where
+    traffic keeps right, ``inner`` the distance from the centre at which the arms begin.
+    """
+
+    angles: tuple[float, ...]
+    lanes: tuple[int, ...]
+    lane: float
+    side: int
+    inner: float
+    kind: JunctionKind
+
+    @property
+    def is_ring(self) -> bool:
+        """Whether traffic goes round a ring."""
+        return self.kind is JunctionKind.ROUNDABOUT
+
+    @property
+    def ring(self) -> float:
+        """Radius of the ring's middle."""
+        return _RING
+
+    def half(self, arm: int) -> float:
+        """Half the width of an arm's carriageway."""
+        return self.lanes[arm] * self.lane
+
+    def at(self, arm: int, distance: float, right: float = 0.0) -> Point:
+        """A point on an arm; ``right`` as seen by traffic that enters there."""
+        a = self.angles[arm]
+        # Entering traffic heads for the centre: its right is the direction a + 90 degrees.
+        return (
+            distance * cos(a) - right * sin(a),
+            distance * sin(a) + right * cos(a),
+        )
+
+
+def make_plan(junction: Junction) -> Plan:
+    """The sketch of a junction."""
+    angles = tuple(radians(a) for a in arm_angles_deg(junction))
+    lanes = junction.lanes or (1,) * junction.arms
+    lane = min(15.5, 33.0 / max(lanes))
+    widest = max(lanes) * lane
+    gaps = [(b - a) % (2 * pi) for a, b in zip(angles, angles[1:] + angles[:1], strict=True)]
+    if junction.kind is JunctionKind.ROUNDABOUT:
+        inner = _RING + lane
+    elif junction.kind is JunctionKind.STRAIGHT:
+        inner = 0.0
+    else:
+        # Neighbouring carriageways part where half their width is seen under half their angle.
+        inner = max(widest / max(sin(min(g, pi) / 2), 0.45) for g in gaps) + 6.0
+    side = 1 if junction.driving_side is DrivingSide.RIGHT else -1
+    return Plan(angles, lanes, lane, side, min(inner, 60.0), junction.kind)
+
+
+def drive_line(plan: Plan, drive: Drive, spread: float, behind: int) -> list[Point]:
+    """The way of a vehicle as points.
+
+    Args:
+        plan: the sketch it is drawn on.
+        drive: its assignment.
+        spread: shifts it to its right, apart from others on the same arms.
+        behind: how many follow it on its arm.
+    """
+    if plan.kind is JunctionKind.STRAIGHT:
+        return _straight_line(plan, drive, _START - 30.0 * behind, spread)
+    start_at = max(_START - _RANK_STEP * behind, plan.inner + 8.0)
+    lane_in, lane_out = _lanes_of(plan, drive)
+    right_in = plan.side * (lane_in - 0.5) * plan.lane + spread
+    right_out = -plan.side * (lane_out - 0.5) * plan.lane - spread
+    start = plan.at(drive.entry, start_at, right_in)
+    enter = plan.at(drive.entry, plan.inner, right_in)
+    leave = plan.at(drive.exit, plan.inner, right_out)
+    end = plan.at(drive.exit, REACH - 6.0, right_out)
+    if plan.is_ring:
+        middle = _round_the_ring(plan, drive, enter, leave, spread)
+    else:
+        reach = 0.55 * hypot(enter[0] - leave[0], enter[1] - leave[1]) + 2.0
+        if drive.entry == drive.exit:
+            reach = 1.6 * plan.inner
+        middle = _bezier(
+            enter,
+            plan.at(drive.entry, plan.inner - reach, right_in),
+            plan.at(drive.exit, plan.inner - reach, right_out),
+            leave,
+        )
+    return [start, *middle, end]
+
+
+def _lanes_of(plan: Plan, drive: Drive) -> tuple[int, int]:
+    """Numbers (1 = inner) of the lanes drawn: turning traffic keeps to its side."""
+    most_in, most_out = plan.lanes[drive.entry], plan.lanes[drive.exit]
+    near = Maneuver.RIGHT if plan.side == 1 else Maneuver.LEFT
+    outer_in = drive.turn is near or (drive.turn is Maneuver.STRAIGHT and drive.beside is None)
+    lane_in = most_in if outer_in else 1
+    lane_out = most_out if outer_in else 1
+    if drive.maneuver is Maneuver.LANE_CHANGE and most_in > 1:
+        lane_in = 1 if lane_in > 1 else 2
+    return lane_in, lane_out
+
+
+def _straight_line(plan: Plan, drive: Drive, start_at: float, spread: float) -> list[Point]:
+    """Along a road without a junction, with the shifts that the maneuver makes."""
+    lane_in, lane_out = _lanes_of(plan, drive)
+    first = plan.side * (lane_in - 0.5) * plan.lane + spread
+    last = plan.side * (lane_out - 0.5) * plan.lane + spread
+    beyond = REACH - 6.0
+    shift = last - first
+    if drive.maneuver is Maneuver.OVERTAKE:
+        shift = -plan.side * plan.lane
+    points = []
+    for i in range(_ARC_STEPS + 1):
+        u = i / _ARC_STEPS
+        along = start_at + u * (-beyond - start_at)
+        aside = shift * _ease((u - 0.3) / 0.25)
+        if drive.maneuver is Maneuver.OVERTAKE:
+            aside -= shift * _ease((u - 0.7) / 0.2)
+        points.append(plan.at(drive.entry, along, first + aside))
+    return points
+
+
+def _ease(u: float) -> float:
+    clipped = min(max(u, 0.0), 1.0)
+    return (1 - cos(pi * clipped)) / 2
+
+
+def _round_the_ring(
+    plan: Plan, drive: Drive, enter: Point, leave: Point, spread: float
+) -> list[Point]:
+    radius = _RING + plan.side * spread
+    way = plan.side  # counter-clockwise where traffic keeps right
+    begin = plan.angles[drive.entry] + way * _RING_JOIN
+    sweep = way * (plan.angles[drive.exit] - plan.angles[drive.entry]) % (2 * pi)
+    sweep = max((sweep or 2 * pi) - 2 * _RING_JOIN, 0.05)
+    arc = [
+        (
+            radius * cos(begin + way * sweep * i / _ARC_STEPS),
+            radius * sin(begin + way * sweep * i / _ARC_STEPS),
+        )
+        for i in range(_ARC_STEPS + 1)
+    ]
+    inward = _toward(enter, plan.angles[drive.entry] + pi, 9.0)
+    before = _toward(arc[0], begin - way * pi / 2, 6.0)
+    after = _toward(arc[-1], begin + way * (sweep + pi / 2), 6.0)
+    outward = _toward(leave, plan.angles[drive.exit] + pi, 9.0)
+    return [*_bezier(enter, inward, before, arc[0]), *arc, *_bezier(arc[-1], after, outward, leave)]
+
+
+def _toward(point: Point, angle: float, distance: float) -> Point:
+    return point[0] + distance * cos(angle), point[1] + distance * sin(angle)
+
+
+def _bezier(a: Point, b: Point, c: Point, d: Point, steps: int = 14) -> list[Point]:
+    points = []
+    for i in range(steps + 1):
+        u = i / steps
+        v = 1 - u
+        weights = (v * v * v, 3 * v * v * u, 3 * v * u * u, u * u * u)
+        corners = (a, b, c, d)
+        points.append(
+            (
+                sum(w * p[0] for w, p in zip(weights, corners, strict=True)),
+                sum(w * p[1] for w, p in zip(weights, corners, strict=True)),
+            )
+        )
+    return points
+
+
+def crossing_line(plan: Plan, crossing: Crossing, number: int) -> list[Point]:
+    """Straight across an arm, just outside the junction; ``number`` sets several apart."""
+    distance = min(plan.inner + 10.0 + 11.0 * number, REACH - 8.0)
+    if plan.kind is JunctionKind.STRAIGHT:
+        distance = 12.0 + 14.0 * number
+    beyond = plan.half(crossing.arm) + 11.0
+    sign = 1 if crossing.start is Side.RIGHT else -1
+    return [
+        plan.at(crossing.arm, distance, sign * beyond),
+        plan.at(crossing.arm, distance, -sign * beyond),
+    ]
+
+
+def standing_box(plan: Plan, standing: Standing, number: int) -> list[Point]:
+    """The corners of a standing vehicle on its arm."""
+    distance = min(plan.inner + 30.0 + 24.0 * number, REACH - 12.0)
+    sign = 1 if standing.side is Side.RIGHT else -1
+    aside = (
+        plan.half(standing.arm) - plan.lane / 2
+        if standing.in_lane
+        else plan.half(standing.arm) + _BOX / 2 + 2.0
+    )
+    corners = ((-_BOX, -_BOX / 2), (_BOX, -_BOX / 2), (_BOX, _BOX / 2), (-_BOX, _BOX / 2))
+    return [plan.at(standing.arm, distance + du, sign * aside + dv) for du, dv in corners]
+
+
+def arrow_head(points: list[Point], size: float) -> list[Point]:
+    """A triangle whose tip is the last point."""
+    (x0, y0), (x1, y1) = points[-2], points[-1]
+    a = atan2(y1 - y0, x1 - x0)
+    tip = (x1 + size * 0.5 * cos(a), y1 + size * 0.5 * sin(a))
+    return [
+        tip,
+        _toward(tip, a + pi - 0.45, size * 1.35),
+        _toward(tip, a + pi + 0.45, size * 1.35),
+    ]

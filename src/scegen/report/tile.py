@@ -1,0 +1,262 @@
+"""One logical scenario as a picture: junction, arrows, number, symbolic moves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from html import escape
+from math import cos, degrees, sin
+
+from scegen.report.palette import colours
+from scegen.report.plan import (
+    REACH,
+    Plan,
+    Point,
+    arrow_head,
+    crossing_line,
+    drive_line,
+    make_plan,
+    standing_box,
+)
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.logical import Assignment, Crossing, Drive, LogicalScenario
+from scegen.scenario.vocabulary import JunctionKind, Maneuver
+
+TILE_WIDTH = 240
+_MIDDLE = 120.0
+_PICTURE = 240
+_LINE = 15
+_NAME_CHARACTERS, _LINE_CHARACTERS = 16, 37
+_ROAD, _KERB, _MARK, _TEXT, _FAINT = "#d5d9df", "#a9b0ba", "#ffffff", "#1b2330", "#5b6675"
+
+
+def tile_height(functional: FunctionalScenario) -> int:
+    """Height of a tile: the picture, the caption, one line per participant."""
+    return _PICTURE + 30 + _LINE * len(functional.participants)
+
+
+def tile_body(scenario: LogicalScenario, functional: FunctionalScenario) -> str:
+    """The elements of a tile, in a frame of its own size with the origin at the top left."""
+    plan = make_plan(functional.junction)
+    colour = colours((p.id for p in functional.participants), functional.ego.id)
+    parts = [_roads(plan, functional)]
+    crossings = standings = 0
+    drawings: list[tuple[bool, str]] = []
+    drives = scenario.drives
+    spreads = _spreads(drives)
+    for assignment in scenario.assignments:
+        name = assignment.participant
+        is_ego = name == functional.ego.id
+        if isinstance(assignment, Drive):
+            behind = sum(d.entry == assignment.entry and d.rank > assignment.rank for d in drives)
+            line = drive_line(plan, assignment, spreads[name], behind)
+            drawing = _arrow(line, colour[name], ego=is_ego)
+        elif isinstance(assignment, Crossing):
+            drawing = _walk(crossing_line(plan, assignment, crossings), colour[name])
+            crossings += 1
+        else:
+            drawing = _box(standing_box(plan, assignment, standings), colour[name])
+            standings += 1
+        drawings.append((is_ego, drawing))
+    parts += [d for is_ego, d in drawings if not is_ego]
+    parts += [d for is_ego, d in drawings if is_ego]  # on top
+    parts.append(_caption(scenario, functional, colour))
+    return "".join(parts)
+
+
+def tile_svg(scenario: LogicalScenario, functional: FunctionalScenario) -> str:
+    """A tile as a complete SVG element."""
+    height = tile_height(functional)
+    label = escape(describe(scenario))
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {TILE_WIDTH} {height}" '
+        f'role="img" aria-label="{label}" font-family="system-ui, sans-serif">'
+        f"<title>{label}</title>{tile_body(scenario, functional)}</svg>"
+    )
+
+
+def describe(scenario: LogicalScenario) -> str:
+    """A scenario in one line of words."""
+    ways = "; ".join(f"{a.participant} {way(a)}" for a in scenario.assignments)
+    return f"Scenario {scenario.index}: {ways}"
+
+
+def way(assignment: Assignment) -> str:
+    """What one participant does, in a few words."""
+    if isinstance(assignment, Drive):
+        words = _words(assignment.turn)
+        if assignment.maneuver is not assignment.turn:
+            words = f"{_words(assignment.maneuver)}, {words}"
+        return f"{assignment.entry} → {assignment.exit}, {words}"
+    if isinstance(assignment, Crossing):
+        return f"crosses {assignment.arm} from {assignment.start}"
+    if assignment.in_lane:
+        return f"blocks arm {assignment.arm}"
+    return f"stands at {assignment.arm}, {assignment.side}"
+
+
+def _words(maneuver: Maneuver) -> str:
+    return maneuver.replace("_", " ")
+
+
+def _spreads(drives: tuple[Drive, ...]) -> dict[str, float]:
+    """Sideways shifts that keep arrows on the same arm apart."""
+    shared: dict[str, float] = {}
+    for drive in drives:
+        mates = [d.participant for d in drives if {d.entry, d.exit} & {drive.entry, drive.exit}]
+        at, count = mates.index(drive.participant), len(mates)
+        shared[drive.participant] = (at - (count - 1) / 2) * min(4.4, 9.0 / max(count - 1, 1))
+    return shared
+
+
+def _xy(point: Point) -> str:
+    return f"{point[0] + _MIDDLE:.1f} {_MIDDLE - point[1]:.1f}"
+
+
+def _path(points: Iterable[Point], *, closed: bool = False) -> str:
+    return "M" + "L".join(_xy(p) for p in points) + ("Z" if closed else "")
+
+
+def _roads(plan: Plan, functional: FunctionalScenario) -> str:
+    arms = range(len(plan.angles))
+    layers = []
+    for width, paint in ((3.0, _KERB), (0.0, _ROAD)):
+        for arm in arms:
+            half = plan.half(arm) + width / 2
+            corners = [
+                plan.at(arm, 0.0, half),
+                plan.at(arm, REACH, half),
+                plan.at(arm, REACH, -half),
+                plan.at(arm, 0.0, -half),
+            ]
+            layers.append(f'<path d="{_path(corners, closed=True)}" fill="{paint}"/>')
+        if plan.kind is not JunctionKind.STRAIGHT:
+            radius = plan.ring + plan.lane if plan.is_ring else _core(plan)
+            layers.append(
+                f'<circle cx="{_MIDDLE}" cy="{_MIDDLE}" r="{radius + width / 2:.1f}" '
+                f'fill="{paint}"/>'
+                f'fill="{paint}"/>'
+            )
+    if plan.is_ring:
+        island = plan.ring - plan.lane
+        layers.append(
+            f'<circle cx="{_MIDDLE}" cy="{_MIDDLE}" r="{island:.1f}" fill="#eef1e6" '
+            f'stroke="{_KERB}" stroke-width="1.5"/>'
+        )
+    for arm in arms:
+        layers.append(_marks(plan, arm, crosswalk=arm in functional.junction.crosswalks))
+        a = plan.angles[arm]
+        x, y = (REACH + 9) * cos(a), (REACH + 9) * sin(a)
+        layers.append(
+            f'<text x="{x + _MIDDLE:.1f}" y="{_MIDDLE - y + 4:.1f}" text-anchor="middle" '
+            f'font-size="11" fill="{_FAINT}">{arm}</text>'
+        )
+    return "".join(layers)
+
+
+def _core(plan: Plan) -> float:
+    return max(plan.half(arm) for arm in range(len(plan.angles)))
+
+
+def _marks(plan: Plan, arm: int, *, crosswalk: bool) -> str:
+    """The centre line, lane lines and crosswalk of an arm."""
+    begin = plan.inner + (14.0 if crosswalk else 0.0)
+    lines = [
+        (
+            f'<path d="{_path([plan.at(arm, begin), plan.at(arm, REACH)])}" stroke="{_MARK}" '
+            'stroke-width="1.6" fill="none"/>'
+        )
+    ]
+    for lane in range(1, plan.lanes[arm]):
+        for sign in (-1, 1):
+            ends = [plan.at(arm, d, sign * lane * plan.lane) for d in (begin, REACH)]
+            lines.append(
+                f'<path d="{_path(ends)}" stroke="{_MARK}" stroke-width="1" '
+                'stroke-dasharray="5 5" fill="none"/>'
+            )
+    if crosswalk:
+        middle = plan.inner + 10.0
+        ends = [plan.at(arm, middle, sign * (plan.half(arm) - 1)) for sign in (-1, 1)]
+        lines.append(
+            f'<path d="{_path(ends)}" stroke="{_MARK}" stroke-width="9" '
+            'stroke-dasharray="3 2.5" fill="none"/>'
+        )
+    return "".join(lines)
+
+
+def _arrow(line: list[Point], colour: str, *, ego: bool) -> str:
+    head = arrow_head(line, 9.0 if ego else 7.5)
+    d, h = _path(line), _path(head, closed=True)
+    x, y = _xy(line[0]).split()
+    common = 'fill="none" stroke-linecap="round" stroke-linejoin="round"'
+    edge, width, dot = ("#000000", 4.4, 6.0) if ego else (_MARK, 3.0, 3.6)
+    letter = (
+        f'<text x="{x}" y="{float(y) + 3:.1f}" text-anchor="middle" font-size="8.5" '
+        f'font-weight="700" fill="{_MARK}">E</text>'
+        if ego
+        else ""
+    )
+    return (
+        f'<path d="{d}" stroke="{edge}" stroke-width="{width + 2:.1f}" {common}/>'
+        f'<path d="{h}" fill="{edge}" stroke="{edge}" stroke-width="2.4"/>'
+        f'<circle cx="{x}" cy="{y}" r="{dot + 1.2:.1f}" fill="{edge}"/>'
+        f'<path d="{d}" stroke="{colour}" stroke-width="{width}" {common}/>'
+        f'<path d="{h}" fill="{colour}"/><circle cx="{x}" cy="{y}" r="{dot}" fill="{colour}"/>'
+        f"{letter}"
+    )
+
+
+def _walk(line: list[Point], colour: str) -> str:
+    x, y = _xy(line[0]).split()
+    d, h = _path(line), _path(arrow_head(line, 7.0), closed=True)
+    return (
+        f'<path d="{d}" stroke="{_MARK}" stroke-width="4.6" fill="none"/>'
+        f'<path d="{d}" stroke="{colour}" stroke-width="2.6" stroke-dasharray="4.5 3" '
+        f'fill="none"/><path d="{h}" fill="{colour}"/>'
+        f'<circle cx="{x}" cy="{y}" r="4.2" fill="{colour}" stroke="{_MARK}"/>'
+    )
+
+
+def _box(corners: list[Point], colour: str) -> str:
+    return (
+        f'<path d="{_path(corners, closed=True)}" fill="{colour}" stroke="{_TEXT}" '
+        'stroke-width="1" stroke-linejoin="round"/>'
+    )
+
+
+def _caption(
+    scenario: LogicalScenario, functional: FunctionalScenario, colour: dict[str, str]
+) -> str:
+    moves = " ".join(str(move) for move in scenario.pattern) or "–"
+    size = f"  ×{scenario.class_size}" if scenario.class_size > 1 else ""
+    y = _PICTURE + 14
+    lines = [
+        (
+            f'<text x="10" y="{y}" font-size="13" font-weight="700" fill="{_TEXT}">'
+            f"{scenario.index}</text>"
+            f'<text x="{TILE_WIDTH - 10}" y="{y}" text-anchor="end" font-size="13" fill="{_TEXT}">'
+            f"moves {moves}{size}</text>"
+        )
+    ]
+    for number, assignment in enumerate(scenario.assignments, start=1):
+        name = assignment.participant
+        top = y + number * _LINE + 2
+        shown = _short(name, _NAME_CHARACTERS)
+        did = _short(way(assignment), _LINE_CHARACTERS - len(shown))
+        weight = "700" if name == functional.ego.id else "400"
+        lines.append(
+            f'<rect x="10" y="{top - 8}" width="9" height="9" rx="2" fill="{colour[name]}"/>'
+            f'<text x="24" y="{top}" font-size="11.5" fill="{_TEXT}">'
+            f'<tspan font-weight="{weight}">{escape(shown)}</tspan> '
+            f'<tspan fill="{_FAINT}">{escape(did)}</tspan></text>'
+        )
+    return "".join(lines)
+
+
+def _short(text: str, longest: int) -> str:
+    return text if len(text) <= longest else text[: longest - 1] + "…"
+
+
+def arm_legend(functional: FunctionalScenario) -> str:
+    """Which way the arms point, in words."""
+    plan = make_plan(functional.junction)
+    return ", ".join(f"{i} at {degrees(a):.0f}°" for i, a in enumerate(plan.angles))

@@ -1,0 +1,74 @@
+"""Scenario values in words, for captions and tables."""
+
+from __future__ import annotations
+
+from scegen.scenario.concrete import (
+    AtTime,
+    ConcreteParticipant,
+    CrossingMotion,
+    DriveMotion,
+    LaneChange,
+    SpeedPhase,
+    Travelled,
+)
+from scegen.scenario.functional import Hazard
+
+KMH = 3.6
+
+
+def plain(word: str) -> str:
+    """A vocabulary word as people write it."""
+    return word.replace("_", " ")
+
+
+def speed_words(speed_mps: float) -> str:
+    """A speed in m/s and km/h."""
+    return f"{speed_mps:.1f} m/s ({speed_mps * KMH:.0f} km/h)"
+
+
+def hazard_words(hazard: Hazard) -> str:
+    """A hazard with those who cause and suffer it."""
+    text = plain(hazard.kind)
+    if hazard.by:
+        text += f" by {' and '.join(hazard.by)}"
+    if hazard.to:
+        text += f", endangering {' and '.join(hazard.to)}"
+    return text
+
+
+def participant_words(participant: ConcreteParticipant) -> str:
+    """What a participant is, how fast it starts and where it goes."""
+    kind, motion = plain(participant.kind), participant.motion
+    if isinstance(motion, DriveMotion):
+        return (
+            f"{kind}, starts at {speed_words(participant.speed_mps)}, "
+            f"arm {motion.entry} → arm {motion.exit}"
+        )
+    if isinstance(motion, CrossingMotion):
+        if participant.speed_mps > 0:
+            start = f"starts at {speed_words(participant.speed_mps)}"
+        else:
+            start = "waits at first"
+        return f"{kind}, {start}, crosses arm {motion.arm} from the {motion.start_side}"
+    place = "in the lane of" if motion.in_lane else f"on the {motion.side} of"
+    return f"{kind}, stands {place} arm {motion.arm}"
+
+
+def phase_words(phase: SpeedPhase) -> str:
+    """When a speed phase fires and what it does."""
+    trigger = phase.trigger
+    if isinstance(trigger, AtTime):
+        when = f"at {trigger.time_s:.2f} s"
+    elif isinstance(trigger, Travelled):
+        when = f"once {trigger.participant} has travelled {trigger.distance_m:.1f} m"
+    else:
+        when = f"once {trigger.participant} is nearer than {trigger.distance_m:.1f} m"
+    text = f"{when}: to {speed_words(phase.target_speed_mps)} at {phase.rate_mps2:.2f} m/s²"
+    return f"{text} — {plain(phase.hazard)}" if phase.hazard else text
+
+
+def lane_change_words(change: LaneChange) -> str:
+    """Where a lane change lies and where it leads."""
+    lane = "the oncoming lane" if change.lane_after == 0 else f"lane {change.lane_after}"
+    text = f"into {lane} from {change.position_m:.1f} m, over {change.length_m:.1f} m"
+    return f"{text} — {plain(change.hazard)}" if change.hazard else text

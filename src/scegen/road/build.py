@@ -1,0 +1,27 @@
+"""From parameters to a road network."""
+
+from __future__ import annotations
+
+from scegen.road.crossing import build_crossing
+from scegen.road.feasibility import check_parameters
+from scegen.road.model import RoadNetwork
+from scegen.road.roundabout import build_roundabout
+from scegen.road.straight import build_straight
+from scegen.scenario.concrete import RoadParameters
+from scegen.scenario.vocabulary import JunctionKind
+
+
+def build_network(parameters: RoadParameters, name: str = "road") -> RoadNetwork:
+    """The road network with these parameters, its centre at the origin.
+
+    The same parameters always give the same network.
+
+    Raises:
+        RoadInfeasibleError: if there is none; the message gives the reason with numbers.
+    """
+    check_parameters(parameters)
+    if parameters.kind is JunctionKind.STRAIGHT:
+        return build_straight(parameters, name)
+    if parameters.kind is JunctionKind.ROUNDABOUT:
+        return build_roundabout(parameters, name)
+    return build_crossing(parameters, name)

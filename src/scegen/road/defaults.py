@@ -1,0 +1,62 @@
+"""Road parameters for a functional junction, where the description leaves them open."""
+
+from __future__ import annotations
+
+from collections.abc import Set as AbstractSet
+
+from scegen.scenario.arms import arm_angles_deg
+from scegen.scenario.concrete import ArmRoad, RoadParameters
+from scegen.scenario.functional import Junction
+from scegen.scenario.vocabulary import JunctionKind
+
+ARM_LENGTH_M = 120.0
+LANE_WIDTH_M = 3.5
+SPEED_LIMIT_MPS = 50 / 3.6
+ROUNDABOUT_SPEED_LIMIT_MPS = 30 / 3.6
+
+
+def plan_road(
+    junction: Junction,
+    *,
+    arm_length_m: float = ARM_LENGTH_M,
+    min_lanes: int = 1,
+    parking_lanes: AbstractSet[int] = frozenset(),
+    u_turns: AbstractSet[int] = frozenset(),
+) -> RoadParameters:
+    """The parameters of a road network for a junction.
+
+    Args:
+        junction: what the description says of the road.
+        arm_length_m: length of every arm road.
+        min_lanes: fewest lanes per direction, for scenarios that need room side by side.
+        parking_lanes: arms with a strip for standing vehicles.
+        u_turns: arms at which vehicles may turn back.
+    """
+    angles = arm_angles_deg(junction)
+    lanes = junction.lanes or (1,) * junction.arms
+    limit = junction.speed_limit_mps or (
+        ROUNDABOUT_SPEED_LIMIT_MPS if junction.kind is JunctionKind.ROUNDABOUT else SPEED_LIMIT_MPS
+    )
+    arms = tuple(
+        ArmRoad(
+            id=arm,
+            length_m=arm_length_m,
+            angle_deg=angles[arm],
+            angle_to_previous_deg=(angles[arm] - angles[arm - 1]) % 360.0,
+            lanes_in=max(lanes[arm], min_lanes),
+            lanes_out=max(lanes[arm], min_lanes),
+            lane_width_m=LANE_WIDTH_M,
+            speed_limit_mps=round(limit, 3),
+        )
+        for arm in range(junction.arms)
+    )
+    return RoadParameters(
+        kind=junction.kind,
+        arms=arms,
+        driving_side=junction.driving_side,
+        control=junction.control,
+        ring_lanes=junction.ring_lanes or 1,
+        crosswalks=junction.crosswalks,
+        parking_lanes=frozenset(parking_lanes),
+        u_turns=frozenset(u_turns),
+    )

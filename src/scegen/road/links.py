@@ -1,0 +1,49 @@
+"""Connecting roads: one lane through a junction, linked at both ends."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from scegen.road.cross_section import side_sign
+from scegen.road.geometry import ReferenceLine
+from scegen.road.model import ContactPoint, Lane, LaneType, Road, RoadLink
+
+
+@dataclass(frozen=True, slots=True)
+class LaneEnd:
+    """A lane of a road, at the end (or start) where it meets a junction."""
+
+    road: Road
+    lane: int
+    contact: ContactPoint = ContactPoint.END
+
+    @property
+    def link(self) -> RoadLink:
+        """The road end, as a link."""
+        return RoadLink("road", self.road.id, self.contact)
+
+    @property
+    def width_m(self) -> float:
+        """Width of the lane."""
+        return self.road.lane(self.lane).width_m
+
+
+def connecting_road(
+    road_id: int, junction: int, line: ReferenceLine, source: LaneEnd, target: LaneEnd
+) -> Road:
+    """A road of one driving lane, centred on ``line``, as wide and as fast as both ends allow."""
+    width = min(source.width_m, target.width_m)
+    sign = side_sign(source.road.driving_side)
+    lane = Lane(-sign, LaneType.DRIVING, width, predecessor=source.lane, successor=target.lane)
+    return Road(
+        id=road_id,
+        name=f"{source.road.name}_{abs(source.lane)}_to_{target.road.name}_{abs(target.lane)}",
+        line=line,
+        lanes=(lane,),
+        speed_limit_mps=min(source.road.speed_limit_mps, target.road.speed_limit_mps),
+        driving_side=source.road.driving_side,
+        lane_offset_m=sign * width / 2,
+        junction=junction,
+        predecessor=source.link,
+        successor=target.link,
+    )

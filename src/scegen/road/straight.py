@@ -1,0 +1,145 @@
+"""A straight road, or a bend: two arms joined end to end."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import pi, radians, tan
+
+from scegen.errors import RoadInfeasibleError
+from scegen.road.cross_section import (
+    PARKING_WIDTH_M,
+    arm_line,
+    arm_road,
+    arm_road_id,
+    lane_in,
+    lane_out,
+)
+from scegen.road.fillet import chain, wrapped
+from scegen.road.geometry import Pose, ReferenceLine
+from scegen.road.model import (
+    ContactPoint,
+    Lane,
+    LaneType,
+    Road,
+    RoadLink,
+    RoadNetwork,
+    Route,
+    RouteStep,
+)
+from scegen.scenario.concrete import ArmRoad, RoadParameters
+
+BEND_RADIUS_M = 50.0
+"""Radius of the centre line of a bend, unless ``corner_radius_m`` gives another."""
+MIN_BEND_RADIUS_M = 20.0
+_MIN_LINE_M = 5.0
+
+
+def build_straight(parameters: RoadParameters, name: str) -> RoadNetwork:
+    """Two arm roads that meet end to end at the origin (at the middle of the arc in a bend).
+
+    Raises:
+        RoadInfeasibleError: if lanes do not continue, a U-turn is asked for, or it bends
+            too sharply.
+    """
+    _check(parameters)
+    arms = tuple(
+        arm_road(
+            parameters,
+            arm,
+            _line(parameters, index),
+            RoadLink("road", arm_road_id(1 - arm.id), ContactPoint.END),
+        )
+        for index, arm in enumerate(parameters.arms)
+    )
+    arms = tuple(_linked(road, parameters) for road in arms)
+    routes: dict[tuple[int, int], tuple[Route, ...]] = {}
+    for entry, leaving in ((0, 1), (1, 0)):
+        routes[entry, leaving] = tuple(
+            Route(
+                entry,
+                number,
+                leaving,
+                number,
+                None,
+                (
+                    RouteStep(arms[entry].id, lane_in(arms[entry], number), forward=True),
+                    RouteStep(arms[leaving].id, lane_out(arms[leaving], number), forward=False),
+                ),
+            )
+            for number in range(1, parameters.arms[entry].lanes_in + 1)
+        )
+    return RoadNetwork(
+        name=name,
+        driving_side=parameters.driving_side,
+        roads=arms,
+        junctions=(),
+        arm_roads=tuple(road.id for road in arms),
+        routes=routes,
+    )
+
+
+def _check(parameters: RoadParameters) -> None:
+    first, second = parameters.arms
+    if parameters.u_turns:
+        msg = f"arm {min(parameters.u_turns)} asks for a U-turn, but a straight has no junction"
+        raise RoadInfeasibleError(msg, where="u_turns")
+    for entry, leaving in ((first, second), (second, first)):
+        if entry.lanes_in != leaving.lanes_out:
+            msg = (
+                f"{entry.lanes_in} lanes in from arm {entry.id} do not continue in "
+                f"{leaving.lanes_out} lanes out of arm {leaving.id}"
+            )
+            raise RoadInfeasibleError(msg, where="arms", hint="Make the two numbers equal.")
+    if first.lane_width_m != second.lane_width_m:
+        msg = f"lanes are {first.lane_width_m:g} m wide on arm 0 and {second.lane_width_m:g} on 1"
+        raise RoadInfeasibleError(msg, where="arms", hint="Make the lane widths equal.")
+
+
+def _bend_rad(parameters: RoadParameters) -> float:
+    """Change of heading from arm 0 into arm 1 (left positive)."""
+    first, second = (radians(arm.angle_deg) for arm in parameters.arms)
+    return wrapped(second - first - pi)
+
+
+def _line(parameters: RoadParameters, index: int) -> ReferenceLine:
+    arm = parameters.arms[index]
+    bend = _bend_rad(parameters) * (1 if index == 0 else -1)
+    if abs(bend) < 1e-9:
+        return arm_line(arm, 0.0)
+    widest = max(arm.lanes_in, arm.lanes_out) * arm.lane_width_m
+    radius = parameters.corner_radius_m or BEND_RADIUS_M
+    tightest = max(MIN_BEND_RADIUS_M, 2 * widest)
+    if radius < tightest:
+        msg = f"a bend of {radius:g} m radius is tighter than {tightest:g} m"
+        raise RoadInfeasibleError(msg, where="corner_radius_m")
+    arc = radius * abs(bend) / 2
+    if arm.length_m < arc + _MIN_LINE_M:
+        msg = (
+            f"arm {arm.id} is {arm.length_m:g} m long, but its half of the bend needs "
+            f"{arc + _MIN_LINE_M:.1f} m"
+        )
+        raise RoadInfeasibleError(msg, where=f"arms[{arm.id}].length_m")
+    return _bent_line(arm, bend, radius, arc)
+
+
+def _bent_line(arm: ArmRoad, bend_rad: float, radius_m: float, arc_m: float) -> ReferenceLine:
+    outward = Pose(0.0, 0.0, radians(arm.angle_deg))
+    tangent = radius_m * tan(abs(bend_rad) / 2)
+    line = arm.length_m - arc_m
+    start = outward.shifted(forward_m=tangent + line).reversed()
+    return chain(start, [(line, 0.0), (arc_m, (1 if bend_rad > 0 else -1) / radius_m)])
+
+
+def _linked(road: Road, parameters: RoadParameters) -> Road:
+    """Lanes continue in the opposite lanes of the other arm; verges are made to match."""
+    lanes: list[Lane] = []
+    for sign in (-1, 1):
+        side = [lane for lane in road.lanes if lane.id * sign > 0]
+        side.sort(key=lambda lane: abs(lane.id))
+        if parameters.parking_lanes and road.arm not in parameters.parking_lanes:
+            # Where only the other arm has parking, a shoulder keeps the sidewalk in line.
+            side.insert(-1, Lane(0, LaneType.SHOULDER, PARKING_WIDTH_M))
+        lanes += [
+            replace(lane, id=sign * k, successor=-sign * k) for k, lane in enumerate(side, start=1)
+        ]
+    return replace(road, lanes=tuple(sorted(lanes, key=lambda lane: -lane.id)))

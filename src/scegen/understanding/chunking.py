@@ -1,0 +1,264 @@
+"""Groups terms into noun phrases and events."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
+from scegen.understanding.tagging import Term
+from scegen.understanding.tokens import Token
+
+_OPENERS = frozenset({"det", "possessive", "num", "quant"})
+_MODIFIERS = frozenset(
+    {"dir", "state", "label", "noted", "shape", "control", "compass", "roadmod", "cue", "quantity"}
+)
+_VERBAL_LINKS = frozenset({"prep", "locus"})
+_MAX_MODS = 10
+_SIDE_DIRS = frozenset({"left", "right", "opposite", "front", "rear", "adjacent", "straight"})
+
+
+class Chunker:
+    """Reads the terms once, from left to right.
+
+    Args:
+        terms: the terms of the text.
+        tokens: its tokens, needed for the written form of labels.
+    """
+
+    def __init__(self, terms: list[Term], tokens: list[Token]) -> None:
+        self._terms = terms
+        self._tokens = tokens
+        self._chunks: list[Chunk] = []
+
+    def run(self) -> list[Chunk]:
+        """All chunks in order."""
+        k = 0
+        while k < len(self._terms):
+            k = self._chunk_at(k)
+        return self._with_particles()
+
+    def _with_particles(self) -> list[Chunk]:
+        """``cuts the van off`` is "cut off" with its object inside."""
+        dropped: set[int] = set()
+        for k, chunk in enumerate(self._chunks):
+            if not (isinstance(chunk, Event) and chunk.name == "cut"):
+                continue
+            chunk.name = "cut_in"
+            for following in self._chunks[k + 1 : k + 4]:
+                if isinstance(following, Word) and self._tokens[following.i].low == "off":
+                    chunk.name = "cut_off"
+                    dropped.add(id(following))
+        return [c for c in self._chunks if id(c) not in dropped]
+
+    def _chunk_at(self, k: int) -> int:
+        term = self._terms[k]
+        if term.cat == "verb" and not term.premod:
+            self._chunks.append(_event(term, []))
+            return k + 1
+        if term.cat == "pronoun":
+            self._chunks.append(_pronoun(term))
+            return k + 1
+        if term.cat == "possessive" and term.value == "genitive":
+            if not self._owns(k):
+                self._chunks.append(Word(term))
+                return k + 1
+            self._mark_possessor()
+        reached = self._noun_phrase(k)
+        if reached is None:
+            self._chunks.append(Word(term))
+            return k + 1
+        return reached
+
+    def _owns(self, k: int) -> bool:
+        """A genitive owns what follows, unless an adverb or auxiliary does (a stray 's)."""
+        if k + 1 >= len(self._terms) or not self._chunks:
+            return False
+        follows = self._terms[k + 1]
+        plain = follows.cat not in {"aux", "neg", "prep", "punct", "det", "pronoun"}
+        return isinstance(self._chunks[-1], Mention) and plain and not self._is_adverb(follows)
+
+    def _mark_possessor(self) -> None:
+        if self._chunks and isinstance(self._chunks[-1], Mention):
+            self._chunks[-1].possessor = True
+
+    def _is_adverb(self, term: Term) -> bool:
+        last = self._tokens[term.j - 1].low
+        return last.endswith("ly") or (term.cat == "manner" and term.value == "mild")
+
+    def _scan(self, k: int) -> tuple[list[Term], int]:
+        """Words before a head from term ``k`` on, and where the head would stand."""
+        mods: list[Term] = []
+        opened = False
+        m = k
+        while m < len(self._terms) and len(mods) < _MAX_MODS:
+            term = self._terms[m]
+            if mods and term.cat in {"det", "possessive"} and mods[-1].cat != "quant":
+                break
+            if term.cat in _OPENERS or term.cat in _MODIFIERS:
+                opened = opened or term.cat in _OPENERS
+            elif term.cat == "manner":
+                if not opened and self._is_adverb(term):
+                    break
+            elif not (self._loose_modifier(term, m, opened) or self._listed(term, m, mods)):
+                break
+            mods.append(term)
+            m += 1
+        return mods, m
+
+    def _loose_modifier(self, term: Term, m: int, opened: bool) -> bool:
+        """Participles before a noun, and nouns or weather words used as adjectives."""
+        if term.cat == "verb" and term.premod:
+            return True
+        follows = self._terms[m + 1].cat if m + 1 < len(self._terms) else ""
+        nounlike = follows in {"actor", "place", "thing", "view", "verb", "inert", "shape"}
+        if term.cat == "inert":
+            return opened and term.value == "adjective" and nounlike
+        if term.cat == "env":
+            return follows in {"place", "actor"}
+        return opened and term.cat == "unknown" and follows in {"actor", "place", "unknown"}
+
+    def _listed(self, term: Term, m: int, mods: list[Term]) -> bool:
+        """A comma between two adjectives ("a slow, old car")."""
+        if term.cat != "punct" or term.value != "," or not mods:
+            return False
+        follows = self._terms[m + 1].cat if m + 1 < len(self._terms) else ""
+        return mods[-1].cat in {"manner", "label", "state"} and follows in {"manner", "label"}
+
+    def _noun_phrase(self, k: int) -> int | None:
+        mods, m = self._scan(k)
+        head = self._terms[m] if m < len(self._terms) else None
+        owner = self._owner(mods)
+        if head is not None and head.cat == "actor":
+            return self._mention(mods, m, owner)
+        if head is not None and head.cat in {"place", "view", "thing", "inert", "leg"}:
+            return self._thing(mods, head, m, owner)
+        if head is not None and self._nominal(mods, head):
+            if any(mod.cat == "num" for mod in mods) and not _has_dir(mods):
+                return self._bare(mods, k)
+            self._chunks.append(_event(head, mods, nominal=True))
+            return m + 1
+        return self._bare(mods, k)
+
+    def _owner(self, mods: list[Term]) -> Mention | None:
+        previous = self._chunks[-1] if self._chunks else None
+        genitive = bool(mods) and mods[0].cat == "possessive" and mods[0].value == "genitive"
+        return previous if genitive and isinstance(previous, Mention) else None
+
+    def _nominal(self, mods: list[Term], head: Term) -> bool:
+        """Whether a verb form after these words is a noun ("a sudden stop")."""
+        if head.cat != "verb" or head.form == "ed":
+            return False
+        if not any(m.cat in {*_OPENERS, "dir", "manner"} for m in mods):
+            return False
+        previous = self._chunks[-1] if self._chunks else None
+        if mods[0].cat == "dir" and isinstance(previous, Event) and previous.control is None:
+            return False
+        after_prep = isinstance(previous, Word) and previous.cat in _VERBAL_LINKS
+        if after_prep and _has_dir(mods) and head.form == "s":
+            return False
+        pronominal = mods[-1].cat == "num" or mods[-1].value in {"another", "other"}
+        if pronominal and head.form != "base":
+            return False
+        return not (mods[0].cat == "manner" and head.form == "s")
+
+    def _bare(self, mods: list[Term], k: int) -> int | None:
+        """Modifiers without a head: "one", "another", "both", "from the right"."""
+        if not mods:
+            return None
+        first = mods[0]
+        if first.cat == "num" and first.data["number"] < 10:
+            return self._stand_alone(first, "one" if first.data["number"] == 1 else "count", k)
+        if first.cat == "det" and first.value in {"another", "other"}:
+            return self._stand_alone(first, first.value, k)
+        second = mods[1] if len(mods) > 1 else None
+        if first.cat == "det" and second is not None and second.cat == "label":
+            ordinal = second.value in {"first", "second", "third"}
+            last_in_run = len(mods) == 2
+            if ordinal and last_in_run:
+                mention = Mention(first.i, second.j, mods, None, pronoun="ordinal")
+                mention.label = second.value
+                self._chunks.append(mention)
+                return k + 2
+        if first.cat == "quant" and first.value in {"both", "all"} and len(mods) == 1:
+            return self._stand_alone(first, first.value, k)
+        return self._side(mods, k)
+
+    def _stand_alone(self, term: Term, pronoun: str, k: int) -> int:
+        self._chunks.append(Mention(term.i, term.j, [term], None, pronoun=pronoun))
+        return k + 1
+
+    def _side(self, mods: list[Term], k: int) -> int | None:
+        """``the right``, ``right front``, ``the north``: a side named without a noun."""
+        length = 0
+        seen = False
+        for mod in mods:
+            side = (mod.cat == "dir" and mod.value in _SIDE_DIRS) or mod.cat == "compass"
+            if not side and (seen or mod.cat not in {"det", "possessive"}):
+                break
+            seen = seen or side
+            length += 1
+        previous = self._chunks[-1] if self._chunks else None
+        preposed = isinstance(previous, Word) and previous.cat in _VERBAL_LINKS
+        determined = mods[0].cat in {"det", "possessive"}
+        if not seen or not (preposed or determined):
+            return None
+        used = mods[:length]
+        owner = self._owner(used)
+        self._chunks.append(Place(used[0].i, used[-1].j, used, None, owner, kind="side"))
+        return k + length
+
+    def _mention(self, mods: list[Term], m: int, owner: Mention | None) -> int:
+        heads = [self._terms[m]]
+        m += 1
+        while m < len(self._terms) and self._terms[m].cat == "actor":
+            heads.append(self._terms[m])
+            m += 1
+        start = mods[0].i if mods else heads[0].i
+        mention = Mention(start, heads[-1].j, mods, heads[-1], owner, heads=heads)
+        mention.label = heads[-1].data.get("label") if len(heads) == 1 else None
+        mention.negated = any(mod.cat == "det" and mod.value == "negative" for mod in mods)
+        m = self._number_label(mention, m)
+        self._chunks.append(mention)
+        return m
+
+    def _number_label(self, mention: Mention, m: int) -> int:
+        """``vehicle 1``, ``car A``: a number or capital letter names the participant."""
+        if m >= len(self._terms) or self._tokens[mention.j - 1].text.endswith("s"):
+            return m
+        term = self._terms[m]
+        token = self._tokens[term.i]
+        follows = self._terms[m + 1].cat if m + 1 < len(self._terms) else ""
+        spoken = token.kind == "number" or follows not in {"actor", "place", "verb", "manner"}
+        hash_mark = term.cat == "num" and spoken and term.j - term.i == 1
+        letter = len(token.text) == 1 and token.text.isupper() and token.text != "I"
+        letter = letter and follows not in {"actor", "place", "dir", "shape", "manner", "state"}
+        if not (hash_mark or letter):
+            return m
+        mention.label = f"#{term.data['number']:g}" if hash_mark else f"#{token.low}"
+        mention.label_at = term.i
+        mention.j = term.j
+        return m + 1
+
+    def _thing(self, mods: list[Term], head: Term, m: int, owner: Mention | None) -> int:
+        start = mods[0].i if mods else head.i
+        if head.cat == "place":
+            place = Place(start, head.j, mods, head, owner, kind=head.value)
+            self._chunks.append(place)
+        else:
+            kind = head.cat if head.cat in {"view", "leg"} else head.value
+            self._chunks.append(Thing(start, head.j, mods, head, owner, kind=kind))
+        return m + 1
+
+
+def _has_dir(mods: list[Term]) -> bool:
+    return any(m.cat == "dir" for m in mods)
+
+
+def _event(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:
+    start = mods[0].i if mods else term.i
+    control = term.data.get("control")
+    return Event(
+        term.value, start, term.j, term.form, control=control, nominal=nominal, mods=list(mods)
+    )
+
+
+def _pronoun(term: Term) -> Mention:
+    return Mention(term.i, term.j, [], term, pronoun=term.value)

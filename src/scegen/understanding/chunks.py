@@ -1,0 +1,189 @@
+"""The pieces that clauses are made of: mentions, places, things, events, and single words."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, TypeAlias
+
+from scegen.understanding.tagging import Term
+
+
+@dataclass(slots=True, eq=False)
+class Word:
+    """A term that is no phrase of its own: preposition, conjunction, adverb, mark."""
+
+    term: Term
+
+    @property
+    def cat(self) -> str:
+        """Word class of the term."""
+        return self.term.cat
+
+    @property
+    def value(self) -> str:
+        """Meaning of the term within its class."""
+        return self.term.value
+
+    @property
+    def i(self) -> int:
+        """Index of the first token."""
+        return self.term.i
+
+    @property
+    def j(self) -> int:
+        """Index after the last token."""
+        return self.term.j
+
+
+@dataclass(slots=True, eq=False)
+class NounPhrase:
+    """What all noun phrases share: a span, the words before the head, and who owns it."""
+
+    i: int
+    j: int
+    mods: list[Term]
+    head: Term | None
+    owner: Mention | None = None
+    pps: list[Prep] = field(default_factory=list)
+    prep: Word | None = None
+
+    def mod(self, *cats: str) -> Term | None:
+        """The first word before the head of one of these classes."""
+        return next((m for m in self.mods if m.cat in cats), None)
+
+    @property
+    def dirs(self) -> list[str]:
+        """Directions named before the head."""
+        return [m.value for m in self.mods if m.cat == "dir"]
+
+
+@dataclass(slots=True, eq=False)
+class Mention(NounPhrase):
+    """Words that refer to participants.
+
+    Attributes:
+        heads: all nouns of a compound ("ego vehicle"), the last is ``head``.
+        pronoun: which pronoun it is, if it is one.
+        label: a name such as ``#1`` for "vehicle 1".
+        drives: it does what only vehicles do ("the guy overtakes").
+        label_at: index of the token that holds the label.
+        possessor: it only says whose something is.
+        joined: the mention that it is joined to by "and".
+        same_as: the mention that it describes further ("vehicle 1, a sedan, …").
+        partitive: one of a set named after it ("one of the cars").
+        distributed: a plural noun that stands for one ("ego and adversary vehicles").
+        events: what it does, filled in by the clause reader.
+        entities: whom it refers to, filled in by the discourse.
+    """
+
+    heads: list[Term] = field(default_factory=list)
+    pronoun: str | None = None
+    label: str | None = None
+    drives: bool = False
+    label_at: int | None = None
+    possessor: bool = False
+    joined: Mention | None = None
+    same_as: Mention | None = None
+    partitive: bool = False
+    distributed: bool = False
+    negated: bool = False
+    member_hint: bool = False
+    entities: list[Any] = field(default_factory=list)
+
+
+@dataclass(slots=True, eq=False)
+class Place(NounPhrase):
+    """A place: a lane, a side, a junction, a sign."""
+
+    kind: str = "side"
+
+
+@dataclass(slots=True, eq=False)
+class Thing(NounPhrase):
+    """Anything else that a noun phrase names."""
+
+    kind: str = "noun"
+
+
+@dataclass(slots=True, eq=False)
+class Event:
+    """A verb, or a noun that names an action, with who does it to whom.
+
+    Attributes:
+        name: the event, a ``value`` of the lexicon's verbs.
+        form: inflection: ``base``, ``s``, ``ed``, ``ing``.
+        nominal: it stands as a noun ("a left turn").
+        finite: it makes a clause of its own.
+        mods: words before a nominal event; adverbs around a verb are added to them.
+        control: ``object`` or ``subject`` for verbs that take another verb.
+        subject: who does it.
+        object: what it is done to.
+        pps: prepositional phrases that belong to it.
+        parent: the verb on which it depends ("tries" in "tries to merge").
+        link: how it hangs on its parent: ``inf``, ``ing`` or ``noun``.
+        modal: obliged, forced or reacting ("must stop", "causing it to stop").
+    """
+
+    name: str
+    i: int
+    j: int
+    form: str
+    control: str | None = None
+    nominal: bool = False
+    finite: bool = False
+    passive: bool = False
+    negated: bool = False
+    modal: bool = False
+    purpose: bool = False
+    mods: list[Term] = field(default_factory=list)
+    subject: list[Mention] = field(default_factory=list)
+    object: NounPhrase | None = None
+    pps: list[Prep] = field(default_factory=list)
+    parent: Event | None = None
+    link: str | None = None
+    children: list[Event] = field(default_factory=list)
+    alternative: int | None = None
+    sentence: int = 0
+    premod_of: Mention | None = None
+
+    @property
+    def dirs(self) -> list[Term]:
+        """Direction words that belong to the event."""
+        return [m for m in self.mods if m.cat == "dir"]
+
+    def how(self, *values: str) -> Term | None:
+        """The first word of manner with one of these values, here or on the verbs above."""
+        node: Event | None = self
+        depth = 0
+        while node is not None and depth < 4:
+            found = next((m for m in node.mods if m.cat == "manner" and m.value in values), None)
+            if found:
+                return found
+            node = node.parent if node.parent and node.parent.control == "subject" else None
+            depth += 1
+        return None
+
+
+@dataclass(slots=True, eq=False)
+class Prep:
+    """A prepositional phrase: the preposition (or "behind", "ahead of") and what follows it.
+
+    Attributes:
+        word: the preposition.
+        target: what it governs; None for "the car ahead".
+        outer: a preposition before it ("from behind").
+        on_mention: the mention right before it, if one stands there.
+    """
+
+    word: Word
+    target: NounPhrase | Event | None = None
+    outer: str | None = None
+    on_mention: Mention | None = None
+
+    @property
+    def value(self) -> str:
+        """Which preposition."""
+        return self.word.value
+
+
+Chunk: TypeAlias = Word | Mention | Place | Thing | Event

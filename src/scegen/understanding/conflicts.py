@@ -1,0 +1,125 @@
+"""Dangers between vehicles: right of way, lanes, turns."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import HazardKind, Maneuver
+from scegen.understanding.chunks import Event, Mention, Place
+from scegen.understanding.context import Context, Scene
+from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.movements import into_lane
+
+
+def turn(scene: Scene, context: Context) -> None:
+    """Unprotected and sudden turns, and turning into somebody's way."""
+    event = scene.event
+    left = any(t.value == "left" for t in event.dirs)
+    unprotected = scene.how("unprotected")
+    if unprotected is not None and left:
+        context.draft.hazard(HazardKind.UNPROTECTED_LEFT_TURN, scene.words, scene.drivers)
+        return
+    if left and scene.drivers and any(p.kind == "path" for p in scene.places()):
+        context.draft.hazard(HazardKind.UNPROTECTED_LEFT_TURN, scene.words, scene.drivers)
+        return
+    in_front = next((p for p in event.pps if p.word.cat == "locus" and p.value == "ahead"), None)
+    if left and in_front is not None and in_front.target is not None and scene.drivers:
+        basis = Basis(event.i, in_front.target.j)
+        to = in_front.target.entities if isinstance(in_front.target, Mention) else []
+        context.draft.hazard(HazardKind.UNPROTECTED_LEFT_TURN, basis, scene.drivers, to)
+        return
+    sudden = scene.sudden
+    encroaches = into_lane(event) is not None and not event.dirs
+    if scene.drivers and not scene.reaction and (sudden is not None or encroaches):
+        context.draft.hazard(HazardKind.SUDDEN_TURN, sudden or scene.words, scene.drivers)
+
+
+def lane_change(scene: Scene, context: Context) -> None:
+    """A lane change is a cut-in when abrupt or unsafe, or when it ends in another's lane."""
+    if not scene.drivers:
+        return
+    sudden = scene.how("sudden", "emergency", "aggressive")
+    lane = into_lane(scene.event)
+    owned = lane is not None and lane.owner is not None and lane.owner.entities
+    in_front = [p for p in scene.event.pps if p.word.cat == "locus" and p.value == "ahead"]
+    own_will = not scene.reaction and not all(e.ego for e in scene.drivers)
+    if sudden is not None and not scene.reaction:
+        context.draft.hazard(HazardKind.CUT_IN, sudden, scene.drivers, _owners(lane))
+    elif own_will and (owned or in_front):
+        context.draft.hazard(HazardKind.CUT_IN, scene.words, scene.drivers, _owners(lane))
+
+
+def _owners(lane: Place | None) -> list[Entity]:
+    return list(lane.owner.entities) if lane is not None and lane.owner is not None else []
+
+
+def cut_in(scene: Scene, context: Context) -> None:
+    """``cuts in`` from the next lane; across a junction the same words mean not giving way."""
+    if not scene.drivers:
+        return
+    to = scene.targets or _mentioned(scene.event)
+    if any(context.comes_across(e) for e in scene.drivers):
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, to)
+        return
+    basis = scene.words
+    context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, to)
+    context.lanes_implied(basis, "cutting in needs a second lane")
+    for entity in scene.drivers:
+        if not entity.maneuvers:
+            context.draft.maneuver(entity, {Maneuver.LANE_CHANGE}, basis)
+
+
+def _mentioned(event: Event) -> list[Entity]:
+    found = [p.target for p in event.pps if p.word.cat == "locus"]
+    return [e for t in found if isinstance(t, Mention) for e in t.entities]
+
+
+def merge(scene: Scene, context: Context) -> None:
+    """Merging into traffic is a conflict; into the lane of another vehicle it is a cut-in."""
+    if not scene.drivers:
+        return
+    lane = into_lane(scene.event)
+    basis = scene.how("sudden", "aggressive") or scene.words
+    if lane is not None and (lane.owner is not None or lane.dirs):
+        context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, _owners(lane))
+        return
+    to = [
+        e
+        for p in scene.event.pps
+        if p.value in {"into", "with"} and isinstance(p.target, Mention)
+        for e in p.target.entities
+    ]
+    context.draft.hazard(HazardKind.MERGING_CONFLICT, basis, scene.drivers, to)
+
+
+def overtake(scene: Scene, context: Context) -> None:
+    """Overtaking another moving vehicle."""
+    if scene.event.name == "pass" and not scene.targets:
+        return
+    if scene.drivers and not any(e.parked for e in scene.targets):
+        context.draft.hazard(HazardKind.OVERTAKING, scene.words, scene.drivers, scene.targets)
+
+
+def pull_out(scene: Scene, context: Context) -> None:
+    """Leaving a side road or a parking space without giving way."""
+    if scene.drivers:
+        context.draft.hazard(
+            HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, _mentioned(scene.event)
+        )
+
+
+def fail_to_yield(scene: Scene, context: Context) -> None:
+    """Yielding that does not happen."""
+    context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, scene.targets)
+
+
+def breach(scene: Scene, context: Context) -> None:
+    """``runs the red light``, ``ignores a stop sign``, ``violates the right of way``."""
+    certain = scene.event.name in {"walk", "breach"}
+    for place in scene.places():
+        basis = Basis(scene.event.i, max(place.j, scene.event.j))
+        words = {t.low for t in context.tokens[place.i : place.j]}
+        if place.kind == "signal":
+            if "green" in words or not (certain or "red" in words):
+                continue
+            context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
+        elif certain and place.kind in {"stop_sign", "yield_sign", "right_of_way"}:
+            context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers)

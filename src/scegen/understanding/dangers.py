@@ -1,0 +1,163 @@
+"""Dangers from how one vehicle drives, and the table of all rules about dangers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
+from scegen.understanding import conflicts, encounters
+from scegen.understanding.context import Context, Scene
+from scegen.understanding.draft import Basis, Entity
+
+_REGULATED = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_stop", "parking",
+                        "shoulder", "sidewalk", "crosswalk"})  # fmt: skip
+
+
+def accelerate(scene: Scene, context: Context) -> None:
+    """Speeding up is a danger unless it is an answer to one."""
+    if not scene.reaction and scene.drivers:
+        basis = scene.sudden or scene.words
+        context.draft.hazard(HazardKind.SUDDEN_ACCELERATION, basis, scene.drivers)
+
+
+def speed(scene: Scene, context: Context) -> None:
+    """``speeds``, ``a speeding car``."""
+    if scene.drivers:
+        context.draft.hazard(HazardKind.SPEEDING, scene.words, scene.drivers)
+
+
+def brake(scene: Scene, context: Context) -> None:
+    """Braking counts when it is sudden; plain braking only where it is not an answer."""
+    parent = scene.event.parent
+    if parent is not None and parent.name == "delay":
+        return
+    late = scene.how("late")
+    if late is not None:
+        context.draft.hazard(HazardKind.DELAYED_BRAKING, late, scene.drivers)
+        return
+    sudden = scene.sudden
+    if sudden is None and scene.reaction:
+        return
+    if sudden is None and not scene.drivers:
+        return
+    context.draft.hazard(HazardKind.HARD_BRAKING, sudden or scene.words, scene.drivers)
+
+
+def hard_brake(scene: Scene, context: Context) -> None:
+    """``slams on the brakes``, ``emergency braking``."""
+    context.draft.hazard(HazardKind.HARD_BRAKING, scene.words, scene.drivers)
+
+
+def slow(scene: Scene, context: Context) -> None:
+    """Slowing down is hard braking when sudden, or when the vehicle ahead does it."""
+    if not scene.drivers:
+        return
+    sudden = scene.sudden
+    leads = any(
+        p.entity in scene.drivers and Approach.AHEAD in p.approaches
+        for p in context.draft.placements
+    )
+    if sudden is not None or (leads and not scene.reaction):
+        context.draft.hazard(HazardKind.HARD_BRAKING, sudden or scene.words, scene.drivers)
+
+
+def stop(scene: Scene, context: Context) -> None:
+    """Stopping where traffic moves; at a sign or light it is no danger."""
+    if any(p.kind in _REGULATED for p in scene.places()):
+        return
+    sudden = scene.sudden
+    motor = [e for e in scene.drivers if e.kind is not ParticipantKind.BICYCLE]
+    if sudden is not None and motor:
+        context.draft.hazard(HazardKind.HARD_BRAKING, sudden, motor)
+    if scene.reaction or not scene.actors or any(e.ego for e in scene.actors):
+        return
+    context.draft.hazard(HazardKind.STOPPING, sudden or scene.words, scene.actors)
+
+
+def swerve(scene: Scene, context: Context) -> None:
+    """Swerving, weaving, drifting."""
+    if scene.reaction or not scene.drivers:
+        return
+    context.draft.hazard(HazardKind.SWERVING, scene.words, scene.drivers, scene.targets)
+
+
+def oncoming_lane(scene: Scene, context: Context) -> None:
+    """A movement into or along the lane of oncoming traffic."""
+    for place in scene.places():
+        lane = place.kind == "lane" and "opposite" in place.dirs and place.owner is None
+        if lane or place.kind == "centerline":
+            by = [e for e in scene.drivers if not _oncoming(e, context)]
+            if by:
+                basis = Basis(place.i, place.j)
+                context.draft.hazard(HazardKind.ONCOMING_LANE, basis, by)
+
+
+def _oncoming(entity: Entity, context: Context) -> bool:
+    return any(
+        p.entity is entity and Approach.OPPOSITE in p.approaches for p in context.draft.placements
+    )
+
+
+def tailgate(scene: Scene, context: Context) -> None:
+    """Following too closely."""
+    context.draft.hazard(HazardKind.TAILGATING, scene.words, scene.drivers, scene.targets)
+
+
+def follow(scene: Scene, context: Context) -> None:
+    """Following is tailgating when close."""
+    close = scene.how("close")
+    if close is not None:
+        context.draft.hazard(HazardKind.TAILGATING, close, scene.drivers, scene.targets)
+
+
+def reverse(scene: Scene, context: Context) -> None:
+    """Driving backwards."""
+    context.draft.hazard(HazardKind.REVERSING, scene.words, scene.drivers)
+
+
+def lose_control(scene: Scene, context: Context) -> None:
+    """Skidding and the like."""
+    if scene.drivers:
+        context.draft.hazard(HazardKind.LOSS_OF_CONTROL, scene.words, scene.drivers)
+
+
+def delay(scene: Scene, context: Context) -> None:
+    """``delays braking``, ``hesitates to brake``."""
+    if any(c.name in {"brake", "slow", "stop"} for c in scene.event.children):
+        child = scene.event.children[0]
+        basis = Basis(scene.event.i, child.j)
+        context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
+
+
+DANGERS: dict[str, Callable[[Scene, Context], None]] = {
+    "accelerate": accelerate,
+    "speed": speed,
+    "brake": brake,
+    "hard_brake": hard_brake,
+    "slow": slow,
+    "stop": stop,
+    "swerve": swerve,
+    "turn": conflicts.turn,
+    "sharp_turn": conflicts.turn,
+    "lane_change": conflicts.lane_change,
+    "cut_in": conflicts.cut_in,
+    "cut_off": conflicts.cut_in,
+    "merge": conflicts.merge,
+    "overtake": conflicts.overtake,
+    "pass": conflicts.overtake,
+    "pull_out": conflicts.pull_out,
+    "tailgate": tailgate,
+    "follow": follow,
+    "cross": encounters.cross,
+    "walk": encounters.walk,
+    "enter": encounters.walk,
+    "appear": encounters.appear,
+    "block": encounters.block,
+    "hide": encounters.occlude,
+    "cause": encounters.cause,
+    "door": encounters.door,
+    "reverse": reverse,
+    "lose_control": lose_control,
+    "delay": delay,
+}
+"""Event -> what it means for danger."""

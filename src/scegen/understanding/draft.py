@@ -1,0 +1,200 @@
+"""The scenario in the making: participants with what is known of them, and why."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from scegen.errors import InfeasibleError
+from scegen.scenario.model import Interval
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
+
+MAX_PARTICIPANTS = 60
+_TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
+_OVERRIDABLE = frozenset({Maneuver.STRAIGHT})
+
+
+@dataclass(frozen=True, slots=True)
+class Basis:
+    """What a fact rests on: tokens of the text, a reason, or both."""
+
+    i: int | None = None
+    j: int | None = None
+    reason: str | None = None
+
+
+@dataclass(slots=True, eq=False)
+class Entity:
+    """A participant in the making; each value has its basis beside it."""
+
+    index: int
+    kind: ParticipantKind
+    basis: Basis
+    ego: bool = False
+    parked: bool = False
+    parked_basis: Basis | None = None
+    labels: set[str] = field(default_factory=set)
+    dirs: set[str] = field(default_factory=set)
+    named_by: set[str] = field(default_factory=set)
+    approaches: set[Approach] = field(default_factory=set)
+    approach_basis: Basis | None = None
+    maneuvers: set[Maneuver] = field(default_factory=set)
+    maneuver_basis: Basis | None = None
+    turn_alternative: int | None = None
+    entries: set[int] = field(default_factory=set)
+    entry_basis: Basis | None = None
+    speed: Interval | None = None
+    speed_basis: Basis | None = None
+    heading: str | None = None
+    heading_basis: Basis | None = None
+    counted: Basis | None = None
+    moves: Basis | None = None
+    claimed: bool = False
+    opposed: set[int] = field(default_factory=set)
+    name: str = ""
+
+    @property
+    def is_vehicle(self) -> bool:
+        """Whether it drives on the road, parked or not."""
+        return self.kind is not ParticipantKind.PEDESTRIAN
+
+    @property
+    def moving_vehicle(self) -> bool:
+        """Whether it may be the ego."""
+        return self.is_vehicle and not self.parked
+
+
+@dataclass(slots=True)
+class Danger:
+    """A hazard in the making."""
+
+    kind: HazardKind
+    basis: Basis
+    by: list[Entity]
+    to: list[Entity]
+
+
+@dataclass(slots=True)
+class Placement:
+    """Where ``entity`` is or comes from, seen from ``reference``; None stands for the ego."""
+
+    entity: Entity
+    reference: Entity | None
+    approaches: set[Approach]
+    basis: Basis
+
+
+@dataclass(slots=True)
+class Note:
+    """Words that matter but that no field holds."""
+
+    i: int
+    j: int
+    instead: str
+
+
+@dataclass(slots=True)
+class Draft:
+    """Everything that has been understood so far."""
+
+    text: str = ""
+    entities: list[Entity] = field(default_factory=list)
+    dangers: list[Danger] = field(default_factory=list)
+    placements: list[Placement] = field(default_factory=list)
+    notes: list[Note] = field(default_factory=list)
+    crossing_implied: Basis | None = None
+    lanes_implied: Basis | None = None
+    access: Basis | None = None
+    occluders: list[Entity] = field(default_factory=list)
+
+    def add(self, kind: ParticipantKind, basis: Basis) -> Entity:
+        """A new participant.
+
+        Raises:
+            InfeasibleError: if there are too many.
+        """
+        if len(self.entities) >= MAX_PARTICIPANTS:
+            msg = f"more than {MAX_PARTICIPANTS} participants"
+            raise InfeasibleError(
+                msg,
+                where="participants",
+                hint=f"Describe a situation with at most {MAX_PARTICIPANTS} participants.",
+            )
+        entity = Entity(len(self.entities), kind, basis)
+        self.entities.append(entity)
+        return entity
+
+    def note(self, i: int, j: int, instead: str) -> None:
+        """Reports words that no field holds."""
+        self.notes.append(Note(i, j, instead))
+
+    def hazard(
+        self, kind: HazardKind, basis: Basis, by: list[Entity], to: list[Entity] | None = None
+    ) -> None:
+        """Adds a hazard; the same hazard from another participant joins it."""
+        to = to or []
+        for danger in self.dangers:
+            like = any(e.ego for e in danger.by) == any(e.ego for e in by)
+            same = not danger.to or not to or set_of(danger.to) == set_of(to)
+            if danger.kind is kind and like and same:
+                danger.by += [e for e in by if e not in danger.by]
+                danger.to += [e for e in to if e not in danger.to]
+                return
+        self.dangers.append(Danger(kind, basis, list(by), list(to)))
+
+    def place(
+        self, entity: Entity, reference: Entity | None, approaches: set[Approach], basis: Basis
+    ) -> None:
+        """Says where a participant comes from, seen from another (None: the ego)."""
+        if entity is not reference and approaches:
+            self.placements.append(Placement(entity, reference, approaches, basis))
+
+    def maneuver(
+        self, entity: Entity, values: set[Maneuver], basis: Basis, alternative: int | None = None
+    ) -> None:
+        """Says what a participant does.
+
+        Driving straight before a turn is no contradiction, turning both ways is one, unless
+        the text offers them as alternatives.
+
+        Raises:
+            InfeasibleError: if the text lets one vehicle turn both left and right.
+        """
+        known = entity.maneuvers
+        both_ways = known & _TURNS and values & _TURNS and not values & known
+        either = alternative is not None and alternative == entity.turn_alternative
+        if both_ways and not either:
+            self._contradiction(entity, values)
+        if alternative is None and values & _TURNS:
+            known = known - _OVERRIDABLE if entity.turn_alternative is None else known
+        if alternative is None and values == _OVERRIDABLE and known & _TURNS:
+            return
+        if Maneuver.CROSS in values:
+            known = known - {Maneuver.STAY}
+        entity.maneuvers = set(known | values)
+        entity.maneuver_basis = _joined(entity.maneuver_basis, basis, bool(known))
+        entity.turn_alternative = alternative or entity.turn_alternative
+
+    def _contradiction(self, entity: Entity, values: set[Maneuver]) -> None:
+        first = min(entity.maneuvers & _TURNS)
+        second = min(values & _TURNS)
+        who = entity.name or ("the ego" if entity.ego else f"one {entity.kind}")
+        msg = f"contradictory maneuvers: {who} is said to turn {first} and to turn {second}"
+        raise InfeasibleError(
+            msg,
+            where="description",
+            hint="At one junction a vehicle turns once; say 'left or right' to allow both.",
+        )
+
+
+def set_of(entities: list[Entity]) -> set[int]:
+    """The indices of some participants."""
+    return {e.index for e in entities}
+
+
+def _joined(old: Basis | None, new: Basis, keep: bool) -> Basis:
+    """Words that together carry a set of alternatives, as one stretch of text."""
+    if old is None or not keep or old.i is None or new.i is None:
+        return new
+    if old.j is None or new.j is None:
+        return new
+    return Basis(min(old.i, new.i), max(old.j, new.j), new.reason)

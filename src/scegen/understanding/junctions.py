@@ -1,0 +1,199 @@
+"""Reads the shape, the arms and the control of the junction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from scegen.errors import InfeasibleError
+from scegen.scenario.functional import ARM_COUNTS, MAX_ARMS
+from scegen.scenario.vocabulary import Control, JunctionKind
+from scegen.understanding.draft import Basis
+from scegen.understanding.tagging import Term
+from scegen.understanding.tokens import Token
+
+_ARM_NOUNS = frozenset({"exit", "road", "leg"})
+_ASSUMED_EXITS = 4
+_WINDOW = 6
+
+
+@dataclass(slots=True)
+class JunctionReading:
+    """What the text says about the junction; None where it says nothing.
+
+    Attributes:
+        kind: its shape.
+        kind_basis: the words for it.
+        arms: number of arms.
+        arms_basis: the words for them, or the reason.
+        control: who regulates priority.
+        control_basis: the words for it.
+        named: some word for a junction occurs, even if not its shape.
+        straight: the words for a straight road.
+        road: the first word for a road.
+    """
+
+    kind: JunctionKind | None = None
+    kind_basis: Basis | None = None
+    arms: int | None = None
+    arms_basis: Basis | None = None
+    control: Control | None = None
+    control_basis: Basis | None = None
+    named: Basis | None = None
+    road: Basis | None = None
+    straight: Basis | None = None
+
+    @property
+    def crossing(self) -> bool:
+        """Whether roads meet as far as the words say."""
+        return self.kind not in {None, JunctionKind.STRAIGHT} or self.named is not None
+
+
+def read_junction(terms: list[Term], tokens: list[Token]) -> JunctionReading:
+    """What the text says about its junction.
+
+    Args:
+        terms: the terms of the text.
+        tokens: its tokens, for messages.
+
+    Raises:
+        InfeasibleError: if the words contradict geometry ("a T-intersection with five arms").
+    """
+    reading = JunctionReading()
+    for k, term in enumerate(terms):
+        if term.cat == "place":
+            _place(reading, terms, k)
+        elif term.cat == "shape":
+            _shape(reading, terms, k)
+        elif term.cat == "cue":
+            _set_kind(reading, JunctionKind.SKEWED, Basis(term.i, term.j), override=True)
+        elif term.cat == "control" and not _negated(terms, k):
+            _set_control(reading, Control(term.value), Basis(term.i, term.j))
+        elif term.cat in {"num", "quant"}:
+            _counted_arms(reading, terms, k)
+    _reconcile(reading, tokens)
+    return reading
+
+
+def _negated(terms: list[Term], k: int) -> bool:
+    """``no traffic lights``, ``without a stop sign``."""
+    before = terms[max(0, k - 3) : k]
+    return any(
+        (t.cat == "det" and t.value == "negative") or (t.cat == "prep" and t.value == "without")
+        for t in before
+    )
+
+
+def _place(reading: JunctionReading, terms: list[Term], k: int) -> None:
+    term = terms[k]
+    basis = Basis(term.i, term.j)
+    if term.value == "junction":
+        reading.named = reading.named or basis
+        if "kind" in term.data:
+            _set_kind(reading, JunctionKind(term.data["kind"]), basis)
+    elif term.value in {"road", "highway", "lane"}:
+        reading.road = reading.road or basis
+        before = terms[k - 1] if k else None
+        if before is not None and before.value == "straight":
+            reading.straight = Basis(before.i, term.j)
+    control = term.data.get("control")
+    if control and _negated(terms, k):
+        _set_control(reading, Control.UNCONTROLLED, Basis(terms[k - 1].i, term.j))
+    elif control:
+        _set_control(reading, Control(control), basis)
+
+
+def _shape(reading: JunctionReading, terms: list[Term], k: int) -> None:
+    """A shape counts where a junction is named after it or said to be so."""
+    term = terms[k]
+    following = next(
+        (t for t in terms[k + 1 : k + 4] if t.cat == "place" and t.value == "junction"), None
+    )
+    letter = term.j - term.i == 1 and term.value in {"t", "y"}
+    if following is None and (letter or term.value == "four_way"):
+        return
+    end = following.j if following is not None else term.j
+    kind = JunctionKind(term.value)
+    if kind is JunctionKind.SKEWED and following is None and reading.named is None:
+        return
+    _set_kind(reading, kind, Basis(term.i, end), override=True)
+
+
+def _set_kind(
+    reading: JunctionReading, kind: JunctionKind, basis: Basis, *, override: bool = False
+) -> None:
+    if reading.kind is None or (override and reading.kind is JunctionKind.FOUR_WAY):
+        reading.kind, reading.kind_basis = kind, basis
+    reading.named = reading.named or basis
+
+
+_STRENGTH = {
+    Control.ALL_WAY_STOP: 3,
+    Control.SIGNALS: 2,
+    Control.STOP: 1,
+    Control.YIELD: 1,
+    Control.PRIORITY_TO_RIGHT: 1,
+    Control.UNCONTROLLED: 0,
+}
+
+
+def _set_control(reading: JunctionReading, control: Control, basis: Basis) -> None:
+    if reading.control is None or _STRENGTH[control] > _STRENGTH[reading.control]:
+        reading.control, reading.control_basis = control, basis
+
+
+def _counted_arms(reading: JunctionReading, terms: list[Term], k: int) -> None:
+    """``five-way intersection``, ``with 5 exits``, ``where six roads meet``."""
+    number = terms[k]
+    noun = terms[k + 1] if k + 1 < len(terms) else None
+    if noun is None or noun.value not in _ARM_NOUNS or noun.cat not in {"leg", "place"}:
+        return
+    meets = any(t.value == "approach" for t in terms[k + 2 : k + 4])
+    joined = any(t.value == "junction" for t in terms[max(0, k - _WINDOW) : k + 4])
+    if noun.value == "road" and not meets:
+        return
+    if not joined and not meets:
+        return
+    basis = Basis(number.i, noun.j)
+    if number.cat == "num":
+        reading.arms, reading.arms_basis = int(min(number.data["number"], 999)), basis
+    elif number.value == "vague":
+        reason = f"several exits without a number are read as {_ASSUMED_EXITS}"
+        reading.arms, reading.arms_basis = _ASSUMED_EXITS, Basis(basis.i, basis.j, reason)
+    reading.named = reading.named or basis
+
+
+def _reconcile(reading: JunctionReading, tokens: list[Token]) -> None:
+    arms = reading.arms
+    if arms is None:
+        return
+    kind = reading.kind
+    if kind is None:
+        kind = {3: JunctionKind.T, 4: JunctionKind.FOUR_WAY}.get(arms, JunctionKind.MULTI_WAY)
+        reading.kind, reading.kind_basis = kind, reading.arms_basis
+    elif kind is JunctionKind.FOUR_WAY and arms != ARM_COUNTS[kind][0]:
+        kind = JunctionKind.MULTI_WAY if _bare_crossing(reading, tokens) else kind
+        reading.kind = kind
+    fewest, most = ARM_COUNTS[kind]
+    if fewest <= arms <= most:
+        return
+    words = _written(reading, tokens)
+    what = "exits" if kind is JunctionKind.ROUNDABOUT else "arms"
+    wanted = f"exactly {fewest}" if fewest == most else f"{fewest} to {min(most, MAX_ARMS)}"
+    msg = f"a {kind.replace('_', '-')} junction cannot have {arms} {what} ({words})"
+    raise InfeasibleError(msg, where="junction", hint=f"It needs {wanted} {what}.")
+
+
+def _bare_crossing(reading: JunctionReading, tokens: list[Token]) -> bool:
+    """Whether it is called "crossroads", which may have any number of roads."""
+    basis = reading.kind_basis
+    return basis is not None and basis.i is not None and tokens[basis.i].low.startswith("cross")
+
+
+def _written(reading: JunctionReading, tokens: list[Token]) -> str:
+    spans = [reading.kind_basis, reading.arms_basis]
+    parts = [
+        " ".join(t.text for t in tokens[b.i : b.j])
+        for b in dict.fromkeys(s for s in spans if s)
+        if b.i is not None
+    ]
+    return " … ".join(f"'{p}'" for p in dict.fromkeys(parts))

@@ -1,0 +1,96 @@
+"""Loads the lexicon files into one trie of phrases.
+
+Each entry of a file has ``cat`` (word class), ``value`` (meaning within the class), ``words``
+(phrases in base form) and further keys that stay available as ``data``.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import lru_cache
+from importlib.resources import files
+from typing import Any
+
+import yaml
+
+_ENTRY_FILES = (
+    "participants",
+    "roads",
+    "events",
+    "manner",
+    "directions",
+    "grammar",
+    "environment",
+    "things",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One meaning of a phrase."""
+
+    cat: str
+    value: str
+    data: dict[str, Any] = field(hash=False)
+
+
+@dataclass(slots=True)
+class Node:
+    """A trie node: the words that may follow, and the meanings that end here."""
+
+    following: dict[str, Node] = field(default_factory=dict)
+    entries: tuple[Entry, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Lexicon:
+    """All phrases, the irregular word forms and the names of units.
+
+    Attributes:
+        root: the trie of phrases.
+        words: every single word that occurs in a phrase.
+        irregular: word -> (base form, form).
+        units: spelled unit, as a tuple of words -> pint's name.
+    """
+
+    root: Node
+    words: frozenset[str]
+    irregular: dict[str, tuple[str, str]]
+    units: dict[tuple[str, ...], str]
+
+
+def _read(name: str) -> Any:  # noqa: ANN401 - the shape differs from file to file
+    text = files(__package__).joinpath(f"{name}.yaml").read_text(encoding="utf-8")
+    return yaml.safe_load(text)
+
+
+def _insert(root: Node, phrase: str, entry: Entry) -> None:
+    node = root
+    for word in phrase.split():
+        node = node.following.setdefault(word, Node())
+    node.entries = (*node.entries, entry)
+
+
+@lru_cache(maxsize=1)
+def load() -> Lexicon:
+    """The lexicon of the package, read once."""
+    root = Node()
+    words: set[str] = set()
+    for name in _ENTRY_FILES:
+        for record in _read(name):
+            extra = {k: v for k, v in record.items() if k not in {"cat", "value", "words"}}
+            entry = Entry(record["cat"], record["value"], extra)
+            for phrase in record["words"]:
+                if not isinstance(phrase, str):
+                    msg = f"{name}.yaml: {phrase!r} must be quoted"
+                    raise TypeError(msg)
+                _insert(root, phrase, entry)
+                words.update(phrase.split())
+    units = {
+        tuple(spelling.split()): unit
+        for unit, spellings in _read("units").items()
+        for spelling in spellings
+    }
+    words.update(word for spelling in units for word in spelling)
+    irregular = {word: (base, form) for word, (base, form) in _read("irregular").items()}
+    return Lexicon(root, frozenset(words), irregular, units)

@@ -1,0 +1,52 @@
+"""Looks ahead in the chunks: does a verb follow, and does it make a clause of its own?"""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Word
+
+BOUNDARIES = frozenset({".", ";", "!", "?", ":"})
+ADVERBS = frozenset(
+    {"manner", "dir", "compass", "noted", "quantity", "locus", "neg", "aux", "control", "cue"}
+)
+GOVERNING = frozenset({"prep", "locus"})
+
+
+def event_follows(chunks: list[Chunk], k: int) -> bool:
+    """Whether a verb comes after chunk ``k``, with at most adverbs in between.
+
+    Args:
+        chunks: the chunks of the text.
+        k: index of a chunk.
+    """
+    for chunk in chunks[k + 1 : k + 6]:
+        if isinstance(chunk, Event):
+            return not chunk.nominal
+        if not isinstance(chunk, Word) or chunk.cat not in ADVERBS:
+            return False
+    return False
+
+
+def finite_follows(chunks: list[Chunk], k: int) -> bool:
+    """Whether a verb of its own comes after chunk ``k``, adverbs and phrases skipped.
+
+    Args:
+        chunks: the chunks of the text.
+        k: index of a chunk.
+    """
+    auxiliary = False
+    preposed = False
+    for chunk in chunks[k + 1 : k + 9]:
+        if isinstance(chunk, Event):
+            return auxiliary or chunk.form != "ing"
+        if isinstance(chunk, Word):
+            if chunk.cat in {"sub", "conj", "rel", "copy"} or chunk.value == ",":
+                return False
+            if chunk.cat == "punct" and chunk.value in BOUNDARIES:
+                return False
+            if chunk.value == "to" and chunk.cat == "prep":
+                return False
+            auxiliary = auxiliary or chunk.cat == "aux"
+            preposed = chunk.cat in GOVERNING
+        elif isinstance(chunk, Mention) and not chunk.possessor and not preposed:
+            return False
+    return False

@@ -1,0 +1,247 @@
+"""Applies the rules of meaning to the events of a text, in their order."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Control, HazardKind
+from scegen.understanding import conflicts, dangers, encounters
+from scegen.understanding.chunks import Chunk, Event, Mention, Prep, Thing
+from scegen.understanding.context import Context, Scene
+from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.movements import MOVEMENTS
+from scegen.understanding.placing import Placer, thing_sides
+from scegen.understanding.resolving import from_everywhere
+from scegen.understanding.tagging import Term
+
+_BREACHING = frozenset({"walk", "breach", "move", "enter", "cross", "speed", "accelerate"})
+_ON_THE_MOVE = frozenset({"swerve", "use", "enter", "move", "cross", "lose_control", "lane_change",
+                          "merge", "overtake", "bypass", "turn"})  # fmt: skip
+_SIGNED = frozenset({Control.STOP, Control.ALL_WAY_STOP})
+_STOPPING = frozenset({"stop", "brake", "wait"})
+_TRAVEL = frozenset({"move", "approach", "enter", "merge", "turn", "cross", "follow", "overtake",
+                     "bypass", "leave", "lane_change", "accelerate", "speed", "try"})  # fmt: skip
+
+
+class Interpreter:
+    """Turns events and mentions into statements about the scenario.
+
+    Args:
+        context: the scenario in the making.
+        limit: the quantity that is a speed limit and nobody's speed.
+    """
+
+    def __init__(self, context: Context, limit: Term | None) -> None:
+        self._context = context
+        self._draft = context.draft
+        self._placer = Placer(context.draft)
+        self._limit = limit
+
+    def run(self, chunks: list[Chunk], events: list[Event]) -> None:
+        """All statements of a text.
+
+        Args:
+            chunks: its chunks, mentions resolved.
+            events: its events.
+        """
+        for chunk in chunks:
+            if isinstance(chunk, Mention) and chunk.entities:
+                self._mention(chunk)
+            elif isinstance(chunk, Thing):
+                self._thing(chunk, chunks)
+        for event in events:
+            self._event(event)
+
+    def _mention(self, mention: Mention) -> None:
+        self._placer.adjectives(mention)
+        for prep in mention.pps:
+            self._placer.phrase(prep, mention.entities, None)
+        for term in mention.mods:
+            self._quality(term, mention.entities)
+
+    def _quality(self, term: Term, entities: list[Entity]) -> None:
+        basis = Basis(term.i, term.j)
+        drivers = [e for e in entities if e.moving_vehicle]
+        if term.cat == "manner" and term.value == "fast" and drivers:
+            self._draft.hazard(HazardKind.SPEEDING, basis, drivers)
+        elif term.cat == "manner" and term.value == "slow" and drivers:
+            self._draft.hazard(HazardKind.SLOW_DRIVING, basis, drivers)
+        elif term.cat == "quantity":
+            self._quantity(term, entities)
+        elif term.cat == "state" and term.value == "stationary":
+            self._draft.hazard(HazardKind.STOPPING, basis, drivers)
+        elif term.cat == "state" and term.value == "parked":
+            for entity in entities:
+                if not entity.ego and entity.is_vehicle:
+                    entity.parked, entity.parked_basis = True, basis
+
+    def _quantity(self, term: Term, entities: list[Entity]) -> None:
+        if term is self._limit:
+            return
+        quantity = term.data["quantity"]
+        if term.value != "speed":
+            self._draft.note(
+                term.i, term.j, "distances and times are set when the scenario is made concrete"
+            )
+            return
+        for entity in entities:
+            if entity.moving_vehicle and entity.speed is None:
+                entity.speed = quantity.value
+                entity.speed_basis = Basis(term.i, term.j, quantity.note)
+
+    def _thing(self, thing: Thing, chunks: list[Chunk]) -> None:
+        basis = Basis(thing.i, thing.j)
+        if thing.kind == "obstacle":
+            self._draft.hazard(HazardKind.OBSTACLE, basis, [])
+            self._draft.note(
+                thing.i, thing.j, "things on the road are kept as the hazard 'obstacle' only"
+            )
+        elif thing.kind == "object":
+            self._draft.note(
+                thing.i, thing.j, "things beside the road are not built; what they hide is kept"
+            )
+        elif thing.kind == "view" and any(m.cat == "verb" for m in thing.mods):
+            self._draft.hazard(HazardKind.OCCLUSION, basis, _owing_to(thing, chunks))
+
+    def _scene(self, event: Event) -> Scene:
+        actors = [e for m in event.subject for e in m.entities]
+        direct = event.object
+        targets = list(direct.entities) if isinstance(direct, Mention) else []
+        if event.passive:
+            agents = [
+                e
+                for p in event.pps
+                if p.value == "by" and isinstance(p.target, Mention)
+                for e in p.target.entities
+            ]
+            if event.name != "hide":
+                return Scene(event, agents, actors)
+            return Scene(event, actors, [])
+        if not targets and event.name in {"yield", "merge", "follow", "collide"}:
+            targets = [
+                e
+                for p in event.pps
+                if p.value in {"to", "with", "in"} and isinstance(p.target, Mention)
+                for e in p.target.entities
+            ]
+        return Scene(event, actors, [e for e in targets if e not in actors])
+
+    def _event(self, event: Event) -> None:
+        scene = self._scene(event)
+        for prep in event.pps:
+            if from_everywhere(prep):
+                self._spread(prep, scene.actors)
+            elif prep.on_mention is None or prep.value == "from":
+                turned = event.passive and event.name != "hide"
+                whom = scene.targets if turned and prep.value != "behind" else scene.actors
+                self._placer.phrase(prep, whom, event)
+        self._access(scene)
+        failed = event.parent is not None and event.parent.name == "fail"
+        if event.negated or failed:
+            self._not_done(scene)
+            return
+        if event.name in _BREACHING:
+            conflicts.breach(scene, self._context)
+        self._manner(scene)
+        movement = MOVEMENTS.get(event.name)
+        if movement is not None:
+            movement(scene, self._context)
+        danger = dangers.DANGERS.get(event.name)
+        if danger is not None and not self._overruled(scene):
+            danger(scene, self._context)
+        if event.name in _ON_THE_MOVE:
+            dangers.oncoming_lane(scene, self._context)
+        encounters.from_behind(scene, self._context)
+        self._share_sides(scene)
+
+    def _access(self, scene: Scene) -> None:
+        """A vehicle that comes out of a side road needs that road."""
+        for place in scene.places():
+            if place.kind == "lane" and "adjacent" in place.dirs:
+                basis = Basis(place.i, place.j)
+                self._context.lanes_implied(basis, "there is a lane beside")
+            if place.kind == "access" and scene.drivers and self._draft.access is None:
+                self._draft.access = Basis(place.i, place.j)
+
+    def _overruled(self, scene: Scene) -> bool:
+        """``runs the red light`` is no walk."""
+        return scene.event.name == "walk" and any(
+            p.kind in {"signal", "stop_sign"} for p in scene.places()
+        )
+
+    def _spread(self, prep: Prep, actors: list[Entity]) -> None:
+        """One vehicle to each arm."""
+        target = prep.target
+        end = target.j if target is not None else prep.word.j
+        arms = self._context.junction.arms or max(len(actors), 1)
+        for number, entity in enumerate(actors):
+            entity.entries = {number % arms}
+            entity.entry_basis = Basis(prep.word.i, end)
+
+    def _not_done(self, scene: Scene) -> None:
+        """What is said not to happen, or not to be done in time."""
+        event = scene.event
+        regulated = {p.kind for p in scene.places()}
+        basis = Basis(event.i, event.j)
+        control = self._context.junction.control if event.name == "stop" else None
+        if event.name == "yield":
+            conflicts.fail_to_yield(scene, self._context)
+        elif (event.name in _STOPPING and "signal" in regulated) or (
+            event.name in _STOPPING and control is Control.SIGNALS
+        ):
+            self._draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
+        elif (
+            event.name in _STOPPING
+            and (control in _SIGNED or regulated & {"stop_sign", "stop_line", "yield_sign"})
+        ) or (event.name == "stop" and any(self._context.comes_across(e) for e in scene.drivers)):
+            self._draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers)
+        elif event.name in {"brake", "stop", "slow"} and scene.drivers:
+            self._draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
+        elif event.name not in {"light", "inert", "return", "move", "encounter", "try"}:
+            self._draft.note(event.i, event.j, "said not to happen; left out")
+
+    def _manner(self, scene: Scene) -> None:
+        event = scene.event
+        for term in event.mods:
+            if term.cat == "quantity":
+                self._quantity(term, scene.actors)
+            elif term.cat == "compass":
+                self._placer.heading(term, scene.actors)
+            elif term.cat == "state":
+                self._quality(term, scene.actors)
+        if event.nominal and event.name not in _TRAVEL:
+            return
+        fast = next((t for t in event.mods if t.cat == "manner" and t.value == "fast"), None)
+        slow = next((t for t in event.mods if t.cat == "manner" and t.value == "slow"), None)
+        wrong = next((t for t in event.mods if t.cat == "manner" and t.value == "wrong_way"), None)
+        if wrong is not None and scene.drivers:
+            basis = Basis(wrong.i, wrong.j)
+            self._draft.hazard(HazardKind.ONCOMING_LANE, basis, scene.drivers)
+        if fast is not None and scene.drivers:
+            self._draft.hazard(HazardKind.SPEEDING, Basis(fast.i, fast.j), scene.drivers)
+        travels = event.name in _TRAVEL and not scene.reaction
+        if slow is not None and scene.drivers and travels:
+            self._draft.hazard(HazardKind.SLOW_DRIVING, Basis(slow.i, slow.j), scene.drivers)
+
+    def _share_sides(self, scene: Scene) -> None:
+        """Who comes out from behind something stands on its side of the road."""
+        for prep in scene.event.pps:
+            if prep.word.cat != "locus" or prep.value != "behind":
+                continue
+            if not isinstance(prep.target, Mention):
+                continue
+            for hider in prep.target.entities:
+                sides = thing_sides(hider, self._draft)
+                for entity in scene.actors:
+                    if sides and not entity.is_vehicle:
+                        basis = Basis(prep.word.i, prep.target.j)
+                        self._draft.place(entity, None, sides, basis)
+
+
+def _owing_to(thing: Thing, chunks: list[Chunk]) -> list[Entity]:
+    """``obstructed views due to parked cars``: the mention right after, with "due to" or "by"."""
+    position = next(k for k, c in enumerate(chunks) if c is thing)
+    for chunk in chunks[position + 1 : position + 4]:
+        if isinstance(chunk, Mention):
+            prep = chunk.prep
+            causal = prep is not None and prep.value in {"due", "by"}
+            return [e for e in chunk.entities if causal]
+    return []

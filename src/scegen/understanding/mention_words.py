@@ -1,0 +1,113 @@
+"""What the words of a mention say about whom it refers to: kind, number, names, places."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.chunks import Mention
+from scegen.understanding.tokens import Token
+
+KINDS = {kind.value: kind for kind in ParticipantKind}
+_VAGUE_COUNTS = {"couple": 2, "pair": 2, "few": 3, "several": 3, "multiple": 3, "various": 3}
+_MANY = 4
+DEFAULT_COUNT = 2
+_GENERIC_WORDS = frozenset({"vehicle", "vehicles", "driver", "motorist"})
+
+
+@dataclass(slots=True)
+class Reading:
+    """What the words of a mention say about whom they refer to."""
+
+    kind: ParticipantKind
+    generic: bool
+    det: str
+    count: int
+    plural: bool
+    vague: bool
+    labels: set[str]
+    dirs: set[str]
+    parked: bool
+    ego: bool
+    driver: bool
+    reason: str | None
+
+
+def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Reading:
+    """What the words of a mention say.
+
+    Args:
+        mention: a mention with a noun.
+        tokens: the tokens of the text.
+        arms: number of arms if its members come "from all directions".
+    """
+    heads = mention.heads
+    kinds = [KINDS[h.value] for h in heads if h.value in KINDS]
+    words = [tokens[h.j - 1] for h in heads]
+    last = words[-1]
+    specific = [k for k in kinds if k is not ParticipantKind.CAR]
+    mass = any(h.data.get("mass") for h in heads)
+    driver = any(h.data.get("driver") for h in heads)
+    kind = (specific or kinds or [ParticipantKind.CAR])[0]
+    if kind is ParticipantKind.PEDESTRIAN and mention.drives:
+        kind, driver, kinds = ParticipantKind.CAR, True, []
+    if heads[-1].value == "rider" and not kinds:
+        kind = ParticipantKind.MOTORCYCLE
+    plural = mass or heads[-1].form == "s"
+    count, vague, reason = _count(mention, tokens, plural, arms)
+    det = next((m for m in mention.mods if m.cat in {"det", "possessive"}), None)
+    numbered = mention.mod("num")
+    det_value = det.value if det else ("one" if numbered and count == 1 else "bare")
+    if det and det.cat == "possessive":
+        det_value = "def"
+    labels = {h.data["label"] for h in heads if "label" in h.data}
+    labels |= {m.value for m in mention.mods if m.cat == "label" and m.value == "adversary"}
+    labels |= {tokens[m.i].low for m in mention.mods if m.cat == "label" and m.value == "colour"}
+    if any(m.cat == "label" and m.value in {"second", "third"} for m in mention.mods):
+        det_value = "ordinal"
+    parked = any(m.cat == "state" and m.value == "parked" for m in mention.mods)
+    return Reading(
+        kind=kind,
+        generic=not specific and (last.forms[-1][0] in _GENERIC_WORDS or not kinds),
+        det=det_value,
+        count=count,
+        plural=count > 1 or plural,
+        vague=vague,
+        labels=labels | ({mention.label} if mention.label else set()),
+        dirs=set(mention.dirs),
+        parked=parked,
+        ego=any(h.data.get("ego") for h in heads),
+        driver=driver and not kinds,
+        reason=reason,
+    )
+
+
+def _count(
+    mention: Mention, tokens: list[Token], plural: bool, arms: int | None
+) -> tuple[int, bool, str | None]:
+    number = mention.mod("num")
+    if number is not None and number.data["number"] >= 1 and (plural or not mention.mod("det")):
+        return int(min(number.data["number"], 10**6)), False, None
+    if mention.joined is not None and _shares_noun(mention):
+        return 1, False, None
+    quant = mention.mod("quant")
+    if arms is not None and plural:
+        return arms, True, f"one from each of the {arms} directions"
+    if quant is not None and quant.value == "vague":
+        word = tokens[quant.j - 1].low
+        words = {t.low for t in tokens[quant.i : quant.j]}
+        count = next((n for w, n in _VAGUE_COUNTS.items() if w in words), _MANY)
+        return count, True, f"'{word}' is read as {count}"
+    if quant is not None and quant.value == "both":
+        return DEFAULT_COUNT, False, None
+    if not plural:
+        return 1, False, None
+    return DEFAULT_COUNT, True, f"no number is given; {DEFAULT_COUNT} are assumed"
+
+
+def _shares_noun(mention: Mention) -> bool:
+    """``the ego and adversary vehicles``: the plural noun belongs to both adjectives."""
+    first = mention.joined
+    if first is None or not first.heads or any(mod.cat == "det" for mod in mention.mods[:1]):
+        return False
+    return len(first.heads) == 1 and first.heads[0].value in {"ego", "adversary"}

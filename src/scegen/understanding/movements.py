@@ -1,0 +1,240 @@
+"""What an event says about where a participant goes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from scegen.scenario.vocabulary import JunctionKind, Maneuver
+from scegen.understanding.chunks import Event, Mention, Place
+from scegen.understanding.context import Context, Scene, span
+from scegen.understanding.draft import Basis
+
+_DIRECTIONS = {
+    "left": Maneuver.LEFT,
+    "right": Maneuver.RIGHT,
+    "straight": Maneuver.STRAIGHT,
+}
+_ORDINALS = {
+    "first": Maneuver.EXIT_1,
+    "second": Maneuver.EXIT_2,
+    "third": Maneuver.EXIT_3,
+    "fourth": Maneuver.EXIT_4,
+    "fifth": Maneuver.EXIT_5,
+    "sixth": Maneuver.EXIT_6,
+}
+
+
+def _directions(event: Event) -> dict[Maneuver, Basis]:
+    """Directions that belong to a verb of motion, with their words."""
+    found = {
+        _DIRECTIONS[t.value]: span(event, t.i, t.j) for t in event.dirs if t.value in _DIRECTIONS
+    }
+    for prep in event.pps:
+        target = prep.target
+        if prep.value in {"to", "into"} and isinstance(target, Place) and target.kind == "side":
+            for value in target.dirs:
+                if value in {"left", "right"}:
+                    found[_DIRECTIONS[value]] = span(event, target.i, target.j)
+    return found
+
+
+def turn(scene: Scene, context: Context) -> None:
+    """``turns left``, ``a right turn``, ``turns to the left``; without a side, either one."""
+    event = scene.event
+    directions = _directions(event)
+    basis = next(iter(directions.values()), Basis(event.i, event.j))
+    if not directions and into_lane(event):
+        return
+    values = set(directions) or {Maneuver.LEFT, Maneuver.RIGHT}
+    if not directions:
+        if any(entity.maneuvers for entity in scene.actors) or event.nominal:
+            return
+        basis = Basis(basis.i, basis.j, "the text does not say which way it turns")
+    context.crossing_implied(basis, "vehicles turn")
+    _apply(scene, context, values, basis)
+
+
+def _apply(scene: Scene, context: Context, values: set[Maneuver], basis: Basis) -> None:
+    alternative = scene.alternative
+    for entity in scene.drivers:
+        context.draft.maneuver(entity, values, basis, alternative)
+
+
+def into_lane(event: Event) -> Place | None:
+    """The lane or path that a movement ends in ("into the ego's path")."""
+    for prep in event.pps:
+        target = prep.target
+        goal = prep.value in {"into", "to"} and isinstance(target, Place)
+        if goal and isinstance(target, Place) and target.kind in {"lane", "path"}:
+            return target
+    direct = event.object
+    return direct if isinstance(direct, Place) and direct.kind in {"lane", "path"} else None
+
+
+def move(scene: Scene, context: Context) -> None:
+    """``goes straight``, ``drives``, ``continues to the left``."""
+    event = scene.event
+    directions = _directions(event)
+    for entity in scene.drivers:
+        entity.moves = entity.moves or Basis(event.i, event.j)
+    if not directions:
+        return
+    values = set(directions)
+    basis = next(iter(directions.values()))
+    if values & {Maneuver.LEFT, Maneuver.RIGHT}:
+        context.crossing_implied(basis, "vehicles turn")
+    _apply(scene, context, values, basis)
+
+
+def u_turn(scene: Scene, context: Context) -> None:
+    """A U-turn."""
+    basis = Basis(scene.event.i, scene.event.j)
+    _apply(scene, context, {Maneuver.U_TURN}, basis)
+
+
+def lane_change(scene: Scene, context: Context) -> None:
+    """A change of lane on the way; where the vehicle leaves stays free."""
+    basis = Basis(scene.event.i, scene.event.j)
+    context.lanes_implied(basis, "a lane change needs a second lane")
+    _apply(scene, context, {Maneuver.LANE_CHANGE}, basis)
+
+
+def overtake(scene: Scene, context: Context) -> None:
+    """Overtaking, or passing something that stands in the lane."""
+    event = scene.event
+    if event.name == "bypass" and event.object is None and event.pps:
+        return
+    if event.name == "bypass" and isinstance(event.object, Place):
+        return
+    if event.name == "pass" and not scene.targets:
+        return
+    basis = Basis(event.i, event.j)
+    _apply(scene, context, {Maneuver.OVERTAKE}, basis)
+    if any(entity.moving_vehicle for entity in scene.targets):
+        context.lanes_implied(basis, "overtaking needs a second lane")
+    context.ahead(scene.targets, scene.actors, basis)
+
+
+def cross(scene: Scene, context: Context) -> None:
+    """Who walks, crosses; a vehicle that crosses a junction goes straight through."""
+    basis = Basis(scene.event.i, scene.event.j)
+    for entity in scene.actors:
+        if not entity.is_vehicle or (context.is_cyclist(entity) and _onto_road(scene.event)):
+            context.draft.maneuver(entity, {Maneuver.CROSS}, basis)
+    drivers = [e for e in scene.drivers if Maneuver.CROSS not in e.maneuvers]
+    for entity in drivers:
+        if not entity.maneuvers and not _onto_road(scene.event):
+            reason = "a vehicle that crosses goes straight through"
+            context.draft.maneuver(
+                entity, {Maneuver.STRAIGHT}, Basis(basis.i, basis.j, reason), scene.alternative
+            )
+
+
+def _onto_road(event: Event) -> bool:
+    """The road itself, a crosswalk or somebody's way is crossed, not a junction."""
+    places = [event.object, *(p.target for p in event.pps)]
+    kinds = {p.kind for p in places if isinstance(p, Place)}
+    return bool(kinds & {"road", "crosswalk", "lane", "path", "highway"}) or (
+        not kinds and event.object is None
+    )
+
+
+def leave(scene: Scene, context: Context) -> None:
+    """``takes the second exit`` of a roundabout."""
+    target = scene.event.object
+    if not isinstance(target, Place):
+        return
+    if target.kind == "side":
+        sides = {_DIRECTIONS[d] for d in target.dirs if d in {"left", "right"}}
+        if sides:
+            basis = span(scene.event, target.i, target.j)
+            context.crossing_implied(basis, "vehicles turn")
+            _apply(scene, context, sides, basis)
+        return
+    if target.kind != "exit":
+        return
+    ordinal = next((m.value for m in target.mods if m.value in _ORDINALS), None)
+    if ordinal is not None:
+        basis = Basis(target.i, target.j)
+        _apply(scene, context, {_ORDINALS[ordinal]}, basis)
+
+
+def use(scene: Scene, context: Context) -> None:
+    """``uses the opposite lane``, ``takes a left``."""
+    target = scene.event.object
+    if isinstance(target, Place) and target.kind == "lane" and "opposite" in target.dirs:
+        basis = Basis(scene.event.i, target.j)
+        reason = "the oncoming lane is used to get past something"
+        _apply(scene, context, {Maneuver.OVERTAKE}, Basis(basis.i, basis.j, reason))
+        return
+    leave(scene, context)
+
+
+def follow(scene: Scene, context: Context) -> None:
+    """One drives behind another."""
+    context.ahead(scene.targets, scene.actors, Basis(scene.event.i, scene.event.j))
+
+
+def precede(scene: Scene, context: Context) -> None:
+    """One drives ahead of another."""
+    context.ahead(scene.actors, scene.targets, Basis(scene.event.i, scene.event.j))
+
+
+def stay(scene: Scene, context: Context) -> None:
+    """Whoever waits on foot stays where they are."""
+    basis = Basis(scene.event.i, scene.event.j)
+    for entity in scene.actors:
+        if not entity.is_vehicle and not entity.maneuvers:
+            context.draft.maneuver(entity, {Maneuver.STAY}, basis)
+
+
+def park(scene: Scene, _context: Context) -> None:
+    """``is parked``: the vehicle stands for the whole scenario."""
+    if scene.event.form != "ed":
+        return
+    for entity in scene.actors:
+        if entity.is_vehicle and not entity.ego:
+            entity.parked = True
+            entity.parked_basis = Basis(scene.event.i, scene.event.j)
+
+
+def merge(scene: Scene, context: Context) -> None:
+    """Merging on a road without a junction, or into a lane, is a lane change."""
+    if into_lane(scene.event) is not None or context.junction.kind is JunctionKind.STRAIGHT:
+        lane_change(scene, context)
+
+
+def through_junction(scene: Scene, context: Context) -> None:
+    """Approaching or entering says no more than that the vehicle moves."""
+    event = scene.event
+    for entity in scene.drivers:
+        entity.moves = entity.moves or Basis(event.i, event.j)
+    if isinstance(event.object, Mention) and event.name == "approach":
+        targets = [e for e in scene.targets if e.parked]
+        context.ahead(targets, scene.actors, Basis(event.i, event.j))
+
+
+MOVEMENTS: dict[str, Callable[[Scene, Context], None]] = {
+    "turn": turn,
+    "sharp_turn": move,
+    "move": move,
+    "u_turn": u_turn,
+    "lane_change": lane_change,
+    "overtake": overtake,
+    "bypass": overtake,
+    "pass": overtake,
+    "cross": cross,
+    "leave": leave,
+    "light": leave,
+    "use": use,
+    "follow": follow,
+    "tailgate": follow,
+    "precede": precede,
+    "wait": stay,
+    "park": park,
+    "merge": merge,
+    "approach": through_junction,
+    "enter": through_junction,
+    "speed": move,
+    "accelerate": move,
+}

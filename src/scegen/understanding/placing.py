@@ -1,0 +1,166 @@
+"""Where participants come from: "from the right", "in the next lane", "northbound"."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Approach
+from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
+from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.tagging import Term
+
+_BY_DIR: dict[str, frozenset[Approach]] = {
+    "opposite": frozenset({Approach.OPPOSITE}),
+    "lateral": frozenset({Approach.LEFT, Approach.RIGHT}),
+    "ahead": frozenset({Approach.AHEAD}),
+    "behind": frozenset({Approach.BEHIND}),
+    "adjacent": frozenset({Approach.ADJACENT}),
+    "rear": frozenset({Approach.BEHIND}),
+    "front": frozenset({Approach.AHEAD}),
+}
+_SIDES = {"left": Approach.LEFT, "right": Approach.RIGHT}
+_STEADY = frozenset(
+    {"move", "stop", "brake", "hard_brake", "slow", "locate", "wait", "park", "accelerate",
+     "approach", "speed", "tailgate", "follow", "light", "hide", "appear", "walk"}
+)  # fmt: skip
+_PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane"})
+_OPPOSED = "opposed"
+
+
+def adjective_approaches(dirs: list[str]) -> frozenset[Approach]:
+    """What "oncoming", "leading", "crossing" … before a noun say.
+
+    Args:
+        dirs: directions before the noun.
+    """
+    for value in dirs:
+        if value in _BY_DIR and value not in {"front", "rear"}:
+            return _BY_DIR[value]
+        if value in {"front", "rear"}:
+            return _BY_DIR[value]
+    return frozenset()
+
+
+def _place_approaches(place: Place, prep: str) -> frozenset[Approach]:
+    if place.kind not in _PLACES:
+        return frozenset()
+    dirs = place.dirs
+    sides = {_SIDES[d] for d in dirs if d in _SIDES}
+    if place.kind in {"lane", "bike_lane"}:
+        if "opposite" in dirs:
+            return _BY_DIR["opposite"]
+        if "lateral" in dirs:
+            return _BY_DIR["lateral"]
+        beside = sides or "adjacent" in dirs
+        return _BY_DIR["adjacent"] if beside and prep in {"in", "from"} else frozenset()
+    if sides:
+        rear = {Approach.BEHIND} if "rear" in dirs else set()
+        return frozenset(sides | rear)
+    if "front" in dirs:
+        return frozenset({Approach.OPPOSITE if prep == "from" else Approach.AHEAD})
+    if place.kind == "side" and not dirs and prep == "from" and place.head is not None:
+        return _BY_DIR["lateral"]
+    return next((_BY_DIR[d] for d in dirs if d in _BY_DIR), frozenset())
+
+
+def _compass(place: Place) -> Term | None:
+    return next((m for m in place.mods if m.cat == "compass"), None)
+
+
+_FROM = {"north": "south", "south": "north", "east": "west", "west": "east"}
+
+
+class Placer:
+    """Applies words of place to participants.
+
+    Args:
+        draft: the scenario in the making.
+    """
+
+    def __init__(self, draft: Draft) -> None:
+        self._draft = draft
+
+    def adjectives(self, mention: Mention) -> None:
+        """``the oncoming car``, ``a northbound truck``."""
+        approaches = adjective_approaches(mention.dirs)
+        term = mention.mod("dir")
+        for entity in mention.entities:
+            if approaches and term is not None:
+                self._draft.place(entity, None, set(approaches), Basis(term.i, term.j))
+        for mod in mention.mods:
+            if mod.cat == "compass":
+                self._head(mention.entities, mod.value, Basis(mod.i, mod.j))
+
+    def phrase(self, prep: Prep, entities: list[Entity], event: Event | None) -> None:
+        """One prepositional phrase that belongs to some participants.
+
+        Args:
+            prep: the phrase.
+            entities: whom it places.
+            event: the event that it belongs to; None if it follows a noun.
+        """
+        if prep.word.cat == "locus":
+            self._locus(prep, entities, event)
+            return
+        target = prep.target
+        if not isinstance(target, Place):
+            return
+        basis = Basis(prep.word.i, target.j)
+        compass = _compass(target)
+        if compass is not None and prep.value in {"from", "to", "in"}:
+            heading = _FROM[compass.value] if prep.value == "from" else compass.value
+            self._head(entities, heading, basis)
+            return
+        if prep.value not in {"from", "in"} and not (prep.value == "to" and event is None):
+            return
+        if event is not None and prep.value == "in" and event.name not in _STEADY | {"cross"}:
+            return
+        approaches = _place_approaches(target, prep.value)
+        if not approaches:
+            return
+        plural = target.head is not None and target.head.form == "s"
+        plural = plural or any(m.form == "s" for m in target.mods if m.cat == "dir")
+        if approaches == _BY_DIR["opposite"] and plural and len(entities) > 1:
+            for entity in entities:
+                entity.opposed |= {e.index for e in entities} - {entity.index}
+                entity.approach_basis = basis
+            return
+        reference = target.owner.entities[0] if target.owner and target.owner.entities else None
+        for entity in entities:
+            self._draft.place(entity, reference, set(approaches), basis)
+
+    def _locus(self, prep: Prep, entities: list[Entity], event: Event | None) -> None:
+        target = prep.target
+        basis = Basis(prep.word.i, target.j if isinstance(target, Mention) else prep.word.j)
+        if isinstance(target, Thing | Place) or prep.value == "between":
+            return
+        if event is not None and event.name not in _STEADY and prep.outer != "from":
+            return
+        if prep.outer == "from" and isinstance(target, Mention) and event is not None:
+            return
+        approaches = {Approach(prep.value)}
+        reference: Entity | None = None
+        if isinstance(target, Mention):
+            if not target.entities:
+                return
+            reference = target.entities[0]
+        for entity in entities:
+            if entity.is_vehicle or prep.value != "ahead":
+                self._draft.place(entity, reference, approaches, basis)
+
+    def _head(self, entities: list[Entity], heading: str, basis: Basis) -> None:
+        for entity in entities:
+            if entity.heading is None:
+                entity.heading, entity.heading_basis = heading, basis
+
+    def heading(self, term: Term, entities: list[Entity]) -> None:
+        """``travelling northbound``."""
+        self._head(entities, term.value, Basis(term.i, term.j))
+
+
+def thing_sides(entity: Entity, draft: Draft) -> set[Approach]:
+    """The sides at which a participant stands, as far as said."""
+    return {
+        a
+        for p in draft.placements
+        if p.entity is entity and p.reference is None
+        for a in p.approaches
+    }

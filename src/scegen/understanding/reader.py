@@ -1,0 +1,76 @@
+"""The offline reader: English text to a functional scenario, by rules and a lexicon."""
+
+from __future__ import annotations
+
+from scegen.errors import InputError
+from scegen.scenario.functional import ARM_COUNTS, FunctionalScenario
+from scegen.scenario.vocabulary import JunctionKind
+from scegen.understanding.building import Builder
+from scegen.understanding.chunking import Chunker
+from scegen.understanding.clauses import ClauseReader
+from scegen.understanding.context import Context
+from scegen.understanding.discourse import Discourse
+from scegen.understanding.draft import Draft
+from scegen.understanding.junctions import JunctionReading, read_junction
+from scegen.understanding.leftovers import report
+from scegen.understanding.meaning import Interpreter
+from scegen.understanding.relevance import require_traffic
+from scegen.understanding.resolving import resolve_mentions
+from scegen.understanding.surroundings import read_surroundings
+from scegen.understanding.tagging import tag
+from scegen.understanding.tokens import tokenize
+
+MAX_CHARACTERS = 20_000
+"""Longer texts are no descriptions of one situation."""
+_ASSUMED_ARMS = 4
+
+
+def read(text: str) -> FunctionalScenario:
+    """Reads a description of a traffic situation.
+
+    The same text always gives the same scenario; nothing is sent anywhere.
+
+    Args:
+        text: one or several English sentences.
+
+    Returns:
+        What the text says, every field with the words that it rests on.
+
+    Raises:
+        InputError: if the text is empty or too long.
+        NotTrafficError: if it does not describe traffic.
+        InfeasibleError: if what it describes cannot exist.
+    """
+    if not text.strip():
+        msg = "the description is empty"
+        raise InputError(
+            msg,
+            where="description",
+            hint="Describe a traffic situation in a sentence, for example 'Two cars meet at a "
+            "four-way intersection.'",
+        )
+    if len(text) > MAX_CHARACTERS:
+        msg = f"the description has {len(text)} characters, more than {MAX_CHARACTERS}"
+        raise InputError(msg, where="description", hint="Describe one situation at a time.")
+    tokens = tokenize(text)
+    terms = tag(tokens)
+    require_traffic(terms, tokens)
+    junction = read_junction(terms, tokens)
+    surroundings = read_surroundings(terms, tokens)
+    chunks = Chunker(terms, tokens).run()
+    events = ClauseReader(chunks).run()
+    draft = Draft(text)
+    resolve_mentions(chunks, events, Discourse(draft, tokens, _arms(junction)))
+    context = Context(draft, junction, tokens)
+    Interpreter(context, surroundings.limit_term).run(chunks, events)
+    report(draft, terms, chunks, events)
+    return Builder(draft, junction, surroundings, tokens).build()
+
+
+def _arms(junction: JunctionReading) -> int:
+    """How many directions "all directions" are."""
+    if junction.arms is not None:
+        return junction.arms
+    if junction.kind in {None, JunctionKind.ROUNDABOUT}:
+        return _ASSUMED_ARMS
+    return ARM_COUNTS[junction.kind or JunctionKind.FOUR_WAY][0]

@@ -1,0 +1,74 @@
+"""Resolves the mentions of a text in their order, with what the clauses say about them."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
+from scegen.understanding.discourse import Discourse
+
+_ONLY_VEHICLES = frozenset(
+    {"brake", "hard_brake", "overtake", "merge", "lane_change", "accelerate", "tailgate", "cut_off",
+     "cut_in", "pull_out", "park", "swerve", "u_turn"}
+)  # fmt: skip
+
+
+def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discourse) -> None:
+    """Finds out whom every mention refers to, in the order of the text.
+
+    Args:
+        chunks: the chunks of the text.
+        events: its events.
+        discourse: the participants so far.
+    """
+    for event in events:
+        for mention in event.subject:
+            mention.drives = mention.drives or event.name in _ONLY_VEHICLES
+    subjects = {id(m) for event in events for m in event.subject}
+    acted_on = {id(e.object): e for e in events if e.object is not None}
+    everywhere = _from_everywhere(events)
+    waiting: list[Mention] = []
+    for chunk in chunks:
+        if not isinstance(chunk, Mention):
+            continue
+        if chunk.partitive and chunk.pronoun in {"one", "count", "both", "other", "another"}:
+            waiting.append(chunk)
+            continue
+        _resolve(chunk, discourse, subjects, acted_on, everywhere)
+        for earlier in waiting:
+            _resolve(earlier, discourse, subjects, acted_on, everywhere)
+        waiting = []
+    for earlier in waiting:
+        _resolve(earlier, discourse, subjects, acted_on, everywhere)
+
+
+def _resolve(
+    mention: Mention,
+    discourse: Discourse,
+    subjects: set[int],
+    acted_on: dict[int, Event],
+    everywhere: set[int],
+) -> None:
+    event = acted_on.get(id(mention))
+    exclude = [e for m in event.subject for e in m.entities] if event else []
+    discourse.resolve(
+        mention,
+        subject=id(mention) in subjects,
+        exclude=exclude,
+        all_directions=id(mention) in everywhere,
+    )
+
+
+def from_everywhere(prep: Prep) -> bool:
+    """``from all directions``, ``from every side``."""
+    target = prep.target
+    if prep.value not in {"from", "in"} or not isinstance(target, Place):
+        return False
+    quantified = any(m.cat == "quant" and m.value == "all" for m in target.mods)
+    return quantified and target.kind in {"direction", "side", "exit"}
+
+
+def _from_everywhere(events: list[Event]) -> set[int]:
+    found: set[int] = set()
+    for event in events:
+        if any(from_everywhere(p) for p in event.pps):
+            found |= {id(m) for m in event.subject}
+    return found

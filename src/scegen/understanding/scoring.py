@@ -1,0 +1,134 @@
+"""Compares a scenario with what a label expects, field by field."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from scegen.scenario.functional import FunctionalScenario, Participant
+
+
+@dataclass(frozen=True, slots=True)
+class Score:
+    """Which judged fields hold.
+
+    Attributes:
+        fields: judged field -> whether it holds; fields without a label are absent.
+        problems: one sentence for each field that does not hold.
+    """
+
+    fields: Mapping[str, bool]
+    problems: tuple[str, ...]
+
+    @property
+    def understood(self) -> bool:
+        """Whether every judged field holds."""
+        return all(self.fields.values())
+
+
+def score(expect: Mapping[str, Any], scenario: FunctionalScenario) -> Score:
+    """Judges a scenario.
+
+    Args:
+        expect: acceptable values: ``junction``, ``arms``, ``control`` (lists), ``actors``
+            (kind -> [min, max]), ``ego`` and ``others`` (what they do and where they come
+            from), ``hazards`` (``must`` and ``may``).
+        scenario: the scenario to judge.
+    """
+    fields: dict[str, bool] = {}
+    problems: list[str] = []
+    junction = scenario.junction
+    for name, value in (
+        ("junction", junction.kind.value),
+        ("arms", junction.arms),
+        ("control", junction.control.value),
+    ):
+        if name in expect:
+            fields[name] = value in expect[name]
+            if not fields[name]:
+                problems.append(f"{name} is {value}, expected one of {expect[name]}")
+    for name, judge in (
+        ("actors", _actors),
+        ("ego", _ego),
+        ("others", _others),
+        ("hazards", _hazards),
+    ):
+        if name in expect:
+            problem = judge(expect, scenario)
+            fields[name] = problem is None
+            if problem is not None:
+                problems.append(problem)
+    return Score(fields, tuple(problems))
+
+
+def _counted(participant: Participant) -> str:
+    return f"parked_{participant.kind}" if participant.parked else str(participant.kind)
+
+
+def _actors(expect: Mapping[str, Any], scenario: FunctionalScenario) -> str | None:
+    found = Counter(_counted(p) for p in scenario.participants)
+    wanted: Mapping[str, list[int]] = expect["actors"]
+    for kind, (fewest, most) in wanted.items():
+        if not fewest <= found[kind] <= most:
+            return f"actors: {found[kind]} {kind}, expected {fewest} to {most}"
+    unnamed = [kind for kind in found if kind not in wanted]
+    return f"actors: unexpected {', '.join(unnamed)}" if unnamed else None
+
+
+def _ego(expect: Mapping[str, Any], scenario: FunctionalScenario) -> str | None:
+    wanted = expect["ego"].get("maneuver")
+    found = {str(m) for m in scenario.ego.maneuvers}
+    if wanted is None or (found and found <= set(wanted)):
+        return None
+    return f"ego: does {sorted(found) or 'nothing said'}, expected of {wanted}"
+
+
+def _matches(entry: Mapping[str, Any], participant: Participant) -> bool:
+    if "kind" in entry and participant.kind.value != entry["kind"]:
+        return False
+    for key, values in (("from", participant.approaches), ("maneuver", participant.maneuvers)):
+        if key in entry:
+            found = {str(v) for v in values}
+            if not found or not found <= set(entry[key]):
+                return False
+    return True
+
+
+def _others(expect: Mapping[str, Any], scenario: FunctionalScenario) -> str | None:
+    candidates = [
+        p for p in scenario.participants if not ("ego" in expect and p.id == scenario.ego.id)
+    ]
+    fitting = [
+        [k for k, p in enumerate(candidates) if _matches(entry, p)] for entry in expect["others"]
+    ]
+    if _matched(fitting):
+        return None
+    return f"others: no different participant for each of {list(expect['others'])}"
+
+
+def _matched(fitting: list[list[int]]) -> bool:
+    """Whether every entry gets a participant of its own (augmenting paths)."""
+    taken: dict[int, int] = {}
+
+    def assign(entry: int, seen: set[int]) -> bool:
+        for candidate in fitting[entry]:
+            if candidate in seen:
+                continue
+            seen.add(candidate)
+            if candidate not in taken or assign(taken[candidate], seen):
+                taken[candidate] = entry
+                return True
+        return False
+
+    return all(assign(entry, set()) for entry in range(len(fitting)))
+
+
+def _hazards(expect: Mapping[str, Any], scenario: FunctionalScenario) -> str | None:
+    found = {h.kind.value for h in scenario.hazards}
+    must, may = set(expect["hazards"]["must"]), set(expect["hazards"]["may"])
+    missing, surplus = sorted(must - found), sorted(found - must - may)
+    if not missing and not surplus:
+        return None
+    return f"hazards: missing {missing}, unexpected {surplus}"

@@ -1,0 +1,238 @@
+"""Finds the subject of a verb from the words before it."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Event, Mention
+from scegen.understanding.state import State
+
+_PASSIVE = frozenset(
+    {"collide", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate", "cause",
+     "prevent", "precede", "encounter"}
+)  # fmt: skip
+
+
+def chain(mention: Mention) -> list[Mention]:
+    """A mention with those that it is joined to ("a car and a truck"), in order."""
+    found = [mention]
+    while found[-1].joined is not None and len(found) < 64:
+        found.append(found[-1].joined)
+    return found[::-1]
+
+
+def _auxiliary(state: State) -> bool:
+    return any(word.startswith("aux:") for word in state.between)
+
+
+def link(event: Event, state: State) -> None:
+    """Gives the event its subject, its parent verb and its mood.
+
+    Args:
+        event: the event just read.
+        state: what the clause reader remembers.
+    """
+    if event.nominal:
+        _nominal(event, state)
+        return
+    infinitive = state.prep is not None and state.prep.value == "to" and event.form == "base"
+    auxiliary = _auxiliary(state)
+    if infinitive:
+        _infinitive(event, state)
+    elif state.prep is not None and event.form == "ing":
+        _gerund(event, state)
+    else:
+        event.finite = event.form in {"s", "ed", "base"} or auxiliary
+        _clause(event, state)
+    if event.form == "ed" and event.name in _PASSIVE:
+        reduced = isinstance(state.anchor, Mention) and "aux:have" not in state.between
+        event.passive = "aux:be" in state.between or (reduced and _bare_participle(event, state))
+    if event.finite and event.subject:
+        state.main = event.subject
+        state.candidate_done = True
+
+
+def _bare_participle(event: Event, state: State) -> bool:
+    """``the car hit by a truck`` has no auxiliary, but it is not the end of its clause either."""
+    anchor = state.anchor
+    return isinstance(anchor, Mention) and anchor is not state.candidate and not event.finite
+
+
+def _depend(event: Event, parent: Event, link_kind: str) -> None:
+    event.parent = parent
+    event.link = link_kind
+    parent.children.append(event)
+    event.modal = event.modal or parent.modal or parent.name in {"cause", "prevent"}
+
+
+def _nominal(event: Event, state: State) -> None:
+    anchor = state.anchor
+    owner = next((m for m in reversed(state.mentions) if m.possessor and m.j >= event.i - 1), None)
+    if owner is not None:
+        event.subject = [owner]
+    if isinstance(anchor, Event) and not (state.between - {"either", "or"}):
+        _depend(event, anchor, "noun")
+        if not event.subject and anchor.name not in {"cause", "prevent"}:
+            event.subject = anchor.subject
+    elif "conj" in state.between and state.events:
+        event.subject = event.subject or state.events[-1].subject
+        _alternative(event, state.events[-1], state)
+    elif state.prep is not None and state.events and not event.subject:
+        event.subject = state.events[-1].subject
+
+
+def _infinitive(event: Event, state: State) -> None:
+    parent = state.events[-1] if state.events else None
+    anchor = state.anchor
+    if isinstance(anchor, Event):
+        parent = anchor
+    if parent is None:
+        event.subject = chain(anchor) if isinstance(anchor, Mention) else []
+        return
+    _depend(event, parent, "inf")
+    controlled = parent.control == "object" and isinstance(parent.object, Mention)
+    prep = anchor.prep if isinstance(anchor, Mention) else None
+    if prep is not None and prep.value == "for" and isinstance(anchor, Mention):
+        event.subject = chain(anchor)
+    elif controlled and isinstance(parent.object, Mention):
+        event.subject = chain(parent.object)
+        event.modal = True
+    else:
+        event.subject = parent.subject
+
+
+def _gerund(event: Event, state: State) -> None:
+    """``blocking the car from returning``, ``without yielding``, ``by turning``."""
+    prep = state.prep.value if state.prep else ""
+    parent = state.events[-1] if state.events else None
+    event.negated = prep == "without"
+    if parent is None:
+        anchor = state.anchor
+        event.subject = chain(anchor) if isinstance(anchor, Mention) else []
+        if not event.subject:
+            state.pending.append(event)
+        return
+    _depend(event, parent, "ing")
+    prevented = prep == "from" and isinstance(parent.object, Mention)
+    if prevented and isinstance(parent.object, Mention):
+        event.subject = chain(parent.object)
+        event.negated = True
+    else:
+        event.subject = parent.subject
+
+
+def _clause(event: Event, state: State) -> None:
+    anchor = state.anchor
+    between = state.between
+    if "rel" in between and state.mentions:
+        event.subject = chain(_antecedent(state))
+    elif "sub" in between:
+        _subjectless(event, state)
+    elif "conj" in between and state.events:
+        _coordinated(event, state)
+    elif "," in between:
+        _after_comma(event, state)
+    elif isinstance(anchor, Mention):
+        _after_mention(event, anchor, state)
+    elif isinstance(anchor, Event):
+        _depend(event, anchor, "ing")
+        event.subject = anchor.subject
+    else:
+        _subjectless(event, state)
+
+
+def _antecedent(state: State) -> Mention:
+    """The noun before "which": the last one that does not merely own something."""
+    return next((m for m in reversed(state.mentions) if not m.possessor), state.mentions[-1])
+
+
+def _subjectless(event: Event, state: State) -> None:
+    """``while turning``: the subject of the clause before, or of the one that follows."""
+    candidate = state.candidate
+    if candidate is not None and not state.candidate_done and event.finite:
+        event.subject = chain(candidate)
+    elif state.events and not event.finite and "," not in state.between:
+        event.subject = state.events[-1].subject
+    elif state.main and state.events:
+        event.subject = state.main
+    elif candidate is not None:
+        event.subject = chain(candidate)
+    elif state.events:
+        event.subject = state.events[-1].subject
+    else:
+        state.pending.append(event)
+
+
+def _after_comma(event: Event, state: State) -> None:
+    if state.candidate is not None and (event.finite or not state.main):
+        event.subject = chain(state.candidate)
+    elif state.events:
+        event.subject = _main_in_sentence(state)
+        if not event.finite:
+            _inherit_mood(event, state)
+    elif isinstance(state.anchor, Mention):
+        event.subject = chain(state.anchor)
+    else:
+        state.pending.append(event)
+
+
+def _inherit_mood(event: Event, state: State) -> None:
+    """A participle that hangs on an obliged verb is no less obliged."""
+    event.modal = event.modal or state.events[-1].modal
+
+
+def _main_in_sentence(state: State) -> list[Mention]:
+    finite = [e for e in state.events if e.finite and e.subject]
+    if finite:
+        return finite[-1].subject
+    return next((e.subject for e in reversed(state.events) if e.subject), [])
+
+
+def _after_mention(event: Event, anchor: Mention, state: State) -> None:
+    waiting = state.candidate is not None and not state.candidate_done
+    if event.finite and waiting and state.candidate is not None:
+        if event.form == "ed" and anchor is not state.candidate and not _auxiliary(state):
+            event.finite = False
+            event.subject = chain(anchor)
+            return
+        event.subject = chain(state.candidate)
+        return
+    if anchor is not state.candidate:
+        event.finite = event.finite and event.form != "ed"
+    last = state.events[-1] if state.events else None
+    if last is not None and last.object is anchor and last.name in {"cause", "prevent"}:
+        _depend(event, last, "ing")
+    event.subject = chain(anchor)
+
+
+def _shape(event: Event) -> str:
+    if event.link == "inf" or (event.modal and event.form == "base"):
+        return "inf"
+    return "finite" if event.finite and event.form != "ing" else event.form
+
+
+def _coordinated(event: Event, state: State) -> None:
+    """``brakes and turns``, ``to brake and turn``: the verb of like form gives the subject."""
+    auxiliary = _auxiliary(state)
+    if event.form == "base" and not auxiliary:
+        wanted = "inf"
+    else:
+        wanted = "ing" if event.form == "ing" and not auxiliary else "finite"
+    verbs = [e for e in state.events if not e.nominal]
+    parallel = next((e for e in reversed(verbs) if _shape(e) == wanted), None)
+    if parallel is None:
+        parallel = next((e for e in reversed(verbs) if e.finite), None)
+    waiting = state.candidate is not None and not state.candidate_done
+    if parallel is None and waiting and state.candidate is not None:
+        event.subject = chain(state.candidate)
+        return
+    parallel = parallel or state.events[-1]
+    event.subject = parallel.subject
+    if wanted != "finite":
+        event.parent, event.link = parallel.parent, parallel.link
+        event.modal = event.modal or parallel.modal
+    _alternative(event, parallel, state)
+
+
+def _alternative(event: Event, other: Event, state: State) -> None:
+    if "or" in state.between:
+        other.alternative = other.alternative or id(other)
+        event.alternative = other.alternative

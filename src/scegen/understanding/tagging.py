@@ -1,0 +1,263 @@
+"""Terms: tokens grouped into phrases of the lexicon, with ambiguous words decided by context."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import Any
+
+from scegen.understanding.lexicon import Entry, load
+from scegen.understanding.lexicon.loader import Node
+from scegen.understanding.numbers import number_at
+from scegen.understanding.quantities import quantity_at
+from scegen.understanding.tokens import Token
+
+_LABELLED = re.compile(r"^(?:v|veh|u|car|cv)\d{1,2}$")
+_NOMINAL_BEFORE = frozenset(
+    {"det", "possessive", "dir", "manner", "num", "quant", "label", "noted", "shape"}
+)
+_UNIT_WORDS = frozenset({"unit", "veh", "v"})
+_VERBAL_BEFORE = frozenset({"actor", "pronoun", "aux", "rel", "neg"})
+_ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
+
+
+@dataclass(frozen=True, slots=True)
+class Term:
+    """A phrase of the text with one meaning.
+
+    Attributes:
+        cat: word class, see the lexicon files; ``unknown`` if no entry matched.
+        value: meaning within the class.
+        i: index of the first token.
+        j: index after the last token.
+        form: inflection of the first inflected word: ``base``, ``s``, ``ed``, ``ing``.
+        data: further keys of the entry.
+        premod: a participle that stands before the noun it describes ("a speeding car").
+    """
+
+    cat: str
+    value: str
+    i: int
+    j: int
+    form: str = "base"
+    data: dict[str, Any] = field(default_factory=dict, hash=False, compare=False)
+    premod: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Match:
+    """A phrase of the lexicon found in the text, with all its meanings."""
+
+    entries: tuple[Entry, ...]
+    j: int
+    form: str
+
+    def has(self, *cats: str) -> bool:
+        """Whether some meaning belongs to one of these classes."""
+        return any(entry.cat in cats for entry in self.entries)
+
+    def get(self, *cats: str) -> Entry:
+        """The first meaning of the first of these classes that has one."""
+        return next(entry for cat in cats for entry in self.entries if entry.cat == cat)
+
+
+def _step(node: Node, token: Token) -> list[tuple[Node, str]]:
+    return [(node.following[base], form) for base, form in token.forms if base in node.following]
+
+
+def longest_match(tokens: list[Token], i: int) -> Match | None:
+    """The longest phrase of the lexicon that begins at token ``i``, with all meanings.
+
+    Two readings of equal length ("left": a side, or the past of "leave") are merged.
+    """
+    best: list[tuple[Node, str]] = []
+    best_j = i
+    states = [(load().root, "base")]
+    j = i
+    while states and j < len(tokens):
+        reached: list[tuple[Node, str]] = []
+        for node, form in states:
+            for following, inflection in _step(node, tokens[j]):
+                reached.append((following, form if form != "base" else inflection))
+        j += 1
+        ends = [(node, form) for node, form in reached if node.entries]
+        if ends:
+            best, best_j = ends, j
+        states = reached
+    if not best:
+        return None
+    entries = tuple(entry for node, _ in best for entry in node.entries)
+    forms = [form for _, form in best if form != "base"]
+    return Match(entries, best_j, forms[0] if forms else "base")
+
+
+def _noun_follows(tokens: list[Token], j: int) -> bool:
+    """Whether a participant or thing is named at token ``j``, adjectives skipped."""
+    for _ in range(3):
+        if j >= len(tokens):
+            return False
+        following = longest_match(tokens, j)
+        if following is None:
+            return False
+        if following.has("actor", "thing"):
+            return True
+        if not following.has("state", "label", "dir", "manner", "verb") or following.has("prep"):
+            return following.has("view")
+        if following.has("verb") and following.form not in {"ing", "ed"}:
+            return False
+        j = following.j
+    return False
+
+
+def _is_adverb(token: Token) -> bool:
+    return token.low.endswith("ly")
+
+
+def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
+    """Decides between a verb and the other meanings of its form; says if it is a premodifier."""
+    before = previous.cat if previous else ""
+    verb = match.get("verb")
+    participle = match.form in {"ing", "ed"}
+    attributive = before not in {"aux", "actor", "pronoun", "neg"} and _noun_follows(
+        tokens, match.j
+    )
+    if match.has("dir") and match.get("dir").value == "left":
+        return _left(match, previous)
+    if participle and attributive:
+        return (match.get(*_ADJECTIVE_CATS) if match.has(*_ADJECTIVE_CATS) else verb), True
+    if match.has("dir", "state", "manner") and attributive and not participle:
+        return match.get("dir", "state", "manner"), True
+    nouns = ("place", "inert", "thing", "view", "env")
+    preposed = before == "prep" and previous is not None and previous.value != "to"
+    adverb = before == "manner" and previous is not None and _is_adverb(tokens[previous.j - 1])
+    noun_slot = (before in _NOMINAL_BEFORE and not adverb) or preposed
+    if match.has(*nouns) and noun_slot and match.form in {"base", "s"}:
+        return match.get(*nouns), False
+    verbal = before in _VERBAL_BEFORE or (previous is not None and previous.value == "to")
+    if match.has("dir") and not verbal and match.form == "base":
+        return match.get("dir"), False
+    return verb, False
+
+
+def _left(match: Match, previous: Term | None) -> tuple[Entry, bool]:
+    """``left`` is nearly always the side; "V1 left the road" has a subject right before it."""
+    subject = previous is not None and previous.cat in {"actor", "pronoun"}
+    return (match.get("verb") if subject else match.get("dir")), False
+
+
+_PRIORITY = (
+    "noted", "cue", "control", "side", "env", "view", "actor", "possessive", "det", "pronoun",
+    "aux", "neg", "sub", "conj", "quant", "dir", "locus", "state", "place", "prep", "manner",
+    "rel", "shape", "leg", "compass", "thing", "label", "copy", "roadmod", "inert",
+)  # fmt: skip
+
+
+def _choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
+    if len(match.entries) == 1:
+        entry = match.entries[0]
+        premod = (
+            entry.cat == "verb"
+            and match.form in {"ing", "ed"}
+            and (previous is None or previous.cat not in {"aux", "actor", "pronoun", "neg"})
+            and _noun_follows(tokens, match.j)
+        )
+        return entry, premod
+    if match.has("verb"):
+        return _verb_or_other(match, tokens, previous)
+    if match.has("rel") and match.has("det"):
+        noun_before = previous is not None and previous.cat in {"actor", "place", "thing", "inert"}
+        return match.get("rel" if noun_before else "det"), False
+    if match.has("label") and match.has("place"):
+        bare = match.j >= len(tokens) or longest_match(tokens, match.j) is None
+        next_match = None if bare else longest_match(tokens, match.j)
+        noun = next_match is not None and next_match.has("actor", "place", "label")
+        return match.get("label" if noun else "place"), False
+    if match.has("leg") and previous is not None and previous.cat == "num":
+        return match.get("leg"), False
+    if match.has("det") and match.has("inert"):
+        return match.get("det"), False
+    return match.get(*_PRIORITY), False
+
+
+def _labelled(token: Token, i: int) -> Term | None:
+    """``V1``, ``car2``: a participant called by a short name."""
+    if token.kind == "label" and _LABELLED.match(token.low):
+        digits = token.low.lstrip("abcdefghijklmnopqrstuvwxyz")
+        return Term("actor", "car", i, i + 1, "base", {"label": f"#{digits}"})
+    return None
+
+
+def _first_person(token: Token) -> bool:
+    """``i`` is a person only as a capital letter on its own; "i.e." and "I-95" are not."""
+    return token.low != "i" or token.text == "I"
+
+
+def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str | None:
+    """The form of a word that must be a verb by its place, although no rule knows it.
+
+    "The ego commences a left turn" keeps its structure: who acts, and on what.
+    """
+    if token.kind != "word" or previous is None or len(token.low) < 4:
+        return None
+    infinitive = previous.cat == "prep" and previous.value == "to"
+    if infinitive or previous.cat in {"aux", "neg"}:
+        return _suffix_form(token) or "base"
+    adverb = previous.cat == "manner" and _is_adverb(tokens[previous.j - 1])
+    if previous.cat in {"actor", "pronoun"} or adverb:
+        return _suffix_form(token)
+    return None
+
+
+def _suffix_form(token: Token) -> str | None:
+    endings = (("ing", "ing"), ("ed", "ed"), ("s", "s"))
+    return next((form for ending, form in endings if token.low.endswith(ending)), None)
+
+
+def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term | None) -> bool:
+    """``the bus stops``: a singular noun with its verb, although "bus stop" is a word."""
+    if match.j - i != 2 or match.form != "s" or not match.has("place"):
+        return False
+    alone = longest_match(tokens[: i + 1], i)
+    singular = previous is not None and previous.cat == "det"
+    return singular and alone is not None and alone.has("actor")
+
+
+def tag(tokens: list[Token]) -> list[Term]:
+    """Terms that cover all tokens in order.
+
+    Args:
+        tokens: the tokens of the text.
+    """
+    terms: list[Term] = []
+    i = 0
+    while i < len(tokens):
+        terms.append(_term_at(tokens, i, terms[-1] if terms else None))
+        i = terms[-1].j
+    return terms
+
+
+def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
+    token = tokens[i]
+    if token.kind == "punct":
+        return Term("punct", token.low, i, i + 1)
+    labelled = _labelled(token, i)
+    if labelled:
+        return labelled
+    quantity = quantity_at(tokens, i)
+    if quantity:
+        return Term("quantity", quantity.dimension, i, quantity.j, data={"quantity": quantity})
+    if token.low in _UNIT_WORDS and i + 1 < len(tokens) and tokens[i + 1].kind == "number":
+        return Term("actor", "car", i, i + 1)
+    number = number_at(tokens, i)
+    match = longest_match(tokens, i) if _first_person(token) else None
+    if match and _is_clause(match, tokens, i, previous):
+        match = longest_match(tokens[: i + 1], i)
+    if match and (number is None or match.j > i + number.length):
+        entry, premod = _choose(match, tokens, previous)
+        return Term(entry.cat, entry.value, i, match.j, match.form, entry.data, premod)
+    if number:
+        return Term("num", token.low, i, i + number.length, data={"number": number.value})
+    form = _verb_form(token, previous, tokens)
+    if form is not None:
+        return Term("verb", "unknown", i, i + 1, form, data={"control": "subject"})
+    return Term("unknown", token.low, i, i + 1)

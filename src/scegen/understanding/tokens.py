@@ -1,0 +1,59 @@
+"""Splits text into tokens that keep their place in it."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from scegen.understanding.lemmas import lemmas
+
+_TOKEN = re.compile(
+    r"(?P<label>[A-Za-z]{1,4}\d{1,2}(?![\w.]))"
+    r"|(?P<number>\d{1,9}(?:[.,]\d{1,6})?)"
+    r"|(?P<neg>n['’]t\b)"
+    r"|(?P<clitic>['’](?:s|re|ll|m|ve|d)?\b|(?<=s)['’])"
+    r"|(?P<word>[^\W\d_]+?(?=n['’]t\b)|[^\W\d_]+)"
+    r"|(?P<punct>[.,;:!?()\[\]\n&])"
+)
+_MAX_WORD = 40
+"""Longer runs of letters are no words; cutting them keeps look-ups cheap."""
+
+
+@dataclass(frozen=True, slots=True)
+class Token:
+    """A word, number or mark with its span.
+
+    Attributes:
+        text: as written.
+        low: lower case, curly apostrophes straightened.
+        start: first character offset.
+        end: offset after the last character.
+        kind: ``word``, ``number``, ``label``, ``clitic``, ``neg`` or ``punct``.
+        forms: base forms of a word, see :func:`scegen.understanding.lemmas.lemmas`.
+    """
+
+    text: str
+    low: str
+    start: int
+    end: int
+    kind: str
+    forms: tuple[tuple[str, str], ...]
+
+
+def tokenize(text: str) -> list[Token]:
+    """Tokens in order; hyphens, slashes and other marks only separate.
+
+    Args:
+        text: any string.
+
+    Returns:
+        The tokens; ``token.text == text[token.start : token.end]`` holds for each.
+    """
+    found: list[Token] = []
+    for match in _TOKEN.finditer(text):
+        kind = match.lastgroup or "punct"
+        low = match.group().lower().replace("’", "'")
+        known = kind in {"word", "neg", "clitic"} and len(low) <= _MAX_WORD
+        forms = lemmas(low) if known else ((low, "base"),)
+        found.append(Token(match.group(), low, match.start(), match.end(), kind, forms))
+    return found

@@ -1,0 +1,176 @@
+"""Chooses the ego and restates every position as seen from it."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
+from scegen.understanding.draft import Basis, Danger, Draft, Entity, Placement
+
+_INVERSE = {
+    Approach.AHEAD: Approach.BEHIND,
+    Approach.BEHIND: Approach.AHEAD,
+    Approach.LEFT: Approach.RIGHT,
+    Approach.RIGHT: Approach.LEFT,
+    Approach.OPPOSITE: Approach.OPPOSITE,
+    Approach.ADJACENT: Approach.ADJACENT,
+}
+_COMPASS = ("north", "east", "south", "west")
+_SEEN = {1: Approach.LEFT, 2: Approach.OPPOSITE, 3: Approach.RIGHT}
+"""Quarter turns clockwise from the ego's heading to the other's -> where the other comes from."""
+_FRAME = {Approach.LEFT: "east", Approach.RIGHT: "west", Approach.OPPOSITE: "south"}
+"""Headings of those who come from a side, for an observer who looks north."""
+
+
+def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
+    """The ego with the reason for the choice; adds one if no vehicle moves.
+
+    Args:
+        draft: the scenario in the making.
+    """
+    named = next((e for e in draft.entities if e.ego), None)
+    if named is not None:
+        named.parked = False
+        return named, Basis(named.basis.i, named.basis.j)
+    movers = [e for e in draft.entities if e.moving_vehicle]
+    motor = [e for e in movers if e.kind is not ParticipantKind.BICYCLE]
+    crossers = {
+        e.index for d in draft.dangers if d.kind is HazardKind.CROSSING_CYCLIST for e in d.by
+    }
+    riders = [e for e in movers if e.index not in crossers]
+    candidates = motor or riders
+    if not candidates:
+        ego = draft.add(ParticipantKind.CAR, Basis(reason="the text names no moving vehicle"))
+        reason = "the text names no moving vehicle; a car is added as the ego"
+        ego.ego = True
+        return ego, Basis(reason=reason)
+    chosen, reason = _designate(draft, candidates)
+    chosen.ego = True
+    return chosen, Basis(reason=f"the text names no ego; {reason}")
+
+
+def _designate(draft: Draft, candidates: list[Entity]) -> tuple[Entity, str]:
+    placed = {p.entity.index for p in draft.placements if p.reference is None}
+    free = [e for e in candidates if e.index not in placed] or candidates
+    for danger in draft.dangers:
+        facing = facing_entry(danger, free)
+        if facing is not None:
+            return facing, "this vehicle comes towards the one that turns left"
+    sufferers = {e.index for d in draft.dangers for e in d.to}
+    for entity in free:
+        if entity.index in sufferers:
+            return entity, "this vehicle suffers a hazard"
+    causers = {e.index for d in draft.dangers for e in d.by}
+    for entity in free:
+        if entity.index not in causers and causers:
+            return entity, "this is the first vehicle that causes no hazard"
+    return free[0], "this is the first vehicle"
+
+
+def facing_entry(danger: Danger, candidates: list[Entity]) -> Entity | None:
+    """Who enters opposite the one that turns left, where the text fixes the arms.
+
+    Args:
+        danger: a hazard.
+        candidates: vehicles that may suffer it.
+    """
+    if danger.kind is not HazardKind.UNPROTECTED_LEFT_TURN or len(danger.by) != 1:
+        return None
+    arms = 1 + max((arm for e in (*danger.by, *candidates) for arm in e.entries), default=0)
+    opposite = {(arm + arms // 2) % arms for arm in danger.by[0].entries}
+    if not opposite or arms % 2:
+        return None
+    return next((e for e in candidates if e.entries == opposite and e not in danger.by), None)
+
+
+def relative_to(ego: str, other: str) -> set[Approach]:
+    """Where one comes from, by the compass headings of both; empty for the same heading.
+
+    Args:
+        ego: heading of the observer.
+        other: heading of the one observed.
+    """
+    quarters = (_COMPASS.index(other) - _COMPASS.index(ego)) % 4
+    return {_SEEN[quarters]} if quarters in _SEEN else set()
+
+
+def settle_positions(
+    draft: Draft, ego: Entity
+) -> list[tuple[Entity, Entity, set[Approach], Basis]]:
+    """Fills in ``approaches`` of everybody; returns the relations between others.
+
+    Args:
+        draft: the scenario in the making.
+        ego: its ego.
+    """
+    own = _own_side(draft, ego)
+    relations: list[tuple[Entity, Entity, set[Approach], Basis]] = []
+    for placement in draft.placements:
+        entity, reference, approaches = _oriented(placement, ego)
+        if entity is ego:
+            continue
+        if reference is ego:
+            if own is not None and placement.reference is None:
+                approaches = _reframed(own, approaches)
+            _allow(entity, approaches, placement.basis)
+        elif not any(r[0] is entity and r[1] is reference for r in relations):
+            relations.append((entity, reference, set(approaches), placement.basis))
+    _opposed(draft, ego, relations)
+    if ego.heading is not None:
+        for entity in draft.entities:
+            if entity is ego or entity.heading is None or entity.approaches:
+                continue
+            entity.approaches = relative_to(ego.heading, entity.heading)
+            basis = entity.heading_basis or Basis()
+            reason = f"headed {entity.heading}, the ego {ego.heading}"
+            entity.approach_basis = Basis(basis.i, basis.j, reason)
+    ego.approaches = set()
+    return relations
+
+
+def _own_side(draft: Draft, ego: Entity) -> Approach | None:
+    """The side that an observer gives for the ego itself ("one car from the left, …")."""
+    for placement in draft.placements:
+        if placement.entity is ego and placement.reference is None:
+            side = next(iter(placement.approaches))
+            return side if len(placement.approaches) == 1 and side in _FRAME else None
+    return None
+
+
+def _reframed(own: Approach, approaches: set[Approach]) -> set[Approach]:
+    if len(approaches) != 1:
+        return approaches
+    side = next(iter(approaches))
+    return relative_to(_FRAME[own], _FRAME[side]) if side in _FRAME else approaches
+
+
+def _oriented(placement: Placement, ego: Entity) -> tuple[Entity, Entity, set[Approach]]:
+    """A position of the ego seen from another is a position of the other seen from the ego."""
+    reference = placement.reference or ego
+    if placement.entity is ego and reference is not ego:
+        return reference, ego, {_INVERSE[a] for a in placement.approaches}
+    return placement.entity, reference, set(placement.approaches)
+
+
+def _allow(entity: Entity, approaches: set[Approach], basis: Basis) -> None:
+    """Two statements narrow each other down; where they differ, both are allowed."""
+    if not approaches:
+        return
+    common = entity.approaches & approaches
+    entity.approaches = common or (entity.approaches | approaches)
+    if entity.approach_basis is None or common:
+        entity.approach_basis = basis
+
+
+def _opposed(
+    draft: Draft, ego: Entity, relations: list[tuple[Entity, Entity, set[Approach], Basis]]
+) -> None:
+    for entity in draft.entities:
+        if entity is ego or not entity.opposed:
+            continue
+        basis = entity.approach_basis or entity.basis
+        if ego.index in entity.opposed:
+            _allow(entity, {Approach.OPPOSITE}, basis)
+            continue
+        first = min(entity.opposed)
+        if first < entity.index:
+            reference = draft.entities[first]
+            relations.append((entity, reference, {Approach.OPPOSITE}, basis))

@@ -1,0 +1,284 @@
+"""Brute force, written without the package's encodings: every assignment, and its class.
+
+Reads the semantics from the functional scenario with plain loops and real geometry (points and
+segments), so that it can disagree with the encodings.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections import Counter
+from types import SimpleNamespace
+
+import pytest
+
+from scegen.scenario.arms import arm_angles_deg, seen_from, turn_name
+from scegen.scenario.functional import FunctionalScenario, Junction
+from scegen.scenario.vocabulary import (
+    Approach,
+    ArmsMode,
+    DrivingSide,
+    HazardKind,
+    JunctionKind,
+    Maneuver,
+    Reduction,
+)
+
+
+@pytest.fixture(scope="session")
+def oracle():
+    """The brute force, as a namespace: ways_meet, assignments, classes."""
+    return SimpleNamespace(ways_meet=ways_meet, assignments=assignments, classes=classes)
+
+
+SAME_ARM = {Approach.AHEAD, Approach.BEHIND, Approach.ADJACENT}
+
+Assignment = tuple[tuple[int, int, str, str], ...]
+"""(entry, move, manner, place seen from the ego) of every vehicle."""
+
+
+def ways_meet(junction: Junction, first: tuple[int, int], second: tuple[int, int]) -> str:
+    """Conflict of two ways (entry, exit) from coordinates."""
+    if first[0] == second[0]:
+        return "following" if first[1] == second[1] else "diverging"
+    if junction.kind is JunctionKind.ROUNDABOUT:
+        return "merging" if _stretches(junction, first) & _stretches(junction, second) else "none"
+    if first[1] == second[1]:
+        return "merging"
+    return "crossing" if _cross(_segment(junction, first), _segment(junction, second)) else "none"
+
+
+def _stretches(junction: Junction, way: tuple[int, int]) -> set[frozenset[int]]:
+    step = 1 if junction.driving_side is DrivingSide.RIGHT else -1
+    here, found = way[0], set()
+    while True:
+        following = (here + step) % junction.arms
+        found.add(frozenset({here, following}))
+        here = following
+        if here == way[1]:
+            return found
+
+
+def _segment(junction: Junction, way: tuple[int, int]):
+    """From where traffic comes in on one arm to where it goes out on another.
+
+    Arms spread evenly on a circle: whether chords cross depends on their order alone.
+    """
+    lane = 0.1 if junction.driving_side is DrivingSide.RIGHT else -0.1
+    # Seen from the centre, incoming right-hand traffic keeps left of the arm's axis.
+    angles = (
+        2 * math.pi * way[0] / junction.arms + lane,
+        2 * math.pi * way[1] / junction.arms - lane,
+    )
+    return tuple((math.cos(a), math.sin(a)) for a in angles)
+
+
+def _cross(one, two) -> bool:
+    def side(a, b, c):
+        return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 0
+
+    return side(*one, two[0]) != side(*one, two[1]) and side(*two, one[0]) != side(*two, one[1])
+
+
+def assignments(functional: FunctionalScenario) -> list[Assignment]:
+    """Every assignment of the vehicles (no crossers), as the brief of the package puts it."""
+    vehicles, arms = functional.vehicles, functional.junction.arms
+    ego = next(i for i, v in enumerate(vehicles) if v.id == functional.ego.id)
+    entry_sets = [sorted(v.entries) or range(arms) for v in vehicles]
+    if _nothing_said(functional):
+        entry_sets = [[i % arms] for i in range(len(vehicles))]
+    found: list[tuple[int, Assignment]] = []
+    for entries in itertools.product(*entry_sets):
+        for places in itertools.product(
+            *(_places(functional, i, entries, ego) for i in range(len(vehicles)))
+        ):
+            crowd = _crowding(functional, entries, places, ego)
+            if crowd is None:
+                continue
+            choices = [_choices(functional, v, e) for v, e in zip(vehicles, entries, strict=True)]
+            for moves in itertools.product(*choices):
+                made = tuple(
+                    (e, d, m, w) for e, (d, m), w in zip(entries, moves, places, strict=True)
+                )
+                if _hazards_hold(functional, made):
+                    found.append((crowd, made))
+    if not found:
+        return []
+    least = min(crowd for crowd, _ in found) if not _nothing_said(functional) else math.inf
+    return [made for crowd, made in found if crowd <= least]
+
+
+def _nothing_said(functional: FunctionalScenario) -> bool:
+    return not functional.hazards and not any(
+        v.maneuvers or v.approaches or v.entries for v in functional.vehicles
+    )
+
+
+def _choices(functional, vehicle, entry):
+    junction = functional.junction
+    angles = arm_angles_deg(junction)
+    moves = range(1, junction.arms)
+    if not vehicle.maneuvers:
+        return [(d, "plain") for d in moves]
+    found = set()
+    for word in vehicle.maneuvers:
+        if word in (Maneuver.LANE_CHANGE, Maneuver.OVERTAKE):
+            found |= {(d, word.value) for d in moves}
+        elif word.startswith("exit_"):
+            count = int(word[-1])
+            step = count if junction.driving_side is DrivingSide.RIGHT else -count
+            if count <= junction.arms:
+                found.add((step % junction.arms, "plain"))
+        else:
+            found |= {
+                (d, "plain") for d in range(junction.arms) if turn_name(angles, entry, d) is word
+            }
+    return sorted(found)
+
+
+def _places(functional, index, entries, ego):
+    """Words for where a vehicle is, seen from the ego; none fits: no place."""
+    vehicle = functional.vehicles[index]
+    if not vehicle.approaches:
+        return ["unsaid"]
+    if entries[index] == entries[ego]:
+        return sorted(word.value for word in vehicle.approaches & SAME_ARM)
+    words = seen_from(arm_angles_deg(functional.junction), entries[ego], entries[index])
+    return ["elsewhere"] if words & vehicle.approaches else []
+
+
+def _crowding(functional, entries, places, ego):
+    """Vehicles on arms beyond the fair share; None if the order contradicts itself."""
+    vehicles, arms = functional.vehicles, functional.junction.arms
+    share = math.ceil(len(vehicles) / arms)
+    links = [(i, ego) for i, place in enumerate(places) if place in {w.value for w in SAME_ARM}]
+    index = {v.id: i for i, v in enumerate(vehicles)}
+    for hazard in functional.hazards:
+        if hazard.kind is HazardKind.TAILGATING:
+            by, to = index[hazard.by[0]], index[hazard.to[0]]
+            if entries[by] != entries[to] or not _may_follow(places, by, to, ego):
+                return None
+            links.append((by, to))
+    led = [min(_chain(links, i)) == i for i in range(len(vehicles))]
+    leaders = Counter(e for e, lead in zip(entries, led, strict=True) if lead)
+    return sum(
+        1
+        for v, e, lead in zip(vehicles, entries, led, strict=True)
+        if lead and not v.entries and leaders[e] > share
+    )
+
+
+def _may_follow(places, by, to, ego) -> bool:
+    """Whether ``by`` can be behind ``to``, given where both are, seen from the ego."""
+    position = {"ahead": 1, "adjacent": 0, "behind": -1}
+    back = 0 if by == ego else position.get(places[by])
+    front = 0 if to == ego else position.get(places[to])
+    if back is None or front is None:
+        return True
+    return back < front or (back == front != 0)
+
+
+def _chain(links, start):
+    """All that hang together with a vehicle."""
+    group = {start}
+    while True:
+        grown = group.union(*(pair for pair in links if group & set(pair)))
+        if grown == group:
+            return group
+        group = grown
+
+
+def _hazards_hold(functional, made: Assignment) -> bool:
+    index = {v.id: i for i, v in enumerate(functional.vehicles)}
+    junction = functional.junction
+    angles, arms = arm_angles_deg(junction), junction.arms
+
+    def way(i):
+        return made[i][0], (made[i][0] + made[i][1]) % arms
+
+    for hazard in functional.hazards:
+        if not (hazard.by and hazard.to):
+            continue
+        by, to = index[hazard.by[0]], index[hazard.to[0]]
+        met = ways_meet(junction, way(by), way(to))
+        if hazard.kind is HazardKind.MERGING_CONFLICT and met != "merging":
+            return False
+        if hazard.kind is HazardKind.FAILURE_TO_YIELD and met not in {"merging", "crossing"}:
+            return False
+        if hazard.kind is HazardKind.UNPROTECTED_LEFT_TURN:
+            opposite = Approach.OPPOSITE in seen_from(angles, made[by][0], made[to][0])
+            left = turn_name(angles, *made[by][:2]) is Maneuver.LEFT
+            if not (opposite and left and met in {"merging", "crossing"}):
+                return False
+    return True
+
+
+def classes(functional: FunctionalScenario, reduction: Reduction, arms: ArmsMode) -> Counter:
+    """Class representative -> number of assignments in it."""
+    every = assignments(functional)
+    if reduction is Reduction.NONE:
+        return Counter(every)
+    if reduction is Reduction.PATTERN:
+        return Counter(tuple(sorted(d for _, d, _, _ in made)) for made in every)
+    labels = [_label(functional, v, arms) for v in functional.vehicles]
+    spread = _nothing_said(functional)
+    number = functional.junction.arms
+    turns = [r for r in range(number) if _turn_allowed(functional, labels, r, arms, spread)]
+    out: Counter = Counter()
+    for made in every:
+        copies = []
+        for turn in turns:
+            turned = (((e + turn) % number, d, m, w) for e, d, m, w in made)
+            # Interchangeable vehicles with the same arms to choose from trade places, so what
+            # tells scenarios apart is the multiset of choices under each label.
+            targets = _targets(functional, labels, spread, turn)
+            chosen = Counter(zip(targets, turned, strict=True))
+            copies.append(tuple(sorted(chosen.items(), key=repr)))
+        out[min(copies, key=repr)] += 1
+    return out
+
+
+def _sets(functional, spread):
+    arms = functional.junction.arms
+    if spread:
+        return [(i % arms,) for i in range(len(functional.vehicles))]
+    return [tuple(sorted(v.entries)) for v in functional.vehicles]
+
+
+def _targets(functional, labels, spread, turn):
+    arms = functional.junction.arms
+    return [
+        (label, tuple(sorted((e + turn) % arms for e in entries)))
+        for label, entries in zip(labels, _sets(functional, spread), strict=True)
+    ]
+
+
+def _label(functional, vehicle, arms: ArmsMode):
+    role = vehicle.role.value
+    if arms is ArmsMode.EQUAL and not any(p.approaches for p in functional.participants):
+        role = "any"
+    named = [(i, vehicle.id in h.by, vehicle.id in h.to) for i, h in enumerate(functional.hazards)]
+    return repr(
+        (vehicle.kind.value, role, sorted(vehicle.maneuvers), sorted(vehicle.approaches), named)
+    )
+
+
+def _turn_allowed(functional, labels, turn, arms: ArmsMode, spread) -> bool:
+    junction = functional.junction
+    n = junction.arms
+    angles = arm_angles_deg(junction)
+    before = Counter(_targets(functional, labels, spread, 0))
+    if before != Counter(_targets(functional, labels, spread, turn)):
+        return False
+    if arms is ArmsMode.DISTINCT:
+        steps = {round((angles[(i + turn) % n] - angles[i]) % 360, 6) for i in range(n)}
+        return len(steps) == 1
+    said = any(v.maneuvers or v.approaches for v in functional.vehicles)
+    if not said and not functional.hazards:
+        return True
+    views = [
+        [(turn_name(angles, e, d), seen_from(angles, e, (e + d) % n)) for d in range(n)]
+        for e in range(n)
+    ]
+    return all(views[e] == views[(e + turn) % n] for e in range(n))

@@ -1,0 +1,96 @@
+"""The encodings against a brute force that knows nothing of them."""
+
+from __future__ import annotations
+
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from scegen.enumeration import count_scenarios, enumerate_scenarios
+from scegen.errors import NoScenarioError
+from scegen.scenario.functional import FunctionalScenario, Hazard, Junction, Participant
+from scegen.scenario.vocabulary import ArmsMode, Reduction
+
+JUNCTIONS = [
+    ("straight", 2),
+    ("t", 3),
+    ("y", 3),
+    ("four_way", 4),
+    ("skewed", 4),
+    ("roundabout", 3),
+    ("roundabout", 4),
+]
+MANEUVERS = [(), (), ("straight",), ("left",), ("right", "straight"), ("u_turn", "left"),
+             ("lane_change",), ("exit_2", "exit_1")]  # fmt: skip
+APPROACHES = [(), (), (), ("opposite",), ("left", "right"), ("behind",), ("ahead", "left"),
+              ("ahead", "behind"), ("adjacent",)]  # fmt: skip
+HAZARDS = ["tailgating", "merging_conflict", "failure_to_yield", "unprotected_left_turn"]
+
+
+@st.composite
+def functionals(draw):
+    kind, arms = draw(st.sampled_from(JUNCTIONS))
+    side = draw(st.sampled_from(["right", "right", "left"]))
+    number = draw(st.integers(2, 4 if arms < 4 else 3))
+    participants = []
+    for index in range(number):
+        participants.append(
+            Participant(
+                id=f"car_{index}",
+                role="other" if index else "ego",
+                kind=draw(st.sampled_from(["car", "car", "car", "van"])),
+                maneuvers=draw(st.sampled_from(MANEUVERS)),
+                approaches=draw(st.sampled_from(APPROACHES)) if index else (),
+                entries=draw(st.sampled_from([(), (), (), (0,), (0, arms - 1)])),
+            )
+        )
+    hazards = []
+    if draw(st.integers(0, 2)) == 0:
+        by, to = draw(st.permutations(range(number)))[:2]
+        chosen = draw(st.sampled_from(HAZARDS))
+        hazards.append(Hazard(kind=chosen, by=(f"car_{by}",), to=(f"car_{to}",)))
+    return FunctionalScenario(
+        description="drawn",
+        junction=Junction(kind=kind, arms=arms, driving_side=side),
+        participants=tuple(participants),
+        hazards=tuple(hazards),
+    )
+
+
+@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(functional=functionals(), arms=st.sampled_from(list(ArmsMode)))
+def test_same_classes_of_the_same_sizes(oracle, functional, arms):
+    for reduction in Reduction:
+        expected = oracle.classes(functional, reduction, arms)
+        if not expected:
+            try:
+                enumerate_scenarios(functional, reduction=reduction, arms=arms)
+            except NoScenarioError:
+                continue
+            raise AssertionError("brute force finds no scenario")
+        listed = enumerate_scenarios(functional, reduction=reduction, arms=arms)
+        sizes = sorted(scenario.class_size for scenario in listed.scenarios)
+        assert sizes == sorted(expected.values()), reduction
+        assert listed.certificate.total == sum(expected.values())
+        assert listed.certificate.complete
+        counted = count_scenarios(functional, reduction=reduction, arms=arms)
+        assert (counted.total, counted.count) == (sum(sizes), len(sizes))
+
+
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(functional=functionals())
+def test_without_reduction_exactly_the_assignments(oracle, functional):
+    expected = {
+        tuple((e, d, m if m != "plain" else None) for e, d, m, _ in made)
+        for made in oracle.assignments(functional)
+    }
+    if not expected:
+        return
+    listed = enumerate_scenarios(functional, reduction=Reduction.NONE)
+    found = {
+        tuple(
+            (d.entry, d.move, d.maneuver.value if d.maneuver is not d.turn else None)
+            for d in scenario.drives
+        )
+        for scenario in listed.scenarios
+    }
+    assert found == expected
