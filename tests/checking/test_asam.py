@@ -11,6 +11,9 @@ from scegen.checking import CheckStatus, Severity, check_folder, check_path
 from scegen.checking.asam import Job, run_asam
 from scegen.checking.asam.xqar import RuleOutcome, merged
 from scegen.checking.environment import asam_python
+from scegen.checking.twin import make_twin
+from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.files import load
 
 needs_asam = pytest.mark.skipif(
     asam_python() is None, reason="the ASAM checkers are not installed; run: make asam"
@@ -38,6 +41,15 @@ def test_edited_scenario_has_no_twin(folder):
     assert result.detail.startswith("5 of 17 rules completed, scenario.xosc is not what")
     assert len(result.findings) == 12
     assert {finding.severity for finding in result.findings} == {Severity.WARNING}
+
+
+@pytest.mark.asam
+@needs_asam
+def test_scenario_written_as_1_2_speaks_for_itself(folder):
+    concrete = load(folder / "concrete.yaml", ConcreteScenario)
+    (folder / "scenario.xosc").write_bytes(make_twin(concrete, "road.xodr").checked)
+    result = check_folder(folder, ASAM).result("asam-openscenario")
+    assert (result.status, result.detail) == (CheckStatus.PASSED, "17 of 17 rules completed")
 
 
 @pytest.mark.asam

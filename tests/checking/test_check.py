@@ -18,7 +18,8 @@ from scegen.checking import (
     check_path,
     reports_table,
 )
-from scegen.checking.environment import installed_tools, main
+from scegen.checking.environment import installed_tools
+from scegen.checking.environment.__main__ import main
 from scegen.checking.results import error, not_run, verdict, warning
 from scegen.errors import InputError
 

@@ -204,16 +204,23 @@ def test_connection_of_an_unknown_road(tree):
     caught(tree, "xodr.connection", "road 4711")
 
 
+def test_two_connections_of_one_id(tree):
+    first, second = tree.findall("junction/connection")[:2]
+    second.set("id", first.get("id"))
+    caught(tree, "xodr.connection", f"connection {first.get('id')}")
+
+
 def test_wrong_lane_link_of_a_connection(tree):
     link = tree.find("junction/connection/laneLink")
     link.set("from", str(-int(link.get("from"))))
     caught(tree, "xodr.connection", "leaves the junction")
 
 
-def test_connection_from_a_lane_that_does_not_exist(tree):
+@pytest.mark.parametrize("lane", ["-9", "0"])
+def test_connection_from_a_lane_that_does_not_exist(tree, lane):
     connection = tree.find("junction/connection")
-    connection.find("laneLink").set("from", "-9")
-    caught(tree, "xodr.connection", f"road {connection.get('incomingRoad')} lane -9")
+    connection.find("laneLink").set("from", lane)
+    caught(tree, "xodr.connection", f"road {connection.get('incomingRoad')} lane {lane}")
 
 
 def test_wrong_lane_link_of_a_connecting_road(tree):

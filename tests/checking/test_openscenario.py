@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import shutil
 from cmath import exp
 
 import pytest
@@ -228,6 +229,25 @@ def test_road_with_another_number_of_lanes(folder, road_file):
     (folder / "road.xodr").write_bytes(road_file(wider))
     findings = check_folder(folder, OWN).result("opendrive").findings
     assert any(f.rule == "xodr.described" and "arm 1" in f.place for f in findings)
+
+
+@pytest.mark.parametrize(
+    ("path", "attribute", "value", "words"),
+    [
+        ("type/speed", "max", "99", "speed limit"),
+        ("type/speed", "unit", "mph", "speed limit"),
+        ("objects/object", "type", "tree", "no crosswalk"),
+        ("objects/object", "s", "500", "outside the road"),
+    ],
+)
+def test_road_that_is_not_as_described(make_folder, tmp_path, path, attribute, value, words):
+    junction = Junction(kind=JunctionKind.T, arms=3, crosswalks=frozenset({0}))
+    folder = shutil.copytree(make_folder(junction), tmp_path / "scenario")
+    road = etree.parse(folder / "road.xodr").getroot()
+    road.find(f"road/{path}").set(attribute, value)
+    (folder / "road.xodr").write_bytes(etree.tostring(road))
+    findings = check_folder(folder, OWN).result("opendrive").findings
+    assert [(f.rule, words in f.message) for f in findings] == [("xodr.described", True)]
 
 
 @pytest.mark.parametrize(

@@ -30,7 +30,7 @@ def make_scenario(
     standings: Sequence[tuple[int, str, bool]] = (),
     **junction: Any,
 ) -> Made:
-    """The first drive is the ego; then car_1, car_2, ...; walkers are ped_0, parked are parked_0."""
+    """The first drive is the ego, then car_1, car_2; walkers are ped_0, parked parked_0."""
     place = Junction(kind=JunctionKind(kind), arms=arms, **junction)
     angles = arm_angles_deg(place)
     people: list[Participant] = []
@@ -76,13 +76,13 @@ CASES: dict[str, Made] = {
     "four_way_left_turn": make_scenario(
         "four_way",
         4,
-        [drive(0, 2), drive(1, 2), drive(2, 2), drive(2, 1)],
+        [drive(0, 2), drive(2, 3), drive(1, 2), drive(2, 1, rank=1)],
         [("unprotected_left_turn", ["car_1"], ["ego"])],
     ),
     "t_merge_occluded": make_scenario(
         "t",
         3,
-        [drive(0, 1), drive(2, 1)],
+        [drive(0, 1), drive(2, 2)],
         [
             ("speeding", ["ego"], []),
             ("merging_conflict", ["car_1"], ["ego"]),

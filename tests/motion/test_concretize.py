@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import time
 from itertools import combinations
 from math import cos, sin
 
@@ -13,7 +14,6 @@ from scegen.motion.model import Path, Trace
 from scegen.road import build_network, plan_road
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion, Travelled
-from scegen.scenario.functional import Junction
 from scegen.scenario.vocabulary import HazardKind
 
 LIMIT_MPS = 50 / 3.6
@@ -238,4 +238,53 @@ def test_provenance_names_every_speed(made):
     for participant in concrete.participants:
         if not participant.parked:
             assert f"{participant.id}.speed_mps" in named
-    assert Junction  # the junction's own fields are not chosen here
+
+
+LAYOUTS = {
+    "level": ("straight", 2, [{"entry": 0, "move": 1}, {"entry": 0, "move": 1, "beside": "ego"}]),
+    "opposed": ("straight", 2, [{"entry": 0, "move": 1}, {"entry": 1, "move": 1}]),
+    "behind": ("t", 3, [{"entry": 0, "move": 1}, {"entry": 0, "move": 1, "rank": 1}]),
+    "ahead": ("y", 3, [{"entry": 0, "move": 1, "rank": 1}, {"entry": 0, "move": 1}]),
+    "crossing": ("four_way", 4, [{"entry": 0, "move": 2}, {"entry": 1, "move": 2}]),
+    "ring": ("roundabout", 5, [{"entry": 1, "move": 2}, {"entry": 0, "move": 2}]),
+}
+
+
+@pytest.mark.parametrize("layout", sorted(LAYOUTS))
+@pytest.mark.parametrize("kind", [k for k in HazardKind if k is not HazardKind.REVERSING])
+def test_every_danger_can_be_made_everywhere(scenario, kind, layout):
+    shape, arms, drives = LAYOUTS[layout]
+    concrete = concretize(*scenario(shape, arms, drives, [(kind.value, ["car_1"], ["ego"])]))
+    _, traces = run(concrete)
+    for participant in concrete.participants:
+        speeds = traces[participant.id].speed_mps
+        limits = BODIES[participant.kind]
+        change = np.diff(speeds)
+        assert speeds.max() <= limits.top_speed_mps
+        assert change.max(initial=0.0) <= 0.05 * limits.max_acceleration_mps2 + 1e-6
+        assert change.min(initial=0.0) >= -0.05 * limits.max_deceleration_mps2 - 1e-6
+
+
+def test_sudden_acceleration_raises_the_speed_at_three_or_more(scenario):
+    drives = [{"entry": 0, "move": 2}, {"entry": 1, "move": 2}]
+    made = scenario("four_way", 4, drives, [("sudden_acceleration", ["car_1"], ["ego"])])
+    concrete = concretize(*made)
+    car = concrete.participant("car_1")
+    phase = next(p for p in car.speed_program if p.hazard is HazardKind.SUDDEN_ACCELERATION)
+    assert phase.target_speed_mps > 1.5 * car.speed_mps
+    assert 3.0 <= phase.rate_mps2 <= 4.0
+
+
+def test_who_drives_slowly_holds_up_the_ego(scenario):
+    drives = [{"entry": 0, "move": 2, "rank": 1}, {"entry": 0, "move": 2}]
+    concrete = concretize(*scenario("four_way", 4, drives, [("slow_driving", ["car_1"], ["ego"])]))
+    _, traces = run(concrete)
+    assert concrete.participant("car_1").speed_mps <= 0.5 * LIMIT_MPS
+    assert 0.5 < gap_m(traces, "ego", "car_1") < 10.0
+
+
+def test_one_concretization_is_quick(cases):
+    begin = time.perf_counter()
+    for made in cases.values():
+        run(concretize(*made))
+    assert (time.perf_counter() - begin) / len(cases) < 0.3

@@ -63,7 +63,7 @@ def assert_smooth(path: Path, sharpest_radius_m: float = 4.0) -> None:
     chord = np.arctan2(np.diff(path.y_m), np.diff(path.x_m))
     assert np.abs(wrapped(chord - middle)).max() < 0.01, "the heading is not that of the way"
     curved = np.abs(turns) > 1e-3
-    assert steps[curved].max(initial=0.0) <= 0.2501
+    assert steps[curved].max(initial=0.0) <= 0.3
 
 
 NETWORKS = [
@@ -191,7 +191,7 @@ def test_those_who_stand_head_the_way_of_their_side(driving_side):
     net = build_network(plan_road(place, arm_length_m=ARM_M, parking_lanes={0}))
     road = net.arm_road(0)
     keeps = Side(driving_side.value)
-    for side, forward in ((keeps, True), ([s for s in Side if s is not keeps][0], False)):
+    for side, forward in ((keeps, True), (next(s for s in Side if s is not keeps), False)):
         standing = StandingMotion(arm=0, side=side, from_junction_m=20)
         path = build_path(standing, CAR, net, "parked")
         assert path.length_m == 0.0

@@ -3,7 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from scegen.motion import simulate
+from scegen.motion import concretize, simulate
 from scegen.motion.model import Path
 from scegen.scenario.concrete import (
     AtTime,
@@ -28,8 +28,6 @@ def straight(length=200.0, y=0.0, x0=0.0, heading=0.0):
 
 
 def scenario(cases, programs, speeds=(10.0, 10.0), duration=10.0) -> ConcreteScenario:
-    from scegen.motion import concretize
-
     base = concretize(*cases["left_hand"])
     people = tuple(
         p.model_copy(update={"speed_mps": v, "speed_program": tuple(program)})

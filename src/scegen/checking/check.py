@@ -58,9 +58,8 @@ def check_files(paths: Iterable[Path], checkers: Collection[str] = CHECKERS) -> 
 def check_subjects(subjects: list[Subject], checkers: Collection[str]) -> list[CheckReport]:
     """Check what was found and read; one report each."""
     found = [_own(subject, checkers) for subject in subjects]
-    if {asam.OPENDRIVE, asam.OPENSCENARIO} & set(checkers):
-        for results, more in zip(found, _asam(subjects), strict=True):
-            results.extend(result for result in more if result.checker in checkers)
+    for results, more in zip(found, _asam(subjects, checkers), strict=True):
+        results.extend(more)
     order = {name: number for number, name in enumerate(CHECKERS)}
     return [
         CheckReport(str(subject.place), tuple(sorted(results, key=lambda r: order[r.checker])))
@@ -104,27 +103,30 @@ class _Prepared:
     results: list[CheckResult]
 
 
-def _asam(subjects: list[Subject]) -> list[list[CheckResult]]:
-    prepared = [_prepare(subject) for subject in subjects]
+def _asam(subjects: list[Subject], checkers: Collection[str]) -> list[list[CheckResult]]:
+    prepared = [_prepare(subject, checkers) for subject in subjects]
     ran = asam.run_asam([item.job for item in prepared])
     return [item.results + results for item, results in zip(prepared, ran, strict=True)]
 
 
-def _prepare(subject: Subject) -> _Prepared:
-    results = [
-        not_run(checker, UNSOUND)
+def _prepare(subject: Subject, checkers: Collection[str]) -> _Prepared:
+    asked = {
+        checker: file
         for checker, file in (
             (asam.OPENDRIVE, subject.road),
             (asam.OPENSCENARIO, subject.scenario),
         )
-        if file is not None and not file.sound
-    ]
+        if file is not None and checker in checkers
+    }
+    results = [not_run(checker, UNSOUND) for checker, file in asked.items() if not file.sound]
     road = subject.road if subject.road and subject.road.sound else None
-    scenario = subject.scenario if subject.scenario and subject.scenario.sound else None
+    scenario = asked.get(asam.OPENSCENARIO)
+    scenario = scenario if scenario and scenario.sound else None
     job = asam.Job(
         road=road.content if road else None,
         scenario=scenario.content if scenario else None,
         road_file=road.name if road else "road.xodr",
+        check_road=asam.OPENDRIVE in asked,
     )
     if scenario is None or subject.concrete is None:
         return _Prepared(job, results)
@@ -135,6 +137,8 @@ def _prepare(subject: Subject) -> _Prepared:
         return _Prepared(
             job._replace(scenario=None), [*results, verdict(asam.OPENSCENARIO, [failed])]
         )
+    if twin.checked == scenario.content:
+        return _Prepared(job, results)
     if twin.played != scenario.content:
         note = "scenario.xosc is not what concrete.yaml gives, so no 1.2 twin speaks for it"
         return _Prepared(job._replace(scenario_note=note), results)

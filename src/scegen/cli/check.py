@@ -35,7 +35,7 @@ def check(
         progress("checking")
         reports = check_files(paths)
     if json:
-        result_json([report.to_dict() for report in reports])
+        result_json([report.to_data() for report in reports])
     else:
         from rich.console import Console
 

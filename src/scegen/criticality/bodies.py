@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import hypot
 from typing import NamedTuple
 
 import numpy as np
 
 from scegen.motion.batch.arrays import Floats
+from scegen.motion.batch.kernels import kernel
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.vocabulary import ParticipantKind
 
@@ -30,26 +32,26 @@ They only weigh how two crashing bodies share the change of velocity.
 """
 
 
-class BodyTable(NamedTuple):
-    """Bodies by participant; arrays of shape (participants,).
+class Body(NamedTuple):
+    """One participant's body.
 
     Half sides and circumscribed radius of the box, how far its centre (``ahead_m``) and its front
     and rear bumpers lie from the reference point (m), mass (kg), and the deceleration that brakes
     and friction allow (m/s²). ``injury_intercept`` and ``injury_slope_spm`` (s/m) are the logistic
-    curve of ``measures.injury``; ``unprotected`` is True where it is over the impact speed.
+    curve of ``measures.injury``; ``unprotected`` is 1 where that is over the impact speed, else 0.
     """
 
-    half_length_m: Floats
-    half_width_m: Floats
-    radius_m: Floats
-    ahead_m: Floats
-    front_m: Floats
-    rear_m: Floats
-    mass_kg: Floats
-    available_mps2: Floats
-    injury_intercept: Floats
-    injury_slope_spm: Floats
-    unprotected: Floats
+    half_length_m: float
+    half_width_m: float
+    radius_m: float
+    ahead_m: float
+    front_m: float
+    rear_m: float
+    mass_kg: float
+    available_mps2: float
+    injury_intercept: float
+    injury_slope_spm: float
+    unprotected: float
 
 
 _UNPROTECTED = {
@@ -65,8 +67,8 @@ def body_table(
     friction: float,
     protected_curve: tuple[float, float],
     unprotected_curve: tuple[float, float],
-) -> BodyTable:
-    """The bodies of these kinds.
+) -> Floats:
+    """The bodies of these kinds: (participant, field of :class:`Body`).
 
     Args:
         kinds: one per participant.
@@ -74,22 +76,34 @@ def body_table(
         protected_curve: intercept and slope (s/m) of the injury curve over delta-v, for occupants.
         unprotected_curve: the same over impact speed, for riders and pedestrians.
     """
-    bodies = [BODIES[kind] for kind in kinds]
-    half_length = np.array([b.length_m / 2 for b in bodies])
-    half_width = np.array([b.width_m / 2 for b in bodies])
-    unprotected = np.array([kind in _UNPROTECTED for kind in kinds])
-    return BodyTable(
-        half_length_m=half_length,
-        half_width_m=half_width,
-        radius_m=np.hypot(half_length, half_width),
-        ahead_m=np.array([b.centre_ahead_m for b in bodies]),
-        front_m=np.array([b.front_m for b in bodies]),
-        rear_m=np.array([b.rear_m for b in bodies]),
-        mass_kg=np.array([MASS_KG[kind] for kind in kinds]),
-        available_mps2=np.array(
-            [min(b.max_deceleration_mps2, friction * GRAVITY_MPS2) for b in bodies]
-        ),
-        injury_intercept=np.where(unprotected, unprotected_curve[0], protected_curve[0]),
-        injury_slope_spm=np.where(unprotected, unprotected_curve[1], protected_curve[1]),
-        unprotected=unprotected.astype(np.float64),
+    return np.array([_body(k, friction, protected_curve, unprotected_curve) for k in kinds])
+
+
+def _body(
+    kind: ParticipantKind,
+    friction: float,
+    protected_curve: tuple[float, float],
+    unprotected_curve: tuple[float, float],
+) -> Body:
+    body, unprotected = BODIES[kind], kind in _UNPROTECTED
+    intercept, slope = unprotected_curve if unprotected else protected_curve
+    return Body(
+        half_length_m=body.length_m / 2,
+        half_width_m=body.width_m / 2,
+        radius_m=hypot(body.length_m, body.width_m) / 2,
+        ahead_m=body.centre_ahead_m,
+        front_m=body.front_m,
+        rear_m=body.rear_m,
+        mass_kg=MASS_KG[kind],
+        available_mps2=min(body.max_deceleration_mps2, friction * GRAVITY_MPS2),
+        injury_intercept=intercept,
+        injury_slope_spm=slope,
+        unprotected=float(unprotected),
     )
+
+
+@kernel
+def body_of(bodies: Floats, i: int) -> Body:
+    """The body of participant i from a table as :func:`body_table` makes it."""
+    b = bodies[i]
+    return Body(b[0], b[1], b[2], b[3], b[4], b[5], b[6], b[7], b[8], b[9], b[10])

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from scegen.criticality.bodies import BodyTable
-from scegen.motion.batch.arrays import BatchTraces
+from scegen.criticality.bodies import Body
+from scegen.motion.batch.arrays import COS, SIN, Floats, X, Y
 from scegen.motion.batch.kernels import kernel
 
 
@@ -21,14 +21,14 @@ class Box(NamedTuple):
 
 
 @kernel
-def box_at(traces: BatchTraces, bodies: BodyTable, row: int, t: int, i: int) -> Box:
-    """The box of participant i at step t of candidate ``row``."""
-    c, s, ahead = traces.cos[row, t, i], traces.sin[row, t, i], bodies.ahead_m[i]
+def box_at(track: Floats, body: Body, t: int) -> Box:
+    """The box of a participant at step t of its track (row, step)."""
+    c, s = track[COS, t], track[SIN, t]
     return Box(
-        traces.x_m[row, t, i] + ahead * c,
-        traces.y_m[row, t, i] + ahead * s,
+        track[X, t] + body.ahead_m * c,
+        track[Y, t] + body.ahead_m * s,
         c,
         s,
-        bodies.half_length_m[i],
-        bodies.half_width_m[i],
+        body.half_length_m,
+        body.half_width_m,
     )

@@ -11,11 +11,12 @@ follows the other from a start on, there is none.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import inf
 from typing import NamedTuple
 
 import numpy as np
 
-from scegen.criticality.bodies import BodyTable
+from scegen.criticality.bodies import Body, body_of
 from scegen.criticality.boxes import Box
 from scegen.criticality.measures.contact import boxes_touch
 from scegen.motion.batch.arrays import Bools, Floats, Ints
@@ -36,7 +37,8 @@ class AreaTable(NamedTuple):
     """Areas ``first[p]`` to ``first[p+1] - 1`` belong to pair p.
 
     ``enter_m`` and ``leave_m`` (areas, 2): the positions along the path of the first and the
-    second of the pair at which it enters and has left the area, m.
+    second of the pair at which it enters and has left the area, m; it has never left (inf) where
+    its path ends inside.
     """
 
     first: Ints
@@ -57,59 +59,58 @@ class _Sampled(NamedTuple):
 
 
 def area_table(
-    paths: Sequence[Path], bodies: BodyTable, pairs: Sequence[tuple[int, int]]
+    paths: Sequence[Path], bodies: Floats, pairs: Sequence[tuple[int, int]]
 ) -> AreaTable:
     """The conflict areas of these pairs."""
-    found = [_areas(paths[a], paths[b], bodies, a, b) for a, b in pairs]
+    found = [_areas(paths[a], paths[b], body_of(bodies, a), body_of(bodies, b)) for a, b in pairs]
     rows = [row for areas in found for row in areas]
     table = np.array(rows, dtype=np.float64).reshape(-1, 4)
     first = np.concatenate(([0], np.cumsum([len(areas) for areas in found], dtype=np.int64)))
     return AreaTable(first.astype(np.int64), table[:, :2].copy(), table[:, 2:].copy())
 
 
-def _areas(
-    first: Path, second: Path, bodies: BodyTable, a: int, b: int
-) -> list[tuple[float, float, float, float]]:
+def _areas(first: Path, second: Path, a: Body, b: Body) -> list[tuple[float, float, float, float]]:
     """(enter a, enter b, leave a, leave b) of each area of a pair."""
-    small = min(
-        bodies.half_length_m[a], bodies.half_width_m[a],
-        bodies.half_length_m[b], bodies.half_width_m[b],
-    )
-    spacing = min(SAMPLING_M, float(small))
-    one, two = _sample(first, bodies, a, spacing), _sample(second, bodies, b, spacing)
+    small = min(a.half_length_m, a.half_width_m, b.half_length_m, b.half_width_m)
+    spacing = min(SAMPLING_M, small)
+    one, two = _sample(first, a, spacing), _sample(second, b, spacing)
     result = []
     for rows, columns in _regions(touching(one, two)):
         merge = merge_point(first, second, one.s[rows], two.s[columns])
         if merge is None:
             own, other = _cut(one, rows), _cut(two, columns)
-            enter_a, leave_a = _extent(first, bodies, a, one.s, rows, other)
-            enter_b, leave_b = _extent(second, bodies, b, two.s, columns, own)
+            enter_a, leave_a = _extent(first, a, one.s, rows, other)
+            enter_b, leave_b = _extent(second, b, two.s, columns, own)
             result.append((enter_a, enter_b, leave_a, leave_b))
         elif min(merge) > SAMPLING_M:
             sa, sb = merge
             result.append(
-                (sa - bodies.front_m[a], sb - bodies.front_m[b],
-                 sa + bodies.rear_m[a], sb + bodies.rear_m[b])
+                (
+                    sa - a.front_m,
+                    sb - b.front_m,
+                    sa + a.rear_m,
+                    sb + b.rear_m,
+                )
             )
     return result
 
 
-def _sample(path: Path, bodies: BodyTable, i: int, spacing: float) -> _Sampled:
+def _sample(path: Path, body: Body, spacing: float) -> _Sampled:
     count = int(np.ceil(path.length_m / spacing)) + 1
-    return _at(path, bodies, i, np.linspace(0.0, path.length_m, count))
+    return _at(path, body, np.linspace(0.0, path.length_m, count))
 
 
-def _at(path: Path, bodies: BodyTable, i: int, s: Floats) -> _Sampled:
+def _at(path: Path, body: Body, s: Floats) -> _Sampled:
     heading = np.interp(s, path.s_m, path.heading_rad)
     cos, sin = np.cos(heading), np.sin(heading)
     return _Sampled(
         s,
-        np.interp(s, path.s_m, path.x_m) + bodies.ahead_m[i] * cos,
-        np.interp(s, path.s_m, path.y_m) + bodies.ahead_m[i] * sin,
+        np.interp(s, path.s_m, path.x_m) + body.ahead_m * cos,
+        np.interp(s, path.s_m, path.y_m) + body.ahead_m * sin,
         cos,
         sin,
-        float(bodies.half_length_m[i]),
-        float(bodies.half_width_m[i]),
+        body.half_length_m,
+        body.half_width_m,
     )
 
 
@@ -143,8 +144,8 @@ def _regions(touch: Bools) -> list[tuple[slice, slice]]:
         rows, columns = waiting.pop()
         parts = [
             (r, c)
-            for r in _runs(touch[rows, columns].any(axis=1), rows.start)
-            for c in _runs(touch[r, columns].any(axis=0), columns.start)
+            for r in _runs(np.logical_or.reduce(touch[rows, columns], axis=1), rows.start)
+            for c in _runs(np.logical_or.reduce(touch[r, columns], axis=0), columns.start)
         ]
         if parts == [(rows, columns)]:
             done.append((rows, columns))
@@ -162,25 +163,24 @@ def _runs(flags: Bools, offset: int) -> list[slice]:
     ]
 
 
-def _extent(
-    path: Path, bodies: BodyTable, i: int, s: Floats, run: slice, other: _Sampled
-) -> tuple[float, float]:
-    """Where participant i enters and leaves the ground that the other's boxes cover."""
-    enter, leave = float(s[run.start]), float(s[run.stop - 1])
+def _extent(path: Path, body: Body, s: Floats, run: slice, other: _Sampled) -> tuple[float, float]:
+    """Where one enters and leaves the ground that the other's boxes cover.
+
+    One whose path ends there stops there: it never leaves (inf).
+    """
+    enter, leave = float(s[run.start]), inf
     if run.start > 0:
-        enter = _edge(path, bodies, i, float(s[run.start - 1]), enter, other)
+        enter = _edge(path, body, float(s[run.start - 1]), enter, other)
     if run.stop < len(s):
-        leave = _edge(path, bodies, i, float(s[run.stop]), leave, other)
+        leave = _edge(path, body, float(s[run.stop]), float(s[run.stop - 1]), other)
     return enter, leave
 
 
-def _edge(
-    path: Path, bodies: BodyTable, i: int, free: float, touches: float, other: _Sampled
-) -> float:
+def _edge(path: Path, body: Body, free: float, touches: float, other: _Sampled) -> float:
     """The position between a free and a touching one at which touching begins, by bisection."""
     while abs(touches - free) > PRECISION_M:
         middle = (free + touches) / 2
-        if touching(_at(path, bodies, i, np.array([middle])), other).any():
+        if touching(_at(path, body, np.array([middle])), other).any():
             touches = middle
         else:
             free = middle

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scegen.criticality.bodies import BodyTable
-from scegen.motion.batch.arrays import BatchTraces, Floats, Ints
+from scegen.criticality.bodies import Body, body_of
+from scegen.motion.batch.arrays import Floats, Ints, S
 from scegen.motion.batch.kernels import kernel
 from scegen.motion.model import Path
 
@@ -36,7 +36,7 @@ class FollowTable(NamedTuple):
 
 
 def follow_table(
-    paths: Sequence[Path], bodies: BodyTable, pairs: Sequence[tuple[int, int]]
+    paths: Sequence[Path], bodies: Floats, pairs: Sequence[tuple[int, int]]
 ) -> FollowTable:
     """The table for these pairs, both ways round."""
     first = np.full((len(pairs), 2), -1, dtype=np.int64)
@@ -44,7 +44,9 @@ def follow_table(
     size = 0
     for p, (a, b) in enumerate(pairs):
         for way, (follower, leader) in enumerate(((a, b), (b, a))):
-            rear = rear_stations(paths[follower], paths[leader], bodies, follower, leader)
+            rear = rear_stations(
+                paths[follower], paths[leader], body_of(bodies, follower), body_of(bodies, leader)
+            )
             if np.isfinite(rear).any():
                 first[p, way] = size
                 parts.append(rear)
@@ -52,10 +54,8 @@ def follow_table(
     return FollowTable(first, np.concatenate(parts) if parts else np.empty(0))
 
 
-def rear_stations(
-    follower: Path, leader: Path, bodies: BodyTable, f: int, b: int
-) -> Floats:
-    """Station of the rear of leader ``b`` on the path of follower ``f``, by leader position.
+def rear_stations(follower: Path, leader: Path, own: Body, other: Body) -> Floats:
+    """Station of the leader's rear on the follower's path, by position of the leader.
 
     The leader's box is projected onto the tangent of the follower's path at the nearest point
     with a similar heading; the corridor is as wide as the follower.
@@ -65,8 +65,8 @@ def rear_stations(
         return np.full(rows, nan)
     at = np.minimum(np.arange(rows) * SPACING_M, leader.length_m)
     heading = np.interp(at, leader.s_m, leader.heading_rad)
-    x = np.interp(at, leader.s_m, leader.x_m) + bodies.ahead_m[b] * np.cos(heading)
-    y = np.interp(at, leader.s_m, leader.y_m) + bodies.ahead_m[b] * np.sin(heading)
+    x = np.interp(at, leader.s_m, leader.x_m) + other.ahead_m * np.cos(heading)
+    y = np.interp(at, leader.s_m, leader.y_m) + other.ahead_m * np.sin(heading)
 
     s = np.linspace(0.0, follower.length_m, int(np.ceil(follower.length_m / 0.25)) + 1)
     way = np.interp(s, follower.s_m, follower.heading_rad)
@@ -81,10 +81,10 @@ def rear_stations(
     ahead = dx * np.cos(way) + dy * np.sin(way)
     aside = np.abs(dy * np.cos(way) - dx * np.sin(way))
 
-    length, width = bodies.half_length_m[b], bodies.half_width_m[b]
+    length, width = other.half_length_m, other.half_width_m
     reach = length * np.cos(turn) + width * np.sin(turn)
     half_breadth = length * np.sin(turn) + width * np.cos(turn)
-    inside = aside < bodies.half_width_m[f] + half_breadth
+    inside = aside < own.half_width_m + half_breadth
     # Beyond either end of the follower's path there is nothing to project on.
     on_path = (np.abs(ahead) <= 0.5) & np.isfinite(away[rows_all, nearest])
     return np.where(inside & on_path, s[nearest] + ahead - reach, nan)
@@ -92,34 +92,31 @@ def rear_stations(
 
 @kernel
 def write_gaps(
-    traces: BatchTraces, row: int, follower: int, leader: int, front_m: float,
-    following: FollowTable, first: int, gaps: Floats,
+    follower: Floats, leader: Floats, front_m: float, rear_m: Floats, first: int, gaps: Floats
 ) -> bool:
     """Write the gap (m) from the follower's front to the leader's rear for every step.
 
-    nan where there is no leader in the corridor ahead. Returns whether there is one at any step.
+    nan where there is no leader in the corridor ahead. Returns whether there is one at any step;
+    if not, the gaps may be left as they are.
 
     Args:
-        traces: the movements.
-        row: the candidate.
-        follower: index of the follower.
-        leader: index of the leader.
+        follower: its track.
+        leader: its track.
         front_m: distance from the follower's reference point to its front.
-        following: the table.
-        first: its first row for this pair and direction; -1 for none.
+        rear_m: rows of the table.
+        first: the first row for this pair and direction; -1 for none.
         gaps: output, (steps,).
     """
-    if first < 0:
-        return False
     some = False
-    for t in range(gaps.shape[0]):
-        at = traces.s_m[row, t, leader] / SPACING_M
-        n = int(at)
-        low, high = following.rear_m[first + n], following.rear_m[first + n + 1]
-        gap = low + (at - n) * (high - low) - traces.s_m[row, t, follower] - front_m
-        if gap >= 0.0:
-            gaps[t] = gap
-            some = True
-        else:
-            gaps[t] = nan
+    if first >= 0:
+        for t in range(gaps.shape[0]):
+            at = leader[S, t] / SPACING_M
+            n = int(at)
+            low, high = rear_m[first + n], rear_m[first + n + 1]
+            gap = low + (at - n) * (high - low) - follower[S, t] - front_m
+            if gap >= 0.0:
+                gaps[t] = gap
+                some = True
+            else:
+                gaps[t] = nan
     return some

@@ -8,11 +8,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scegen.criticality.bodies import BodyTable, body_table
+from scegen.criticality.bodies import body_table
 from scegen.criticality.conflict_areas import AreaTable, area_table
 from scegen.criticality.following import FollowTable, follow_table
 from scegen.criticality.measures.injury import PROTECTED, UNPROTECTED
-from scegen.motion.batch.arrays import Ints
+from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.model import Path
 from scegen.scenario.vocabulary import ParticipantKind
 
@@ -20,11 +20,12 @@ from scegen.scenario.vocabulary import ParticipantKind
 class Scene(NamedTuple):
     """Made once per scenario; candidates share it, because they share the paths.
 
-    ``pairs`` (p, 2) are the indices of the participants measured against each other;
-    ``occlusions`` (q, 3) are observer, target and occluder.
+    ``bodies`` (participant, field of ``Body``); ``pairs`` (p, 2) are the indices of the
+    participants measured against each other; ``occlusions`` (q, 3) are observer, target and
+    occluder.
     """
 
-    bodies: BodyTable
+    bodies: Floats
     pairs: Ints
     following: FollowTable
     areas: AreaTable

@@ -18,8 +18,6 @@ from scegen.scenario.concrete import (
 _SLACK_S = 1e-5
 """1.0 knows only "greater than": this much earlier, a time on the step's grid counts as reached."""
 
-Condition = xosc.ValueTrigger | xosc.EntityTrigger
-
 
 def phase_event_name(participant: ConcreteParticipant, index: int) -> str:
     """The name of the event of a phase, unique in the file: players look it up by name alone."""
@@ -80,7 +78,7 @@ def _reached(time_s: float, minor: int) -> xosc.SimulationTimeCondition:
 
 def _condition(
     name: str, owner: ConcreteParticipant, phase: SpeedPhase, duration_s: float, minor: int
-) -> Condition:
+) -> xosc.ValueTrigger | xosc.EntityTrigger:
     trigger = phase.trigger
     if isinstance(trigger, AtTime):
         if trigger.time_s <= _SLACK_S:

@@ -29,7 +29,11 @@ def export_scenario(concrete: ConcreteScenario, *, osc: str = "1.0") -> dict[str
     network = build_network(concrete.road, name=concrete.name)
     paths = build_paths(concrete, network)
     return {
-        ROAD_FILE: write_opendrive(network, control=concrete.road.control).encode(),
+        ROAD_FILE: write_opendrive(
+            network,
+            control=concrete.road.control,
+            controlled_arms=concrete.road.controlled_arms,
+        ).encode(),
         SCENARIO_FILE: write_openscenario(concrete, paths, road_file=ROAD_FILE, version=osc),
         CONCRETE_FILE: to_yaml(concrete).encode(),
         PREVIEW_FILE: preview_png(concrete, network, paths),

@@ -73,7 +73,8 @@ def _roads(concrete: ConcreteScenario) -> Table:
 
 
 def _name(participant: ConcreteParticipant) -> str:
-    return f"{participant.id} (ego)" if participant.role is Role.EGO else participant.id
+    is_ego = participant.role is Role.EGO and participant.id != "ego"
+    return f"{participant.id} (ego)" if is_ego else participant.id
 
 
 def _vehicles(concrete: ConcreteScenario) -> Table:

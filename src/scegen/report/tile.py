@@ -31,7 +31,14 @@ _ROAD, _KERB, _MARK, _TEXT, _FAINT = "#d5d9df", "#a9b0ba", "#ffffff", "#1b2330",
 
 def tile_height(functional: FunctionalScenario) -> int:
     """Height of a tile: the picture, the caption, one line per participant."""
-    return _PICTURE + 30 + _LINE * len(functional.participants)
+    picture = _PICTURE - 2 * _lift(make_plan(functional.junction))
+    return picture + 30 + _LINE * len(functional.participants)
+
+
+def _lift(plan: Plan) -> int:
+    """What a road without a junction leaves free above and below it."""
+    level = all(abs(sin(angle)) < 0.2 for angle in plan.angles)
+    return 55 if plan.kind is JunctionKind.STRAIGHT and level else 0
 
 
 def tile_body(scenario: LogicalScenario, functional: FunctionalScenario) -> str:
@@ -59,8 +66,9 @@ def tile_body(scenario: LogicalScenario, functional: FunctionalScenario) -> str:
         drawings.append((is_ego, drawing))
     parts += [d for is_ego, d in drawings if not is_ego]
     parts += [d for is_ego, d in drawings if is_ego]  # on top
-    parts.append(_caption(scenario, functional, colour))
-    return "".join(parts)
+    lift = _lift(plan)
+    caption = _caption(scenario, functional, colour, _PICTURE - 2 * lift)
+    return f'<g transform="translate(0 {-lift})">{"".join(parts)}</g>{caption}'
 
 
 def tile_svg(scenario: LogicalScenario, functional: FunctionalScenario) -> str:
@@ -224,11 +232,11 @@ def _box(corners: list[Point], colour: str) -> str:
 
 
 def _caption(
-    scenario: LogicalScenario, functional: FunctionalScenario, colour: dict[str, str]
+    scenario: LogicalScenario, functional: FunctionalScenario, colour: dict[str, str], top: int
 ) -> str:
     moves = " ".join(str(move) for move in scenario.pattern) or "–"
     size = f"  ×{scenario.class_size}" if scenario.class_size > 1 else ""
-    y = _PICTURE + 14
+    y = top + 14
     lines = [
         (
             f'<text x="10" y="{y}" font-size="13" font-weight="700" fill="{_TEXT}">'
@@ -239,13 +247,13 @@ def _caption(
     ]
     for number, assignment in enumerate(scenario.assignments, start=1):
         name = assignment.participant
-        top = y + number * _LINE + 2
+        at = y + number * _LINE + 2
         shown = _short(name, _NAME_CHARACTERS)
         did = _short(way(assignment), _LINE_CHARACTERS - len(shown))
         weight = "700" if name == functional.ego.id else "400"
         lines.append(
-            f'<rect x="10" y="{top - 8}" width="9" height="9" rx="2" fill="{colour[name]}"/>'
-            f'<text x="24" y="{top}" font-size="11.5" fill="{_TEXT}">'
+            f'<rect x="10" y="{at - 8}" width="9" height="9" rx="2" fill="{colour[name]}"/>'
+            f'<text x="24" y="{at}" font-size="11.5" fill="{_TEXT}">'
             f'<tspan font-weight="{weight}">{escape(shown)}</tspan> '
             f'<tspan fill="{_FAINT}">{escape(did)}</tspan></text>'
         )

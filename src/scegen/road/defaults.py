@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Set as AbstractSet
 
-from scegen.scenario.arms import arm_angles_deg
+from scegen.scenario.arms import arm_angles_deg, turn_name
 from scegen.scenario.concrete import ArmRoad, RoadParameters
 from scegen.scenario.functional import Junction
-from scegen.scenario.vocabulary import JunctionKind
+from scegen.scenario.vocabulary import Control, JunctionKind, Maneuver
 
 ARM_LENGTH_M = 120.0
 LANE_WIDTH_M = 3.5
 SPEED_LIMIT_MPS = 50 / 3.6
 ROUNDABOUT_SPEED_LIMIT_MPS = 30 / 3.6
+_MINOR_ROAD = frozenset({Control.YIELD, Control.STOP})
 
 
 def plan_road(
@@ -20,6 +21,7 @@ def plan_road(
     *,
     arm_length_m: float = ARM_LENGTH_M,
     min_lanes: int = 1,
+    crosswalks: AbstractSet[int] = frozenset(),
     parking_lanes: AbstractSet[int] = frozenset(),
     u_turns: AbstractSet[int] = frozenset(),
 ) -> RoadParameters:
@@ -29,6 +31,7 @@ def plan_road(
         junction: what the description says of the road.
         arm_length_m: length of every arm road.
         min_lanes: fewest lanes per direction, for scenarios that need room side by side.
+        crosswalks: arms with a marked crosswalk, beside those that the description names.
         parking_lanes: arms with a strip for standing vehicles.
         u_turns: arms at which vehicles may turn back.
     """
@@ -56,7 +59,33 @@ def plan_road(
         driving_side=junction.driving_side,
         control=junction.control,
         ring_lanes=junction.ring_lanes or 1,
-        crosswalks=junction.crosswalks,
+        crosswalks=junction.crosswalks | crosswalks,
         parking_lanes=frozenset(parking_lanes),
         u_turns=frozenset(u_turns),
+        controlled_arms=_controlled_arms(junction, angles),
     )
+
+
+def _controlled_arms(junction: Junction, angles_deg: tuple[float, ...]) -> frozenset[int]:
+    """The arms at which the control's signs or lights stand.
+
+    Yield and stop signs face the minor road: the stem of a T, every second arm of a crossing,
+    every entry of a roundabout. All other controls hold for all arms alike.
+    """
+    arms = range(junction.arms)
+    if junction.control in {Control.UNCONTROLLED, Control.PRIORITY_TO_RIGHT}:
+        return frozenset()
+    everywhere = junction.kind is JunctionKind.ROUNDABOUT or junction.control not in _MINOR_ROAD
+    if everywhere:
+        return frozenset(arms)
+    stems = [
+        arm
+        for arm in arms
+        if all(
+            turn_name(angles_deg, arm, move) is not Maneuver.STRAIGHT
+            for move in range(1, junction.arms)
+        )
+    ]
+    if stems and len(stems) < junction.arms:
+        return frozenset(stems)
+    return frozenset(arms[1::2])

@@ -48,7 +48,8 @@ class RoadParameters(FrozenModel):
     ``corner_radius_m`` is the kerb radius between neighbouring arms, ``ring_radius_m`` the
     radius of the outermost ring lane's centre; None lets the road package choose.
     ``parking_lanes`` are arms with a strip for standing vehicles beside the travelled lanes;
-    ``u_turns`` arms where turning back is possible.
+    ``u_turns`` arms where turning back is possible; ``controlled_arms`` those whose entering
+    traffic the control's signs or lights stand for.
     """
 
     kind: JunctionKind
@@ -61,6 +62,7 @@ class RoadParameters(FrozenModel):
     crosswalks: ArmSet = frozenset()
     parking_lanes: ArmSet = frozenset()
     u_turns: ArmSet = frozenset()
+    controlled_arms: ArmSet = frozenset()
 
 
 class AtTime(FrozenModel):

@@ -151,6 +151,8 @@ class Chunker:
         previous = self._chunks[-1] if self._chunks else None
         if mods[0].cat == "dir" and isinstance(previous, Event) and previous.control is None:
             return False
+        if mods[0].cat == "dir" and isinstance(previous, Word) and previous.cat == "aux":
+            return False
         after_prep = isinstance(previous, Word) and previous.cat in _VERBAL_LINKS
         if after_prep and _has_dir(mods) and head.form == "s":
             return False

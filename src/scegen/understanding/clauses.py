@@ -44,7 +44,7 @@ class ClauseReader:
             elif isinstance(chunk, Event):
                 self._event(chunk)
             else:
-                self._noun(chunk)
+                self._noun(chunk, k)
         self._end_sentence()
         return self.events
 
@@ -121,7 +121,8 @@ class ClauseReader:
         following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
         before_event = event_follows(self._chunks, k)
         waits = after_event and isinstance(state.anchor, Event) and state.anchor.control
-        if "rel" in state.between and state.mentions and not before_event:
+        predicate = not before_event or word.cat in {"dir", "state", "compass"}
+        if "rel" in state.between and state.mentions and predicate:
             state.mentions[-1].mods.append(word.term)
         elif before_event and (not after_event or waits) and word.cat not in {"dir", "compass"}:
             state.ahead.append(word.term)
@@ -146,6 +147,7 @@ class ClauseReader:
     def _mention(self, mention: Mention, k: int) -> None:
         state = self._state
         state.mentions.append(mention)
+        state.inanimate = False
         self._premodifiers(mention)
         if mention.possessor:
             return
@@ -238,8 +240,12 @@ class ClauseReader:
         state.between = set()
         state.last_pp = None
 
-    def _noun(self, noun: NounPhrase) -> None:
+    def _noun(self, noun: NounPhrase, k: int) -> None:
         state = self._state
+        opens = not state.events or bool(state.between & {"sub", ",", "conj"})
+        if state.prep is None and opens and finite_follows(self._chunks, k):
+            opens = not (state.events and "," in state.between and "sub" not in state.between)
+            state.inanimate = opens and (state.candidate is None or "sub" in state.between)
         if state.prep is not None:
             state.prep.target = noun
             noun.prep = state.prep.word

@@ -17,8 +17,10 @@ def turn(scene: Scene, context: Context) -> None:
     if unprotected is not None and left:
         context.draft.hazard(HazardKind.UNPROTECTED_LEFT_TURN, scene.words, scene.drivers)
         return
-    if left and scene.drivers and any(p.kind == "path" for p in scene.places()):
-        context.draft.hazard(HazardKind.UNPROTECTED_LEFT_TURN, scene.words, scene.drivers)
+    into_way = any(p.kind == "path" for p in scene.places())
+    if event.dirs and scene.drivers and into_way:
+        kind = HazardKind.UNPROTECTED_LEFT_TURN if left else HazardKind.FAILURE_TO_YIELD
+        context.draft.hazard(kind, scene.words, scene.drivers)
         return
     in_front = next((p for p in event.pps if p.word.cat == "locus" and p.value == "ahead"), None)
     if left and in_front is not None and in_front.target is not None and scene.drivers:
@@ -56,7 +58,8 @@ def cut_in(scene: Scene, context: Context) -> None:
     if not scene.drivers:
         return
     to = scene.targets or _mentioned(scene.event)
-    if any(context.comes_across(e) for e in scene.drivers):
+    turning = any(e.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT} for e in scene.drivers)
+    if turning or any(context.comes_across(e) for e in scene.drivers):
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, to)
         return
     basis = scene.words

@@ -163,7 +163,7 @@ class Discourse:
 
     def _vehicle_around(self, reading: Reading, mention: Mention) -> Mention | None:
         """``someone in a van``: people in or on a vehicle stand for it."""
-        if reading.kind is not ParticipantKind.PEDESTRIAN:
+        if reading.kind is not ParticipantKind.PEDESTRIAN and not reading.driver:
             return None
         for prep in mention.pps:
             target = prep.target

@@ -62,6 +62,8 @@ class Interpreter:
         drivers = [e for e in entities if e.moving_vehicle]
         if term.cat == "manner" and term.value == "fast" and drivers:
             self._draft.hazard(HazardKind.SPEEDING, basis, drivers)
+        elif term.cat == "manner" and term.value == "wrong_way" and drivers:
+            self._draft.hazard(HazardKind.ONCOMING_LANE, basis, drivers)
         elif term.cat == "manner" and term.value == "slow" and drivers:
             self._draft.hazard(HazardKind.SLOW_DRIVING, basis, drivers)
         elif term.cat == "quantity":

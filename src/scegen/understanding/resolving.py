@@ -21,7 +21,8 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     """
     for event in events:
         for mention in event.subject:
-            mention.drives = mention.drives or event.name in _ONLY_VEHICLES
+            failing = event.negated and event.name in {"stop", "yield"}
+            mention.drives = mention.drives or failing or event.name in _ONLY_VEHICLES
     subjects = {id(m) for event in events for m in event.subject}
     acted_on = {id(e.object): e for e in events if e.object is not None}
     everywhere = _from_everywhere(events)

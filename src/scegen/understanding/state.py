@@ -23,6 +23,7 @@ class State:
         ahead: adverbs that wait for the next verb.
         prep: the preposition that waits for its target.
         mentions: mentions of the sentence so far.
+        inanimate: the clause is about a thing ("the light turns green"), not a participant.
         last_pp: the mention in the prepositional phrase just read, if it is no anchor.
         bracket: anchor and words between, as they were when a bracket opened.
     """
@@ -37,5 +38,6 @@ class State:
     ahead: list[Term] = field(default_factory=list)
     prep: Prep | None = None
     mentions: list[Mention] = field(default_factory=list)
+    inanimate: bool = False
     last_pp: Mention | None = None
     bracket: tuple[Mention | NounPhrase | Event | None, set[str]] | None = None

@@ -41,6 +41,9 @@ def link(event: Event, state: State) -> None:
         _gerund(event, state)
     else:
         event.finite = event.form in {"s", "ed", "base"} or auxiliary
+        if event.finite and state.inanimate:
+            state.inanimate = False
+            return
         _clause(event, state)
     if event.form == "ed" and event.name in _PASSIVE:
         reduced = isinstance(state.anchor, Mention) and "aux:have" not in state.between

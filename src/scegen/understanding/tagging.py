@@ -16,6 +16,7 @@ _LABELLED = re.compile(r"^(?:v|veh|u|car|cv)\d{1,2}$")
 _NOMINAL_BEFORE = frozenset(
     {"det", "possessive", "dir", "manner", "num", "quant", "label", "noted", "shape"}
 )
+_NO_PREMODIFIER = frozenset({"aux", "actor", "pronoun", "neg"})
 _UNIT_WORDS = frozenset({"unit", "veh", "v"})
 _VERBAL_BEFORE = frozenset({"actor", "pronoun", "aux", "rel", "neg"})
 _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
@@ -57,8 +58,10 @@ class Match:
         return any(entry.cat in cats for entry in self.entries)
 
     def get(self, *cats: str) -> Entry:
-        """The first meaning of the first of these classes that has one."""
-        return next(entry for cat in cats for entry in self.entries if entry.cat == cat)
+        """The meaning of the first of these classes that has one, else the first of all."""
+        return next(
+            (entry for cat in cats for entry in self.entries if entry.cat == cat), self.entries[0]
+        )
 
 
 def _step(node: Node, token: Token) -> list[tuple[Node, str]]:
@@ -113,16 +116,26 @@ def _is_adverb(token: Token) -> bool:
     return token.low.endswith("ly")
 
 
+def _may_describe(previous: Term | None) -> bool:
+    """Whether a participle here can describe the noun that follows.
+
+    After a subject or a comma it is a verb: "a van overtaking cars", "…, overtaking cars".
+    """
+    if previous is None:
+        return True
+    return previous.cat not in _NO_PREMODIFIER and previous.value != ","
+
+
 def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
     """Decides between a verb and the other meanings of its form; says if it is a premodifier."""
     before = previous.cat if previous else ""
     verb = match.get("verb")
     participle = match.form in {"ing", "ed"}
-    attributive = before not in {"aux", "actor", "pronoun", "neg"} and _noun_follows(
-        tokens, match.j
-    )
+    attributive = _may_describe(previous) and _noun_follows(tokens, match.j)
     if match.has("dir") and match.get("dir").value == "left":
         return _left(match, previous)
+    if match.form == "base" and before == "aux" and previous is not None and previous.value == "be":
+        return match.get(*_ADJECTIVE_CATS, "verb"), False
     if participle and attributive:
         return (match.get(*_ADJECTIVE_CATS) if match.has(*_ADJECTIVE_CATS) else verb), True
     if match.has("dir", "state", "manner") and attributive and not participle:
@@ -133,7 +146,10 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     noun_slot = (before in _NOMINAL_BEFORE and not adverb) or preposed
     if match.has(*nouns) and noun_slot and match.form in {"base", "s"}:
         return match.get(*nouns), False
-    verbal = before in _VERBAL_BEFORE or (previous is not None and previous.value == "to")
+    controlled = previous is not None and before == "verb" and "control" in previous.data
+    verbal = (
+        controlled or before in _VERBAL_BEFORE or (previous is not None and previous.value == "to")
+    )
     if match.has("dir") and not verbal and match.form == "base":
         return match.get("dir"), False
     return verb, False
@@ -158,7 +174,7 @@ def _choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[E
         premod = (
             entry.cat == "verb"
             and match.form in {"ing", "ed"}
-            and (previous is None or previous.cat not in {"aux", "actor", "pronoun", "neg"})
+            and _may_describe(previous)
             and _noun_follows(tokens, match.j)
         )
         return entry, premod

@@ -37,12 +37,14 @@ class Job(NamedTuple):
     """Files to check together: a road, and a scenario on it.
 
     ``scenario_note`` says what stands for the scenario (its 1.2 twin), or why nothing does.
+    Without ``check_road`` the road only lies beside the scenario.
     """
 
     road: bytes | None = None
     scenario: bytes | None = None
     road_file: str = "road.xodr"
     scenario_note: str = ""
+    check_road: bool = True
 
 
 def run_asam(jobs: Sequence[Job]) -> list[list[CheckResult]]:
@@ -62,7 +64,8 @@ def run_asam(jobs: Sequence[Job]) -> list[list[CheckResult]]:
 
 
 def _checkers(job: Job) -> list[str]:
-    given = ((OPENDRIVE, job.road), (OPENSCENARIO, job.scenario))
+    road = job.road if job.check_road else None
+    given = ((OPENDRIVE, road), (OPENSCENARIO, job.scenario))
     return [checker for checker, content in given if content is not None]
 
 
@@ -73,12 +76,13 @@ def _lay(job: Job, place: Path) -> list[str]:
         # The scenario names its road file; a path in that name is not followed.
         path = place / Path(job.road_file).name
         path.write_bytes(job.road)
-        lines.append(f"opendrive\t{path}\t{place / OPENDRIVE}.xqar")
-        later = _as_next_version(job.road)
-        if later is not None:
-            path = place / "later.xodr"
-            path.write_bytes(later)
-            lines.append(f"opendrive\t{path}\t{place / 'later'}.xqar")
+        if job.check_road:
+            lines.append(f"opendrive\t{path}\t{place / OPENDRIVE}.xqar")
+    later = _as_next_version(job.road) if job.road is not None and job.check_road else None
+    if later is not None:
+        path = place / "later.xodr"
+        path.write_bytes(later)
+        lines.append(f"opendrive\t{path}\t{place / 'later'}.xqar")
     if job.scenario is not None:
         path = place / "scenario.xosc"
         path.write_bytes(job.scenario)

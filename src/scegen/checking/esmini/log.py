@@ -12,6 +12,7 @@ HARMLESS = (
     # Models are pictures: without a window nobody sees them.
     re.compile(r"^3D model .* not located"),
     re.compile(r"^scene graph file .* not located"),
+    re.compile(r"^Traffic sign mapping file .* not located"),
     # What later versions deprecate, the schema of 1.0 requires.
     re.compile(r"deprecated in v1\.\d.* Accepting it anyway"),
 )

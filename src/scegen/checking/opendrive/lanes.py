@@ -144,7 +144,7 @@ def lane_joints(network: Network) -> Iterator[LaneJoint]:
             if met is None:
                 continue
             for lane_from, lane_to in connection.lanes:
-                known = lane_from in incoming.section(met).lanes
+                known = lane_from in incoming.section(met).lanes and 0 not in {lane_from, lane_to}
                 if known and lane_to in connecting.section(connection.contact).lanes:
                     yield LaneJoint(
                         *(incoming, met, lane_from),

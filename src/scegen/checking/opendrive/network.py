@@ -106,7 +106,10 @@ class Link:
 
 @dataclass(frozen=True, slots=True)
 class Road:
-    """A road as read; ``junction`` is None outside junctions."""
+    """A road as read; ``junction`` is None outside junctions.
+
+    ``speed_limit`` is in m/s, None without one; ``crosswalks`` are the s of crosswalk objects.
+    """
 
     id: str
     length: float
@@ -118,6 +121,8 @@ class Road:
     lane_offsets: tuple[Poly3, ...]
     elevations: tuple[Poly3, ...]
     sections: tuple[LaneSection, ...]
+    speed_limit: float | None
+    crosswalks: tuple[float, ...]
 
     def link(self, contact: str) -> Link | None:
         """What lies beyond one end."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from math import isfinite
 from typing import NamedTuple
 
 from lxml import etree
@@ -23,6 +22,12 @@ from scegen.checking.opendrive.network import (
 from scegen.checking.results import Finding, error
 
 READABLE = "xodr.readable"
+MPS = {"m/s": 1.0, "km/h": 1 / 3.6, "mph": 0.44704}
+"""Units of speed (OpenDRIVE e_unitSpeed) in m/s."""
+
+
+LARGEST = 1e9
+"""Larger numbers are no metres, radians or shares; computing with them could overflow."""
 
 
 class ReadNetwork(NamedTuple):
@@ -83,8 +88,8 @@ def _number(element: etree._Element, name: str) -> float:
         value = float(text)
     except ValueError:
         value = float("nan")
-    if not isfinite(value):
-        raise _UnreadableError(f"<{element.tag}> {name}={text!r} is not a number")
+    if not abs(value) <= LARGEST:
+        raise _UnreadableError(f"<{element.tag}> {name}={text!r} is not a usable number")
     return value
 
 
@@ -118,7 +123,22 @@ def _road(element: etree._Element) -> Road:
         lane_offsets=tuple(_poly3(e, "s") for e in element.iterfind("lanes/laneOffset")),
         elevations=tuple(_poly3(e, "s") for e in element.iterfind("elevationProfile/elevation")),
         sections=_sections(element, length),
+        speed_limit=_speed_limit(element.find("type/speed")),
+        crosswalks=tuple(
+            _number(found, "s")
+            for found in element.iterfind("objects/object")
+            if found.get("type") == "crosswalk"
+        ),
     )
+
+
+def _speed_limit(element: etree._Element | None) -> float | None:
+    if element is None or element.get("max") in {"no limit", "undefined"}:
+        return None
+    unit = element.get("unit", "m/s")
+    if unit not in MPS:
+        raise _UnreadableError(f"<speed> unit={unit!r} is not a unit of speed")
+    return _number(element, "max") * MPS[unit]
 
 
 def _link(element: etree._Element | None) -> Link | None:

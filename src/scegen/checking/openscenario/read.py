@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import isfinite
 from typing import NamedTuple
 
 from lxml import etree
@@ -22,6 +21,8 @@ from scegen.checking.openscenario.storyboard import (
 from scegen.checking.results import Finding, error
 
 READABLE = "xosc.readable"
+LARGEST = 1e9
+"""Larger numbers are no metres, radians or seconds; computing with them could overflow."""
 BODIES = ("Vehicle", "Pedestrian", "MiscObject", "CatalogReference")
 
 
@@ -81,8 +82,10 @@ class _Reader:
             value = float(text or "")
         except ValueError:
             value = float("nan")
-        if not isfinite(value):
-            raise _UnreadableError(element, f"<{element.tag}> {name}={text!r} is not a number")
+        if not abs(value) <= LARGEST:
+            raise _UnreadableError(
+                element, f"<{element.tag}> {name}={text!r} is not a usable number"
+            )
         return value
 
     def report(self, problem: _UnreadableError) -> None:

@@ -85,44 +85,65 @@ class Candidates(NamedTuple):
     rate_mps2: Floats
 
 
+S, X, Y, HEADING, COS, SIN, SPEED = range(7)
+"""Rows of a track; see :class:`BatchTraces`."""
+TRACK_ROWS = 7
+
+
 class BatchTraces(NamedTuple):
-    """Movements; arrays (c, t, i), the time of step t is ``t * dt_s``.
+    """Movements; the time of step t is ``t * dt_s``.
 
-    ``s_m`` counts from the first vertex of the path, so it starts at the candidate's ``start_m``.
-    ``x_m``, ``y_m`` (m), ``heading_rad``, its ``cos`` and ``sin`` and ``speed_mps`` belong to the
-    reference point (rear axle; a pedestrian's centre). ``fired_step`` (c, k) is the step in which
-    a phase's trigger came true, -1 for never; the speed changes one step later.
-
-    In memory a participant's time series is contiguous, because measures walk along it.
+    ``tracks`` (c, i, row, t) holds a participant's time series one after another in memory,
+    because measures walk along them; kernels take single tracks, (row, t). Everybody else reads
+    the properties, arrays (c, t, i) that are views of it. They belong to the reference point
+    (rear axle; a pedestrian's centre). ``fired_step`` (c, k) is the step in which a phase's
+    trigger came true, -1 for never; the speed changes one step later.
     """
 
     dt_s: float
-    s_m: Floats
-    x_m: Floats
-    y_m: Floats
-    heading_rad: Floats
-    cos: Floats
-    sin: Floats
-    speed_mps: Floats
+    tracks: Floats
     fired_step: Ints
+
+    def _series(self, row: int) -> Floats:
+        return self.tracks[:, :, row].swapaxes(1, 2)
+
+    @property
+    def time_s(self) -> Floats:
+        """Times of the steps, s: (t,)."""
+        return np.arange(self.tracks.shape[3], dtype=np.float64) * self.dt_s
+
+    @property
+    def s_m(self) -> Floats:
+        """Positions from the first vertex of the path, m: a candidate starts at ``start_m``."""
+        return self._series(S)
+
+    @property
+    def x_m(self) -> Floats:
+        """East, m."""
+        return self._series(X)
+
+    @property
+    def y_m(self) -> Floats:
+        """North, m."""
+        return self._series(Y)
+
+    @property
+    def heading_rad(self) -> Floats:
+        """Heading, counter-clockwise from east, unwrapped, rad."""
+        return self._series(HEADING)
+
+    @property
+    def speed_mps(self) -> Floats:
+        """Speed, m/s."""
+        return self._series(SPEED)
 
 
 def empty_traces(
     candidates: int, steps: int, participants: int, phases: int, dt_s: float
 ) -> BatchTraces:
     """Room for the movements of so many candidates, steps and participants; not initialised."""
-
-    def room() -> Floats:
-        return np.empty((candidates, participants, steps)).transpose(0, 2, 1)
-
     return BatchTraces(
         dt_s=float(dt_s),
-        s_m=room(),
-        x_m=room(),
-        y_m=room(),
-        heading_rad=room(),
-        cos=room(),
-        sin=room(),
-        speed_mps=room(),
-        fired_step=np.empty((candidates, phases), dtype=np.int64),
+        tracks=np.empty((candidates, participants, TRACK_ROWS, steps)),
+        fired_step=np.full((candidates, phases), -1, dtype=np.int64),
     )

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from scegen.motion.batch.arrays import (
+    COS,
+    SIN,
     BatchTraces,
     Candidates,
     PathTable,
@@ -112,8 +114,8 @@ def stack_traces(traces: Sequence[Trace]) -> BatchTraces:
         batch.x_m[0, :, i] = trace.x_m
         batch.y_m[0, :, i] = trace.y_m
         batch.heading_rad[0, :, i] = trace.heading_rad
-        batch.cos[0, :, i] = np.cos(trace.heading_rad)
-        batch.sin[0, :, i] = np.sin(trace.heading_rad)
+        batch.tracks[0, i, COS] = np.cos(trace.heading_rad)
+        batch.tracks[0, i, SIN] = np.sin(trace.heading_rad)
         batch.speed_mps[0, :, i] = trace.speed_mps
     return batch
 

@@ -35,4 +35,4 @@ def simulate_batch(
 @kernel
 def _run(program: Program, candidates: Candidates, traces: BatchTraces) -> None:
     for c in range(candidates.speed_mps.shape[0]):
-        run_candidate(program, candidates, c, traces, c)
+        run_candidate(program, candidates, c, traces.dt_s, traces.tracks[c], traces.fired_step[c])

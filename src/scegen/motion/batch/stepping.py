@@ -3,7 +3,6 @@
 Same laws and same order as the reference simulator (``scegen.motion.simulation``): speeds first,
 positions by the new speed times dt, then the triggers, whose effect begins in the next step.
 """
-# ruff: noqa: PLR0917 -- kernels take numbers, not bundles: bundles cost them registers.
 
 from __future__ import annotations
 
@@ -12,12 +11,19 @@ from math import cos, sin, sqrt
 import numpy as np
 
 from scegen.motion.batch.arrays import (
-    BatchTraces,
+    COS,
+    HEADING,
+    SIN,
+    SPEED,
     Candidates,
     Floats,
+    Ints,
     PathTable,
     PhaseTable,
     Program,
+    S,
+    X,
+    Y,
 )
 from scegen.motion.batch.kernels import kernel
 
@@ -30,45 +36,54 @@ _TIME, _TRAVELLED, _DISTANCE_BELOW = 0, 1, 2  # TriggerKind; the last kind is th
 
 @kernel
 def run_candidate(
-    program: Program, candidates: Candidates, c: int, traces: BatchTraces, row: int
+    program: Program, candidates: Candidates, c: int, dt_s: float, tracks: Floats, fired_step: Ints
 ) -> None:
-    """Simulate candidate ``c`` and write its movement into ``row`` of the traces."""
+    """Simulate candidate ``c``.
+
+    Args:
+        program: paths and structure of the speed programs.
+        candidates: the numbers that differ.
+        c: which candidate.
+        dt_s: time step, s.
+        tracks: output, (participant, track row, step), see ``BatchTraces``.
+        fired_step: output, (phase,).
+    """
     paths, phases = program
     participants = paths.first.shape[0] - 1
-    dt = traces.dt_s
     # Travelled distance, speed, target speed, rate (0: no phase active), length left at start.
     state = np.zeros((participants, 5))
     # Vertex at or behind the position, next phase to fire.
     marks = np.zeros((participants, 2), dtype=np.int64)
     for i in range(participants):
-        state[i, 4] = paths.s_m[paths.first[i + 1] - 1] - candidates.start_m[c, i]
+        length = paths.s_m[paths.first[i + 1] - 1]
+        state[i, 4] = max(length - candidates.start_m[c, i], 0.0)
         state[i, 1] = candidates.speed_mps[c, i] if state[i, 4] > 0.0 else 0.0
         marks[i, 0] = paths.first[i]
         marks[i, 1] = phases.first[i]
-    traces.fired_step[row, :] = -1
-    for t in range(traces.s_m.shape[1]):
+    fired_step[:] = -1
+    for t in range(tracks.shape[2]):
         for i in range(participants):
             if t > 0:
-                _move(state, i, dt)
+                _move(state, i, dt_s)
                 if state[i, 0] >= state[i, 4]:
                     state[i, 0], state[i, 1], state[i, 3] = state[i, 4], 0.0, 0.0
                     marks[i, 1] = phases.first[i + 1]
-            traces.speed_mps[row, t, i] = state[i, 1]
-            if t > 0 and state[i, 1] == 0.0 and traces.speed_mps[row, t - 1, i] == 0.0:
-                _stay(traces, row, t, i)
+            tracks[i, SPEED, t] = state[i, 1]
+            if t > 0 and state[i, 1] == 0.0 and tracks[i, SPEED, t - 1] == 0.0:
+                _stay(tracks, i, t)
             else:
-                s = candidates.start_m[c, i] + max(state[i, 0], 0.0)
-                traces.s_m[row, t, i] = s
-                marks[i, 0] = _place(paths, i, marks[i, 0], s, traces, row, t)
+                s = candidates.start_m[c, i] + state[i, 0]
+                tracks[i, S, t] = s
+                marks[i, 0] = _place(paths, i, marks[i, 0], s, tracks, t)
         for i in range(participants):
             k = marks[i, 1]
             if k < phases.first[i + 1] and _holds(
-                phases, candidates.trigger[c, k], k, i, state, traces, row, t
+                phases, candidates.trigger[c, k], k, i, state, tracks, t, dt_s
             ):
                 state[i, 2] = candidates.target_speed_mps[c, k]
                 state[i, 3] = candidates.rate_mps2[c, k]
                 marks[i, 1] = k + 1
-                traces.fired_step[row, k] = t
+                fired_step[k] = t
 
 
 @kernel
@@ -87,20 +102,18 @@ def _move(state: Floats, i: int, dt: float) -> None:
 
 
 @kernel
-def _stay(traces: BatchTraces, row: int, t: int, i: int) -> None:
+def _stay(tracks: Floats, i: int, t: int) -> None:
     """Participant i has not moved in this step."""
-    traces.s_m[row, t, i] = traces.s_m[row, t - 1, i]
-    traces.x_m[row, t, i] = traces.x_m[row, t - 1, i]
-    traces.y_m[row, t, i] = traces.y_m[row, t - 1, i]
-    traces.heading_rad[row, t, i] = traces.heading_rad[row, t - 1, i]
-    traces.cos[row, t, i] = traces.cos[row, t - 1, i]
-    traces.sin[row, t, i] = traces.sin[row, t - 1, i]
+    tracks[i, S, t] = tracks[i, S, t - 1]
+    tracks[i, X, t] = tracks[i, X, t - 1]
+    tracks[i, Y, t] = tracks[i, Y, t - 1]
+    tracks[i, HEADING, t] = tracks[i, HEADING, t - 1]
+    tracks[i, COS, t] = tracks[i, COS, t - 1]
+    tracks[i, SIN, t] = tracks[i, SIN, t - 1]
 
 
 @kernel
-def _place(
-    paths: PathTable, i: int, vertex: int, s: float, traces: BatchTraces, row: int, t: int
-) -> int:
+def _place(paths: PathTable, i: int, vertex: int, s: float, tracks: Floats, t: int) -> int:
     """Write the pose at ``s`` on i's path; returns the vertex at or behind it.
 
     ``vertex`` is where the search begins: positions only grow.
@@ -109,21 +122,21 @@ def _place(
     while vertex < last and paths.s_m[vertex + 1] <= s:
         vertex += 1
     if vertex == last or s <= paths.s_m[vertex]:
-        traces.x_m[row, t, i] = paths.x_m[vertex]
-        traces.y_m[row, t, i] = paths.y_m[vertex]
-        traces.heading_rad[row, t, i] = paths.heading_rad[vertex]
-        traces.cos[row, t, i] = paths.cos[vertex]
-        traces.sin[row, t, i] = paths.sin[vertex]
+        tracks[i, X, t] = paths.x_m[vertex]
+        tracks[i, Y, t] = paths.y_m[vertex]
+        tracks[i, HEADING, t] = paths.heading_rad[vertex]
+        tracks[i, COS, t] = paths.cos[vertex]
+        tracks[i, SIN, t] = paths.sin[vertex]
         return vertex
     p = (s - paths.s_m[vertex]) / (paths.s_m[vertex + 1] - paths.s_m[vertex])
-    traces.x_m[row, t, i] = paths.x_m[vertex] + p * (paths.x_m[vertex + 1] - paths.x_m[vertex])
-    traces.y_m[row, t, i] = paths.y_m[vertex] + p * (paths.y_m[vertex + 1] - paths.y_m[vertex])
+    tracks[i, X, t] = paths.x_m[vertex] + p * (paths.x_m[vertex + 1] - paths.x_m[vertex])
+    tracks[i, Y, t] = paths.y_m[vertex] + p * (paths.y_m[vertex + 1] - paths.y_m[vertex])
     turn = paths.heading_rad[vertex + 1] - paths.heading_rad[vertex]
     heading = paths.heading_rad[vertex] + p * turn
-    traces.heading_rad[row, t, i] = heading
+    tracks[i, HEADING, t] = heading
     # On straights the vertex already knows; sine and cosine are a third of the work.
-    traces.cos[row, t, i] = paths.cos[vertex] if turn == 0.0 else cos(heading)
-    traces.sin[row, t, i] = paths.sin[vertex] if turn == 0.0 else sin(heading)
+    tracks[i, COS, t] = paths.cos[vertex] if turn == 0.0 else cos(heading)
+    tracks[i, SIN, t] = paths.sin[vertex] if turn == 0.0 else sin(heading)
     return vertex
 
 
@@ -134,21 +147,21 @@ def _holds(
     k: int,
     i: int,
     state: Floats,
-    traces: BatchTraces,
-    row: int,
+    tracks: Floats,
     t: int,
+    dt_s: float,
 ) -> bool:
     """Whether the trigger of phase k, owned by i, is true after step t."""
     kind, j = phases.kind[k], phases.subject[k]
     if kind == _TIME:
-        return t * traces.dt_s >= value - _ROUNDING
+        return bool(t * dt_s >= value - _ROUNDING)
     if kind == _TRAVELLED:
-        return state[j, 0] >= value - _ROUNDING
-    x, y = traces.x_m[row, t, j], traces.y_m[row, t, j]
+        return bool(state[j, 0] >= value - _ROUNDING)
+    x, y = tracks[j, X, t], tracks[j, Y, t]
     if kind == _DISTANCE_BELOW:
-        dx, dy = traces.x_m[row, t, i] - x, traces.y_m[row, t, i] - y
-        return sqrt(dx * dx + dy * dy) < value
+        dx, dy = tracks[i, X, t] - x, tracks[i, Y, t] - y
+        return bool(sqrt(dx * dx + dy * dy) < value)
     dx, dy = phases.point_x_m[k] - x, phases.point_y_m[k] - y
-    ahead = dx * traces.cos[row, t, j] + dy * traces.sin[row, t, j] > 0.0
+    ahead = dx * tracks[j, COS, t] + dy * tracks[j, SIN, t] > 0.0
     away, speed = sqrt(dx * dx + dy * dy), state[j, 1]
     return bool(ahead and away >= _NEGLIGIBLE and speed >= _NEGLIGIBLE and away / speed < value)

@@ -9,7 +9,7 @@ import numpy as np
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.concretization.boxes import overlap
 from scegen.motion.concretization.drafts import DriveDraft, Scene
-from scegen.motion.concretization.limits import MAX_DURATION_S
+from scegen.motion.concretization.limits import LONGEST_DURATION_S, MAX_DURATION_S
 from scegen.motion.concretization.marks import compile_marks
 from scegen.motion.concretization.room import NeedsLongerArms
 from scegen.motion.model import Path
@@ -51,7 +51,16 @@ def assemble(scene: Scene, seed: int) -> ConcreteScenario:
     )
     paths = {p.id: build_path(p.motion, p.kind, scene.network, p.id) for p in concrete.participants}
     _check_start(concrete, paths)
-    return concrete.model_copy(update={"duration_s": _duration_s(scene, concrete, paths)})
+    duration = _duration_s(scene, concrete, paths)
+    if duration is None:
+        longer = concrete.model_copy(update={"duration_s": LONGEST_DURATION_S})
+        duration = _duration_s(scene, longer, paths)
+    if duration is None:
+        raise MotionInfeasibleError(
+            f"somebody has not left after {LONGEST_DURATION_S:.0f} s",
+            hint="Raise the speeds or take a smaller junction.",
+        )
+    return concrete.model_copy(update={"duration_s": duration})
 
 
 def _name(scene: Scene) -> str:
@@ -134,19 +143,15 @@ def _check_start(concrete: ConcreteScenario, paths: dict[str, Path]) -> None:
                 )
 
 
-def _duration_s(scene: Scene, concrete: ConcreteScenario, paths: dict[str, Path]) -> float:
-    """Until everybody has left the junction and everything has happened."""
+def _duration_s(scene: Scene, concrete: ConcreteScenario, paths: dict[str, Path]) -> float | None:
+    """Until everybody has left the junction and everything has happened; None if never."""
     traces = simulate(concrete, paths)
     ends: dict[str, float] = {}
     for name, trace in traces.items():
         goal = _goal_m(scene, name, paths[name])
         done = np.flatnonzero(trace.s_m >= goal)
         if not done.size:
-            raise MotionInfeasibleError(
-                f"is {float(trace.s_m[-1]):.0f} m on its way after {MAX_DURATION_S:.0f} s and has "
-                f"not left ({goal:.0f} m)",
-                where=name,
-            )
+            return None
         ends[name] = float(trace.time_s[done[0]])
     duration = max(ends.values()) + _AFTER_S
     for name, draft in scene.drives.items():

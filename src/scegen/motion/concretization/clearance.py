@@ -10,8 +10,11 @@ from scegen.motion.concretization.boxes import Poses, overlaps
 from scegen.motion.concretization.drafts import DriveDraft
 from scegen.motion.model import Array
 
-_SAMPLE_S = 0.1
-_MARGIN_M = 0.5
+_SAMPLE_S = 0.05
+_MARGIN_M = 1.0
+_COARSE_S = 0.4
+_COARSE_M = 14.0
+"""Two cars approach each other by less than this in half a coarse step."""
 _STEP_S = 0.5
 LONGEST_S = 40.0
 
@@ -22,15 +25,26 @@ def touch(first: DriveDraft, first_s: float, second: DriveDraft, second_s: float
     end = min(first_s + float(first.course.time_s[-1]), second_s + float(second.course.time_s[-1]))
     if end <= begin:
         return False
-    times = np.arange(begin, end, _SAMPLE_S)
-    mine, other = _poses(first, times - first_s), _poses(second, times - second_s)
     reach = first.body.length_m + second.body.length_m
-    near = np.hypot(mine[0] - other[0], mine[1] - other[1]) < reach
+    # Look coarsely first: most of the time everybody is far away.
+    coarse = np.arange(begin, end, _COARSE_S)
+    near = _distance(first, coarse - first_s, second, coarse - second_s) < reach + _COARSE_M
     if not near.any():
         return False
-    a = (mine[0][near], mine[1][near], mine[2][near])
-    b = (other[0][near], other[1][near], other[2][near])
+    times = np.concatenate([np.arange(t, t + _COARSE_S, _SAMPLE_S) for t in coarse[near]])
+    a, b = _poses(first, times - first_s), _poses(second, times - second_s)
     return bool(overlaps(a, first.body, b, second.body, _MARGIN_M).any())
+
+
+def _distance(first: DriveDraft, first_s: Array, second: DriveDraft, second_s: Array) -> Array:
+    """Distance of the reference points at times of either course."""
+    places = []
+    for draft, times in ((first, first_s), (second, second_s)):
+        path = draft.laid.path
+        s = np.interp(times, draft.course.time_s, draft.course.s_m)
+        places.append((np.interp(s, path.s_m, path.x_m), np.interp(s, path.s_m, path.y_m)))
+    (x1, y1), (x2, y2) = places
+    return np.hypot(x1 - x2, y1 - y2)
 
 
 def _poses(draft: DriveDraft, times_s: Array) -> Poses:

@@ -42,7 +42,8 @@ class DriveDraft:
     ``laid`` and ``course`` its way and its timeline from the outer end of the entry arm;
     ``start_m`` where on that path it starts at time 0; ``reactions`` phases that look at others,
     to be put where the program reaches ``reacts_at_s_m``. ``slowing_mps2`` is how hard it brakes
-    before turns, ``resume_mps`` its speed after them if not ``cruise_mps``.
+    before turns, ``approach_mps`` and ``resume_mps`` its speeds before and after them if not
+    ``cruise_mps``.
     """
 
     id: str
@@ -55,6 +56,7 @@ class DriveDraft:
     lateral_mps2: float = LATERAL_MPS2
     stops_at_line: bool = False
     slowing_mps2: float = COMFORTABLE_BRAKING_MPS2
+    approach_mps: float | None = None
     resume_mps: float | None = None
     lane_changes: list[LaneChange] = field(default_factory=list)
     marks: list[Mark] = field(default_factory=list)
@@ -132,6 +134,7 @@ class DriveDraft:
             stops_at_line=self.stops_at_line,
             front_m=self.body.front_m,
             slowing_mps2=self.slowing_mps2,
+            approach_mps=self.approach_mps,
             resume_mps=self.resume_mps,
         )
 

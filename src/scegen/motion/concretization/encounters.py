@@ -4,18 +4,22 @@ from __future__ import annotations
 
 from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.hazards.rule import Rule, event_s_m, pairs, same_arm
-from scegen.motion.concretization.limits import CLOSE_FOLLOWING_S, PASSING_LAG_S
+from scegen.motion.concretization.limits import APPROACH_S, CLOSE_FOLLOWING_S, PASSING_LAG_S
 from scegen.motion.concretization.meetings import (
     BYSTANDER,
     DANGER,
     DANGER_TO_OTHERS,
     ORDINARY,
+    STRUCTURAL,
     Meeting,
     drives_meet,
 )
 from scegen.scenario.functional import Hazard
+from scegen.scenario.vocabulary import HazardKind
 
 _SHORT_OF_REST_M = 0.5
+_EARLIER_S = 3.0
+_LEAST_PLACE_M = 20.0
 
 
 def conflict_meetings(
@@ -45,13 +49,49 @@ def conflict_meetings(
                 meetings += found
                 if found:
                     involved.add(key)
-    for draft in scene.drives.values():
-        if draft is scene.ego or frozenset((draft.id, scene.ego.id)) in involved:
+    together = _brake_together(scene)
+    involved |= {frozenset((m.first, m.second)) for m in together}
+    return [*together, *meetings, *_ordinary(scene, involved, named)]
+
+
+def _brake_together(scene: Scene) -> list[Meeting]:
+    """All who brake hard for one who walks begin when it leaves the kerb."""
+    if not scene.walks:
+        return []
+    begins = {
+        draft.id: mark.s_m
+        for draft in scene.drives.values()
+        for mark in draft.marks
+        if mark.hazard is HazardKind.HARD_BRAKING
+    }
+    if len(begins) < 2:
+        return []
+    (first, first_s), *others = begins.items()
+    reason = "brakes for the same walker"
+    return [Meeting(DANGER, first, name, first_s, s, 0.0, reason) for name, s in others]
+
+
+def _ordinary(scene: Scene, involved: set[frozenset[str]], named: set[str]) -> list[Meeting]:
+    """The first of each queue that the ego's way meets; the others queue up."""
+    meetings: list[Meeting] = []
+    ego = scene.ego.id
+    # A queue of which one meets the ego in danger is placed by that one.
+    taken = {
+        (d.drive.entry, d.entry_lane)
+        for d in scene.drives.values()
+        if frozenset((d.id, ego)) in involved
+    }
+    for draft in sorted(scene.drives.values(), key=lambda d: d.drive.rank):
+        queue = (draft.drive.entry, draft.entry_lane)
+        if draft.id == ego or queue in taken:
             continue
         bystander = bool(scene.functional.hazards) and draft.id not in named
         priority = BYSTANDER if bystander else ORDINARY
         lag = PASSING_LAG_S if bystander else 0.0
-        meetings += _meeting(priority, scene.ego, draft, lag, "arrives together")
+        found = _meeting(priority, scene.ego, draft, lag, "arrives together")
+        if found:
+            meetings += found
+            taken.add(queue)
     return meetings
 
 
@@ -73,7 +113,7 @@ def arrival_s_m(draft: DriveDraft, meeting_s_m: float) -> float:
     """
     place = meeting_s_m
     for mark in draft.marks:
-        if mark.hold_s is not None and mark.s_m < meeting_s_m:
+        if mark.hold_s is not None and mark.target_mps == 0 and mark.s_m < meeting_s_m:
             rest = mark.s_m + draft.course.speed_at(mark.s_m) ** 2 / (2 * mark.rate_mps2)
             place = min(place, max(mark.s_m, rest - _SHORT_OF_REST_M))
     return place
@@ -91,6 +131,11 @@ def _close(
     lead, follow = cause, sufferer
     if sufferer.drive.rank < cause.drive.rank:
         lead, follow = sufferer, cause
+    reason = f"{hazard.kind}: close behind"
+    if lead.cruise_mps > follow.cruise_mps:
+        # They draw apart: nearest where the leader starts, about this far before the junction.
+        begins = lead.junction_s_m - lead.cruise_mps * (APPROACH_S + _EARLIER_S)
+        place, priority = max(_LEAST_PLACE_M, begins), STRUCTURAL
     bodies = lead.body.rear_m + follow.body.front_m
     return Meeting(
         priority,
@@ -99,5 +144,5 @@ def _close(
         place,
         place - bodies,
         CLOSE_FOLLOWING_S,
-        f"{hazard.kind}: close behind",
+        reason,
     )

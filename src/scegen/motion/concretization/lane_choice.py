@@ -43,6 +43,7 @@ def choose_lanes(scene: Scene, draft: DriveDraft) -> None:
     if beside is not None and beside.drive.entry == draft.drive.entry:
         lanes = [lane for lane in lanes if lane != beside.entry_lane] or lanes
     draft.entry_lane = lanes[0]
+    draft.exit_lane = lanes[0]
     choose_ring_lane(scene, draft)
 
 

@@ -28,7 +28,7 @@ ABRUPT_LANE_CHANGE_S = 2.0
 HEADWAY_S = 2.0  # [2S]
 QUEUE_GAP_M = 8.0
 TAILGATING_HEADWAY_S = (0.4, 0.8)  # below the least gap of [ISO15622]
-CLOSE_FOLLOWING_S = 1.0  # followed closely, but not tailgated
+CLOSE_FOLLOWING_S = 0.8  # followed closely, but not tailgated
 CUT_IN_HEADWAY_S = (0.3, 0.6)
 
 SPEEDING_FACTOR = (1.2, 1.5)  # of the limit
@@ -41,10 +41,13 @@ WALKING_START_MPS2 = 2.5
 STOP_LINE_SPEED_MPS = 1.5
 """At stop lines vehicles slow to this, a rolling stop, and go."""
 
-APPROACH_S = 6.0
+APPROACH_S = 6.023
 """The ego drives at least this long before it meets its first conflict partner."""
-LEAD_IN_S = 1.0
-"""Everybody drives at least this long before its first phase."""
+LEAD_IN_S = 1.023
+"""Everybody drives at least this long before its first phase. No multiple of a time step, so that
+no trigger falls on a step, where rounding would decide differently in every simulator."""
 PASSING_LAG_S = 2.5
 """Where a text names dangers, those who have no part in them pass this much later."""
 MAX_DURATION_S = 60.0
+LONGEST_DURATION_S = 150.0
+"""Where 60 s are not enough to leave: long ways at walking pace."""

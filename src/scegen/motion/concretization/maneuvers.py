@@ -14,7 +14,7 @@ from scegen.motion.concretization.passing import (
     slowing_s_m,
 )
 from scegen.motion.concretization.room import NeedsLongerArms
-from scegen.scenario.vocabulary import JunctionKind, Maneuver
+from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
 
 
 def prepare_maneuvers(scene: Scene) -> None:
@@ -49,7 +49,10 @@ _SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 
 
 def _passed(scene: Scene, draft: DriveDraft) -> DriveDraft | None:
-    """The vehicle ahead on the same arm that a lane change or overtake goes round."""
+    """The vehicle ahead on the same arm that a lane change or overtake goes round.
+
+    The one that the text calls slow, else the nearest.
+    """
     if draft.drive.maneuver not in _SIDEWAYS:
         return None
     ahead = [
@@ -60,7 +63,13 @@ def _passed(scene: Scene, draft: DriveDraft) -> DriveDraft | None:
         and other.drive.rank < draft.drive.rank
         and other.drive.beside is None
     ]
-    return max(ahead, key=lambda other: other.drive.rank, default=None)
+    slow = {
+        name
+        for hazard in scene.functional.hazards
+        if hazard.kind is HazardKind.SLOW_DRIVING
+        for name in hazard.by
+    }
+    return max(ahead, key=lambda other: (other.id in slow, other.drive.rank), default=None)
 
 
 def _goes_round_somebody_standing(scene: Scene, draft: DriveDraft) -> bool:

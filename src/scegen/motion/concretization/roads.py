@@ -18,6 +18,8 @@ _RING_RADII_M = (20.0, 24.0, 28.0, 32.0, 36.0, 40.0, 50.0)
 _SIDE_BY_SIDE = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 _SIDE_BY_SIDE_HAZARDS = frozenset({HazardKind.CUT_IN, HazardKind.OVERTAKING})
 
+_SWERVING_HAZARDS = frozenset({HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL})
+
 
 def plan(
     functional: FunctionalScenario, logical: LogicalScenario, arm_length_m: float
@@ -28,12 +30,20 @@ def plan(
         functional.junction,
         arm_length_m=arm_length_m,
         min_lanes=_min_lanes(functional, logical),
+        crosswalks=_crosswalks(functional, logical),
         parking_lanes=frozenset(s.arm for s in logical.standings if not s.in_lane),
         u_turns=frozenset(d.entry for d in logical.drives if d.entry == d.exit),
     )
     if functional.junction.kind is not JunctionKind.ROUNDABOUT or HazardKind.CUT_IN not in kinds:
         return parameters
     return _with_wide_ring(parameters)
+
+
+def _crosswalks(functional: FunctionalScenario, logical: LogicalScenario) -> frozenset[int]:
+    """At a junction, where somebody crosses; on an open road people cross anywhere."""
+    if functional.junction.kind is JunctionKind.STRAIGHT:
+        return frozenset()
+    return frozenset(crossing.arm for crossing in logical.crossings)
 
 
 def _min_lanes(functional: FunctionalScenario, logical: LogicalScenario) -> int:
@@ -51,7 +61,9 @@ def _min_lanes(functional: FunctionalScenario, logical: LogicalScenario) -> int:
     sideways = any(drive.maneuver in _SIDE_BY_SIDE and _among(drive, drives) for drive in drives)
     together = len(set(entries)) < len(entries) and bool(kinds & _SIDE_BY_SIDE_HAZARDS)
     oncoming = HazardKind.ONCOMING_LANE in kinds
-    return 2 if beside or ((sideways or (together and not roundabout)) and not oncoming) else 1
+    swerves = roundabout and bool(kinds & _SWERVING_HAZARDS)
+    wide = sideways or swerves or (together and not roundabout)
+    return 2 if beside or (wide and not oncoming) else 1
 
 
 def _among(drive: Drive, drives: tuple[Drive, ...]) -> bool:

@@ -58,21 +58,27 @@ def turning_marks(
     stops_at_line: bool,
     front_m: float,
     slowing_mps2: float,
-    resume_mps: float | None,
+    approach_mps: float | None = None,
+    resume_mps: float | None = None,
 ) -> list[Mark]:
-    """The marks of a drive along a way at ``cruise_mps``, then ``resume_mps`` (None: the same)."""
+    """The marks of a drive along a way at ``cruise_mps``.
+
+    ``approach_mps`` is its speed when it begins to slow down, ``resume_mps`` its speed after
+    the bend; None: ``cruise_mps``.
+    """
     bend = bend_of(laid, cruise_mps, lateral_mps2)
     line_s = laid.path_s_m(laid.turning_starts_m) - front_m - _STOP_LINE_M
     marks: list[Mark] = []
     through = bend.speed_mps if bend else cruise_mps
+    before = cruise_mps if approach_mps is None else approach_mps
     after = cruise_mps if resume_mps is None else resume_mps
     faster = COMFORTABLE_ACCELERATION_MPS2
     if stops_at_line:
         slow = min(STOP_LINE_SPEED_MPS, through)
-        marks.append(_slow_before(line_s, cruise_mps, slow, slowing_mps2))
+        marks.append(_slow_before(line_s, before, slow, slowing_mps2))
         marks.append(Mark(max(line_s, 0.1), through, faster))
     elif bend:
-        marks.append(_slow_before(bend.start_s_m, cruise_mps, bend.speed_mps, slowing_mps2))
+        marks.append(_slow_before(bend.start_s_m, before, bend.speed_mps, slowing_mps2))
     if bend:
         marks.append(Mark(bend.end_s_m, after, faster))
     return marks

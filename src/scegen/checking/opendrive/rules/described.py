@@ -14,9 +14,12 @@ from scegen.scenario.concrete import ArmRoad, ConcreteScenario
 from scegen.scenario.logical import Drive
 from scegen.scenario.vocabulary import DrivingSide
 
+SPEED_MPS = 0.01
+"""How far a speed limit may be rounded."""
+
 
 def check_described(network: Network, concrete: ConcreteScenario) -> Iterator[Finding]:
-    """``xodr.described``: arms, lanes, widths and driving side; ``xodr.drive``: every drive."""
+    """``xodr.described``: what the arms have; ``xodr.drive``: every drive has a way."""
     matched = match_arms(network, concrete)
     yield from matched.findings
     if not matched.arms:
@@ -28,6 +31,7 @@ def check_described(network: Network, concrete: ConcreteScenario) -> Iterator[Fi
         if arm.road.rule != rule:
             yield error("xodr.described", place, f"has rule {arm.road.rule} instead of {rule}")
         yield from _lanes(arm, wanted, place)
+        yield from _furniture(arm, wanted, place, crossed=wanted.id in concrete.road.crosswalks)
     yield from _drives(network, concrete, matched.arms)
 
 
@@ -44,6 +48,21 @@ def _lanes(arm: Arm, wanted: ArmRoad, place: str) -> Iterator[Finding]:
         width = lane_width(section, lane, s)
         if abs(width - wanted.lane_width_m) > GAP_M:
             message = f"lane {lane} is {width:.2f} m wide instead of {wanted.lane_width_m:g} m"
+            yield error("xodr.described", place, message)
+
+
+def _furniture(arm: Arm, wanted: ArmRoad, place: str, *, crossed: bool) -> Iterator[Finding]:
+    limit = arm.road.speed_limit
+    if limit is None or abs(limit - wanted.speed_limit_mps) > SPEED_MPS:
+        said = "no speed limit" if limit is None else f"speed limit {limit:.2f} m/s"
+        message = f"has {said} instead of {wanted.speed_limit_mps:.2f} m/s"
+        yield error("xodr.described", place, message)
+    if crossed != bool(arm.road.crosswalks):
+        message = "has no crosswalk" if crossed else "has a crosswalk that nobody asked for"
+        yield error("xodr.described", place, message)
+    for s in arm.road.crosswalks:
+        if not 0 <= s <= arm.road.length:
+            message = f"its crosswalk lies at s = {s:.2f} m, outside the road"
             yield error("xodr.described", place, message)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 
 from scegen.checking.opendrive.lanes import end_at_junction
@@ -23,6 +24,10 @@ RULE = "xodr.connection"
 def check_connections(network: Network) -> Iterator[Finding]:
     """``xodr.connection``: roads, contact points and lane links of every connection."""
     for junction in network.junctions.values():
+        counted = Counter(connection.id for connection in junction.connections)
+        for number in (number for number, times in counted.items() if times > 1):
+            place = f"junction {junction.id} connection {number}"
+            yield error(RULE, place, f"the id is used {counted[number]} times")
         for connection in junction.connections:
             place = f"junction {junction.id} connection {connection.id}"
             yield from _roads(network, junction, connection, place)

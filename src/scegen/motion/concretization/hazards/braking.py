@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.hazards.rule import Rule, culprits, event_s_m, victims
 from scegen.motion.concretization.limits import HARD_BRAKING_MPS2, STOPPING_MPS2
@@ -12,6 +14,7 @@ from scegen.scenario.vocabulary import HazardKind
 
 _HARD_HOLD_S = 1.5
 _STOP_HOLD_S = 3.0
+_SAME_STOP_M = 15.0
 _LATE = 0.5
 """One who brakes late begins with half of the braking distance left."""
 _CLEAR_OF_WALKER_M = 2.0
@@ -26,10 +29,20 @@ def _keep_going(scene: Scene, hazard: Hazard) -> None:
         draft.stops_at_line = False
 
 
+def _rest_m(draft: DriveDraft, mark: Mark) -> float:
+    """Where one who brakes from a mark comes to rest."""
+    return mark.s_m + draft.course.speed_at(mark.s_m) ** 2 / (2 * mark.rate_mps2)
+
+
 def _stop_at(
     draft: DriveDraft, stop_s_m: float, rate: float, kind: HazardKind, hold: float
 ) -> None:
-    """Come to rest at a place, wait, go on."""
+    """Come to rest at a place, wait, go on; one who stops near it anyway waits longer there."""
+    for index, mark in enumerate(draft.marks):
+        if mark.hold_s is not None and abs(_rest_m(draft, mark) - stop_s_m) < _SAME_STOP_M:
+            draft.marks[index] = replace(mark, hold_s=max(mark.hold_s, hold))
+            draft.course_ = None
+            return
     speed = draft.course.speed_at(max(1.0, stop_s_m - 5.0))
     start = stop_s_m - speed**2 / (2 * rate)
     speed = draft.course.speed_at(max(1.0, start))

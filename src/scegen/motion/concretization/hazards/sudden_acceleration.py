@@ -6,12 +6,18 @@ from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.hazards.rule import Rule, culprits, event_s_m, same_arm, victims
 from scegen.motion.concretization.limits import SUDDEN_ACCELERATION_MPS2
 from scegen.motion.concretization.marks import Mark
+from scegen.motion.concretization.passing import slowing_s_m
+from scegen.motion.concretization.room import NeedsLongerArms
 from scegen.motion.concretization.turning import bend_of
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
 
 _FROM = 0.65
 _TO = 1.2
+"""Parts of its usual speed, before and after."""
+_TO_CLOSE_UP = 1.4
+_TOO_LATE_M = 15.0
+_LEAST_RUN_UP_M = 10.0
 _BEFORE_S = 1.5
 """It accelerates this long before the place where it matters."""
 
@@ -40,20 +46,21 @@ def _act(scene: Scene, hazard: Hazard) -> None:
         rate = min(
             float(scene.rng.uniform(*SUDDEN_ACCELERATION_MPS2)), draft.body.max_acceleration_mps2
         )
-        usual = draft.cruise_mps
-        if _slows_first(scene, hazard, draft):
-            usual /= _FROM
-        target = usual * _TO
+        first = _slows_first(scene, hazard, draft)
+        target = draft.cruise_mps * (_TO / _FROM if first else _TO_CLOSE_UP)
         bend = bend_of(draft.laid, target, draft.lateral_mps2)
-        event = event_s_m(scene, draft, hazard)
-        start = max(5.0, event - draft.cruise_mps * _BEFORE_S)
-        if bend is not None and start > bend.start_s_m - 15.0 and start < bend.end_s_m:
+        start = max(5.0, event_s_m(scene, draft, hazard) - draft.cruise_mps * _BEFORE_S)
+        draft.resume_mps = target
+        if bend is not None and bend.start_s_m - _TOO_LATE_M < start < bend.end_s_m:
             # Nobody speeds up into a bend that it cannot hold: it does so out of the bend.
             start = bend.end_s_m - 2.0
         elif bend is not None and start <= bend.start_s_m:
-            target = min(target, bend.speed_mps * 1.2)
+            draft.approach_mps = target
+            reaching = (target**2 - draft.cruise_mps**2) / (2 * rate)
+            start = min(start, slowing_s_m(draft) - reaching - 2.0)
+            if start < _LEAST_RUN_UP_M:
+                raise NeedsLongerArms(_LEAST_RUN_UP_M - start + 5.0, draft.id)
         draft.add_mark(Mark(start, target, rate, HazardKind.SUDDEN_ACCELERATION))
-        draft.resume_mps = target
 
 
 SUDDEN_ACCELERATION = Rule(prepare=_prepare, act=_act)

@@ -1,0 +1,50 @@
+"""Time headway: how long until the follower's front is where the leader's rear is now.
+
+Definition: gap along the follower's path / speed of the follower.
+Unit: s.
+Direction: smaller is worse; below 1 s is tailgating in most codes, 2 s the usual advice.
+Source: ISO 34502 and Westhofen et al., Criticality metrics for automated driving, 2022 (there
+with the distance between reference points; here the clear gap, as UNECE R157 uses it).
+Validity: undefined (nan) without a leader in the corridor and below 0.1 m/s. Says nothing about
+the leader's speed.
+"""
+
+from __future__ import annotations
+
+from math import nan
+
+import numpy as np
+
+from scegen.motion.batch.arrays import SPEED, Floats, Ints
+from scegen.motion.batch.kernels import kernel
+
+CREEP_MPS = 0.1
+"""Below this speed a follower counts as standing."""
+
+
+@kernel
+def time_headway(gap_m: float, speed_mps: float) -> float:
+    """Headway of a follower, s."""
+    return gap_m / speed_mps if speed_mps >= CREEP_MPS else nan
+
+
+@kernel
+def least_headway(follower: Floats, gaps: Floats, last: int) -> float:
+    """Smallest headway over the steps 0 to ``last``, s; ``gaps`` (steps,) to the leader, m."""
+    best = nan
+    for t in range(last + 1):
+        best = np.fmin(best, time_headway(gaps[t], follower[SPEED, t]))
+    return best
+
+
+@kernel
+def headway_series(tracks: Floats, pairs: Ints, gaps: Floats, followers: Ints) -> Floats:
+    """Headway at every step, s: [candidate, time, pair]; last arguments as from ``gap_series``."""
+    out = np.full(gaps.shape, nan)
+    for c in range(gaps.shape[0]):
+        for t in range(gaps.shape[1]):
+            for p in range(gaps.shape[2]):
+                if followers[c, t, p] >= 0:
+                    f = pairs[p, followers[c, t, p]]
+                    out[c, t, p] = time_headway(gaps[c, t, p], tracks[c, f, SPEED, t])
+    return out

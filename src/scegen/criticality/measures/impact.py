@@ -1,0 +1,53 @@
+"""Impact speed and change of velocity (delta-v) at the first contact.
+
+Definition: the impact speed is the magnitude of the relative velocity; delta-v of one is its
+share of that in a perfectly plastic impact: impact speed * mass of the other / sum of the masses.
+Both are vectorial: a head-on impact adds the speeds, a rear-end impact subtracts them.
+Unit: m/s.
+Direction: larger is worse.
+Source: conservation of momentum; delta-v as crash severity: ISO 12353-1 and NHTSA practice.
+Validity: undefined (nan) without contact. No rebound, no rotation, no sliding along each other:
+an upper estimate for glancing impacts. Velocities are those of the reference points.
+"""
+
+from __future__ import annotations
+
+from math import nan, sqrt
+
+import numpy as np
+
+from scegen.criticality.bodies import body_of
+from scegen.criticality.measures.distance import closest_approach
+from scegen.motion.batch.arrays import COS, SIN, SPEED, Floats, Ints
+from scegen.motion.batch.kernels import kernel
+
+
+@kernel
+def relative_speed(a: Floats, b: Floats, t: int) -> float:
+    """Magnitude of the relative velocity of two tracks at step t, m/s."""
+    vx = b[SPEED, t] * b[COS, t] - a[SPEED, t] * a[COS, t]
+    vy = b[SPEED, t] * b[SIN, t] - a[SPEED, t] * a[SIN, t]
+    return sqrt(vx * vx + vy * vy)
+
+
+@kernel
+def delta_v(impact_mps: float, own_kg: float, other_kg: float) -> float:
+    """Change of velocity of one of two bodies that stay together, m/s."""
+    return impact_mps * other_kg / (own_kg + other_kg)
+
+
+@kernel
+def impacts(tracks: Floats, bodies: Floats, pairs: Ints) -> Floats:
+    """Impact speed, delta-v of the first and of the second, m/s: [candidate, pair, 3]."""
+    out = np.full((tracks.shape[0], pairs.shape[0], 3), nan)
+    for c in range(tracks.shape[0]):
+        for p in range(pairs.shape[0]):
+            a, b = tracks[c, pairs[p, 0]], tracks[c, pairs[p, 1]]
+            body_a, body_b = body_of(bodies, pairs[p, 0]), body_of(bodies, pairs[p, 1])
+            _, t, contact = closest_approach(a, b, body_a, body_b)
+            if contact:
+                speed = relative_speed(a, b, t)
+                out[c, p, 0] = speed
+                out[c, p, 1] = delta_v(speed, body_a.mass_kg, body_b.mass_kg)
+                out[c, p, 2] = delta_v(speed, body_b.mass_kg, body_a.mass_kg)
+    return out

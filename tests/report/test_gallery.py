@@ -1,0 +1,174 @@
+"""The gallery: one tile per logical scenario, drawn the right way round, always valid XML."""
+
+from itertools import pairwise
+from math import atan2, pi
+
+import pytest
+from lxml import etree
+
+from scegen.report.gallery import MOST_TILES, gallery_svg
+from scegen.report.palette import EGO, OTHERS, colours
+from scegen.report.plan import arrow_head, crossing_line, drive_line, make_plan, standing_box
+from scegen.report.tile import tile_svg
+from scegen.scenario.arms import arm_angles_deg, exit_arm, turn_name
+from scegen.scenario.functional import FunctionalScenario, Junction, Participant
+from scegen.scenario.logical import (
+    Certificate,
+    Crossing,
+    Drive,
+    LogicalScenario,
+    LogicalSet,
+    Side,
+    Standing,
+)
+from scegen.scenario.vocabulary import (
+    ArmsMode,
+    DrivingSide,
+    JunctionKind,
+    Maneuver,
+    ParticipantKind,
+    Reduction,
+    Role,
+)
+
+SVG = "{http://www.w3.org/2000/svg}"
+ARMS = {JunctionKind.STRAIGHT: 2, JunctionKind.T: 3, JunctionKind.Y: 3, JunctionKind.MULTI_WAY: 6}
+
+
+def junction(kind: JunctionKind = JunctionKind.FOUR_WAY, **fields) -> Junction:
+    return Junction(kind=kind, arms=fields.pop("arms", ARMS.get(kind, 4)), **fields)
+
+
+def drive(name: str, entry: int, move: int, at: Junction, **fields) -> Drive:
+    turn = turn_name(arm_angles_deg(at), entry, move)
+    leaves = exit_arm(entry, move, at.arms)
+    fields = {"turn": turn, "maneuver": turn} | fields
+    return Drive(participant=name, entry=entry, move=move, exit=leaves, **fields)
+
+
+def logical_set(at: Junction, count: int = 3, description: str = "text") -> LogicalSet:
+    functional = FunctionalScenario(
+        description=description,
+        junction=at,
+        participants=(
+            Participant(id="ego", role=Role.EGO),
+            Participant(id="car_1"),
+            Participant(id="walker", kind=ParticipantKind.PEDESTRIAN),
+            Participant(id="van", kind=ParticipantKind.VAN, parked=True),
+        ),
+    )
+    scenarios = tuple(
+        LogicalScenario(
+            index=i,
+            slug=f"s{i}",
+            pattern=(1, 1),
+            class_size=1 + i % 2,
+            assignments=(
+                drive("ego", 0, 1, at),
+                drive("car_1", 1, 1, at),
+                Crossing(participant="walker", arm=0, start=Side.RIGHT),
+                Standing(participant="van", arm=0, side=Side.LEFT),
+            ),
+        )
+        for i in range(count)
+    )
+    certificate = Certificate(total=count + 5, count=count, complete=True, method="by <hand> & eye")
+    return LogicalSet(
+        functional=functional,
+        reduction=Reduction.EXACT,
+        arms=ArmsMode.DISTINCT,
+        certificate=certificate,
+        scenarios=scenarios,
+    )
+
+
+@pytest.mark.parametrize("side", list(DrivingSide))
+@pytest.mark.parametrize("kind", list(JunctionKind))
+def test_every_junction_gives_valid_and_stable_xml(kind, side):
+    given = logical_set(junction(kind, driving_side=side))
+    text = gallery_svg(given)
+    assert text == gallery_svg(given)
+    root = etree.fromstring(text.encode())
+    assert root.find(f"{SVG}title").text == "3 logical scenarios"
+    assert "8 assignments" in root.find(f"{SVG}desc").text
+    assert len(root.findall(f"{SVG}g")) == 3
+    assert "nan" not in text
+
+
+def test_captions_say_number_moves_and_class_size():
+    tile = tile_svg(logical_set(junction()).scenarios[1], logical_set(junction()).functional)
+    words = "".join(etree.fromstring(tile.encode()).itertext())
+    assert "moves 1 1  ×2" in words
+    assert "walker crosses 0 from right" in words
+    assert "ego 0 → 1, right" in words
+
+
+def test_what_is_not_drawn_is_counted():
+    text = gallery_svg(logical_set(junction(), count=MOST_TILES + 7))
+    assert "7 more not drawn" in text
+    assert len(etree.fromstring(text.encode()).findall(f"{SVG}g")) == MOST_TILES
+
+
+def test_an_empty_set_is_a_picture_too():
+    etree.fromstring(gallery_svg(logical_set(junction(), count=0)).encode())
+
+
+@pytest.mark.parametrize(("side", "sign"), [(DrivingSide.RIGHT, 1), (DrivingSide.LEFT, -1)])
+def test_arrows_keep_to_their_side_and_end_at_their_exit(side, sign):
+    at = junction(driving_side=side)
+    plan = make_plan(at)
+    way = drive_line(plan, drive("ego", 0, 2, at), 0.0, 0)  # from the east to the west
+    (x0, y0), (x1, y1) = way[0], way[-1]
+    assert x0 > 50 > -50 > x1
+    assert y0 * sign > 0  # who keeps right and heads west drives north of the centre line
+    assert y1 * sign > 0
+    tip, *_ = arrow_head(way, 8.0)
+    assert tip[0] < x1
+
+
+@pytest.mark.parametrize(("side", "sign"), [(DrivingSide.RIGHT, 1), (DrivingSide.LEFT, -1)])
+@pytest.mark.parametrize("move", [0, 1, 2, 3])
+def test_rings_are_driven_round_in_driving_direction(side, sign, move):
+    at = junction(JunctionKind.ROUNDABOUT, driving_side=side)
+    plan = make_plan(at)
+    way = drive_line(plan, drive("ego", 0, move, at), 0.0, 0)
+    angles = [atan2(y, x) for x, y in way]
+    steps = [(b - a + pi) % (2 * pi) - pi for a, b in pairwise(angles)]
+    assert min(step * sign for step in steps) > -0.01  # never back
+    swept = sum(steps) * sign
+    wanted = (sign * move * pi / 2) % (2 * pi) or 2 * pi
+    assert swept == pytest.approx(wanted, abs=0.35)
+
+
+def test_more_lanes_and_queues_stay_on_the_tile():
+    at = junction(lanes=(3, 1, 2, 1))
+    plan = make_plan(at)
+    for behind in range(6):
+        x, y = drive_line(plan, drive("a", 0, 1, at), 4.0, behind)[0]
+        assert plan.inner <= abs(x) <= 120
+        assert abs(y) <= plan.half(0) + 5
+
+
+def test_pedestrians_start_on_their_side_and_cars_stand_on_theirs():
+    plan = make_plan(junction())
+    (_, y0), (_, y1) = crossing_line(plan, Crossing(participant="p", arm=0, start=Side.RIGHT), 0)
+    assert y0 > plan.half(0) > -plan.half(0) > y1  # entering from the east, right is north
+    box = standing_box(plan, Standing(participant="v", arm=0, side=Side.LEFT), 0)
+    assert all(y < -plan.half(0) for _, y in box)
+    blocking = standing_box(plan, Standing(participant="v", arm=0, in_lane=True), 0)
+    assert all(0 < y < plan.half(0) + 1 for _, y in blocking)
+
+
+def test_overtaking_swings_out_and_back():
+    at = junction(JunctionKind.STRAIGHT)
+    way = drive_line(make_plan(at), drive("ego", 0, 1, at, maneuver=Maneuver.OVERTAKE), 0.0, 0)
+    ys = [y for _, y in way]
+    assert ys[0] == pytest.approx(ys[-1])
+    assert min(ys) < 0 < ys[0]
+
+
+def test_colours_are_the_egos_own_and_differ():
+    names = [f"car_{i}" for i in range(7)]
+    given = colours(["car_0", "ego", *names[1:]], "ego")
+    assert given["ego"] == EGO
+    assert sorted(given[n] for n in names) == sorted(OTHERS)
