@@ -74,7 +74,7 @@ def path(arm: int, way: str, start_m: float) -> Path:
 
 def crossing(participants: int) -> tuple[Program, Candidates, Scene]:
     """Program, one candidate and scene of so many vehicles."""
-    paths = [path(i % 4, WAYS[i % 6], max(0.0, 40.0 - 20.0 * (i // 4))) for i in range(participants)]
+    paths = [path(i % 4, WAYS[i % 6], 40.0 - 20.0 * (i // 4)) for i in range(participants)]
     phases = [
         [
             Phase(TriggerKind.DISTANCE_BELOW, (i + 1) % participants, 45.0, 6.0, 3.0),

@@ -179,6 +179,10 @@ def test_acceleration_beyond_body_and_program(concrete):
 
     assert found(gentle) == set()
     assert found(harsh) == {"esmini.acceleration"}
+    halted_for_good = movement("ego", [10.0, 10.0, 0.0, 0.0])
+    halted_on_the_way = movement("ego", [10.0, 0.0, 0.3, 0.6])
+    assert found(halted_for_good) == {"esmini.arrival"}
+    assert found(halted_on_the_way) == {"esmini.acceleration"}
 
 
 def test_participant_who_is_not_played(concrete):

@@ -1,22 +1,8 @@
 """Bad input: one clear message, exit code 2, no traceback, nothing half-written."""
 
-import subprocess
-import sys
-
 import pytest
 
 SENTENCE = "Two cars meet at a four-way intersection."
-
-
-def scegen(*arguments, cwd=None):
-    return subprocess.run(
-        [sys.executable, "-c", "from scegen.cli import main; main()", *map(str, arguments)],
-        capture_output=True,
-        text=True,
-        cwd=cwd,
-        timeout=120,
-        check=False,
-    )
 
 
 def assert_refused(done, words):
@@ -43,21 +29,19 @@ def assert_refused(done, words):
         ),
     ],
 )
-def test_texts_that_cannot_be_used(tmp_path, text, words):
+def test_texts_that_cannot_be_used(scegen, tmp_path, text, words):
     out = tmp_path / "out"
     assert_refused(scegen("generate", text, "-o", out), words)
     assert not out.exists()
 
 
-def test_a_missing_file_is_named(tmp_path):
-    assert_refused(
-        scegen("generate", "nowhere.yaml", "-o", "out", cwd=tmp_path), "nowhere.yaml: there is no"
-    )
+def test_a_missing_file_is_named(scegen, tmp_path):
+    assert_refused(scegen("generate", "nowhere.yaml", "-o", "out"), "nowhere.yaml: there is no")
 
 
-def test_an_unreadable_file_is_named(tmp_path):
+def test_an_unreadable_file_is_named(scegen, tmp_path):
     (tmp_path / "text.txt").write_bytes(b"\xff\xfe\x00\x80")
-    assert_refused(scegen("generate", "text.txt", "-o", "out", cwd=tmp_path), "text.txt")
+    assert_refused(scegen("generate", "text.txt", "-o", "out"), "text.txt")
 
 
 @pytest.mark.parametrize(
@@ -77,22 +61,22 @@ def test_an_unreadable_file_is_named(tmp_path):
         ("level: sublime\n", "level"),
     ],
 )
-def test_broken_files_are_named(tmp_path, content, words):
+def test_broken_files_are_named(scegen, tmp_path, content, words):
     (tmp_path / "in.yaml").write_text(content)
-    done = scegen("generate", "in.yaml", "-o", "out", cwd=tmp_path)
+    done = scegen("generate", "in.yaml", "-o", "out")
     assert_refused(done, words)
     assert "in.yaml" in done.stderr
     assert not (tmp_path / "out").exists()
 
 
-def test_a_folder_that_cannot_be_written(tmp_path):
+def test_a_folder_that_cannot_be_written(scegen, tmp_path):
     (tmp_path / "file").write_text("in the way")
     assert_refused(
         scegen("generate", SENTENCE, "-o", tmp_path / "file" / "out"), "cannot be written"
     )
 
 
-def test_a_folder_with_somebody_elses_files(tmp_path):
+def test_a_folder_with_somebody_elses_files(scegen, tmp_path):
     (tmp_path / "thesis.txt").write_text("years of work")
     assert_refused(scegen("generate", SENTENCE, "-o", tmp_path), "--force")
     assert [p.name for p in tmp_path.iterdir()] == ["thesis.txt"]
@@ -107,7 +91,7 @@ def test_a_folder_with_somebody_elses_files(tmp_path):
         (("--reduction", "total"), "--reduction"),
     ],
 )
-def test_options_out_of_range(tmp_path, options, words):
+def test_options_out_of_range(scegen, tmp_path, options, words):
     done = scegen("generate", SENTENCE, "-o", tmp_path / "out", *options)
     assert done.returncode == 2
     assert words in done.stderr
@@ -115,14 +99,14 @@ def test_options_out_of_range(tmp_path, options, words):
     assert not (tmp_path / "out").exists()
 
 
-def test_maneuvers_that_no_arm_allows(tmp_path):
+def test_maneuvers_that_no_arm_allows(scegen, tmp_path):
     (tmp_path / "in.yaml").write_text(
         "level: functional\ndescription: straight on at a Y\njunction: {kind: y, arms: 3}\n"
         "participants: [{id: ego, role: ego, maneuvers: [straight]}]\n"
     )
-    assert_refused(scegen("generate", "in.yaml", "-o", "out", cwd=tmp_path), "ego")
+    assert_refused(scegen("generate", "in.yaml", "-o", "out"), "ego")
 
 
-def test_checking_what_is_not_there(tmp_path):
+def test_checking_what_is_not_there(scegen, tmp_path):
     assert_refused(scegen("check", tmp_path / "nowhere"), "nowhere")
     assert_refused(scegen("check", tmp_path), str(tmp_path))

@@ -32,6 +32,24 @@ def oracle():
     return SimpleNamespace(ways_meet=ways_meet, assignments=assignments, classes=classes)
 
 
+@pytest.fixture(scope="session")
+def describe():
+    """Make a functional scenario from plain data: kind, arms, participants, hazards, relations."""
+    return _describe
+
+
+def _describe(kind, arms, participants, hazards=(), relations=(), **junction):
+    return FunctionalScenario.model_validate(
+        {
+            "description": "made for a test",
+            "junction": {"kind": kind, "arms": arms, **junction},
+            "participants": participants,
+            "hazards": hazards,
+            "relations": relations,
+        }
+    )
+
+
 SAME_ARM = {Approach.AHEAD, Approach.BEHIND, Approach.ADJACENT}
 
 Assignment = tuple[tuple[int, int, str, str], ...]

@@ -31,18 +31,17 @@ def functionals(draw):
     kind, arms = draw(st.sampled_from(JUNCTIONS))
     side = draw(st.sampled_from(["right", "right", "left"]))
     number = draw(st.integers(2, 4 if arms < 4 else 3))
-    participants = []
-    for index in range(number):
-        participants.append(
-            Participant(
-                id=f"car_{index}",
-                role="other" if index else "ego",
-                kind=draw(st.sampled_from(["car", "car", "car", "van"])),
-                maneuvers=draw(st.sampled_from(MANEUVERS)),
-                approaches=draw(st.sampled_from(APPROACHES)) if index else (),
-                entries=draw(st.sampled_from([(), (), (), (0,), (0, arms - 1)])),
-            )
+    participants = [
+        Participant(
+            id=f"car_{index}",
+            role="other" if index else "ego",
+            kind=draw(st.sampled_from(["car", "car", "car", "van"])),
+            maneuvers=draw(st.sampled_from(MANEUVERS)),
+            approaches=draw(st.sampled_from(APPROACHES)) if index else (),
+            entries=draw(st.sampled_from([(), (), (), (0,), (0, arms - 1)])),
         )
+        for index in range(number)
+    ]
     hazards = []
     if draw(st.integers(0, 2)) == 0:
         by, to = draw(st.permutations(range(number)))[:2]
@@ -56,7 +55,7 @@ def functionals(draw):
     )
 
 
-@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(functional=functionals(), arms=st.sampled_from(list(ArmsMode)))
 def test_same_classes_of_the_same_sizes(oracle, functional, arms):
     for reduction in Reduction:

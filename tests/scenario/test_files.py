@@ -27,9 +27,7 @@ scenarios = st.builds(
         participants=(Participant(id="ego", role="ego"), *others),
     ),
     st.text(max_size=60),
-    st.lists(
-        participants.filter(lambda p: p.id != "ego"), max_size=3, unique_by=lambda p: p.id
-    ),
+    st.lists(participants.filter(lambda p: p.id != "ego"), max_size=3, unique_by=lambda p: p.id),
 )
 
 

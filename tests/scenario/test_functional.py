@@ -40,11 +40,7 @@ def test_the_ego_is_found():
         ),
         ({"hazards": (Hazard(kind="speeding", by=("ghost",)),)}, "unknown participant 'ghost'"),
         (
-            {
-                "relations": (
-                    Relation(participant="car_1", reference="ghost", approaches={"left"}),
-                )
-            },
+            {"relations": (Relation(participant="car_1", reference="ghost", approaches={"left"}),)},
             "unknown participant 'ghost'",
         ),
         (

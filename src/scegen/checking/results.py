@@ -62,6 +62,11 @@ class CheckResult:
     findings: tuple[Finding, ...] = ()
     detail: str = ""
 
+    @property
+    def errors(self) -> tuple[Finding, ...]:
+        """The findings that fail the check."""
+        return tuple(f for f in self.findings if f.severity is Severity.ERROR)
+
     def to_data(self) -> dict[str, Any]:
         """The result as JSON-able data."""
         return {

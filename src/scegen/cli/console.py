@@ -21,6 +21,7 @@ def say(text: str) -> None:
 def result(text: str) -> None:
     """A result, on stdout, exactly as it is."""
     sys.stdout.write(text if text.endswith("\n") else text + "\n")
+    sys.stdout.flush()
 
 
 def result_json(data: object) -> None:

@@ -81,4 +81,9 @@ def _tell(made: Result) -> None:
     for name, report in made.checks.items():
         states = ", ".join(f"{r.checker} {r.status}" for r in report.results)
         result(f"{made.folder / 'scenarios' / name}  {states}".rstrip())
+        for item in report.results:
+            for finding in item.errors:
+                say(f"  {item.checker}: {finding.place}: {finding.message} [{finding.rule}]")
+    if logical is not None and len(made.checks) < len(logical.scenarios):
+        say(f"made {len(made.checks)} of {len(logical.scenarios)}; more with --count or --pick")
     say(f"open {made.folder / 'report.html'}")

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from scegen.motion.batch.arrays import Floats
-from scegen.motion.batch.kernels import kernel
+from scegen.motion.batch.kernels import inner_kernel
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.vocabulary import ParticipantKind
 
@@ -102,7 +102,7 @@ def _body(
     )
 
 
-@kernel
+@inner_kernel
 def body_of(bodies: Floats, i: int) -> Body:
     """The body of participant i from a table as :func:`body_table` makes it."""
     b = bodies[i]

@@ -11,9 +11,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scegen.criticality.bodies import Body, body_of
-from scegen.criticality.conflict_areas import AreaTable
-from scegen.criticality.following import FollowTable, write_gaps
+from scegen.criticality.bodies import body_of
+from scegen.criticality.boxes import FRAME_ROWS, write_frames, write_separations
+from scegen.criticality.following import write_gaps
 from scegen.criticality.measures.distance import closest_approach
 from scegen.criticality.measures.drac import highest_drac
 from scegen.criticality.measures.headway import least_headway
@@ -117,34 +117,42 @@ def _room(candidates: int, scene: Scene) -> Summary:
 def _evaluate(
     program: Program, candidates: Candidates, scene: Scene, scratch: BatchTraces, out: Summary
 ) -> None:
-    gaps = np.empty(scratch.tracks.shape[3])
     tracks = scratch.tracks[0]
+    frames = np.empty((tracks.shape[0], FRAME_ROWS, tracks.shape[2]))
+    room = np.empty(tracks.shape[2])
     for c in range(candidates.speed_mps.shape[0]):
         run_candidate(program, candidates, c, scratch.dt_s, tracks, scratch.fired_step[0])
-        _measure_one(tracks, scratch.dt_s, scene, gaps, out, c)
+        _measure_one(tracks, scratch.dt_s, scene, frames, room, out, c)
 
 
 @kernel
 def _measure(traces: BatchTraces, scene: Scene, out: Summary) -> None:
-    gaps = np.empty(traces.tracks.shape[3])
+    shape = traces.tracks.shape
+    frames = np.empty((shape[1], FRAME_ROWS, shape[3]))
+    room = np.empty(shape[3])
     for c in range(traces.tracks.shape[0]):
-        _measure_one(traces.tracks[c], traces.dt_s, scene, gaps, out, c)
+        _measure_one(traces.tracks[c], traces.dt_s, scene, frames, room, out, c)
 
 
 @kernel
 def _measure_one(
-    tracks: Floats, dt_s: float, scene: Scene, gaps: Floats, out: Summary, c: int
+    tracks: Floats, dt_s: float, scene: Scene, frames: Floats, room: Floats, out: Summary, c: int
 ) -> None:
-    """Measure one candidate, whose tracks these are, into row ``c`` of the summary."""
+    """Measure one candidate, whose tracks these are, into row ``c`` of the summary.
+
+    ``frames`` and ``room`` (steps,) are room to work in.
+    """
+    write_frames(tracks, scene.bodies, frames)
     for p in range(scene.pairs.shape[0]):
-        a, b = tracks[scene.pairs[p, 0]], tracks[scene.pairs[p, 1]]
+        a, b = frames[scene.pairs[p, 0]], frames[scene.pairs[p, 1]]
         body_a = body_of(scene.bodies, scene.pairs[p, 0])
         body_b = body_of(scene.bodies, scene.pairs[p, 1])
-        distance, step, contact = closest_approach(a, b, body_a, body_b)
+        write_separations(a, b, room)
+        distance, step, contact = closest_approach(a, b, body_a, body_b, room)
         last = step if contact else a.shape[1] - 1
         out.distance_m[c, p] = distance
         out.closest_s[c, p] = step * dt_s
-        out.ttc_s[c, p] = least_time_to_collision(a, b, body_a, body_b, last)
+        out.ttc_s[c, p] = least_time_to_collision(a, b, body_a, body_b, last, room)
         if contact:
             speed = relative_speed(a, b, step)
             out.contact_s[c, p] = step * dt_s
@@ -155,59 +163,48 @@ def _measure_one(
             change = delta_v(speed, body_b.mass_kg, body_a.mass_kg)
             out.delta_v_mps[c, p, 1] = change
             out.injury[c, p, 1] = injury_probability(body_b, speed, change)
-        _measure_braking(a, b, body_a, dt_s, scene.following, p, 0, last, gaps, out, c)
-        _measure_braking(b, a, body_b, dt_s, scene.following, p, 1, last, gaps, out, c)
-        _measure_areas(a, b, body_a, body_b, dt_s, scene.areas, p, last, out, c)
+        a, b = tracks[scene.pairs[p, 0]], tracks[scene.pairs[p, 1]]
+        following = scene.following
+        headway_a, drac_a, braking_a = _behind(
+            a, b, body_a.front_m, dt_s, following.rear_m, following.first[p, 0], last, room
+        )
+        headway_b, drac_b, braking_b = _behind(
+            b, a, body_b.front_m, dt_s, following.rear_m, following.first[p, 1], last, room
+        )
+        out.headway_s[c, p] = np.fmin(headway_a, headway_b)
+        out.drac_mps2[c, p] = np.fmax(drac_a, drac_b)
+        pet = nan
+        for n in range(scene.areas.first[p], scene.areas.first[p + 1]):
+            enter, leave = scene.areas.enter_m[n], scene.areas.leave_m[n]
+            pet = np.fmin(pet, post_encroachment_time(a, b, enter, leave, dt_s))
+            braking_a = max(braking_a, highest_before_area(a, b, enter, leave, 0, last))
+            braking_b = max(braking_b, highest_before_area(b, a, enter, leave, 1, last))
+        out.pet_s[c, p] = pet
+        out.required_mps2[c, p, 0], out.required_mps2[c, p, 1] = braking_a, braking_b
+        out.brake_threat[c, p, 0] = braking_a / body_a.available_mps2
+        out.brake_threat[c, p, 1] = braking_b / body_b.available_mps2
     for q in range(scene.occlusions.shape[0]):
         out.occluded_s[c, q], out.sight_s[c, q] = occlusion_times(
-            tracks, scene.bodies, scene.occlusions[q], dt_s
+            frames, scene.bodies, scene.occlusions[q], dt_s
         )
 
 
 @kernel
-def _measure_braking(
+def _behind(
     own: Floats,
     other: Floats,
-    body: Body,
+    front_m: float,
     dt_s: float,
-    following: FollowTable,
-    p: int,
-    way: int,
+    rear_m: Floats,
+    first: int,
     last: int,
     gaps: Floats,
-    out: Summary,
-    c: int,
-) -> None:
-    """Headway, DRAC and required braking of one of pair p behind the other."""
-    required = 0.0
-    if write_gaps(own, other, body.front_m, following.rear_m, following.first[p, way], gaps):
-        out.headway_s[c, p] = np.fmin(out.headway_s[c, p], least_headway(own, gaps, last))
-        out.drac_mps2[c, p] = np.fmax(out.drac_mps2[c, p], highest_drac(own, other, gaps, last))
-        required = highest_behind_leader(own, other, gaps, dt_s, last)
-    out.required_mps2[c, p, way] = required
-    out.brake_threat[c, p, way] = required / body.available_mps2
-
-
-@kernel
-def _measure_areas(
-    a: Floats,
-    b: Floats,
-    body_a: Body,
-    body_b: Body,
-    dt_s: float,
-    areas: AreaTable,
-    p: int,
-    last: int,
-    out: Summary,
-    c: int,
-) -> None:
-    """PET of pair p, and braking required before its conflict areas."""
-    for n in range(areas.first[p], areas.first[p + 1]):
-        enter, leave = areas.enter_m[n], areas.leave_m[n]
-        pet = post_encroachment_time(a, b, enter, leave, dt_s)
-        out.pet_s[c, p] = np.fmin(out.pet_s[c, p], pet)
-        first = max(out.required_mps2[c, p, 0], highest_before_area(a, b, enter, leave, 0, last))
-        second = max(out.required_mps2[c, p, 1], highest_before_area(b, a, enter, leave, 1, last))
-        out.required_mps2[c, p, 0], out.required_mps2[c, p, 1] = first, second
-        out.brake_threat[c, p, 0] = first / body_a.available_mps2
-        out.brake_threat[c, p, 1] = second / body_b.available_mps2
+) -> tuple[float, float, float]:
+    """Least headway, highest DRAC and required braking of one behind the other."""
+    if not write_gaps(own, other, front_m, rear_m, first, gaps[: last + 1]):
+        return nan, nan, 0.0
+    return (
+        least_headway(own, gaps, last),
+        highest_drac(own, other, gaps, last),
+        highest_behind_leader(own, other, gaps, dt_s, last),
+    )

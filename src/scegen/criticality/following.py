@@ -94,7 +94,7 @@ def rear_stations(follower: Path, leader: Path, own: Body, other: Body) -> Float
 def write_gaps(
     follower: Floats, leader: Floats, front_m: float, rear_m: Floats, first: int, gaps: Floats
 ) -> bool:
-    """Write the gap (m) from the follower's front to the leader's rear for every step.
+    """Write the gap (m) from the follower's front to the leader's rear for the first steps.
 
     nan where there is no leader in the corridor ahead. Returns whether there is one at any step;
     if not, the gaps may be left as they are.
@@ -105,7 +105,7 @@ def write_gaps(
         front_m: distance from the follower's reference point to its front.
         rear_m: rows of the table.
         first: the first row for this pair and direction; -1 for none.
-        gaps: output, (steps,).
+        gaps: output; as many steps as it has room for.
     """
     some = False
     if first >= 0:

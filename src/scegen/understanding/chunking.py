@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
+from scegen.understanding.naming import Namer
 from scegen.understanding.tagging import Term
 from scegen.understanding.tokens import Token
 
@@ -11,6 +12,7 @@ _MODIFIERS = frozenset(
     {"dir", "state", "label", "noted", "shape", "control", "compass", "roadmod", "cue", "quantity"}
 )
 _VERBAL_LINKS = frozenset({"prep", "locus"})
+_ORDINALS = frozenset({"first", "second", "third", "fourth", "fifth", "former", "latter"})
 _MAX_MODS = 10
 _SIDE_DIRS = frozenset({"left", "right", "opposite", "front", "rear", "adjacent", "straight"})
 
@@ -156,7 +158,7 @@ class Chunker:
         after_prep = isinstance(previous, Word) and previous.cat in _VERBAL_LINKS
         if after_prep and _has_dir(mods) and head.form == "s":
             return False
-        pronominal = mods[-1].cat == "num" or mods[-1].value in {"another", "other"}
+        pronominal = mods[-1].cat == "num" or mods[-1].value in {"another", "other", *_ORDINALS}
         if pronominal and head.form != "base":
             return False
         return not (mods[0].cat == "manner" and head.form == "s")
@@ -172,7 +174,7 @@ class Chunker:
             return self._stand_alone(first, first.value, k)
         second = mods[1] if len(mods) > 1 else None
         if first.cat == "det" and second is not None and second.cat == "label":
-            ordinal = second.value in {"first", "second", "third"}
+            ordinal = second.value in _ORDINALS
             last_in_run = len(mods) == 2
             if ordinal and last_in_run:
                 mention = Mention(first.i, second.j, mods, None, pronoun="ordinal")
@@ -217,27 +219,12 @@ class Chunker:
         mention = Mention(start, heads[-1].j, mods, heads[-1], owner, heads=heads)
         mention.label = heads[-1].data.get("label") if len(heads) == 1 else None
         mention.negated = any(mod.cat == "det" and mod.value == "negative" for mod in mods)
-        m = self._number_label(mention, m)
+        named = Namer(self._terms, self._tokens)
+        m = named.single(mention, m)
         self._chunks.append(mention)
+        further, m = named.further(mention, m)
+        self._chunks += further
         return m
-
-    def _number_label(self, mention: Mention, m: int) -> int:
-        """``vehicle 1``, ``car A``: a number or capital letter names the participant."""
-        if m >= len(self._terms) or self._tokens[mention.j - 1].text.endswith("s"):
-            return m
-        term = self._terms[m]
-        token = self._tokens[term.i]
-        follows = self._terms[m + 1].cat if m + 1 < len(self._terms) else ""
-        spoken = token.kind == "number" or follows not in {"actor", "place", "verb", "manner"}
-        hash_mark = term.cat == "num" and spoken and term.j - term.i == 1
-        letter = len(token.text) == 1 and token.text.isupper() and token.text != "I"
-        letter = letter and follows not in {"actor", "place", "dir", "shape", "manner", "state"}
-        if not (hash_mark or letter):
-            return m
-        mention.label = f"#{term.data['number']:g}" if hash_mark else f"#{token.low}"
-        mention.label_at = term.i
-        mention.j = term.j
-        return m + 1
 
     def _thing(self, mods: list[Term], head: Term, m: int, owner: Mention | None) -> int:
         start = mods[0].i if mods else head.i

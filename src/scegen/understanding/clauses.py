@@ -282,6 +282,7 @@ class ClauseReader:
         state.ahead = []
         subjects.link(event, state)
         event.negated = any(word.startswith("neg:") for word in state.between) or event.negated
+        event.negated = event.negated or any(m.pronoun == "neither" for m in event.subject)
         event.modal = event.modal or "aux:modal" in state.between
         self._release_prep()
         state.events.append(event)

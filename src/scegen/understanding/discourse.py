@@ -2,29 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.groups import Group, vehicle_around
 from scegen.understanding.mention_words import DEFAULT_COUNT, KINDS, Reading, read_mention
 from scegen.understanding.tokens import Token
 
 _MOTOR = frozenset(ParticipantKind) - {ParticipantKind.PEDESTRIAN}
-
-
-@dataclass(slots=True)
-class Group:
-    """Participants introduced together ("two cars", "traffic")."""
-
-    members: list[Entity]
-    vague: bool
-    dirs: set[str] = field(default_factory=set)
-
-    @property
-    def free(self) -> list[Entity]:
-        """Members that no later mention has picked out."""
-        return [e for e in self.members if not e.claimed]
+_POSITIONS = {"first": 0, "second": 1, "third": 2, "fourth": 3, "fifth": 4, "former": 0, "latter": -1}
+"""Place within those spoken of last; "the former" and "the latter" are of two."""
 
 
 class Discourse:
@@ -64,6 +51,7 @@ class Discourse:
             return mention.entities
         if mention.same_as is not None:
             mention.entities = list(mention.same_as.entities)
+            self._refine(mention)
             return mention.entities
         surrounded = mention.prep is not None and mention.prep.value in {"in", "of", "for"}
         if surrounded and len(mention.mods) == 0 and mention.head and mention.head.data.get("mass"):
@@ -87,12 +75,22 @@ class Discourse:
             self._subject = found
         return found
 
+    def _refine(self, mention: Mention) -> None:
+        """``vehicle 1, a pickup truck, …``: the apposition says what kind it is."""
+        if not mention.heads:
+            return
+        reading = read_mention(mention, self._tokens, None)
+        for entity in mention.entities:
+            if not reading.generic and reading.kind in _MOTOR:
+                entity.kind, entity.basis = reading.kind, Basis(mention.i, mention.j)
+            entity.labels |= reading.labels
+
     def _pronoun(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         which = mention.pronoun
         if which in {"it", "him"}:
             options = self._subject if len(self._subject) == 1 else self._recent[-1:]
             return [e for e in options if e not in exclude] or self._recent[-1:]
-        if which in {"they", "both", "all"}:
+        if which in {"they", "both", "all", "neither"}:
             return self._together()
         count = 1
         if which == "count":
@@ -102,8 +100,11 @@ class Discourse:
             rest = self._claim(1, exclude) or self._rest(exclude)
             return rest or [self._new(ParticipantKind.CAR, basis)]
         if which == "ordinal":
-            position = {"first": 0, "second": 1, "third": 2}[mention.label or "first"]
+            position = _POSITIONS[mention.label or "first"]
             group = self._groups[-1].members if self._groups else self._draft.entities
+            if position < 0 or mention.label == "former":
+                group = (group if len(group) > 1 else self._draft.entities)[-2:]
+                position %= max(len(group), 1)
             if position < len(group):
                 group[position].claimed = True
                 return [group[position]]
@@ -152,7 +153,7 @@ class Discourse:
         of_whom = next((p.target for p in mention.pps if p.value == "of"), None)
         if reading.driver and isinstance(of_whom, Mention):
             return self.resolve(of_whom, subject=False, exclude=[])
-        inside = self._vehicle_around(reading, mention)
+        inside = vehicle_around(reading, mention)
         if inside is not None:
             return self.resolve(inside, subject=False, exclude=[])
         known = self._known(reading, mention, exclude)
@@ -160,18 +161,6 @@ class Discourse:
             self._enrich(known, reading)
             return known
         return self._introduce(reading, basis)
-
-    def _vehicle_around(self, reading: Reading, mention: Mention) -> Mention | None:
-        """``someone in a van``: people in or on a vehicle stand for it."""
-        if reading.kind is not ParticipantKind.PEDESTRIAN and not reading.driver:
-            return None
-        for prep in mention.pps:
-            target = prep.target
-            if prep.value == "in" and isinstance(target, Mention) and target.heads:
-                kinds = [KINDS.get(h.value) for h in target.heads]
-                if any(kind in _MOTOR for kind in kinds if kind is not None):
-                    return target
-        return None
 
     def _ego(self, reading: Reading, basis: Basis) -> Entity:
         for entity in self._draft.entities:

@@ -53,7 +53,7 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
         kind, driver, kinds = ParticipantKind.CAR, True, []
     if heads[-1].value == "rider" and not kinds:
         kind = ParticipantKind.MOTORCYCLE
-    plural = mass or heads[-1].form == "s"
+    plural = mass or (heads[-1].form == "s" and not (mention.label or "").startswith("#"))
     count, vague, reason = _count(mention, tokens, plural, arms)
     det = next((m for m in mention.mods if m.cat in {"det", "possessive"}), None)
     numbered = mention.mod("num")

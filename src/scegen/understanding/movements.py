@@ -107,6 +107,7 @@ def overtake(scene: Scene, context: Context) -> None:
     if event.name == "bypass" and isinstance(event.object, Place):
         return
     if event.name == "pass" and not scene.targets:
+        move(scene, context)
         return
     basis = Basis(event.i, event.j)
     _apply(scene, context, {Maneuver.OVERTAKE}, basis)

@@ -26,6 +26,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     subjects = {id(m) for event in events for m in event.subject}
     acted_on = {id(e.object): e for e in events if e.object is not None}
     everywhere = _from_everywhere(events)
+    beside = _beside(chunks)
     waiting: list[Mention] = []
     for chunk in chunks:
         if not isinstance(chunk, Mention):
@@ -33,12 +34,12 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         if chunk.partitive and chunk.pronoun in {"one", "count", "both", "other", "another"}:
             waiting.append(chunk)
             continue
-        _resolve(chunk, discourse, subjects, acted_on, everywhere)
+        _resolve(chunk, discourse, subjects, acted_on, everywhere, beside)
         for earlier in waiting:
-            _resolve(earlier, discourse, subjects, acted_on, everywhere)
+            _resolve(earlier, discourse, subjects, acted_on, everywhere, beside)
         waiting = []
     for earlier in waiting:
-        _resolve(earlier, discourse, subjects, acted_on, everywhere)
+        _resolve(earlier, discourse, subjects, acted_on, everywhere, beside)
 
 
 def _resolve(
@@ -47,15 +48,30 @@ def _resolve(
     subjects: set[int],
     acted_on: dict[int, Event],
     everywhere: set[int],
+    beside: dict[int, Mention],
 ) -> None:
     event = acted_on.get(id(mention))
     exclude = [e for m in event.subject for e in m.entities] if event else []
+    placed = beside.get(id(mention))
+    if placed is not None:
+        exclude = [*exclude, *placed.entities]
     discourse.resolve(
         mention,
         subject=id(mention) in subjects,
         exclude=exclude,
         all_directions=id(mention) in everywhere,
     )
+
+
+def _beside(chunks: list[Chunk]) -> dict[int, Mention]:
+    """Whom a noun in "the car behind it" places; it cannot mean the same."""
+    return {
+        id(prep.target): chunk
+        for chunk in chunks
+        if isinstance(chunk, Mention)
+        for prep in chunk.pps
+        if prep.word.cat == "locus" and isinstance(prep.target, Mention)
+    }
 
 
 def from_everywhere(prep: Prep) -> bool:

@@ -190,6 +190,8 @@ def _choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[E
         return match.get("label" if noun else "place"), False
     if match.has("leg") and previous is not None and previous.cat == "num":
         return match.get("leg"), False
+    if match.has("manner") and match.has("label") and previous and previous.cat == "det":
+        return match.get("label"), False
     if match.has("det") and match.has("inert"):
         return match.get("det"), False
     return match.get(*_PRIORITY), False

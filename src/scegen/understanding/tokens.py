@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from scegen.understanding.lemmas import lemmas
 
 _TOKEN = re.compile(
-    r"(?P<label>[A-Za-z]{1,4}\d{1,2}(?![\w.]))"
+    r"(?P<label>[A-Za-z]{1,4}\d{1,2}(?!\w|\.\d))"
     r"|(?P<number>\d{1,9}(?:[.,]\d{1,6})?)"
     r"|(?P<neg>n['’]t\b)"
     r"|(?P<clitic>['’](?:s|re|ll|m|ve|d)?\b|(?<=s)['’])"

@@ -10,7 +10,7 @@ from scegen.checking.esmini.recording import Movement
 from scegen.checking.opendrive.arms import Arm, match_arms
 from scegen.checking.opendrive.locate import lanes_at
 from scegen.checking.opendrive.network import Network
-from scegen.checking.results import Finding, error
+from scegen.checking.results import Finding, error, warning
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
     ConcreteParticipant,
@@ -70,10 +70,22 @@ def _physics(movement: Movement, participant: ConcreteParticipant) -> Iterator[F
     rates = [phase.rate_mps2 for phase in participant.speed_program]
     hardest = max(body.max_acceleration_mps2, body.max_deceleration_mps2, *rates, 0.0)
     change = np.diff(movement.speed_mps) / np.maximum(np.diff(movement.time_s), 1e-6)
+    arrival = _arrival(movement)
+    if arrival is not None and change[arrival] < -hardest - SPARE_MPS2:
+        change[arrival] = 0.0
+        message = f"is halted at {movement.speed_mps[arrival]:.1f} m/s where its path ends"
+        yield warning("esmini.arrival", _when(movement, arrival + 1), message)
     if change.size and np.abs(change).max() > hardest + SPARE_MPS2:
         step = int(np.abs(change).argmax())
         message = f"changes speed by {change[step]:.1f} m/s², more than {hardest:g}"
         yield error("esmini.acceleration", _when(movement, step + 1), message)
+
+
+def _arrival(movement: Movement) -> int | None:
+    """The step after which it stands for good, None if it moves at the end or never moved."""
+    moving = np.flatnonzero(np.abs(movement.speed_mps) > STILL_MPS)
+    last = int(moving[-1]) if moving.size else None
+    return None if last is None or last == len(movement.speed_mps) - 1 else last
 
 
 def _way(

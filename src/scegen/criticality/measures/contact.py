@@ -12,12 +12,12 @@ from __future__ import annotations
 import numpy as np
 
 from scegen.criticality.bodies import body_of
-from scegen.criticality.boxes import Box, box_at
+from scegen.criticality.boxes import Box, box_at, frames_of
 from scegen.motion.batch.arrays import Bools, Floats, Ints
-from scegen.motion.batch.kernels import kernel
+from scegen.motion.batch.kernels import inner_kernel, kernel
 
 
-@kernel
+@inner_kernel
 def boxes_touch(a: Box, b: Box) -> bool:
     """Whether two boxes share a point: no side of either separates them."""
     dx, dy = b.x - a.x, b.y - a.y
@@ -38,10 +38,12 @@ def contact_series(tracks: Floats, bodies: Floats, pairs: Ints) -> Bools:
     candidates, steps = tracks.shape[0], tracks.shape[3]
     out = np.empty((candidates, steps, pairs.shape[0]), dtype=np.bool_)
     for c in range(candidates):
+        frames = frames_of(tracks[c], bodies)
         for p in range(pairs.shape[0]):
             a, b = pairs[p, 0], pairs[p, 1]
             body_a, body_b = body_of(bodies, a), body_of(bodies, b)
             for t in range(steps):
-                box_a, box_b = box_at(tracks[c, a], body_a, t), box_at(tracks[c, b], body_b, t)
+                box_a = box_at(frames[a], body_a.half_length_m, body_a.half_width_m, t)
+                box_b = box_at(frames[b], body_b.half_length_m, body_b.half_width_m, t)
                 out[c, t, p] = boxes_touch(box_a, box_b)
     return out

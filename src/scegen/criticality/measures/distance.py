@@ -14,13 +14,13 @@ from math import inf, sqrt
 import numpy as np
 
 from scegen.criticality.bodies import Body, body_of
-from scegen.criticality.boxes import Box, box_at
+from scegen.criticality.boxes import Box, box_at, frames_of
 from scegen.criticality.measures.contact import boxes_touch
-from scegen.motion.batch.arrays import COS, SIN, Floats, Ints, X, Y
-from scegen.motion.batch.kernels import kernel
+from scegen.motion.batch.arrays import Floats, Ints
+from scegen.motion.batch.kernels import inner_kernel, kernel
 
 
-@kernel
+@inner_kernel
 def box_distance(a: Box, b: Box) -> float:
     """Shortest distance between two boxes, m; 0 if they touch."""
     if boxes_touch(a, b):
@@ -28,7 +28,7 @@ def box_distance(a: Box, b: Box) -> float:
     return sqrt(min(_corners_squared(a, b), _corners_squared(b, a)))
 
 
-@kernel
+@inner_kernel
 def _corners_squared(a: Box, b: Box) -> float:
     """Squared distance of the nearest corner of b from a, which holds none of them, m²."""
     dx, dy = b.x - a.x, b.y - a.y
@@ -47,25 +47,25 @@ def _corners_squared(a: Box, b: Box) -> float:
 
 
 @kernel
-def closest_approach(a: Floats, b: Floats, body_a: Body, body_b: Body) -> tuple[float, int, bool]:
-    """Smallest distance (m) of two tracks, the first step that has it, whether it is a contact.
+def closest_approach(
+    a: Floats, b: Floats, body_a: Body, body_b: Body, squared_m2: Floats
+) -> tuple[float, int, bool]:
+    """Smallest distance (m) of two frames, the first step that has it, whether it is a contact.
 
-    Looks no further than the first contact.
+    Looks no further than the first contact. ``squared_m2`` is from ``write_separations``.
     """
     # Where the centres are nearest, the boxes nearly are: a bound that spares most steps.
-    best_step, nearest = 0, inf
-    for t in range(a.shape[1]):
-        away = _centres_squared(a, b, body_a.ahead_m, body_b.ahead_m, t)
-        if away < nearest:
-            best_step, nearest = t, away
-    best = box_distance(box_at(a, body_a, best_step), box_at(b, body_b, best_step))
+    best_step = 0
+    for t in range(squared_m2.shape[0]):
+        if squared_m2[t] < squared_m2[best_step]:
+            best_step = t
+    best = _distance_at(a, b, body_a, body_b, best_step)
     radii = body_a.radius_m + body_b.radius_m
-    for t in range(a.shape[1]):
-        away = _centres_squared(a, b, body_a.ahead_m, body_b.ahead_m, t)
+    for t in range(squared_m2.shape[0]):
         # Further apart than the best even between the circles around the boxes.
-        if away > (radii + best) * (radii + best):
+        if squared_m2[t] > (radii + best) * (radii + best):
             continue
-        distance = box_distance(box_at(a, body_a, t), box_at(b, body_b, t))
+        distance = _distance_at(a, b, body_a, body_b, t)
         if distance < best or (distance == best and t < best_step):
             best, best_step = distance, t
         if distance == 0.0:
@@ -73,12 +73,13 @@ def closest_approach(a: Floats, b: Floats, body_a: Body, body_b: Body) -> tuple[
     return best, best_step, False
 
 
-@kernel
-def _centres_squared(a: Floats, b: Floats, ahead_a: float, ahead_b: float, t: int) -> float:
-    """Squared distance between the centres of two boxes at step t, m²."""
-    dx = b[X, t] + ahead_b * b[COS, t] - a[X, t] - ahead_a * a[COS, t]
-    dy = b[Y, t] + ahead_b * b[SIN, t] - a[Y, t] - ahead_a * a[SIN, t]
-    return dx * dx + dy * dy
+@inner_kernel
+def _distance_at(a: Floats, b: Floats, body_a: Body, body_b: Body, t: int) -> float:
+    """Distance of two frames at step t, m."""
+    return box_distance(
+        box_at(a, body_a.half_length_m, body_a.half_width_m, t),
+        box_at(b, body_b.half_length_m, body_b.half_width_m, t),
+    )
 
 
 @kernel
@@ -87,10 +88,10 @@ def distance_series(tracks: Floats, bodies: Floats, pairs: Ints) -> Floats:
     candidates, steps = tracks.shape[0], tracks.shape[3]
     out = np.empty((candidates, steps, pairs.shape[0]))
     for c in range(candidates):
+        frames = frames_of(tracks[c], bodies)
         for p in range(pairs.shape[0]):
             a, b = pairs[p, 0], pairs[p, 1]
             body_a, body_b = body_of(bodies, a), body_of(bodies, b)
             for t in range(steps):
-                box_a, box_b = box_at(tracks[c, a], body_a, t), box_at(tracks[c, b], body_b, t)
-                out[c, t, p] = box_distance(box_a, box_b)
+                out[c, t, p] = _distance_at(frames[a], frames[b], body_a, body_b, t)
     return out

@@ -15,10 +15,10 @@ from math import nan
 import numpy as np
 
 from scegen.motion.batch.arrays import SPEED, Floats, Ints
-from scegen.motion.batch.kernels import kernel
+from scegen.motion.batch.kernels import inner_kernel, kernel
 
 
-@kernel
+@inner_kernel
 def deceleration_to_avoid(gap_m: float, follower_mps: float, leader_mps: float) -> float:
     """DRAC of a follower, m/s²."""
     if np.isnan(gap_m):
@@ -30,10 +30,12 @@ def deceleration_to_avoid(gap_m: float, follower_mps: float, leader_mps: float) 
 @kernel
 def highest_drac(follower: Floats, leader: Floats, gaps: Floats, last: int) -> float:
     """Highest DRAC over the steps 0 to ``last``, m/s²; ``gaps`` (steps,) to the leader, m."""
-    worst = nan
+    worst = -1.0
     for t in range(last + 1):
-        worst = np.fmax(worst, deceleration_to_avoid(gaps[t], follower[SPEED, t], leader[SPEED, t]))
-    return worst
+        drac = deceleration_to_avoid(gaps[t], follower[SPEED, t], leader[SPEED, t])
+        if drac > worst:  # noqa: PLR1730 -- never true of the undefined
+            worst = drac
+    return worst if worst >= 0.0 else nan
 
 
 @kernel

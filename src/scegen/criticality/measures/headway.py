@@ -11,18 +11,18 @@ the leader's speed.
 
 from __future__ import annotations
 
-from math import nan
+from math import inf, nan
 
 import numpy as np
 
 from scegen.motion.batch.arrays import SPEED, Floats, Ints
-from scegen.motion.batch.kernels import kernel
+from scegen.motion.batch.kernels import inner_kernel, kernel
 
 CREEP_MPS = 0.1
 """Below this speed a follower counts as standing."""
 
 
-@kernel
+@inner_kernel
 def time_headway(gap_m: float, speed_mps: float) -> float:
     """Headway of a follower, s."""
     return gap_m / speed_mps if speed_mps >= CREEP_MPS else nan
@@ -31,10 +31,12 @@ def time_headway(gap_m: float, speed_mps: float) -> float:
 @kernel
 def least_headway(follower: Floats, gaps: Floats, last: int) -> float:
     """Smallest headway over the steps 0 to ``last``, s; ``gaps`` (steps,) to the leader, m."""
-    best = nan
+    best = inf
     for t in range(last + 1):
-        best = np.fmin(best, time_headway(gaps[t], follower[SPEED, t]))
-    return best
+        headway = time_headway(gaps[t], follower[SPEED, t])
+        if headway < best:  # noqa: PLR1730 -- never true of the undefined
+            best = headway
+    return best if best < inf else nan
 
 
 @kernel

@@ -17,20 +17,20 @@ from math import nan, sqrt
 import numpy as np
 
 from scegen.criticality.bodies import body_of
+from scegen.criticality.boxes import VX, VY, frames_of, write_separations
 from scegen.criticality.measures.distance import closest_approach
-from scegen.motion.batch.arrays import COS, SIN, SPEED, Floats, Ints
-from scegen.motion.batch.kernels import kernel
+from scegen.motion.batch.arrays import Floats, Ints
+from scegen.motion.batch.kernels import inner_kernel, kernel
 
 
-@kernel
+@inner_kernel
 def relative_speed(a: Floats, b: Floats, t: int) -> float:
-    """Magnitude of the relative velocity of two tracks at step t, m/s."""
-    vx = b[SPEED, t] * b[COS, t] - a[SPEED, t] * a[COS, t]
-    vy = b[SPEED, t] * b[SIN, t] - a[SPEED, t] * a[SIN, t]
+    """Magnitude of the relative velocity of two frames at step t, m/s."""
+    vx, vy = b[VX, t] - a[VX, t], b[VY, t] - a[VY, t]
     return sqrt(vx * vx + vy * vy)
 
 
-@kernel
+@inner_kernel
 def delta_v(impact_mps: float, own_kg: float, other_kg: float) -> float:
     """Change of velocity of one of two bodies that stay together, m/s."""
     return impact_mps * other_kg / (own_kg + other_kg)
@@ -40,11 +40,14 @@ def delta_v(impact_mps: float, own_kg: float, other_kg: float) -> float:
 def impacts(tracks: Floats, bodies: Floats, pairs: Ints) -> Floats:
     """Impact speed, delta-v of the first and of the second, m/s: [candidate, pair, 3]."""
     out = np.full((tracks.shape[0], pairs.shape[0], 3), nan)
+    squared = np.empty(tracks.shape[3])
     for c in range(tracks.shape[0]):
+        frames = frames_of(tracks[c], bodies)
         for p in range(pairs.shape[0]):
-            a, b = tracks[c, pairs[p, 0]], tracks[c, pairs[p, 1]]
+            a, b = frames[pairs[p, 0]], frames[pairs[p, 1]]
             body_a, body_b = body_of(bodies, pairs[p, 0]), body_of(bodies, pairs[p, 1])
-            _, t, contact = closest_approach(a, b, body_a, body_b)
+            write_separations(a, b, squared)
+            _, t, contact = closest_approach(a, b, body_a, body_b, squared)
             if contact:
                 speed = relative_speed(a, b, t)
                 out[c, p, 0] = speed

@@ -22,7 +22,7 @@ import numpy as np
 
 from scegen.criticality.bodies import Body, body_of
 from scegen.motion.batch.arrays import Floats, Ints
-from scegen.motion.batch.kernels import kernel
+from scegen.motion.batch.kernels import inner_kernel, kernel
 
 _MPS_PER_MPH = 0.44704
 _MPS_PER_KMH = 1 / 3.6
@@ -32,7 +32,7 @@ UNPROTECTED = (-4.6, 0.078 / _MPS_PER_KMH)
 """Intercept and slope (s/m) over impact speed, for riders and pedestrians."""
 
 
-@kernel
+@inner_kernel
 def injury_probability(body: Body, impact_mps: float, delta_v_mps: float) -> float:
     """Probability of MAIS 3+ for one with this body."""
     speed = impact_mps if body.unprotected > 0.0 else delta_v_mps

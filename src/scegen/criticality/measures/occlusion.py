@@ -18,12 +18,12 @@ from math import inf, nan
 import numpy as np
 
 from scegen.criticality.bodies import body_of
-from scegen.criticality.boxes import Box, box_at
+from scegen.criticality.boxes import Box, box_at, frames_of
 from scegen.motion.batch.arrays import Bools, Floats, Ints
-from scegen.motion.batch.kernels import kernel
+from scegen.motion.batch.kernels import inner_kernel, kernel
 
 
-@kernel
+@inner_kernel
 def cuts(box: Box, x0: float, y0: float, x1: float, y1: float) -> bool:
     """Whether a box cuts the straight line between two points (m, world)."""
     ax, ay = x0 - box.x, y0 - box.y
@@ -39,7 +39,7 @@ def cuts(box: Box, x0: float, y0: float, x1: float, y1: float) -> bool:
     return low <= high
 
 
-@kernel
+@inner_kernel
 def _slab(low: float, high: float, start: float, end: float, half: float) -> tuple[float, float]:
     """The part of a line (0 start, 1 end) within -half..half; empty: (1, 0)."""
     step = end - start
@@ -49,7 +49,7 @@ def _slab(low: float, high: float, start: float, end: float, half: float) -> tup
     return max(low, min(one, two)), min(high, max(one, two))
 
 
-@kernel
+@inner_kernel
 def hidden(observer: Box, target: Box, occluder: Box) -> bool:
     """Whether the occluder hides the target's centre and corners from the observer's centre."""
     if not cuts(occluder, observer.x, observer.y, target.x, target.y):
@@ -65,29 +65,35 @@ def hidden(observer: Box, target: Box, occluder: Box) -> bool:
     return True
 
 
-@kernel
-def hidden_at(tracks: Floats, bodies: Floats, occlusion: Ints, t: int) -> bool:
-    """Whether the target is hidden at step t; ``tracks`` of one candidate (i, row, t)."""
-    observer, target, occluder = occlusion[0], occlusion[1], occlusion[2]
+@inner_kernel
+def hidden_at(frames: Floats, bodies: Floats, occlusion: Ints, t: int) -> bool:
+    """Whether the target is hidden at step t; ``frames`` of one candidate (i, row, t)."""
     return hidden(
-        box_at(tracks[observer], body_of(bodies, observer), t),
-        box_at(tracks[target], body_of(bodies, target), t),
-        box_at(tracks[occluder], body_of(bodies, occluder), t),
+        _box(frames, bodies, occlusion[0], t),
+        _box(frames, bodies, occlusion[1], t),
+        _box(frames, bodies, occlusion[2], t),
     )
+
+
+@inner_kernel
+def _box(frames: Floats, bodies: Floats, i: int, t: int) -> Box:
+    """The box of participant i at step t."""
+    body = body_of(bodies, i)
+    return box_at(frames[i], body.half_length_m, body.half_width_m, t)
 
 
 @kernel
 def occlusion_times(
-    tracks: Floats, bodies: Floats, occlusion: Ints, dt_s: float
+    frames: Floats, bodies: Floats, occlusion: Ints, dt_s: float
 ) -> tuple[float, float]:
     """Length of the longest spell without sight, and when sight follows it, s.
 
-    ``tracks`` of one candidate (i, row, t); ``occlusion`` (3,): observer, target, occluder.
+    ``frames`` of one candidate (i, row, t); ``occlusion`` (3,): observer, target, occluder.
     """
     longest, sight = 0, nan
     spell = 0
-    for t in range(tracks.shape[2]):
-        if hidden_at(tracks, bodies, occlusion, t):
+    for t in range(frames.shape[2]):
+        if hidden_at(frames, bodies, occlusion, t):
             spell += 1
             if spell > longest:
                 longest, sight = spell, inf
@@ -106,7 +112,8 @@ def occlusion_series(tracks: Floats, bodies: Floats, occlusions: Ints) -> Bools:
     """
     out = np.empty((tracks.shape[0], tracks.shape[3], occlusions.shape[0]), dtype=np.bool_)
     for c in range(out.shape[0]):
+        frames = frames_of(tracks[c], bodies)
         for t in range(out.shape[1]):
             for q in range(out.shape[2]):
-                out[c, t, q] = hidden_at(tracks[c], bodies, occlusions[q], t)
+                out[c, t, q] = hidden_at(frames, bodies, occlusions[q], t)
     return out

@@ -26,10 +26,10 @@ from scegen.criticality.bodies import body_of
 from scegen.criticality.conflict_areas import AreaTable
 from scegen.criticality.following import FollowTable, write_gaps
 from scegen.motion.batch.arrays import SPEED, Floats, Ints, S
-from scegen.motion.batch.kernels import kernel
+from scegen.motion.batch.kernels import inner_kernel, kernel
 
 
-@kernel
+@inner_kernel
 def behind_leader(gap_m: float, speed_mps: float, leader_mps: float, braking_mps2: float) -> float:
     """Deceleration needed to stay behind a leader, m/s²; ``braking_mps2`` >= 0 is the leader's."""
     if np.isnan(gap_m) or speed_mps <= 0.0:
@@ -49,7 +49,7 @@ def behind_leader(gap_m: float, speed_mps: float, leader_mps: float, braking_mps
     return closing * closing / (2.0 * gap_m) if gap_m > 0.0 else inf
 
 
-@kernel
+@inner_kernel
 def before_area(
     ahead_m: float,
     speed_mps: float,
@@ -91,11 +91,12 @@ def highest_behind_leader(
     """Highest deceleration needed behind a leader over the steps 0 to ``last``, m/s²."""
     worst = 0.0
     for t in range(last + 1):
-        worst = max(worst, _behind_at(follower, leader, gaps[t], dt_s, t))
+        if gaps[t] >= 0.0:
+            worst = max(worst, _behind_at(follower, leader, gaps[t], dt_s, t))
     return worst
 
 
-@kernel
+@inner_kernel
 def _behind_at(follower: Floats, leader: Floats, gap_m: float, dt_s: float, t: int) -> float:
     """Deceleration needed behind a leader at step t, m/s²."""
     braking = 0.0 if t == 0 else (leader[SPEED, t - 1] - leader[SPEED, t]) / dt_s

@@ -16,12 +16,12 @@ from math import inf
 import numpy as np
 
 from scegen.criticality.bodies import Body, body_of
-from scegen.criticality.boxes import Box, box_at
-from scegen.motion.batch.arrays import COS, SIN, SPEED, Floats, Ints, X, Y
-from scegen.motion.batch.kernels import kernel
+from scegen.criticality.boxes import CX, CY, VX, VY, Box, box_at, frames_of
+from scegen.motion.batch.arrays import Floats, Ints
+from scegen.motion.batch.kernels import inner_kernel, kernel
 
 
-@kernel
+@inner_kernel
 def box_time_to_collision(a: Box, b: Box, vx: float, vy: float) -> float:
     """When b, moving by (vx, vy) m/s relative to a, first touches a, s; inf for never."""
     dx, dy = b.x - a.x, b.y - a.y
@@ -59,7 +59,7 @@ def box_time_to_collision(a: Box, b: Box, vx: float, vy: float) -> float:
     return begin if begin <= end else inf
 
 
-@kernel
+@inner_kernel
 def _overlap(
     begin: float, end: float, offset: float, speed: float, reach: float
 ) -> tuple[float, float]:
@@ -73,29 +73,52 @@ def _overlap(
 
 
 @kernel
-def least_time_to_collision(a: Floats, b: Floats, body_a: Body, body_b: Body, last: int) -> float:
-    """Smallest time to collision of two tracks over the steps 0 to ``last``, s."""
+def least_time_to_collision(
+    a: Floats, b: Floats, body_a: Body, body_b: Body, last: int, worth_m2: Floats
+) -> float:
+    """Smallest time to collision of two frames over the steps 0 to ``last``, s.
+
+    ``worth_m2`` (steps,) is room to work in.
+    """
     best = inf
     radii = body_a.radius_m + body_b.radius_m
+    _write_worth(a, b, radii * radii, worth_m2[: last + 1])
     for t in range(last, -1, -1):  # the smallest is mostly late, and small ones spare the rest
-        dx = b[X, t] + body_b.ahead_m * b[COS, t] - a[X, t] - body_a.ahead_m * a[COS, t]
-        dy = b[Y, t] + body_b.ahead_m * b[SIN, t] - a[Y, t] - body_a.ahead_m * a[SIN, t]
-        vx = b[SPEED, t] * b[COS, t] - a[SPEED, t] * a[COS, t]
-        vy = b[SPEED, t] * b[SIN, t] - a[SPEED, t] * a[SIN, t]
-        away = dx * dx + dy * dy
-        if away > radii * radii:
-            # Outside each other's circles: most pairs move apart, pass by, or come too late.
-            if dx * vx + dy * vy >= 0.0:
-                continue
-            cross = dx * vy - dy * vx
-            if cross * cross > radii * radii * (vx * vx + vy * vy):
-                continue
-            reach = radii + best * (a[SPEED, t] + b[SPEED, t])
-            if away > reach * reach:
-                continue
-        time = box_time_to_collision(box_at(a, body_a, t), box_at(b, body_b, t), vx, vy)
-        best = min(best, time)
+        if worth_m2[t] == inf:
+            continue
+        vx, vy = b[VX, t] - a[VX, t], b[VY, t] - a[VY, t]
+        # Too far to touch earlier than the best, even between the circles around the boxes.
+        reach = radii + best * (abs(vx) + abs(vy))
+        if worth_m2[t] <= reach * reach:
+            best = min(best, _time_at(a, b, body_a, body_b, t))
     return best
+
+
+@kernel
+def _write_worth(a: Floats, b: Floats, radii_m2: float, worth_m2: Floats) -> None:
+    """Squared distance of the centres where the circles around the boxes will touch, else inf.
+
+    No branches, so that the processor takes several steps at once.
+    """
+    for t in range(worth_m2.shape[0]):
+        dx, dy = b[CX, t] - a[CX, t], b[CY, t] - a[CY, t]
+        vx, vy = b[VX, t] - a[VX, t], b[VY, t] - a[VY, t]
+        away = dx * dx + dy * dy
+        cross = dx * vy - dy * vx
+        meets = cross * cross <= radii_m2 * (vx * vx + vy * vy)
+        worth = (away <= radii_m2) | (meets & (dx * vx + dy * vy < 0.0))
+        worth_m2[t] = away if worth else inf
+
+
+@inner_kernel
+def _time_at(a: Floats, b: Floats, body_a: Body, body_b: Body, t: int) -> float:
+    """Time to collision of two frames at step t, s."""
+    return box_time_to_collision(
+        box_at(a, body_a.half_length_m, body_a.half_width_m, t),
+        box_at(b, body_b.half_length_m, body_b.half_width_m, t),
+        b[VX, t] - a[VX, t],
+        b[VY, t] - a[VY, t],
+    )
 
 
 @kernel
@@ -104,13 +127,10 @@ def time_to_collision_series(tracks: Floats, bodies: Floats, pairs: Ints) -> Flo
     candidates, steps = tracks.shape[0], tracks.shape[3]
     out = np.empty((candidates, steps, pairs.shape[0]))
     for c in range(candidates):
+        frames = frames_of(tracks[c], bodies)
         for p in range(pairs.shape[0]):
-            a, b = tracks[c, pairs[p, 0]], tracks[c, pairs[p, 1]]
-            body_a, body_b = body_of(bodies, pairs[p, 0]), body_of(bodies, pairs[p, 1])
+            a, b = pairs[p, 0], pairs[p, 1]
+            body_a, body_b = body_of(bodies, a), body_of(bodies, b)
             for t in range(steps):
-                vx = b[SPEED, t] * b[COS, t] - a[SPEED, t] * a[COS, t]
-                vy = b[SPEED, t] * b[SIN, t] - a[SPEED, t] * a[SIN, t]
-                out[c, t, p] = box_time_to_collision(
-                    box_at(a, body_a, t), box_at(b, body_b, t), vx, vy
-                )
+                out[c, t, p] = _time_at(frames[a], frames[b], body_a, body_b, t)
     return out

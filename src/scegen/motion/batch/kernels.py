@@ -23,7 +23,7 @@ import numba
 _P = ParamSpec("_P")
 _R = TypeVar("_R")
 _PACKAGE = Path(__file__).parents[2]
-_MARK = "@kernel"
+_MARK = "kernel\ndef "
 _config: Any = numba.config  # its settings are made at run time, unseen by type checkers
 
 
@@ -32,8 +32,23 @@ def kernel(function: Callable[_P, _R]) -> Callable[_P, _R]:
 
     Division by zero gives inf or nan as in numpy, not an exception.
     """
+    return _compiled(function, inline=False)
+
+
+def inner_kernel(function: Callable[_P, _R]) -> Callable[_P, _R]:
+    """A kernel that is always compiled into its callers: for what runs once per time step.
+
+    A call that is left standing costs more than such a kernel's work, because every array in its
+    arguments is handed over as seven and more numbers.
+    """
+    return _compiled(function, inline=True)
+
+
+def _compiled(function: Callable[_P, _R], *, inline: bool) -> Callable[_P, _R]:
     with _cache_folder(Path(function.__code__.co_filename)):
-        compiled = numba.njit(cache=True, fastmath=False, error_model="numpy")(function)
+        compiled = numba.njit(cache=True, fastmath=False, error_model="numpy", forceinline=inline)(
+            function
+        )
     return cast("Callable[_P, _R]", compiled)
 
 

@@ -1,0 +1,227 @@
+"""A line to one model: every request passes here, to be bounded, counted, recorded or replayed."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+from collections import Counter
+from collections.abc import Awaitable, Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+import httpx2
+from pydantic_ai.messages import ModelMessage, ModelMessagesTypeAdapter, ModelResponse
+from pydantic_ai.models import Model, ModelRequestParameters
+from pydantic_ai.models.wrapper import WrapperModel
+from pydantic_ai.settings import ModelSettings
+
+from scegen.llm.budget import Ledger
+from scegen.llm.client import ClosedTransport, GuardedTransport
+from scegen.llm.faults import Fault, FaultKind, LlmError
+from scegen.llm.naming import ModelName
+from scegen.llm.prices import cost_usd
+from scegen.llm.providers import build_model
+from scegen.llm.settings import Limits
+from scegen.llm.transcript import Exchange, Recorder, Recording
+from scegen.llm.troubles import Trouble, trouble_of
+from scegen.llm.usage import Usage
+
+_BYTES_PER_TOKEN = 3
+"""A cautious rule of thumb, for what a request takes before the server has counted."""
+_REPLAY_URL = "http://replay.invalid/v1"
+
+
+@dataclass
+class Line:
+    """A connection to one model of the chain, shared by all agents.
+
+    ``chain`` is the model's place among the models asked, from 1; it names transcript files.
+    """
+
+    name: ModelName
+    chain: int
+    url: str | None
+    key: str
+    limits: Limits
+    ledger: Ledger
+    recorder: Recorder | None = None
+    recording: Recording | None = None
+    exchanges: list[Exchange] = field(default_factory=list)
+    _numbers: Counter[str] = field(default_factory=Counter)
+    _deadline: float | None = None
+    _client: httpx2.AsyncClient | None = None
+
+    async def __aenter__(self) -> Line:
+        transport: httpx2.AsyncBaseTransport
+        if self.recording is not None:
+            transport = ClosedTransport()
+        else:
+            transport = GuardedTransport(
+                key=self.key,
+                request_s=self.limits.request_s,
+                answer_bytes=self.limits.answer_bytes,
+            )
+        self._client = httpx2.AsyncClient(transport=transport)
+        self._deadline = asyncio.get_running_loop().time() + self.limits.run_s
+        return self
+
+    async def __aexit__(self, *_: object) -> None:
+        if self._client is not None:
+            await self._client.aclose()
+
+    def model(self, agent: str) -> Model:
+        """The model as one agent sees it."""
+        if self._client is None:
+            msg = "the line is not open"
+            raise RuntimeError(msg)
+        url = _REPLAY_URL if self.recording is not None else self.url
+        inner = build_model(self.name, url=url, key=self.key, http_client=self._client)
+        return _AgentModel(inner, self, agent)
+
+    @property
+    def usage(self) -> Usage:
+        """Everything used on this line, summed in an order that no race changes."""
+        ordered = sorted(self.exchanges, key=lambda e: (e.agent, e.number))
+        return sum((e.usage for e in ordered), Usage())
+
+    async def ask(
+        self,
+        agent: str,
+        messages: list[ModelMessage],
+        schema_bytes: int,
+        send: Callable[[], Awaitable[ModelResponse]],
+    ) -> ModelResponse:
+        """The answer to one request.
+
+        Raises:
+            LlmError: there is none.
+            InputError: the recording lacks it.
+        """
+        self._numbers[agent] += 1
+        number = self._numbers[agent]
+        if self.recording is not None:
+            exchange = self.recording.exchange(self.chain, agent, number)
+        else:
+            request = ModelMessagesTypeAdapter.dump_python(messages, mode="json")
+            exchange = await self._exchange(agent, number, request, schema_bytes, send)
+            if self.recorder is not None:
+                self.recorder.keep(self.chain, exchange)
+        self.exchanges.append(exchange)
+        if exchange.fault is not None:
+            raise LlmError(exchange.fault)
+        # through the recorded form even when live, so that a replay sees the same
+        response = ModelMessagesTypeAdapter.validate_python([exchange.response])[0]
+        if not isinstance(response, ModelResponse):
+            raise LlmError(self._fault(agent, FaultKind.NO_ANSWER, "recorded no answer"))
+        return response
+
+    async def _exchange(
+        self,
+        agent: str,
+        number: int,
+        request: Any,  # noqa: ANN401 - JSON
+        schema_bytes: int,
+        send: Callable[[], Awaitable[ModelResponse]],
+    ) -> Exchange:
+        said = len(json.dumps(request, ensure_ascii=False).encode("utf-8", "replace"))
+        expected = (said + schema_bytes) // _BYTES_PER_TOKEN
+        most = self._priced(expected, self.limits.answer_tokens, attempts=1)
+        done = Exchange(model=str(self.name), agent=agent, number=number, request=tuple(request))
+        try:
+            self.ledger.hold(most)
+        except LlmError as error:
+            return done.model_copy(update={"fault": self._named(agent, error.fault)})
+        used = Usage()
+        try:
+            answer, attempts = await self._with_retries(send)
+            if isinstance(answer, Trouble):
+                used = Usage(requests=1, retries=attempts - 1)
+                return done.model_copy(
+                    update={"fault": self._named(agent, answer.fault), "usage": used}
+                )
+            response = ModelMessagesTypeAdapter.dump_python([answer], mode="json")[0]
+            used = self._used(answer, expected, len(json.dumps(response["parts"])), attempts)
+            return done.model_copy(update={"response": response, "usage": used})
+        finally:
+            self.ledger.settle(most, used)
+
+    async def _with_retries(
+        self, send: Callable[[], Awaitable[ModelResponse]]
+    ) -> tuple[ModelResponse | Trouble, int]:
+        """The answer or the last trouble, and after how many attempts."""
+        limits, clock = self.limits, asyncio.get_running_loop().time
+        deadline = self._deadline if self._deadline is not None else clock() + limits.run_s
+        pause = limits.first_wait_s
+        attempt = 0
+        while True:
+            attempt += 1
+            try:
+                async with asyncio.timeout(min(limits.request_s, deadline - clock())):
+                    return await send(), attempt
+            except Exception as error:  # noqa: BLE001 - whatever a server provokes is a fault
+                trouble = trouble_of(error, self.key)
+            wait = pause if trouble.wait_s is None else trouble.wait_s
+            late = clock() + wait >= deadline
+            if not trouble.passing or attempt >= limits.attempts or wait > limits.longest_wait_s:
+                return trouble, attempt
+            if late:
+                return trouble, attempt
+            await asyncio.sleep(wait)
+            pause = min(pause * 2, limits.longest_wait_s)
+
+    def _used(
+        self, answer: ModelResponse, expected: int, answer_bytes: int, attempts: int
+    ) -> Usage:
+        """As the server counted; by length where it did not."""
+        counted = answer.usage
+        if counted.input_tokens or counted.output_tokens:
+            return self._priced(counted.input_tokens, counted.output_tokens, attempts)
+        return self._priced(expected, answer_bytes // _BYTES_PER_TOKEN, attempts)
+
+    def _priced(self, input_tokens: int, output_tokens: int, attempts: int) -> Usage:
+        cost = cost_usd(self.name, input_tokens, output_tokens)
+        return Usage(
+            requests=1,
+            retries=attempts - 1,
+            input_tokens=input_tokens,
+            output_tokens=output_tokens,
+            cost_usd=cost or 0.0,
+            unpriced=int(cost is None),
+        )
+
+    def _named(self, agent: str, fault: Fault) -> Fault:
+        return fault.named(agent=agent, model=str(self.name))
+
+    def _fault(self, agent: str, kind: FaultKind, message: str) -> Fault:
+        return Fault(kind=kind, message=message, agent=agent, model=str(self.name))
+
+
+class _AgentModel(WrapperModel):
+    """Leads an agent's requests over the line."""
+
+    def __init__(self, wrapped: Model, line: Line, agent: str) -> None:
+        super().__init__(wrapped)
+        self._line = line
+        self._agent = agent
+
+    async def request(
+        self,
+        messages: list[ModelMessage],
+        model_settings: ModelSettings | None,
+        model_request_parameters: ModelRequestParameters,
+    ) -> ModelResponse:
+        """Ask over the line."""
+        schema = [tool.parameters_json_schema for tool in model_request_parameters.output_tools]
+        # the line retries by itself, and bounds the answer
+        settings = ModelSettings(
+            **{
+                **(model_settings or {}),
+                "max_tokens": self._line.limits.answer_tokens,
+                "max_retries": 0,
+            }
+        )
+
+        async def send() -> ModelResponse:
+            return await self.wrapped.request(messages, settings, model_request_parameters)
+
+        return await self._line.ask(self._agent, messages, len(json.dumps(schema)), send)

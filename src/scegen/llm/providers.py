@@ -1,0 +1,54 @@
+"""A provider's model object, over our own HTTP client."""
+
+from __future__ import annotations
+
+import os
+
+import httpx2
+from openai import AsyncOpenAI
+from pydantic_ai.models import Model
+from pydantic_ai.models.anthropic import AnthropicModel
+from pydantic_ai.models.openai import OpenAIChatModel
+from pydantic_ai.providers import infer_provider_class
+from pydantic_ai.providers.anthropic import AnthropicProvider
+from pydantic_ai.providers.openai_compatible import OpenAICompatibleProvider
+
+from scegen.llm.naming import COMPATIBLE, PROVIDERS, ModelName
+
+
+def endpoint(name: ModelName, url: str | None) -> str | None:
+    """Where a model is asked; None = the provider's own address."""
+    provider = PROVIDERS.get(name.provider)
+    if url is not None or provider is None:
+        return url
+    named = os.environ.get(provider.url_variable) if provider.url_variable else None
+    return named or provider.default_url
+
+
+def build_model(
+    name: ModelName, *, url: str | None, key: str, http_client: httpx2.AsyncClient
+) -> Model:
+    """The model that ``name`` stands for.
+
+    Args:
+        name: provider and model.
+        url: address to ask instead of the provider's own.
+        key: the key, possibly a placeholder.
+        http_client: carries every request.
+    """
+    address = endpoint(name, url)
+    if name.provider == "anthropic":
+        return AnthropicModel(
+            name.model,
+            provider=AnthropicProvider(api_key=key, base_url=address, http_client=http_client),
+        )
+    if address is None:
+        provider = infer_provider_class(name.provider)(api_key=key, http_client=http_client)
+        return OpenAIChatModel(name.model, provider=provider)
+    client = AsyncOpenAI(base_url=address, api_key=key, http_client=http_client)
+    if name.provider == COMPATIBLE:
+        return OpenAIChatModel(
+            name.model, provider=OpenAICompatibleProvider(COMPATIBLE, openai_client=client)
+        )
+    provider = infer_provider_class(name.provider)(openai_client=client)
+    return OpenAIChatModel(name.model, provider=provider)

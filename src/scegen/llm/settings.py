@@ -1,0 +1,45 @@
+"""How a run may use language models."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from scegen.llm.budget import Budget
+from scegen.llm.naming import ModelName
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """Bounds on every request, so that no server can hold up a run for ever.
+
+    ``request_s`` bounds one attempt from connecting to the last byte, ``run_s`` all requests of
+    a model together. ``attempts`` counts the first one too; a wait between them doubles from
+    ``first_wait_s``, follows Retry-After, and never exceeds ``longest_wait_s``.
+    """
+
+    request_s: float = 90.0
+    run_s: float = 300.0
+    attempts: int = 4
+    first_wait_s: float = 1.0
+    longest_wait_s: float = 30.0
+    answer_bytes: int = 1_000_000
+    answer_tokens: int = 4096
+    corrections: int = 2
+    review_rounds: int = 2
+
+
+@dataclass(frozen=True, slots=True)
+class LlmSettings:
+    """Which models to ask, where, and how much of everything.
+
+    ``models`` are tried in this order. ``record`` is a folder for transcripts; ``replay`` one
+    to answer from, without network.
+    """
+
+    models: tuple[ModelName, ...]
+    url: str | None = None
+    budget: Budget = Budget()
+    record: Path | None = None
+    replay: Path | None = None
+    limits: Limits = field(default_factory=Limits)

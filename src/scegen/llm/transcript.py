@@ -1,0 +1,136 @@
+"""Transcripts: every exchange with a model as a file, from which a run can be repeated.
+
+A folder holds ``run.json`` (the description, the models, the version of the prompts) and one
+``CHAIN-AGENT-NUMBER.json`` an exchange, with what was sent, what came back, and what it cost.
+No header is ever written, so no key is.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any, Literal
+
+from pydantic import ValidationError
+
+from scegen.errors import InputError
+from scegen.llm.faults import Fault
+from scegen.llm.usage import Usage
+from scegen.scenario.model import FrozenModel
+
+RUN_FILE = "run.json"
+_HINT = "record the run again with --llm-record"
+
+
+class Run(FrozenModel):
+    """What a transcript is of."""
+
+    transcript: Literal[1] = 1
+    prompts: str
+    description: str
+    models: tuple[str, ...]
+    url: str | None = None
+
+
+class Exchange(FrozenModel):
+    """One question to a model, and its answer or why there was none."""
+
+    model: str
+    agent: str
+    number: int
+    request: tuple[Any, ...]
+    response: Any = None
+    fault: Fault | None = None
+    usage: Usage = Usage()
+
+
+class Recorder:
+    """Writes exchanges into a folder that was empty before.
+
+    Raises:
+        InputError: the folder holds something, or cannot be written.
+    """
+
+    def __init__(self, folder: Path, run: Run) -> None:
+        self._folder = folder
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            if any(folder.iterdir()):
+                raise InputError(
+                    "is not empty", where=f"--llm-record {folder}", hint="name a new folder"
+                )
+        except OSError as error:
+            raise _unwritable(folder, error) from error
+        self._write(RUN_FILE, run)
+
+    def keep(self, chain: int, exchange: Exchange) -> None:
+        """Write one exchange."""
+        self._write(_name(chain, exchange.agent, exchange.number), exchange)
+
+    def _write(self, name: str, content: FrozenModel) -> None:
+        text = json.dumps(content.model_dump(mode="json"), indent=2, ensure_ascii=False) + "\n"
+        try:
+            # a lone surrogate cannot be written as UTF-8; the escape means the same in JSON
+            (self._folder / name).write_bytes(text.encode("utf-8", "backslashreplace"))
+        except OSError as error:
+            raise _unwritable(self._folder, error) from error
+
+
+class Recording:
+    """Reads a folder that a :class:`Recorder` wrote.
+
+    Raises:
+        InputError: it is no such folder.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self.run = self._read(RUN_FILE, Run, "is no folder of --llm-record: it lacks run.json")
+
+    def require_same(self, *, description: str, prompts: str, models: tuple[str, ...]) -> None:
+        """Refuse a recording of something else.
+
+        Raises:
+            InputError: says what differs.
+        """
+        for differs, what in (
+            (self.run.description != description, "another description"),
+            (self.run.prompts != prompts, "another version of the prompts"),
+            (bool(models) and self.run.models != models, "other models"),
+        ):
+            if differs:
+                raise InputError(
+                    f"was recorded with {what}", where=f"--llm-replay {self._folder}", hint=_HINT
+                )
+
+    def exchange(self, chain: int, agent: str, number: int) -> Exchange:
+        """One exchange.
+
+        Raises:
+            InputError: it was not recorded, or cannot be read.
+        """
+        name = _name(chain, agent, number)
+        return self._read(name, Exchange, f"lacks {name}: the run was cut short, or scegen changed")
+
+    def _read[M: FrozenModel](self, name: str, kind: type[M], missing: str) -> M:
+        where = f"--llm-replay {self._folder}"
+        try:
+            content = (self._folder / name).read_bytes()
+        except OSError as error:
+            raise InputError(missing, where=where, hint=_HINT) from error
+        try:
+            return kind.model_validate_json(content)
+        except ValidationError as error:
+            raise InputError(f"{name} is damaged", where=where, hint=_HINT) from error
+
+
+def _name(chain: int, agent: str, number: int) -> str:
+    return f"{chain}-{agent}-{number}.json"
+
+
+def _unwritable(folder: Path, error: OSError) -> InputError:
+    return InputError(
+        f"cannot be written: {error.strerror}",
+        where=f"--llm-record {folder}",
+        hint="name another folder",
+    )

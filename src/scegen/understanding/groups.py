@@ -1,0 +1,39 @@
+"""Participants that come up together, and people who stand for their vehicle."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.chunks import Mention
+from scegen.understanding.draft import Entity
+from scegen.understanding.mention_words import KINDS, Reading
+
+_MOTOR = frozenset(ParticipantKind) - {ParticipantKind.PEDESTRIAN}
+
+
+@dataclass(slots=True)
+class Group:
+    """Participants introduced together ("two cars", "traffic")."""
+
+    members: list[Entity]
+    vague: bool
+    dirs: set[str] = field(default_factory=set)
+
+    @property
+    def free(self) -> list[Entity]:
+        """Members that no later mention has picked out."""
+        return [e for e in self.members if not e.claimed]
+
+
+def vehicle_around(reading: Reading, mention: Mention) -> Mention | None:
+    """``someone in a van``: people in or on a vehicle stand for it."""
+    if reading.kind is not ParticipantKind.PEDESTRIAN and not reading.driver:
+        return None
+    for prep in mention.pps:
+        target = prep.target
+        if prep.value == "in" and isinstance(target, Mention) and target.heads:
+            kinds = [KINDS.get(h.value) for h in target.heads]
+            if any(kind in _MOTOR for kind in kinds if kind is not None):
+                return target
+    return None

@@ -1,0 +1,204 @@
+"""Each command does what its help says; stdout carries results only."""
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+import yaml
+
+SENTENCE = (
+    "The ego car turns left at a four-way intersection while an oncoming truck goes straight "
+    "at 50 km/h and a pedestrian crosses the road."
+)
+
+
+def files(folder: Path) -> dict[str, bytes]:
+    return {
+        p.relative_to(folder).as_posix(): p.read_bytes() for p in folder.rglob("*") if p.is_file()
+    }
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory):
+    """The folder that generate makes from the sentence."""
+    from scegen.pipeline.generate import generate
+    from scegen.pipeline.options import Options
+    from scegen.pipeline.source import resolve_source
+
+    folder = tmp_path_factory.mktemp("made") / "out"
+    generate(resolve_source(SENTENCE), folder, Options())
+    return folder
+
+
+def test_generate_makes_the_whole_folder(scegen, tmp_path, made):
+    done = scegen("generate", SENTENCE, "-o", "out")
+    assert done.returncode == 0, done.stderr
+    top = {p.name for p in (tmp_path / "out").iterdir()}
+    assert top == {
+        "functional.yaml",
+        "logical.json",
+        "gallery.svg",
+        "report.html",
+        "summary.json",
+        "scenarios",
+    }
+    (scenario,) = (tmp_path / "out" / "scenarios").iterdir()
+    assert {p.name for p in scenario.iterdir()} == {
+        "road.xodr",
+        "scenario.xosc",
+        "concrete.yaml",
+        "preview.png",
+    }
+    assert scenario.name in done.stdout
+    assert "report.html" in done.stderr
+    # another process and another folder, the same bytes
+    assert files(tmp_path / "out") == files(made)
+
+
+def test_another_seed_gives_other_numbers(scegen, tmp_path, made):
+    assert scegen("generate", SENTENCE, "-o", "out", "--seed", "7").returncode == 0
+    (ours,) = (tmp_path / "out").glob("scenarios/*/scenario.xosc")
+    (theirs,) = made.glob("scenarios/*/scenario.xosc")
+    assert ours.parent.name == theirs.parent.name
+    assert ours.read_bytes() != theirs.read_bytes()
+
+
+def test_every_level_can_be_fed_back(scegen, tmp_path, made):
+    for name in ("functional.yaml", "logical.json"):
+        assert scegen("generate", made / name, "-o", name + ".out").returncode == 0
+        assert files(tmp_path / (name + ".out")) == files(made)
+
+
+def test_a_concrete_scenario_edited_by_hand_is_obeyed(scegen, tmp_path, made):
+    (source,) = made.glob("scenarios/*/concrete.yaml")
+    edited = yaml.safe_load(source.read_text())
+    pedestrian = next(p for p in edited["participants"] if p["kind"] == "pedestrian")
+    pedestrian["speed_program"][0]["target_speed_mps"] = 2.75
+    (tmp_path / "edited.yaml").write_text(yaml.safe_dump(edited))
+    done = scegen("generate", "edited.yaml", "-o", "out")
+    assert done.returncode == 0, done.stderr
+    (scenario,) = (tmp_path / "out").glob("scenarios/*/scenario.xosc")
+    assert "2.75" in scenario.read_text()
+    (before,) = made.glob("scenarios/*/scenario.xosc")
+    assert "2.75" not in before.read_text()
+
+
+def test_pick_and_count(scegen, tmp_path):
+    text = "Three cars meet at a T-intersection."
+    assert scegen("generate", text, "-o", "a", "--pick", "2,0", "--check", "none").returncode == 0
+    names = sorted(p.name[:3] for p in (tmp_path / "a" / "scenarios").iterdir())
+    assert names == ["000", "002"]
+    assert scegen("generate", text, "-o", "b", "--count", "3", "--check", "none").returncode == 0
+    assert len(list((tmp_path / "b" / "scenarios").iterdir())) == 3
+
+
+def test_generate_json_is_the_summary(scegen, tmp_path):
+    done = scegen("generate", SENTENCE, "-o", "out", "--json", "--check", "none")
+    assert json.loads(done.stdout) == json.loads((tmp_path / "out" / "summary.json").read_text())
+
+
+def test_the_12_variant(scegen, tmp_path):
+    done = scegen("generate", SENTENCE, "-o", "out", "--osc", "1.2")
+    assert done.returncode == 0, done.stderr
+    (scenario,) = (tmp_path / "out").glob("scenarios/*/scenario.xosc")
+    assert 'revMinor="2"' in scenario.read_text()
+
+
+def test_understand_prints_a_level_that_loads(scegen, tmp_path):
+    done = scegen("understand", SENTENCE)
+    (tmp_path / "functional.yaml").write_text(done.stdout)
+    again = scegen("understand", "functional.yaml", "--json")
+    data = json.loads(again.stdout)
+    assert data["description"] == SENTENCE
+    assert data["junction"]["kind"] == "four_way"
+    assert data == yaml.safe_load(done.stdout)
+
+
+def test_enumerate_counts_and_lists_alike(scegen, made):
+    counted = json.loads(
+        scegen("enumerate", made / "functional.yaml", "--count-only", "--json").stdout
+    )
+    listed = json.loads(scegen("enumerate", made / "functional.yaml", "--json").stdout)
+    assert len(listed["scenarios"]) == listed["count"] == counted["count"]
+    assert listed["total"] == counted["total"] == sum(s["class_size"] for s in listed["scenarios"])
+
+
+@pytest.mark.parametrize(("reduction", "count"), [("none", 27), ("pattern", 10), ("exact", 27)])
+def test_enumerate_without_a_file(scegen, reduction, count):
+    done = scegen(
+        "enumerate", "--entries", "0,1,2", "--junction-arms", "4", "--arms", "equal",
+        "--reduction", reduction, "--count-only", "--json",
+    )  # fmt: skip
+    data = json.loads(done.stdout)
+    assert (data["total"], data["count"]) == (27, count)
+
+
+def test_concretize_makes_a_level_that_generate_takes(scegen, tmp_path, made):
+    done = scegen("concretize", made / "logical.json", "--index", "0", "-o", "concrete.yaml")
+    assert done.returncode == 0, done.stderr
+    (theirs,) = made.glob("scenarios/000-*/concrete.yaml")
+    assert (tmp_path / "concrete.yaml").read_bytes() == theirs.read_bytes()
+
+
+def test_check_passes_good_files_and_fails_broken_ones(scegen, tmp_path, made):
+    assert scegen("check", made).returncode == 0
+    shutil.copytree(made, tmp_path / "broken")
+    (road,) = (tmp_path / "broken").glob("scenarios/*/road.xodr")
+    road.write_text(road.read_text().replace("<elevation ", "<elevatio ", 1))
+    done = scegen("check", "broken", "--json")
+    assert done.returncode == 1
+    (report,) = json.loads(done.stdout)
+    assert report["ok"] is False
+    assert any(f["severity"] == "error" for r in report["results"] for f in r["findings"])
+
+
+def test_check_says_what_is_required_but_missing(scegen, made):
+    done = scegen("check", made, "--require", "esmini", path="/usr/bin:/bin")
+    assert done.returncode == 3
+    assert "esmini" in done.stderr
+    assert scegen("check", made, "--require", "oracle").returncode == 2
+
+
+def test_play_says_how_to_get_esmini(scegen, made):
+    done = scegen("play", made, path="/usr/bin:/bin")
+    assert done.returncode == 3
+    assert "github.com/esmini" in done.stderr
+
+
+@pytest.mark.esmini
+@pytest.mark.skipif(shutil.which("esmini") is None, reason="esmini is not on PATH")
+def test_play_plays(scegen, made):
+    assert scegen("play", made, "--headless").returncode == 0
+
+
+def test_play_names_what_is_there(scegen, made):
+    done = scegen("play", made, "--scenario", "no-such")
+    assert done.returncode == 2
+    assert "there are: 0" in done.stderr
+
+
+@pytest.mark.parametrize("level", ["functional", "logical", "concrete"])
+def test_schema_is_json_schema(scegen, level):
+    assert "properties" in json.loads(scegen("schema", level).stdout)
+
+
+def test_doctor_names_every_tool(scegen):
+    done = scegen("doctor", "--json", path="/usr/bin:/bin")
+    tools = {tool["tool"]: tool for tool in json.loads(done.stdout)}
+    assert tools["esmini"]["found"] is None
+    assert "esmini" in tools["esmini"]["hint"]
+    assert "missing  esmini" in scegen("doctor", path="/usr/bin:/bin").stdout
+
+
+def test_help_is_quick_to_load():
+    """--help loads no solver, no XML and no plotting library."""
+    import subprocess
+    import sys
+
+    code = (
+        "import sys, scegen.cli; "
+        "print([m for m in ('clingo', 'scenariogeneration', 'matplotlib', 'lxml') if m in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"

@@ -1,0 +1,111 @@
+"""Pedestrians, crossing cyclists, parked vehicles."""
+
+from __future__ import annotations
+
+import pytest
+
+from scegen.enumeration import count_scenarios, enumerate_scenarios
+from scegen.scenario.logical import ConflictKind, Crossing, Side
+from scegen.scenario.vocabulary import Reduction
+
+EGO = {"id": "ego", "role": "ego", "entries": [0], "maneuvers": ["straight"]}
+PED = {"id": "ped", "kind": "pedestrian"}
+
+
+def crossings(functional, name="ped"):
+    found = enumerate_scenarios(functional, reduction=Reduction.NONE).scenarios
+    return {(s.assignment(name).arm, s.assignment(name).start.value) for s in found}
+
+
+def test_by_default_before_the_ego(describe):
+    assert crossings(describe("four_way", 4, [EGO, PED])) == {
+        (0, "right"), (0, "left"), (2, "right"), (2, "left")
+    }  # fmt: skip
+
+
+def test_from_the_right_of_the_ego(describe):
+    """On the arm by which the ego leaves, its right is the left of those who come in."""
+    functional = describe("four_way", 4, [EGO, PED | {"approaches": ["right"]}])
+    assert crossings(functional) == {(0, "right"), (2, "left")}
+
+
+def test_from_ahead_leaves_the_side_open(describe):
+    functional = describe("four_way", 4, [EGO, PED | {"approaches": ["opposite"]}])
+    assert len(crossings(functional)) == 4
+
+
+def test_before_the_one_who_suffers(describe):
+    car = {"id": "car", "approaches": ["left"], "maneuvers": ["right"]}
+    hazard = {"kind": "crossing_pedestrian", "by": ["ped"], "to": ["car"]}
+    assert {arm for arm, _ in crossings(describe("four_way", 4, [EGO, car, PED], [hazard]))} == {
+        3, 0
+    }  # fmt: skip
+
+
+def test_who_fails_to_yield_to_it_drives_there(describe):
+    car = {"id": "car", "approaches": ["left"], "maneuvers": ["straight"]}
+    hazard = {"kind": "failure_to_yield", "by": ["car"], "to": ["ped"]}
+    assert {arm for arm, _ in crossings(describe("four_way", 4, [EGO, car, PED], [hazard]))} == {
+        3, 1
+    }  # fmt: skip
+
+
+def test_arms_said(describe):
+    functional = describe("four_way", 4, [EGO, PED | {"entries": [1]}])
+    assert crossings(functional) == {(1, "right"), (1, "left")}
+
+
+def test_a_cyclist_may_cross(describe):
+    cyclist = {"id": "ped", "kind": "bicycle", "maneuvers": ["cross"]}
+    scenario = enumerate_scenarios(describe("four_way", 4, [EGO, cyclist])).scenarios[0]
+    assert isinstance(scenario.assignment("ped"), Crossing)
+    assert [(c.first, c.second, c.kind) for c in scenario.conflicts] == [
+        ("ego", "ped", ConflictKind.CROSSING)
+    ]
+
+
+def test_two_alike_are_not_told_apart(describe):
+    functional = describe("four_way", 4, [EGO, PED, PED | {"id": "ped_2"}])
+    certificate = count_scenarios(functional)
+    assert (certificate.total, certificate.count) == (16, 10)
+
+
+def test_in_exact_the_crossers_turn_along(describe):
+    functional = describe("four_way", 4, [EGO | {"entries": []}, PED])
+    certificate = count_scenarios(functional)
+    assert (certificate.total, certificate.count) == (16, 4)
+
+
+@pytest.mark.parametrize(
+    ("driving_side", "kind", "approaches", "side", "in_lane"),
+    [
+        ("right", "occlusion", [], Side.RIGHT, False),
+        ("left", "occlusion", [], Side.LEFT, False),
+        ("right", "obstacle", [], Side.RIGHT, True),
+        ("right", "occlusion", ["left"], Side.LEFT, False),
+    ],
+)
+def test_parked(describe, driving_side, kind, approaches, side, in_lane):
+    parked = {"id": "parked", "parked": True, "approaches": approaches}
+    functional = describe(
+        "four_way",
+        4,
+        [EGO | {"entries": [3]}, parked],
+        [{"kind": kind, "by": ["parked"]}],
+        driving_side=driving_side,
+    )
+    (scenario,) = enumerate_scenarios(functional).scenarios
+    (standing,) = scenario.standings
+    assert (standing.arm, standing.side, standing.in_lane) == (3, side, in_lane)
+    assert [c.kind for c in scenario.conflicts] == ([ConflictKind.FOLLOWING] if in_lane else [])
+
+
+def test_parked_before_the_one_who_suffers(describe):
+    functional = describe(
+        "four_way",
+        4,
+        [EGO, {"id": "car", "entries": [1]}, {"id": "parked", "kind": "van", "parked": True}],
+        [{"kind": "occlusion", "by": ["parked"], "to": ["car"]}],
+    )
+    found = enumerate_scenarios(functional).scenarios
+    assert {s.assignment("parked").arm for s in found} == {1}

@@ -1,0 +1,159 @@
+"""What hazards imply for entries and moves."""
+
+from __future__ import annotations
+
+import pytest
+
+from scegen.enumeration import enumerate_scenarios
+from scegen.errors import NoScenarioError
+from scegen.scenario.logical import ConflictKind
+from scegen.scenario.vocabulary import Maneuver, Reduction
+
+EGO = {"id": "ego", "role": "ego"}
+CAR = {"id": "car"}
+
+
+def hazard(kind, by="car", to="ego"):
+    return {"kind": kind, "by": [by] if by else [], "to": [to] if to else []}
+
+
+def listed(functional):
+    found = enumerate_scenarios(functional, reduction=Reduction.NONE).scenarios
+    assert found
+    return [(s, s.assignment("car"), s.assignment("ego")) for s in found]
+
+
+def met(scenario):
+    return scenario.conflicts[0].kind if scenario.conflicts else ConflictKind.NONE
+
+
+@pytest.mark.parametrize("kind", ["tailgating", "overtaking", "delayed_braking"])
+def test_behind(describe, kind):
+    for _, car, ego in listed(describe("four_way", 4, [EGO, CAR], [hazard(kind)])):
+        assert (car.entry, car.rank, ego.rank) == (ego.entry, 1, 0)
+
+
+@pytest.mark.parametrize("kind", ["hard_braking", "stopping", "slow_driving"])
+def test_ahead(describe, kind):
+    for _, car, ego in listed(describe("four_way", 4, [EGO, CAR], [hazard(kind)])):
+        assert (car.entry, car.rank, ego.rank) == (ego.entry, 0, 1)
+
+
+def test_braking_of_one_from_the_side_needs_a_conflict(describe):
+    functional = describe(
+        "four_way", 4, [EGO, CAR | {"approaches": ["left"]}], [hazard("hard_braking")]
+    )
+    assert all(met(s) is not ConflictKind.NONE for s, _, _ in listed(functional))
+
+
+def test_a_tailgater_who_brakes_stays_behind(describe):
+    both = [hazard("tailgating"), hazard("hard_braking")]
+    for _, car, ego in listed(describe("four_way", 4, [EGO, CAR], both)):
+        assert (car.rank, ego.rank) == (1, 0)
+
+
+def test_cut_in_comes_from_the_next_lane(describe):
+    for _, car, ego in listed(describe("four_way", 4, [EGO, CAR], [hazard("cut_in")])):
+        assert car.entry == ego.entry
+        assert car.beside == "ego"
+
+
+def test_cut_in_from_another_arm_takes_the_same_exit(describe):
+    functional = describe(
+        "four_way", 4, [EGO, CAR | {"approaches": ["left", "opposite"]}], [hazard("cut_in")]
+    )
+    for _, car, ego in listed(functional):
+        assert car.entry != ego.entry
+        assert car.exit == ego.exit
+
+
+@pytest.mark.parametrize("kind", ["cut_in", "sudden_acceleration"])
+def test_on_a_ring_they_share_a_stretch(describe, kind):
+    functional = describe("roundabout", 4, [EGO, CAR], [hazard(kind)])
+    ways = {(car.entry, car.exit, ego.entry, ego.exit) for _, car, ego in listed(functional)}
+    assert (0, 1, 2, 3) not in ways
+    assert (0, 3, 2, 3) in ways
+    assert (0, 3, 1, 2) in ways
+
+
+def test_merging(describe):
+    for scenario, car, ego in listed(describe("t", 3, [EGO, CAR], [hazard("merging_conflict")])):
+        assert car.entry != ego.entry
+        assert car.exit == ego.exit
+        assert met(scenario) is ConflictKind.MERGING
+
+
+def test_merging_of_two_is_between_them(describe):
+    functional = describe(
+        "four_way",
+        4,
+        [EGO, CAR, {"id": "van", "kind": "van"}],
+        [{"kind": "merging_conflict", "by": ["car", "van"]}],
+    )
+    for scenario, car, _ in listed(functional):
+        assert car.exit == scenario.assignment("van").exit
+
+
+@pytest.mark.parametrize("kind", ["failure_to_yield", "red_light_running"])
+def test_paths_clash(describe, kind):
+    kinds = {met(s) for s, _, _ in listed(describe("four_way", 4, [EGO, CAR], [hazard(kind)]))}
+    assert kinds == {ConflictKind.CROSSING, ConflictKind.MERGING}
+
+
+def test_unprotected_left_turn(describe):
+    functional = describe("four_way", 4, [EGO, CAR], [hazard("unprotected_left_turn")])
+    for scenario, car, ego in listed(functional):
+        assert car.turn is Maneuver.LEFT
+        assert (car.entry - ego.entry) % 4 == 2
+        assert met(scenario) in {ConflictKind.CROSSING, ConflictKind.MERGING}
+
+
+def test_an_unsaid_other_is_the_only_other(describe):
+    named = describe("four_way", 4, [EGO, CAR], [hazard("unprotected_left_turn")])
+    unnamed = describe("four_way", 4, [EGO, CAR], [hazard("unprotected_left_turn", to=None)])
+    assert [s for s, _, _ in listed(named)] == [s for s, _, _ in listed(unnamed)]
+
+
+def test_with_three_an_unsaid_other_is_nobody(describe):
+    functional = describe(
+        "four_way",
+        4,
+        [EGO, CAR, {"id": "van", "kind": "van"}],
+        [hazard("unprotected_left_turn", to=None)],
+    )
+    found = listed(functional)
+    assert {car.turn for _, car, _ in found} == {Maneuver.LEFT}
+    assert {(car.entry - ego.entry) % 4 for _, car, ego in found} == {1, 2, 3}
+
+
+def test_oncoming(describe):
+    for _, car, ego in listed(describe("straight", 2, [EGO, CAR], [hazard("oncoming_lane")])):
+        assert car.entry != ego.entry
+
+
+@pytest.mark.parametrize("kind", ["speeding", "swerving", "loss_of_control", "hard_braking"])
+def test_alone_it_implies_nothing(describe, kind):
+    with_it = describe("four_way", 4, [EGO, CAR], [hazard(kind, to=None)])
+    without = describe("four_way", 4, [EGO, CAR])
+    assert [s.assignments for s, _, _ in listed(with_it)] == [
+        s.assignments for s, _, _ in listed(without)
+    ]
+
+
+def test_a_clash_names_the_hazard_and_what_it_clashes_with(describe):
+    functional = describe(
+        "four_way",
+        4,
+        [
+            EGO | {"maneuvers": ["right"]},
+            CAR | {"approaches": ["left"]},
+            {"id": "bus", "kind": "bus"},
+        ],
+        [hazard("tailgating"), {"kind": "speeding", "by": ["bus"]}],
+    )
+    with pytest.raises(NoScenarioError) as caught:
+        enumerate_scenarios(functional)
+    assert "tailgating" in caught.value.message
+    assert "car comes from left" in caught.value.message
+    assert "speeding" not in caught.value.message
+    assert "right" not in caught.value.message
