@@ -46,6 +46,31 @@ def test_braking_of_one_from_the_side_needs_a_conflict(describe):
     assert all(met(s) is not ConflictKind.NONE for s, _, _ in listed(functional))
 
 
+@pytest.mark.parametrize(
+    ("car", "relations"),
+    [
+        ({"entries": [1, 2]}, []),  # the ego's arm is not among them
+        ({}, [{"participant": "car", "reference": "ego", "approaches": ["right"]}]),
+        ({}, [{"participant": "ego", "reference": "car", "approaches": ["right"]}]),
+    ],
+)
+def test_words_that_keep_them_apart(describe, car, relations):
+    functional = describe(
+        "four_way", 4, [EGO | {"entries": [0]}, CAR | car], [hazard("stopping")], relations
+    )
+    for scenario, car_drive, ego in listed(functional):
+        assert car_drive.entry != ego.entry
+        assert met(scenario) is not ConflictKind.NONE
+
+
+def test_beside_is_not_behind(describe):
+    functional = describe(
+        "four_way", 4, [EGO, CAR | {"approaches": ["adjacent"]}], [hazard("tailgating")]
+    )
+    with pytest.raises(NoScenarioError, match=r"adjacent.*tailgating"):
+        enumerate_scenarios(functional)
+
+
 def test_a_tailgater_who_brakes_stays_behind(describe):
     both = [hazard("tailgating"), hazard("hard_braking")]
     for _, car, ego in listed(describe("four_way", 4, [EGO, CAR], both)):

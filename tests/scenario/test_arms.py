@@ -34,6 +34,10 @@ def test_where_others_come_from():
     assert seen_from(FOUR, 0, 3) == {"left"}
     assert seen_from(FOUR, 0, 0) == {"ahead", "behind", "adjacent"}
     assert seen_from(Y, 0, 1) == {"right", "opposite"}
+    # on the stem of a T nobody is opposite: the ends of the bar face each other
+    assert seen_from(T, 0, 1) == {"opposite"}
+    assert seen_from(T, 2, 0) == {"right"}
+    assert seen_from(T, 2, 1) == {"left"}
 
 
 angles = st.lists(st.integers(0, 359), min_size=2, max_size=8, unique=True).map(

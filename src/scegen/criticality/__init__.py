@@ -7,6 +7,7 @@ measures candidates, ``measure`` measures movements that exist.
 from scegen.criticality.evaluation import Summary, evaluate, measure
 from scegen.criticality.measures.registry import MEASURES, Measure, Subject, Worse, measure_named
 from scegen.criticality.scene import Scene, build_scene
+from scegen.criticality.warming import warm_kernels
 
 __all__ = [
     "MEASURES",
@@ -19,4 +20,5 @@ __all__ = [
     "evaluate",
     "measure",
     "measure_named",
+    "warm_kernels",
 ]

@@ -79,8 +79,8 @@ class Ledger:
                 raise LlmError(
                     Fault(
                         kind=FaultKind.BUDGET,
-                        message="the model's price is not known, so a budget in dollars cannot be kept; "
-                        "give it in tokens",
+                        message="the model's price is not known, so no budget in dollars can "
+                        "be kept; give it in tokens",
                     )
                 )
             if planned.cost_usd > self._budget.cost_usd:

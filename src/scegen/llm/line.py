@@ -21,9 +21,10 @@ from scegen.llm.faults import Fault, FaultKind, LlmError
 from scegen.llm.naming import ModelName
 from scegen.llm.prices import cost_usd
 from scegen.llm.providers import build_model
+from scegen.llm.retrying import ask_until
 from scegen.llm.settings import Limits
 from scegen.llm.transcript import Exchange, Recorder, Recording
-from scegen.llm.troubles import Trouble, trouble_of
+from scegen.llm.troubles import Trouble
 from scegen.llm.usage import Usage
 
 _BYTES_PER_TOKEN = 3
@@ -48,7 +49,7 @@ class Line:
     recording: Recording | None = None
     exchanges: list[Exchange] = field(default_factory=list)
     _numbers: Counter[str] = field(default_factory=Counter)
-    _deadline: float | None = None
+    _deadline: float = 0.0
     _client: httpx2.AsyncClient | None = None
 
     async def __aenter__(self) -> Line:
@@ -133,7 +134,7 @@ class Line:
             return done.model_copy(update={"fault": self._named(agent, error.fault)})
         used = Usage()
         try:
-            answer, attempts = await self._with_retries(send)
+            answer, attempts = await ask_until(send, self.limits, self._deadline, self.key)
             if isinstance(answer, Trouble):
                 used = Usage(requests=1, retries=attempts - 1)
                 return done.model_copy(
@@ -144,30 +145,6 @@ class Line:
             return done.model_copy(update={"response": response, "usage": used})
         finally:
             self.ledger.settle(most, used)
-
-    async def _with_retries(
-        self, send: Callable[[], Awaitable[ModelResponse]]
-    ) -> tuple[ModelResponse | Trouble, int]:
-        """The answer or the last trouble, and after how many attempts."""
-        limits, clock = self.limits, asyncio.get_running_loop().time
-        deadline = self._deadline if self._deadline is not None else clock() + limits.run_s
-        pause = limits.first_wait_s
-        attempt = 0
-        while True:
-            attempt += 1
-            try:
-                async with asyncio.timeout(min(limits.request_s, deadline - clock())):
-                    return await send(), attempt
-            except Exception as error:  # noqa: BLE001 - whatever a server provokes is a fault
-                trouble = trouble_of(error, self.key)
-            wait = pause if trouble.wait_s is None else trouble.wait_s
-            late = clock() + wait >= deadline
-            if not trouble.passing or attempt >= limits.attempts or wait > limits.longest_wait_s:
-                return trouble, attempt
-            if late:
-                return trouble, attempt
-            await asyncio.sleep(wait)
-            pause = min(pause * 2, limits.longest_wait_s)
 
     def _used(
         self, answer: ModelResponse, expected: int, answer_bytes: int, attempts: int

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
+from typing import cast
 
 import httpx2
 from openai import AsyncOpenAI
 from pydantic_ai.models import Model
 from pydantic_ai.models.anthropic import AnthropicModel
 from pydantic_ai.models.openai import OpenAIChatModel
-from pydantic_ai.providers import infer_provider_class
+from pydantic_ai.providers import Provider, infer_provider_class
 from pydantic_ai.providers.anthropic import AnthropicProvider
 from pydantic_ai.providers.openai_compatible import OpenAICompatibleProvider
 
@@ -43,12 +45,17 @@ def build_model(
             provider=AnthropicProvider(api_key=key, base_url=address, http_client=http_client),
         )
     if address is None:
-        provider = infer_provider_class(name.provider)(api_key=key, http_client=http_client)
+        provider = _provider_class(name)(api_key=key, http_client=http_client)
         return OpenAIChatModel(name.model, provider=provider)
     client = AsyncOpenAI(base_url=address, api_key=key, http_client=http_client)
     if name.provider == COMPATIBLE:
         return OpenAIChatModel(
             name.model, provider=OpenAICompatibleProvider(COMPATIBLE, openai_client=client)
         )
-    provider = infer_provider_class(name.provider)(openai_client=client)
+    provider = _provider_class(name)(openai_client=client)
     return OpenAIChatModel(name.model, provider=provider)
+
+
+def _provider_class(name: ModelName) -> Callable[..., Provider[AsyncOpenAI]]:
+    """The library's own class: it knows the address and the model's peculiarities."""
+    return cast("Callable[..., Provider[AsyncOpenAI]]", infer_provider_class(name.provider))

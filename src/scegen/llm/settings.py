@@ -39,7 +39,7 @@ class LlmSettings:
 
     models: tuple[ModelName, ...]
     url: str | None = None
-    budget: Budget = Budget()
+    budget: Budget = field(default_factory=Budget)
     record: Path | None = None
     replay: Path | None = None
     limits: Limits = field(default_factory=Limits)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, TypeVar
 
 from pydantic import ValidationError
 
@@ -19,6 +19,7 @@ from scegen.llm.usage import Usage
 from scegen.scenario.model import FrozenModel
 
 RUN_FILE = "run.json"
+M = TypeVar("M", bound=FrozenModel)
 _HINT = "record the run again with --llm-record"
 
 
@@ -112,7 +113,7 @@ class Recording:
         name = _name(chain, agent, number)
         return self._read(name, Exchange, f"lacks {name}: the run was cut short, or scegen changed")
 
-    def _read[M: FrozenModel](self, name: str, kind: type[M], missing: str) -> M:
+    def _read(self, name: str, kind: type[M], missing: str) -> M:
         where = f"--llm-replay {self._folder}"
         try:
             content = (self._folder / name).read_bytes()

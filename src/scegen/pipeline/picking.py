@@ -6,6 +6,7 @@ import re
 
 from scegen.errors import InputError
 from scegen.scenario.logical import ConflictKind, LogicalScenario, LogicalSet
+from scegen.scenario.vocabulary import Maneuver
 
 _WEIGHT = {
     ConflictKind.CROSSING: 3,
@@ -26,7 +27,9 @@ def pick(logical: LogicalSet, expression: str | None) -> tuple[LogicalScenario, 
         InputError: a part names no scenario.
     """
     if expression is None:
-        return tuple(sorted(logical.scenarios, key=lambda s: (-_richness(s, logical), s.index)))
+        return tuple(
+            sorted(logical.scenarios, key=lambda s: (-_richness(s, logical), _turns(s), s.index))
+        )
     if expression.strip() == "all":
         return logical.scenarios
     by_index = {s.index: s for s in logical.scenarios}
@@ -56,6 +59,11 @@ def _richness(scenario: LogicalScenario, logical: LogicalSet) -> int:
     return sum(
         _WEIGHT[c.kind] * (1 + len(centre & {c.first, c.second})) for c in scenario.conflicts
     )
+
+
+def _turns(scenario: LogicalScenario) -> int:
+    """Of equally rich scenarios the plainest comes first."""
+    return sum(drive.turn is not Maneuver.STRAIGHT for drive in scenario.drives)
 
 
 def _unknown(part: str, logical: LogicalSet) -> InputError:

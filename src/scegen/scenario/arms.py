@@ -74,14 +74,22 @@ _SEEN_FROM: dict[Maneuver, Approach] = {
 def seen_from(angles_deg: tuple[float, ...], reference: int, other: int) -> frozenset[Approach]:
     """How one who enters at arm ``reference`` says where one at arm ``other`` comes from.
 
-    On the same arm: ahead, behind or adjacent. Where no arm lies straight ahead (a Y), every
+    On the same arm: ahead, behind or adjacent. Where no two arms face each other (a Y), every
     other arm may also be called opposite.
     """
     arms = len(angles_deg)
     if reference == other:
         return frozenset({Approach.AHEAD, Approach.BEHIND, Approach.ADJACENT})
-    names = {d: turn_name(angles_deg, reference, d) for d in range(1, arms)}
-    side = _SEEN_FROM[names[(other - reference) % arms]]
-    if Maneuver.STRAIGHT not in names.values():
-        return frozenset({side, Approach.OPPOSITE})
-    return frozenset({side})
+    side = _SEEN_FROM[turn_name(angles_deg, reference, (other - reference) % arms)]
+    return frozenset({side} if _faces(angles_deg) else {side, Approach.OPPOSITE})
+
+
+@lru_cache(maxsize=256)
+def _faces(angles_deg: tuple[float, ...]) -> bool:
+    """Whether a way straight through exists between any two arms."""
+    arms = range(len(angles_deg))
+    return any(
+        turn_name(angles_deg, entry, move) is Maneuver.STRAIGHT
+        for entry in arms
+        for move in arms[1:]
+    )

@@ -26,7 +26,7 @@ from scegen.understanding.draft import Basis, Danger, Draft, Entity
 from scegen.understanding.junctions import JunctionReading
 from scegen.understanding.surroundings import Surroundings
 from scegen.understanding.tokens import Token
-from scegen.understanding.viewpoint import choose_ego, facing_entry, settle_positions
+from scegen.understanding.viewpoint import choose_ego, settle_positions, suffers
 
 _ROUNDABOUT_ARMS = 4
 
@@ -93,16 +93,20 @@ class Builder:
                 Evidence(field=name, source=EvidenceSource.DEFAULT, reason=default or "not said")
             )
             return
-        source = EvidenceSource.INFERRED if basis.reason else EvidenceSource.STATED
+        reason = "; ".join(filter(None, (basis.reason, self._slips(basis)))) or None
+        source = EvidenceSource.INFERRED if reason else EvidenceSource.STATED
         start = end = text = None
         if basis.i is not None and basis.j is not None:
             start, end = self._span(basis.i, basis.j)
             text = self._draft.text[start:end]
         self._evidence.append(
-            Evidence(
-                field=name, source=source, text=text, start=start, end=end, reason=basis.reason
-            )
+            Evidence(field=name, source=source, text=text, start=start, end=end, reason=reason)
         )
+
+    def _slips(self, basis: Basis) -> str:
+        """Misspelt words among those that a field rests on."""
+        words = self._tokens[basis.i : basis.j] if basis.i is not None else []
+        return "; ".join(f"'{t.text}' is read as '{t.low}'" for t in words if t.slip)
 
     def _junction(self) -> Junction:
         kind, kind_basis = self._kind()
@@ -254,15 +258,13 @@ class Builder:
         return set()
 
     def _hazard(self, danger: Danger, ego: Entity) -> Hazard:
-        """Where the text names nobody who suffers, it is the ego, or the only other vehicle."""
         to = [e for e in danger.to if e not in danger.by]
+        field = f"hazards.{danger.kind.value}"
+        self._prove(field, danger.basis)
         if not to and danger.by:
-            others = [e for e in self._draft.entities if e.moving_vehicle and e not in danger.by]
-            facing = facing_entry(danger, others)
-            to = [facing] if facing is not None else to
-        if not to and danger.by and not any(e.entries for e in danger.by):
-            to = [ego] if ego not in danger.by else (others if len(others) == 1 else [])
-        self._prove(f"hazards.{danger.kind.value}", danger.basis)
+            to, reason = suffers(self._draft, danger, ego)
+            if to:
+                self._prove(f"{field}.to", Basis(reason=reason))
         return Hazard(
             kind=danger.kind,
             by=tuple(e.name for e in danger.by),

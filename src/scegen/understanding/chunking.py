@@ -171,19 +171,24 @@ class Chunker:
         if first.cat == "num" and first.data["number"] < 10:
             return self._stand_alone(first, "one" if first.data["number"] == 1 else "count", k)
         if first.cat == "det" and first.value in {"another", "other"}:
-            return self._stand_alone(first, first.value, k)
+            return self._one_after(self._stand_alone(first, first.value, k))
         second = mods[1] if len(mods) > 1 else None
         if first.cat == "det" and second is not None and second.cat == "label":
             ordinal = second.value in _ORDINALS
-            last_in_run = len(mods) == 2
+            last_in_run = len(mods) == 2 or mods[2].cat == "num"
             if ordinal and last_in_run:
                 mention = Mention(first.i, second.j, mods, None, pronoun="ordinal")
                 mention.label = second.value
                 self._chunks.append(mention)
-                return k + 2
+                return self._one_after(k + 2)
         if first.cat == "quant" and first.value in {"both", "all"} and len(mods) == 1:
             return self._stand_alone(first, first.value, k)
         return self._side(mods, k)
+
+    def _one_after(self, k: int) -> int:
+        """``the other one``: the numeral adds nothing."""
+        term = self._terms[k] if k < len(self._terms) else None
+        return k + 1 if term is not None and term.cat == "num" and term.value == "one" else k
 
     def _stand_alone(self, term: Term, pronoun: str, k: int) -> int:
         self._chunks.append(Mention(term.i, term.j, [term], None, pronoun=pronoun))

@@ -10,7 +10,7 @@ these decide who acts in participles ("a car turning left"), infinitives ("tries
 from __future__ import annotations
 
 from scegen.understanding import subjects
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Prep, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
 from scegen.understanding.lookahead import (
     ADVERBS,
     BOUNDARIES,
@@ -252,6 +252,8 @@ class ClauseReader:
             self._attach_prep(state.prep)
             state.prep = None
             return
+        if self._also_from(noun):
+            return
         anchor = state.anchor
         direct = isinstance(anchor, Event) and anchor.object is None
         if isinstance(anchor, Event) and direct and not (state.between - {"or", "either"}):
@@ -261,6 +263,18 @@ class ClauseReader:
         elif not state.events and state.candidate is None:
             state.anchor = noun
             state.between = set()
+
+    def _also_from(self, noun: NounPhrase) -> bool:
+        """``from the north and the east``: the preposition counts for both."""
+        pps = self._state.events[-1].pps if self._state.events else []
+        if not (pps and isinstance(noun, Place) and noun.kind == "side"):
+            return False
+        last = pps[-1]
+        joined = self._state.between & {"and", "or"} and isinstance(last.target, Place)
+        if joined and last.target is not None and last.target.j == noun.i - 1:
+            pps.append(Prep(last.word, noun, last.outer, last.on_mention))
+            return True
+        return False
 
     def _premodifiers(self, mention: Mention) -> None:
         """``a speeding car``, ``the left turning truck``: events of the noun itself."""

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import HazardKind, Maneuver
+from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind
+from scegen.understanding import encounters, movements
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
@@ -12,7 +13,7 @@ from scegen.understanding.movements import into_lane
 def turn(scene: Scene, context: Context) -> None:
     """Unprotected and sudden turns, and turning into somebody's way."""
     event = scene.event
-    left = any(t.value == "left" for t in event.dirs)
+    left = any(t.value == context.across for t in event.dirs)
     unprotected = scene.how("unprotected")
     if unprotected is not None and left:
         context.draft.hazard(HazardKind.UNPROTECTED_LEFT_TURN, scene.words, scene.drivers)
@@ -57,6 +58,10 @@ def cut_in(scene: Scene, context: Context) -> None:
     """``cuts in`` from the next lane; across a junction the same words mean not giving way."""
     if not scene.drivers:
         return
+    if _cuts_across_the_road(scene):
+        movements.cross(scene, context)
+        encounters.cross(scene, context)
+        return
     to = scene.targets or _mentioned(scene.event)
     turning = any(e.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT} for e in scene.drivers)
     if turning or any(context.comes_across(e) for e in scene.drivers):
@@ -68,6 +73,39 @@ def cut_in(scene: Scene, context: Context) -> None:
     for entity in scene.drivers:
         if not entity.maneuvers:
             context.draft.maneuver(entity, {Maneuver.LANE_CHANGE}, basis)
+
+
+def _cuts_across_the_road(scene: Scene) -> bool:
+    """``a cyclist cuts across the road``: the road is crossed, nobody is cut off."""
+    cyclists = all(e.kind is ParticipantKind.BICYCLE for e in scene.actors)
+    return cyclists and not scene.targets and any(p.kind == "road" for p in scene.places())
+
+
+def enter(scene: Scene, context: Context) -> None:
+    """``enters the lane in front of V1``: a cut-in; from the front, the oncoming lane is used."""
+    lane = into_lane(scene.event)
+    others = [e for e in scene.drivers if not e.ego]
+    if lane is None or lane.kind != "lane" or not others or scene.reaction:
+        return
+    in_front = any(p.word.cat == "locus" and p.value == "ahead" for p in (*scene.event.pps, *lane.pps))
+    owners = _owners(lane)
+    if not in_front and not owners:
+        return
+    if any(context.oncoming(e) for e in others):
+        context.draft.hazard(HazardKind.ONCOMING_LANE, scene.words, others, owners)
+        return
+    context.draft.hazard(HazardKind.CUT_IN, scene.words, others, owners or _mentioned(scene.event))
+    movements.lane_change(scene, context)
+
+
+def unpark(scene: Scene, context: Context) -> None:
+    """Leaving a parking space is a danger when careless, sudden or right in front of somebody."""
+    careless = scene.how("aggressive", "sudden")
+    to = _mentioned(scene.event)
+    others = [e for e in scene.drivers if not e.ego]
+    if others and (careless is not None or to):
+        basis = careless or scene.words
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, others, to)
 
 
 def _mentioned(event: Event) -> list[Entity]:
@@ -112,6 +150,16 @@ def pull_out(scene: Scene, context: Context) -> None:
 def fail_to_yield(scene: Scene, context: Context) -> None:
     """Yielding that does not happen."""
     context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, scene.targets)
+
+
+def subsume(context: Context) -> None:
+    """Who runs a red light does not give way either; the first says it all."""
+    red = {e.index for d in context.draft.dangers if d.kind is HazardKind.RED_LIGHT_RUNNING for e in d.by}
+    context.draft.dangers[:] = [
+        d
+        for d in context.draft.dangers
+        if d.kind is not HazardKind.FAILURE_TO_YIELD or not d.by or {e.index for e in d.by} - red
+    ]
 
 
 def breach(scene: Scene, context: Context) -> None:

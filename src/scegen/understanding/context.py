@@ -11,6 +11,9 @@ from scegen.understanding.junctions import JunctionReading
 from scegen.understanding.tokens import Token
 
 _SPAN_REACH = 6
+_ORDER_REACH = 3
+_ORDER = frozenset({"then", "after", "afterwards", "before", "later", "next", "subsequently",
+                    "finally", "thereafter"})  # fmt: skip
 
 
 @dataclass(slots=True)
@@ -90,6 +93,8 @@ class Context:
     draft: Draft
     junction: JunctionReading
     tokens: list[Token]
+    across: str = "left"
+    """The side of a turn across oncoming traffic: right where traffic keeps left."""
 
     def crossing_implied(self, basis: Basis, reason: str) -> None:
         """Something takes place that needs a junction."""
@@ -107,6 +112,19 @@ class Context:
             for follower in back[:1]:
                 if leader is not follower:
                     self.draft.place(leader, follower, {Approach.AHEAD}, basis)
+
+    def oncoming(self, entity: Entity) -> bool:
+        """Whether a vehicle is said to come from the front."""
+        return any(
+            p.entity is entity and Approach.OPPOSITE in p.approaches for p in self.draft.placements
+        )
+
+    def in_order(self, earlier: Basis | None, event: Event) -> bool:
+        """Whether words of order stand between, or right before, two things that one does."""
+        if earlier is None or earlier.i is None or event.i <= earlier.i:
+            return False
+        between = self.tokens[max(0, earlier.i - _ORDER_REACH) : event.i]
+        return any(t.low in _ORDER for t in between)
 
     def is_cyclist(self, entity: Entity) -> bool:
         """Whether somebody rides a bicycle."""

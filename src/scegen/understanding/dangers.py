@@ -86,16 +86,17 @@ def oncoming_lane(scene: Scene, context: Context) -> None:
     for place in scene.places():
         lane = place.kind == "lane" and "opposite" in place.dirs and place.owner is None
         if lane or place.kind == "centerline":
-            by = [e for e in scene.drivers if not _oncoming(e, context)]
+            by = [e for e in scene.drivers if not context.oncoming(e)]
             if by:
                 basis = Basis(place.i, place.j)
                 context.draft.hazard(HazardKind.ONCOMING_LANE, basis, by)
 
 
-def _oncoming(entity: Entity, context: Context) -> bool:
-    return any(
-        p.entity is entity and Approach.OPPOSITE in p.approaches for p in context.draft.placements
-    )
+def enter(scene: Scene, context: Context) -> None:
+    """People enter the road on foot, vehicles a lane."""
+    encounters.walk(scene, context)
+    encounters.ride(scene, context)
+    conflicts.enter(scene, context)
 
 
 def tailgate(scene: Scene, context: Context) -> None:
@@ -150,7 +151,9 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "follow": follow,
     "cross": encounters.cross,
     "walk": encounters.walk,
-    "enter": encounters.walk,
+    "enter": enter,
+    "move": encounters.ride,
+    "unpark": conflicts.unpark,
     "appear": encounters.appear,
     "block": encounters.block,
     "hide": encounters.occlude,

@@ -58,6 +58,8 @@ class Discourse:
             return []
         if mention.negated or mention.pronoun == "reflexive":
             return []
+        if mention.pronoun == "ordinal" and mention.prep and mention.prep.value == "in":
+            return []  # "at the first crossing …, at the second": a place
         if mention.pronoun is not None:
             found = self._pronoun(mention, exclude)
         else:
@@ -89,7 +91,8 @@ class Discourse:
         which = mention.pronoun
         if which in {"it", "him"}:
             options = self._subject if len(self._subject) == 1 else self._recent[-1:]
-            return [e for e in options if e not in exclude] or self._recent[-1:]
+            left = [e for e in reversed(self._recent) if e not in exclude]
+            return [e for e in options if e not in exclude] or left[:1]
         if which in {"they", "both", "all", "neither"}:
             return self._together()
         count = 1

@@ -104,7 +104,8 @@ class Draft:
     crossing_implied: Basis | None = None
     lanes_implied: Basis | None = None
     access: Basis | None = None
-    occluders: list[Entity] = field(default_factory=list)
+    screened: list[tuple[Entity, Basis, list[Entity]]] = field(default_factory=list)
+    """Who waits behind something, the words for it, and which vehicles screen them."""
 
     def add(self, kind: ParticipantKind, basis: Basis) -> Entity:
         """A new participant.
@@ -149,12 +150,18 @@ class Draft:
             self.placements.append(Placement(entity, reference, approaches, basis))
 
     def maneuver(
-        self, entity: Entity, values: set[Maneuver], basis: Basis, alternative: int | None = None
+        self,
+        entity: Entity,
+        values: set[Maneuver],
+        basis: Basis,
+        alternative: int | None = None,
+        *,
+        later: bool = False,
     ) -> None:
         """Says what a participant does.
 
         Driving straight before a turn is no contradiction, turning both ways is one, unless
-        the text offers them as alternatives.
+        the text offers them as alternatives or one after the other.
 
         Raises:
             InfeasibleError: if the text lets one vehicle turn both left and right.
@@ -162,6 +169,9 @@ class Draft:
         known = entity.maneuvers
         both_ways = known & _TURNS and values & _TURNS and not values & known
         either = alternative is not None and alternative == entity.turn_alternative
+        if both_ways and not either and later and basis.i is not None and basis.j is not None:
+            self.note(basis.i, basis.j, "one junction is built; this later turn is left out")
+            return
         if both_ways and not either:
             self._contradiction(entity, values)
         if alternative is None and values & _TURNS:

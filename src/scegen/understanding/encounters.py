@@ -3,9 +3,15 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind
-from scegen.understanding.chunks import Event, Mention, NounPhrase, Thing
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
+
+
+_HIDING = frozenset({"behind", "between"})
+_CARRIAGEWAY = frozenset({"road", "crosswalk", "highway"})
+_OPAQUE_PLACES = frozenset({"bus_stop", "feature", "parking"})
+_WAITING = frozenset({"wait", "locate", "walk", "move", "stop", "park", "appear"})
 
 
 def cross(scene: Scene, context: Context) -> None:
@@ -30,8 +36,37 @@ def walk(scene: Scene, context: Context) -> None:
 
 
 def appear(scene: Scene, context: Context) -> None:
-    """Coming into sight: pedestrians step into the way, others come from where they hid."""
+    """Coming into sight: people step into the way, vehicles come out of a side road."""
     walk(scene, context)
+    hidden = any(p.outer == "from" and p.value in _HIDING for p in scene.event.pps)
+    if hidden:
+        _cyclists_cross(scene, context)
+        return
+    ride(scene, context)
+    aside = any(p.kind in {"access", "parking"} for p in scene.places())
+    to = [e for p in scene.event.pps if isinstance(p.target, Mention) for e in p.target.entities]
+    others = [e for e in scene.drivers if not e.ego and e.kind is not ParticipantKind.BICYCLE]
+    if aside and others and (scene.sudden is not None or to):
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, others, to)
+
+
+def ride(scene: Scene, context: Context) -> None:
+    """``a cyclist rides onto the road`` comes from beside it."""
+    onto = any(
+        p.value == "into" and isinstance(p.target, Place) and p.target.kind in _CARRIAGEWAY
+        for p in scene.event.pps
+    )
+    if onto and not scene.event.dirs:
+        _cyclists_cross(scene, context)
+
+
+def _cyclists_cross(scene: Scene, context: Context) -> None:
+    cyclists = [e for e in scene.actors if e.kind is ParticipantKind.BICYCLE and not e.ego]
+    for entity in cyclists:
+        context.draft.maneuver(entity, {Maneuver.CROSS}, scene.words)
+    if cyclists:
+        basis = scene.sudden or scene.words
+        context.draft.hazard(HazardKind.CROSSING_CYCLIST, basis, cyclists)
 
 
 def block(scene: Scene, context: Context) -> None:
@@ -72,17 +107,57 @@ def _behind(event: Event) -> list[Entity]:
 def from_behind(scene: Scene, context: Context) -> None:
     """``emerges from behind a parked van``: until then it was out of sight."""
     for prep in scene.event.pps:
-        hidden = prep.word.cat == "locus" and prep.value in {"behind", "between"}
+        if not _hides(prep):
+            continue
         sprung = prep.outer == "from" or scene.event.name == "appear"
         sprung = sprung or (prep.value == "between" and bool(scene.walkers))
-        target: NounPhrase | Event | None = prep.target
-        if not hidden or not sprung or target is None:
-            continue
-        by = list(target.entities) if isinstance(target, Mention) else []
-        if isinstance(target, Mention | Thing) or by:
-            basis = Basis(prep.word.i, target.j)
-            by = [e for e in by if e not in scene.actors]
+        if sprung:
+            basis, by = _screen(prep, scene.actors)
             context.draft.hazard(HazardKind.OCCLUSION, basis, by)
+        elif scene.event.name in _WAITING:
+            wait_behind(prep, scene.actors, context)
+
+
+def wait_behind(prep: Prep, entities: list[Entity], context: Context) -> None:
+    """``waits behind a kiosk``: out of sight if they come out later.
+
+    Args:
+        prep: the phrase that says behind what.
+        entities: who is there.
+        context: the scenario in the making.
+    """
+    if not _hides(prep):
+        return
+    basis, by = _screen(prep, entities)
+    for entity in entities:
+        if not entity.is_vehicle or (context.is_cyclist(entity) and not entity.ego):
+            context.draft.screened.append((entity, basis, by))
+
+
+def come_out(context: Context) -> None:
+    """Who waited out of sight and crosses after all was hidden."""
+    for entity, basis, by in context.draft.screened:
+        if Maneuver.CROSS in entity.maneuvers:
+            context.draft.hazard(HazardKind.OCCLUSION, basis, by)
+
+
+def _hides(prep: Prep) -> bool:
+    """Behind something that one cannot see through."""
+    if prep.word.cat != "locus" or prep.value not in _HIDING:
+        return False
+    target: NounPhrase | Event | None = prep.target
+    if isinstance(target, Place):
+        return target.kind in _OPAQUE_PLACES
+    if isinstance(target, Mention):
+        return not any(e.ego or not e.is_vehicle for e in target.entities)
+    return isinstance(target, Thing)
+
+
+def _screen(prep: Prep, actors: list[Entity]) -> tuple[Basis, list[Entity]]:
+    target = prep.target
+    by = list(target.entities) if isinstance(target, Mention) else []
+    end = target.j if target is not None else prep.word.j
+    return Basis(prep.word.i, end), [e for e in by if e not in actors]
 
 
 def cause(scene: Scene, context: Context) -> None:

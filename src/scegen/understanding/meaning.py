@@ -15,6 +15,8 @@ from scegen.understanding.tagging import Term
 _BREACHING = frozenset({"walk", "breach", "move", "enter", "cross", "speed", "accelerate"})
 _ON_THE_MOVE = frozenset({"swerve", "use", "enter", "move", "cross", "lose_control", "lane_change",
                           "merge", "overtake", "bypass", "turn"})  # fmt: skip
+_UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross", "merge",
+                       "enter", "follow", "move", "turn", "appear", "swerve", "pull_out"})  # fmt: skip
 _SIGNED = frozenset({Control.STOP, Control.ALL_WAY_STOP})
 _STOPPING = frozenset({"stop", "brake", "wait"})
 _TRAVEL = frozenset({"move", "approach", "enter", "merge", "turn", "cross", "follow", "overtake",
@@ -49,11 +51,14 @@ class Interpreter:
                 self._thing(chunk, chunks)
         for event in events:
             self._event(event)
+        encounters.come_out(self._context)
+        conflicts.subsume(self._context)
 
     def _mention(self, mention: Mention) -> None:
         self._placer.adjectives(mention)
         for prep in mention.pps:
             self._placer.phrase(prep, mention.entities, None)
+            encounters.wait_behind(prep, mention.entities, self._context)
         for term in mention.mods:
             self._quality(term, mention.entities)
 
@@ -131,7 +136,7 @@ class Interpreter:
         for prep in event.pps:
             if from_everywhere(prep):
                 self._spread(prep, scene.actors)
-            elif prep.on_mention is None or prep.value == "from":
+            elif prep.on_mention is None or self._starts(event, prep):
                 turned = event.passive and event.name != "hide"
                 whom = scene.targets if turned and prep.value != "behind" else scene.actors
                 self._placer.phrase(prep, whom, event)
@@ -153,6 +158,15 @@ class Interpreter:
             dangers.oncoming_lane(scene, self._context)
         encounters.from_behind(scene, self._context)
         self._share_sides(scene)
+
+    def _starts(self, event: Event, prep: Prep) -> bool:
+        """``overtakes the bus from the left`` says where the one who moves comes from.
+
+        Verbs without a way of their own leave the phrase to the noun ("yields to a bus from …").
+        """
+        named = prep.on_mention
+        target = named is not None and named not in event.subject
+        return prep.value == "from" and not (target and event.name not in _UNDERWAY)
 
     def _access(self, scene: Scene) -> None:
         """A vehicle that comes out of a side road needs that road."""

@@ -57,7 +57,8 @@ def turn(scene: Scene, context: Context) -> None:
 def _apply(scene: Scene, context: Context, values: set[Maneuver], basis: Basis) -> None:
     alternative = scene.alternative
     for entity in scene.drivers:
-        context.draft.maneuver(entity, values, basis, alternative)
+        later = context.in_order(entity.maneuver_basis, scene.event)
+        context.draft.maneuver(entity, values, basis, alternative, later=later)
 
 
 def into_lane(event: Event) -> Place | None:

@@ -30,6 +30,7 @@ class Quantity:
         i: index of the first token.
         j: index after the last token.
         note: how a vague word was read, if there was one.
+        parts: the numbers one by one, as they are written.
     """
 
     dimension: str
@@ -37,6 +38,7 @@ class Quantity:
     i: int
     j: int
     note: str | None = None
+    parts: tuple[Interval, ...] = ()
 
 
 def _unit_at(tokens: list[Token], i: int) -> tuple[str, int] | None:
@@ -102,7 +104,8 @@ def _build(tokens: list[Token], i: int, j: int, numbers: list[float], unit: str)
     low, high = min(values), max(values)
     before = tokens[i - 1].low if i else ""
     if len(values) > 1:
-        return Quantity("speed", Interval(low=low, high=high), i, j)
+        parts = tuple(Interval(low=v, high=v) for v in values)
+        return Quantity("speed", Interval(low=low, high=high), i, j, None, parts)
     if before in _ABOVE:
         note = f"'{before}' is read as up to 20 % more"
         return Quantity("speed", Interval(low=low, high=high * (1 + 2 * _SPREAD)), i, j, note)

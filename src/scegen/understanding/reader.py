@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.errors import InputError
 from scegen.scenario.functional import ARM_COUNTS, FunctionalScenario
-from scegen.scenario.vocabulary import JunctionKind
+from scegen.scenario.vocabulary import DrivingSide, JunctionKind
 from scegen.understanding.building import Builder
 from scegen.understanding.chunking import Chunker
 from scegen.understanding.clauses import ClauseReader
@@ -16,6 +16,7 @@ from scegen.understanding.leftovers import report
 from scegen.understanding.meaning import Interpreter
 from scegen.understanding.relevance import require_traffic
 from scegen.understanding.resolving import resolve_mentions
+from scegen.understanding.respectively import share_out
 from scegen.understanding.surroundings import read_surroundings
 from scegen.understanding.tagging import tag
 from scegen.understanding.tokens import tokenize
@@ -61,7 +62,9 @@ def read(text: str) -> FunctionalScenario:
     events = ClauseReader(chunks).run()
     draft = Draft(text)
     resolve_mentions(chunks, events, Discourse(draft, tokens, _arms(junction)))
-    context = Context(draft, junction, tokens)
+    across = "right" if surroundings.side is DrivingSide.LEFT else "left"
+    events = share_out(events, terms)
+    context = Context(draft, junction, tokens, across)
     Interpreter(context, surroundings.limit_term).run(chunks, events)
     report(draft, terms, chunks, events)
     return Builder(draft, junction, surroundings, tokens).build()

@@ -6,6 +6,8 @@ import re
 from dataclasses import dataclass
 
 from scegen.understanding.lemmas import lemmas
+from scegen.understanding.lexicon import load
+from scegen.understanding.spelling import meant
 
 _TOKEN = re.compile(
     r"(?P<label>[A-Za-z]{1,4}\d{1,2}(?!\w|\.\d))"
@@ -25,11 +27,12 @@ class Token:
 
     Attributes:
         text: as written.
-        low: lower case, curly apostrophes straightened.
+        low: lower case, curly apostrophes straightened, slips of the pen mended.
         start: first character offset.
         end: offset after the last character.
         kind: ``word``, ``number``, ``label``, ``clitic``, ``neg`` or ``punct``.
         forms: base forms of a word, see :func:`scegen.understanding.lemmas.lemmas`.
+        slip: whether ``low`` is not what is written, but what seems to be meant.
     """
 
     text: str
@@ -38,6 +41,7 @@ class Token:
     end: int
     kind: str
     forms: tuple[tuple[str, str], ...]
+    slip: bool = False
 
 
 def tokenize(text: str) -> list[Token]:
@@ -55,5 +59,14 @@ def tokenize(text: str) -> list[Token]:
         low = match.group().lower().replace("’", "'")
         known = kind in {"word", "neg", "clitic"} and len(low) <= _MAX_WORD
         forms = lemmas(low) if known else ((low, "base"),)
-        found.append(Token(match.group(), low, match.start(), match.end(), kind, forms))
+        mended = meant(low) if kind == "word" and _strange(low, forms) else None
+        if mended is not None:
+            low, forms = mended, lemmas(mended)
+        slip = mended is not None
+        found.append(Token(match.group(), low, match.start(), match.end(), kind, forms, slip))
     return found
+
+
+def _strange(low: str, forms: tuple[tuple[str, str], ...]) -> bool:
+    """Whether no form of the word occurs in the lexicon."""
+    return len(forms) == 1 and low not in load().words

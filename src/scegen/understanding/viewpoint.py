@@ -81,6 +81,27 @@ def facing_entry(danger: Danger, candidates: list[Entity]) -> Entity | None:
     return next((e for e in candidates if e.entries == opposite and e not in danger.by), None)
 
 
+def suffers(draft: Draft, danger: Danger, ego: Entity) -> tuple[list[Entity], str]:
+    """Whom a hazard threatens where the text does not say, and why.
+
+    Args:
+        draft: the scenario in the making.
+        danger: a hazard with a cause.
+        ego: the ego.
+    """
+    others = [e for e in draft.entities if e.moving_vehicle and e not in danger.by]
+    facing = facing_entry(danger, others)
+    if facing is not None:
+        return [facing], "it comes towards the one that turns left"
+    if any(e.entries for e in danger.by):
+        return [], ""
+    if ego not in danger.by:
+        return [ego], "the text does not say whom it threatens; the ego is taken"
+    if len(others) == 1:
+        return others, "the text does not say whom it threatens; this is the only other vehicle"
+    return [], ""
+
+
 def relative_to(ego: str, other: str) -> set[Approach]:
     """Where one comes from, by the compass headings of both; empty for the same heading.
 
@@ -152,8 +173,8 @@ def _oriented(placement: Placement, ego: Entity) -> tuple[Entity, Entity, set[Ap
 
 def _allow(entity: Entity, approaches: set[Approach], basis: Basis) -> None:
     """Two statements narrow each other down; where they differ, both are allowed."""
-    if not approaches:
-        return
+    if not approaches or (approaches == {Approach.AHEAD} and entity.approaches - approaches):
+        return  # "… from the left and stops in front of the ego": where it gets to
     common = entity.approaches & approaches
     entity.approaches = common or (entity.approaches | approaches)
     if entity.approach_basis is None or common:

@@ -104,7 +104,11 @@ def test_agrees_with_the_reference_simulator(scenario, dt_s):
         np.testing.assert_allclose(got.time_s, trace.time_s, rtol=0, atol=1e-9)
         for field in ("s_m", "x_m", "y_m", "heading_rad", "speed_mps"):
             np.testing.assert_allclose(
-                getattr(got, field)[0, :, i], getattr(trace, field), rtol=0, atol=1e-9, err_msg=field
+                getattr(got, field)[0, :, i],
+                getattr(trace, field),
+                rtol=0,
+                atol=1e-9,
+                err_msg=field,
             )
     stacked = stack_traces([expected[name] for name in NAMES])
     np.testing.assert_allclose(got.tracks, stacked.tracks, rtol=0, atol=1e-9)
@@ -125,7 +129,7 @@ def test_an_action_changes_the_state_one_step_after_its_condition():
     assert speed[10] == 10.0
     assert speed[11] == pytest.approx(9.8)
     assert speed[-1] == 5.0
-    # x += v_new * dt
+    # The new speed moves it, not the old one.
     np.testing.assert_allclose(np.diff(traces.x_m[0, :, 0]), speed[1:] * 0.1, atol=1e-9)
 
 

@@ -1,5 +1,5 @@
 """The words that the offline reader knows, as data, and their loader."""
 
-from scegen.understanding.lexicon.loader import Entry, Lexicon, load
+from scegen.understanding.lexicon.loader import Entry, Lexicon, Spelling, load, load_spelling
 
-__all__ = ["Entry", "Lexicon", "load"]
+__all__ = ["Entry", "Lexicon", "Spelling", "load", "load_spelling"]

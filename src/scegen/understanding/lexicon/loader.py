@@ -94,3 +94,18 @@ def load() -> Lexicon:
     words.update(word for spelling in units for word in spelling)
     irregular = {word: (base, form) for word, (base, form) in _read("irregular").items()}
     return Lexicon(root, frozenset(words), irregular, units)
+
+
+@dataclass(frozen=True, slots=True)
+class Spelling:
+    """Words in which slips are mended, and words that only look like slips of them."""
+
+    keys: tuple[str, ...]
+    real_words: frozenset[str]
+
+
+@lru_cache(maxsize=1)
+def load_spelling() -> Spelling:
+    """The spelling file of the package, read once."""
+    record = _read("spelling")
+    return Spelling(tuple(record["keys"]), frozenset(record["real_words"]))

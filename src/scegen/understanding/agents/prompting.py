@@ -1,0 +1,95 @@
+"""Prompts: short files, with the vocabulary filled in from the code so that they never drift."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterable
+from enum import StrEnum
+from functools import lru_cache
+from importlib.resources import files
+from string import Template
+
+from scegen.scenario.functional import ARM_COUNTS
+from scegen.scenario.vocabulary import (
+    Approach,
+    Control,
+    HazardKind,
+    JunctionKind,
+    Maneuver,
+    ParticipantKind,
+    RoadSurface,
+    TimeOfDay,
+    Visibility,
+    Weather,
+)
+from scegen.understanding.agents.result import Part
+
+REVIEWER = "reviewer"
+_PARTS = {
+    Part.ROAD: ("the road", "junction.kind"),
+    Part.PARTICIPANTS: ("the participants", "participants.car_1.maneuvers"),
+    Part.HAZARDS: ("the dangers", "hazards.speeding"),
+    Part.ENVIRONMENT: ("the conditions", "environment.weather"),
+}
+
+
+@lru_cache(maxsize=1)
+def prompts() -> dict[str, str]:
+    """Every agent's instructions by its name."""
+    words = _vocabulary()
+    texts = {
+        str(part): _file("common").substitute(part=name, path=path) + _fill(part, words)
+        for part, (name, path) in _PARTS.items()
+    }
+    rules = _file("common").substitute(part="the review", path="junction.kind")
+    # of the common rules, the reviewer needs all but those on how to fill fields
+    texts[REVIEWER] = rules.split("\n- `basis`")[0] + "\n" + _fill(REVIEWER, words)
+    return texts
+
+
+@lru_cache(maxsize=1)
+def prompts_version() -> str:
+    """Changes whenever a prompt or the vocabulary does."""
+    joined = "\0".join(f"{name}\0{text}" for name, text in sorted(prompts().items()))
+    return hashlib.sha256(joined.encode()).hexdigest()[:12]
+
+
+def as_data(description: str) -> str:
+    """The description between marker lines that it cannot contain itself."""
+    marker = hashlib.sha256(description.encode("utf-8", "replace")).hexdigest()[:16]
+    return f"<<<description {marker}\n{description}\n{marker} end of description>>>"
+
+
+def _fill(name: str, words: dict[str, str]) -> str:
+    return "\n" + _file(name).substitute(words)
+
+
+def _file(name: str) -> Template:
+    text = files(__package__).joinpath(f"prompts/{name}.md").read_text(encoding="utf-8")
+    return Template(text)
+
+
+def _vocabulary() -> dict[str, str]:
+    lists: dict[str, type[StrEnum]] = {
+        "junction_kinds": JunctionKind,
+        "controls": Control,
+        "participant_kinds": ParticipantKind,
+        "approaches": Approach,
+        "maneuvers": Maneuver,
+        "hazard_kinds": HazardKind,
+        "weathers": Weather,
+        "times_of_day": TimeOfDay,
+        "road_surfaces": RoadSurface,
+        "visibilities": Visibility,
+        "parts": Part,
+    }
+    words = {name: _listed(members) for name, members in lists.items()}
+    words["arm_counts"] = ", ".join(
+        f"`{kind}` {low}" if low == high else f"`{kind}` {low} to {high}"
+        for kind, (low, high) in ARM_COUNTS.items()
+    )
+    return words
+
+
+def _listed(members: Iterable[StrEnum]) -> str:
+    return ", ".join(f"`{member}`" for member in members)
