@@ -52,8 +52,10 @@ def _print_table(rows: list[Row], caption: str) -> None:
     checkers = list(dict.fromkeys(name for row in rows for name in row.checks))
     table = Table(caption=f"cases with every check passed: {caption}", caption_justify="left")
     table.add_column("case", no_wrap=True)
-    for name in ("understood", "participants", "scenarios", "files", *checkers):
-        table.add_column(name, justify="center")
+    for name in ("under-stood", "partici-pants", "scenarios", "files", *checkers):
+        table.add_column(
+            name.replace("-", "-\n").replace("openscen", "open-\nscen"), justify="center"
+        )
     marks = {"passed": "yes", "failed": "NO", "not_run": "not run", "": "-"}
     for row in rows:
         table.add_row(

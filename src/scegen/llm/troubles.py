@@ -88,6 +88,8 @@ def _of_status(error: ModelHTTPError, key: str) -> Trouble:
     kind = _KINDS.get(HTTPStatus(status), kind) if status in set(HTTPStatus) else kind
     said = _quote(_said(error.body), key)
     message = f"answered with HTTP status {status}" + (f": {said}" if said else "")
+    if error.retry_after is not None:
+        message += f" (asks to wait {error.retry_after:g} s)"
     passing = kind in _PASSING and not isinstance(error, ModelQuotaExceededError)
     return Trouble(Fault(kind=kind, message=message), passing, error.retry_after)
 

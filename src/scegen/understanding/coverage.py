@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.functional import Evidence, Unsupported
+from scegen.scenario.functional import FunctionalScenario, Unsupported
 from scegen.understanding.tagging import Term
 from scegen.understanding.tokens import Token
 
@@ -22,28 +22,25 @@ _MOST = 200
 
 
 def unattached(
-    terms: list[Term],
-    tokens: list[Token],
-    evidence: tuple[Evidence, ...],
-    reported: tuple[Unsupported, ...],
-) -> tuple[Unsupported, ...]:
+    scenario: FunctionalScenario, terms: list[Term], tokens: list[Token]
+) -> FunctionalScenario:
     """Reports known words of manner, direction, state and measure on which nothing rests.
 
     Args:
-        terms: the terms of the text.
-        tokens: its tokens.
-        evidence: what the fields rest on.
-        reported: what is reported already.
+        scenario: the scenario as understood.
+        terms: the terms of its description.
+        tokens: the tokens of its description.
     """
-    spans = [(e.start, e.end) for e in evidence if e.start is not None and e.end is not None]
-    spans += [(u.start, u.end) for u in reported]
-    found = list(reported)
+    spans = [(e.start, e.end) for e in scenario.evidence if e.start is not None]
+    spans += [(u.start, u.end) for u in scenario.unsupported]
+    found = list(scenario.unsupported)
     for term in terms:
         start, end = tokens[term.i].start, tokens[term.j - 1].end
         if term.cat not in _INSTEAD or term.value in _EMPTY or len(found) >= _MOST:
             continue
-        if any(a <= start and end <= b for a, b in spans):
+        if any(a <= start and b is not None and end <= b for a, b in spans):
             continue
-        words = _words(tokens[term.i : term.j])
-        found.append(Unsupported(text=words, start=start, end=end, instead=_INSTEAD[term.cat]))
-    return tuple(sorted(found, key=lambda u: (u.start, u.end)))
+        text = scenario.description[start:end]
+        found.append(Unsupported(text=text, start=start, end=end, instead=_INSTEAD[term.cat]))
+    found.sort(key=lambda u: (u.start, u.end))
+    return scenario.model_copy(update={"unsupported": tuple(found)})

@@ -9,6 +9,7 @@ from scegen.understanding.building import Builder
 from scegen.understanding.chunking import Chunker
 from scegen.understanding.clauses import ClauseReader
 from scegen.understanding.context import Context
+from scegen.understanding.coverage import unattached
 from scegen.understanding.discourse import Discourse
 from scegen.understanding.draft import Draft
 from scegen.understanding.junctions import JunctionReading, read_junction
@@ -67,7 +68,8 @@ def read(text: str) -> FunctionalScenario:
     context = Context(draft, junction, tokens, across)
     Interpreter(context, surroundings.limit_term).run(chunks, events)
     report(draft, terms, chunks, events)
-    return Builder(draft, junction, surroundings, tokens).build()
+    scenario = Builder(draft, junction, surroundings, tokens).build()
+    return unattached(scenario, terms, tokens)
 
 
 def _arms(junction: JunctionReading) -> int:

@@ -51,7 +51,7 @@ def number(low, high):
 def paths(draw):
     count = draw(st.sampled_from([0, 3, 30]))
     steps = np.array(draw(st.lists(number(0.2, 5.0), min_size=count, max_size=count)))
-    turns = np.array(draw(st.lists(number(-0.4, 0.4), min_size=count, max_size=count)))
+    turns = np.array(draw(st.lists(number(-1.5, 1.5), min_size=count, max_size=count)))
     turns *= draw(st.sampled_from([0.0, 1.0]))
     return polyline(draw(number(-20, 20)), draw(number(-20, 20)), draw(number(-3, 3)), steps, turns)
 

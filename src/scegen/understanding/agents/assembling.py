@@ -27,9 +27,7 @@ from scegen.understanding.agents.replies import (
 )
 from scegen.understanding.agents.result import Objection, Part
 
-_ALWAYS = frozenset(
-    {"junction.kind", "junction.arms", "junction.control", "junction.driving_side"}
-)
+_ALWAYS = frozenset({"junction.kind", "junction.arms", "junction.control", "junction.driving_side"})
 """Junction fields that always get a line, said or not, as the offline reader gives them."""
 
 
@@ -81,9 +79,7 @@ def _objection(message: str) -> Objection:
     return Objection(about=about, problem=message[:400])
 
 
-def _unsupported(
-    description: str, parts: Parts
-) -> tuple[tuple[Unsupported, ...], tuple[str, ...]]:
+def _unsupported(description: str, parts: Parts) -> tuple[tuple[Unsupported, ...], tuple[str, ...]]:
     found: dict[tuple[int, int], Unsupported] = {}
     notes = []
     for passage in (p for reply in parts.replies() for p in reply.unsupported):
@@ -116,15 +112,15 @@ def _evidence(description: str, parts: Parts) -> tuple[list[Evidence], tuple[str
     for path, is_default in _fields(parts):
         item = _grounded(description, path, given.get(path), is_default=is_default)
         evidence.append(item)
-        basis = given.get(path)
-        if basis is not None and basis.words and item.source is not EvidenceSource.STATED:
-            doubts.append(f'{path}: the model quoted "{basis.words}", which the text does not have')
+        quoted = given[path].words if path in given else None
+        if quoted and item.source is not EvidenceSource.STATED:
+            doubts.append(f'{path}: the model quoted "{quoted}", which the text does not have')
     return evidence, tuple(doubts)
 
 
 def _path(prefix: str, field: str) -> str:
     """A field's path, whether or not the model wrote its beginning, hazards by kind alone."""
-    path = field if field.split(".")[0] == prefix else f"{prefix}.{field}"
+    path = field if field.startswith(f"{prefix}.") else f"{prefix}.{field}"
     return ".".join(path.split(".")[:2]) if prefix == "hazards" else path
 
 
@@ -153,9 +149,7 @@ def _filled(place: str, model: BaseModel, cls: type[BaseModel]) -> Iterator[tupl
             yield path, is_default
 
 
-def _grounded(
-    description: str, path: str, basis: Basis | None, *, is_default: bool
-) -> Evidence:
+def _grounded(description: str, path: str, basis: Basis | None, *, is_default: bool) -> Evidence:
     """Stated if the words are really there; otherwise concluded, or a default."""
     quote = find_quote(description, basis.words) if basis else None
     if quote is not None and basis is not None:

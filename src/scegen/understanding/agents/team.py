@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Awaitable, Callable, Iterable
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, TypeVar
 
 from scegen.llm import Fault, FaultKind, LlmError
 from scegen.llm.line import Line
@@ -25,6 +25,7 @@ from scegen.understanding.agents.replies import (
 )
 from scegen.understanding.agents.result import Objection, Part
 
+R = TypeVar("R")
 Checks = Callable[[FunctionalScenario], tuple[Objection, ...]]
 
 
@@ -122,15 +123,15 @@ class Team:
             return (), error.fault
         # an objection that rests on words which the text does not have is none
         return tuple(
-            o for o in review.objections if find_quote(self._description, o.words) is not None
+            o
+            for o in review.objections
+            if o.words is None or find_quote(self._description, o.words) is not None
         ), None
 
     async def _road(
         self, before: RoadReply | None = None, objections: Iterable[Objection] = ()
     ) -> RoadReply:
-        return await ask(
-            self._line, Part.ROAD, RoadReply, self._question(before, objections)
-        )
+        return await ask(self._line, Part.ROAD, RoadReply, self._question(before, objections))
 
     async def _participants(
         self, before: ParticipantsReply | None = None, objections: Iterable[Objection] = ()
@@ -190,12 +191,12 @@ class Team:
         )
 
 
-async def _same[R](reply: R) -> R:
+async def _same(reply: R) -> R:
     return reply
 
 
 async def _all_of(*tasks: Awaitable[Any]) -> tuple[Any, ...]:
-    """All results; the first fault in order, once all have ended, so that a replay sees the same."""
+    """All results; the first fault in order, once all have ended: a replay must see the same."""
     results = await asyncio.gather(*tasks, return_exceptions=True)
     for result in results:
         if isinstance(result, BaseException):

@@ -1,0 +1,89 @@
+"""What the text states in so many words, as the offline reader found it."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from dataclasses import dataclass
+
+from scegen.scenario.functional import Evidence, FunctionalScenario
+from scegen.scenario.vocabulary import EvidenceSource, ParticipantKind
+from scegen.understanding.agents.result import Objection, Part
+from scegen.understanding.numbers import number_at
+from scegen.understanding.tokens import tokenize
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """Words of the description and where they stand."""
+
+    text: str
+    start: int
+    end: int
+
+    @property
+    def numbers(self) -> frozenset[float]:
+        """The numbers among them, in digits or words."""
+        tokens = tokenize(self.text)
+        found = (number_at(tokens, i) for i in range(len(tokens)))
+        return frozenset(n.value for n in found if n is not None)
+
+
+@dataclass(frozen=True, slots=True)
+class Count:
+    """So many participants of a kind, counted by the text in these words."""
+
+    kind: ParticipantKind
+    count: int
+    words: Words
+
+
+def words_of(scenario: FunctionalScenario, field: str) -> Words | None:
+    """The words that state a field; None if none do."""
+    for item in scenario.evidence:
+        if item.field == field:
+            return _words(item)
+    return None
+
+
+def counts(scenario: FunctionalScenario) -> tuple[Count, ...]:
+    """Participants that the text counts with a number ("three cars"), group by group."""
+    groups: dict[tuple[ParticipantKind, Words], int] = defaultdict(int)
+    for participant in scenario.participants:
+        words = words_of(scenario, f"participants.{participant.id}.kind")
+        if words is not None and not participant.parked:
+            groups[participant.kind, words] += 1
+    return tuple(
+        Count(kind, count, words)
+        for (kind, words), count in groups.items()
+        if float(count) in words.numbers
+    )
+
+
+def miscounted(reader: FunctionalScenario, scenario: FunctionalScenario) -> tuple[Objection, ...]:
+    """Objections where fewer participants of a kind are listed than the text counts."""
+    wanted: dict[ParticipantKind, list[Count]] = defaultdict(list)
+    for count in counts(reader):
+        wanted[count.kind].append(count)
+    objections = []
+    for kind, groups in wanted.items():
+        total = sum(group.count for group in groups)
+        found = sum(p.kind is kind and not p.parked for p in scenario.participants)
+        if found < total:
+            said = ", ".join(f'"{group.words.text}"' for group in groups)
+            objections.append(
+                Objection(
+                    about=Part.PARTICIPANTS,
+                    problem=f"the text says {said}, so at least {total} of kind {kind}; "
+                    f"{found} are listed",
+                    words=groups[0].words.text,
+                )
+            )
+    return tuple(objections)
+
+
+def _words(item: Evidence) -> Words | None:
+    if item.source is not EvidenceSource.STATED or item.text is None:
+        return None
+    if item.start is None or item.end is None:
+        return None
+    return Words(item.text, item.start, item.end)
