@@ -34,6 +34,17 @@ def test_from_ahead_leaves_the_side_open(describe):
     assert len(crossings(functional)) == 4
 
 
+def test_from_the_left_or_ahead_leaves_it_open_too(describe):
+    functional = describe("four_way", 4, [EGO, PED | {"approaches": ["left", "opposite"]}])
+    assert len(crossings(functional)) == 4
+
+
+def test_who_turns_round_sees_its_arm_as_it_came(describe):
+    turning = EGO | {"maneuvers": ["u_turn"]}
+    functional = describe("four_way", 4, [turning, PED | {"approaches": ["right"]}])
+    assert crossings(functional) == {(0, "right")}
+
+
 def test_before_the_one_who_suffers(describe):
     car = {"id": "car", "approaches": ["left"], "maneuvers": ["right"]}
     hazard = {"kind": "crossing_pedestrian", "by": ["ped"], "to": ["car"]}

@@ -156,6 +156,13 @@ def test_oncoming(describe):
         assert car.entry != ego.entry
 
 
+def test_oncoming_at_a_crossing(describe):
+    """From the opposite arm, or one comes in where the other goes out."""
+    for _, car, ego in listed(describe("four_way", 4, [EGO, CAR], [hazard("oncoming_lane")])):
+        opposite = (car.entry - ego.entry) % 4 == 2
+        assert opposite or car.exit == ego.entry or ego.exit == car.entry
+
+
 @pytest.mark.parametrize("kind", ["speeding", "swerving", "loss_of_control", "hard_braking"])
 def test_alone_it_implies_nothing(describe, kind):
     with_it = describe("four_way", 4, [EGO, CAR], [hazard(kind, to=None)])

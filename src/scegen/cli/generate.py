@@ -8,6 +8,16 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from scegen.cli.console import result, result_json, say, working
+from scegen.cli.llm import (
+    BudgetOption,
+    Listener,
+    ModelOption,
+    RecordOption,
+    ReplayOption,
+    UrlOption,
+    llm_settings,
+    tell,
+)
 from scegen.pipeline.options import CheckDepth, Options, OscVersion
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 
@@ -46,15 +56,29 @@ def generate(
         bool, typer.Option("--force", help="Replace what lies in the folder.")
     ] = False,
     json: Annotated[bool, typer.Option("--json", help="Print summary.json.")] = False,
+    llm: ModelOption = None,
+    llm_url: UrlOption = None,
+    llm_budget: BudgetOption = None,
+    llm_record: RecordOption = None,
+    llm_replay: ReplayOption = None,
 ) -> None:
     """Make simulator files from a description (or from any level, edited by hand)."""
+    from scegen.pipeline.folder import require_usable
     from scegen.pipeline.generate import generate as run
     from scegen.pipeline.source import resolve_source
 
+    settings = llm_settings(llm, llm_url, llm_budget, llm_record, llm_replay)
     with working() as progress:
         progress("understanding")
         options = Options(pick, count, seed, reduction, arms, osc, check, force)
-        made = run(resolve_source(source), output, options, progress)
+        if settings is None:
+            made = run(resolve_source(source), output, options, progress)
+        else:
+            require_usable(output, force=force)  # before a model is paid for
+            listener = Listener(settings, progress)
+            scenario = resolve_source(source, listener)
+            tell(listener.understanding)
+            made = run(scenario, output, options, progress, listener.understanding)
     if json:
         import json as json_module
 

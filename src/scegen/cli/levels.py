@@ -8,6 +8,16 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from scegen.cli.console import result, result_json, say, working
+from scegen.cli.llm import (
+    BudgetOption,
+    Listener,
+    ModelOption,
+    RecordOption,
+    ReplayOption,
+    UrlOption,
+    llm_settings,
+    tell,
+)
 from scegen.errors import InputError
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 
@@ -25,11 +35,23 @@ def understand(
     text: Annotated[str, typer.Argument(metavar="TEXT|FILE", help="A description.")],
     json: JsonFlag = False,
     output: OutputFile = None,
+    llm: ModelOption = None,
+    llm_url: UrlOption = None,
+    llm_budget: BudgetOption = None,
+    llm_record: RecordOption = None,
+    llm_replay: ReplayOption = None,
 ) -> None:
     """Understand a description: text to functional scenario, with the words it rests on."""
     from scegen.scenario.files import to_json, to_yaml
 
-    functional = _functional(text)
+    settings = llm_settings(llm, llm_url, llm_budget, llm_record, llm_replay)
+    if settings is None:
+        functional = _functional(text)
+    else:
+        with working() as progress:
+            listener = Listener(settings, progress)
+            functional = _functional(text, listener)
+        tell(listener.understanding)
     for phrase in functional.unsupported:
         say(f'not expressed: "{phrase.text}" ({phrase.instead})')
     _write(to_json(functional) if json else to_yaml(functional), output)
@@ -108,11 +130,11 @@ def schema(
     result_json(json_schema(level))
 
 
-def _functional(text_or_path: str) -> FunctionalScenario:
+def _functional(text_or_path: str, listener: Listener | None = None) -> FunctionalScenario:
     from scegen.pipeline.source import resolve_source
     from scegen.scenario.functional import FunctionalScenario
 
-    source = resolve_source(text_or_path)
+    source = resolve_source(text_or_path, listener) if listener else resolve_source(text_or_path)
     if not isinstance(source, FunctionalScenario):
         raise InputError(
             f"is a {source.level} scenario, not a description or a functional one",

@@ -9,12 +9,14 @@ from scegen import __version__
 from scegen.checking import CheckReport, CheckResult
 from scegen.pipeline.export import PREVIEW_FILE
 from scegen.pipeline.folder import digest
+from scegen.report.contents import DisagreementRow, Voice
 from scegen.report.gallery import gallery_svg
 from scegen.report.html import CheckRow, ConcreteEntry, ReportInput, report_html
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import to_json, to_yaml
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
+from scegen.understanding.agents import Understanding
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,6 +34,7 @@ def folder_files(
     made: list[Made],
     skipped: dict[str, str],
     seed: int,
+    understanding: Understanding | None = None,
 ) -> dict[str, bytes]:
     """The files at the top of the output folder by name, the summary last."""
     files: dict[str, bytes] = {}
@@ -40,8 +43,9 @@ def folder_files(
     if logical is not None:
         files["logical.json"] = to_json(logical).encode()
         files["gallery.svg"] = gallery_svg(logical).encode()
-    files["report.html"] = report_html(_report_input(functional, logical, made, skipped)).encode()
-    files["summary.json"] = _summary(logical, made, skipped, seed, files)
+    report = _report_input(functional, logical, made, skipped, understanding)
+    files["report.html"] = report_html(report).encode()
+    files["summary.json"] = _summary(logical, made, skipped, seed, files, understanding)
     return files
 
 
@@ -50,6 +54,7 @@ def _report_input(
     logical: LogicalSet | None,
     made: list[Made],
     skipped: dict[str, str],
+    understanding: Understanding | None,
 ) -> ReportInput:
     entries = tuple(
         ConcreteEntry(
@@ -63,7 +68,23 @@ def _report_input(
         )
         for item in made
     )
-    return ReportInput(functional, logical, entries, tuple(skipped.items()))
+    voice = None if understanding is None else _voice(understanding)
+    return ReportInput(functional, logical, entries, tuple(skipped.items()), voice)
+
+
+def _voice(understanding: Understanding) -> Voice:
+    """Who understood the text, for the report."""
+    return Voice(
+        speaker=understanding.speaker,
+        usage=understanding.usage.in_words(),
+        faults=tuple(f.in_words() for f in understanding.faults),
+        objections=tuple(f"{o.about}: {o.problem}" for o in understanding.objections),
+        notes=understanding.notes,
+        disagreements=tuple(
+            DisagreementRow(d.field, d.words, d.reader, d.agents, d.kept, d.reason)
+            for d in understanding.disagreements
+        ),
+    )
 
 
 def _findings(result: CheckResult) -> str:
@@ -79,6 +100,7 @@ def _summary(
     skipped: dict[str, str],
     seed: int,
     top: dict[str, bytes],
+    understanding: Understanding | None,
 ) -> bytes:
     """No times and no paths: the same run gives the same bytes."""
     hashes = {name: digest(content) for name, content in top.items()}
@@ -89,6 +111,7 @@ def _summary(
         "scegen": __version__,
         "seed": seed,
         "description": made[0].concrete.description,
+        **({"llm": understanding.to_data()} if understanding else {}),
         "enumeration": logical
         and {
             "reduction": logical.reduction,

@@ -20,6 +20,7 @@ from scegen.pipeline.source import Source
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
+from scegen.understanding.agents import Understanding
 
 Progress = Callable[[str], None]
 _CHECKERS = {
@@ -46,9 +47,15 @@ class Result:
 
 
 def generate(
-    source: Source, folder: Path, options: Options, progress: Progress = lambda _: None
+    source: Source,
+    folder: Path,
+    options: Options,
+    progress: Progress = lambda _: None,
+    understanding: Understanding | None = None,
 ) -> Result:
     """Make the folder ``folder`` from ``source``; it is written whole or not at all.
+
+    ``understanding`` says how language models came to the source, if they did.
 
     Raises:
         InputError: the source, the options or the folder cannot be used.
@@ -77,7 +84,9 @@ def generate(
         checks = _checks(staged, [concrete.name for concrete in concretes], options.depth)
         made = [Made(c, files[c.name], checks[c.name]) for c in concretes]
         progress("drawing the report")
-        _write(staged, folder_files(functional, logical, made, skipped, options.seed))
+        _write(
+            staged, folder_files(functional, logical, made, skipped, options.seed, understanding)
+        )
         replace_content(folder, staged)
     return Result(folder, functional, logical, checks, skipped)
 

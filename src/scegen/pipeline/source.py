@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from scegen.errors import InputError
@@ -12,23 +13,25 @@ from scegen.scenario.logical import LogicalSet
 from scegen.understanding import read
 
 Source = FunctionalScenario | LogicalSet | ConcreteScenario
+Understand = Callable[[str], FunctionalScenario]
 _FILE_ENDINGS = (".yaml", ".yml", ".json", ".txt", ".md")
 _LONGEST_PATH = 1024
 
 
-def resolve_source(text_or_path: str) -> Source:
+def resolve_source(text_or_path: str, understand: Understand = read) -> Source:
     """The scenario that an argument stands for.
 
     A path to a YAML or JSON file is loaded at its level, any other file is read as a
-    description, and everything else is the description itself.
+    description, and everything else is the description itself. Descriptions are left to
+    ``understand``, the offline reader unless said otherwise.
 
     Raises:
         InputError: the text is empty, not traffic, or the file cannot be used.
     """
     path = _as_path(text_or_path)
     if path is None:
-        return read(text_or_path)
-    return load_any(path) or read(read_text(path))
+        return understand(text_or_path)
+    return load_any(path) or understand(read_text(path))
 
 
 def _as_path(argument: str) -> Path | None:

@@ -29,13 +29,39 @@ class ConcreteEntry:
 
 
 @dataclass(frozen=True, slots=True)
+class DisagreementRow:
+    """A fact that was read in two ways: the words, both values, which one stands and why."""
+
+    field: str
+    words: str
+    reader: str
+    agents: str
+    kept: str
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Voice:
+    """Who understood the description where language models were asked, and how it went."""
+
+    speaker: str
+    usage: str
+    faults: tuple[str, ...] = ()
+    objections: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    disagreements: tuple[DisagreementRow, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class ReportInput:
     """Everything that the report shows; levels that the run did not pass through are None.
 
-    ``skipped`` holds names of scenarios that could not be made, each with the reason.
+    ``skipped`` holds names of scenarios that could not be made, each with the reason; ``voice``
+    is None where no language model was asked.
     """
 
     functional: FunctionalScenario | None
     logical_set: LogicalSet | None
     concretes: tuple[ConcreteEntry, ...] = ()
     skipped: tuple[tuple[str, str], ...] = ()
+    voice: Voice | None = None

@@ -49,6 +49,7 @@ def report_html(report: ReportInput) -> str:
         gallery=_gallery(report.logical_set) if report.logical_set else None,
         concretes=[_concrete(entry) for entry in report.concretes],
         skipped=report.skipped,
+        voice=report.voice,
     )
 
 

@@ -229,6 +229,8 @@ class Builder:
         ):
             if value:
                 self._prove(f"{path}.{name}", basis or entity.basis)
+        if entity.approaches and entity.by_heading is not None:
+            self._prove(f"{path}.approaches", entity.by_heading)
         return Participant(
             id=entity.name,
             kind=entity.kind,
@@ -251,8 +253,9 @@ class Builder:
             reason = "nothing else is said: somebody on foot crosses"
             entity.maneuver_basis = Basis(basis.i, basis.j, reason)
             return {Maneuver.CROSS}
-        if junction.kind is JunctionKind.STRAIGHT and entity.moves is not None:
-            reason = "on a road without a junction one drives straight on"
+        straight = junction.kind is JunctionKind.STRAIGHT or entity.on_straight
+        if straight and entity.moves is not None:
+            reason = "on a straight road, or one without a junction, one drives straight on"
             entity.maneuver_basis = Basis(entity.moves.i, entity.moves.j, reason)
             return {Maneuver.STRAIGHT}
         return set()

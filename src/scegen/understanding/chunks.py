@@ -71,6 +71,8 @@ class Mention(NounPhrase):
         joined: the mention that it is joined to by "and".
         same_as: the mention that it describes further ("vehicle 1, a sedan, …").
         partitive: one of a set named after it ("one of the cars").
+        negated: there is none ("no pedestrians").
+        denied: it does not do what its verb says ("neither the bus nor the taxi").
         distributed: a plural noun that stands for one ("ego and adversary vehicles").
         events: what it does, filled in by the clause reader.
         entities: whom it refers to, filled in by the discourse.
@@ -87,7 +89,7 @@ class Mention(NounPhrase):
     partitive: bool = False
     distributed: bool = False
     negated: bool = False
-    member_hint: bool = False
+    denied: bool = False
     entities: list[Any] = field(default_factory=list)
 
 

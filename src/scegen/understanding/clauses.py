@@ -10,7 +10,7 @@ these decide who acts in participles ("a car turning left"), infinitives ("tries
 from __future__ import annotations
 
 from scegen.understanding import subjects
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Prep, Word
 from scegen.understanding.lookahead import (
     ADVERBS,
     BOUNDARIES,
@@ -18,6 +18,7 @@ from scegen.understanding.lookahead import (
     event_follows,
     finite_follows,
 )
+from scegen.understanding.phrases import also_from, apposes
 from scegen.understanding.state import State
 
 
@@ -158,7 +159,7 @@ class ClauseReader:
         direct = isinstance(anchor, Event) and not anchor.nominal and not state.between
         if isinstance(anchor, Event) and direct and anchor.object is None:
             anchor.object = mention
-        elif self._apposes(k):
+        elif apposes(self._chunks, k, state):
             mention.same_as = state.candidate
             return
         elif self._joins(mention, k):
@@ -168,20 +169,6 @@ class ClauseReader:
         state.anchor = mention
         state.between = set()
         state.last_pp = None
-
-    def _apposes(self, k: int) -> bool:
-        """``vehicle 1, a sedan, was …``: the second only describes the first."""
-        state = self._state
-        waiting = isinstance(state.anchor, Mention) and state.anchor is state.candidate
-        if not waiting or state.between != {","} or state.candidate_done:
-            return False
-        following = self._chunks[k + 1 : k + 3]
-        comma = bool(following) and isinstance(following[0], Word) and following[0].value == ","
-        if not comma or len(following) < 2:
-            return False
-        after = following[1]
-        verb = isinstance(after, Event) and after.form != "ing"
-        return verb or (isinstance(after, Word) and after.cat == "aux")
 
     def _joins(self, mention: Mention, k: int) -> bool:
         """``a car and a truck``: the second takes the role of the first."""
@@ -208,6 +195,7 @@ class ClauseReader:
 
     def _start_clause(self, mention: Mention) -> None:
         state = self._state
+        mention.denied = "neg:not" in state.between
         state.candidate = mention
         state.candidate_done = False
         for event in state.pending:
@@ -252,7 +240,7 @@ class ClauseReader:
             self._attach_prep(state.prep)
             state.prep = None
             return
-        if self._also_from(noun):
+        if also_from(noun, state):
             return
         anchor = state.anchor
         direct = isinstance(anchor, Event) and anchor.object is None
@@ -263,18 +251,6 @@ class ClauseReader:
         elif not state.events and state.candidate is None:
             state.anchor = noun
             state.between = set()
-
-    def _also_from(self, noun: NounPhrase) -> bool:
-        """``from the north and the east``: the preposition counts for both."""
-        pps = self._state.events[-1].pps if self._state.events else []
-        if not (pps and isinstance(noun, Place) and noun.kind == "side"):
-            return False
-        last = pps[-1]
-        joined = self._state.between & {"and", "or"} and isinstance(last.target, Place)
-        if joined and last.target is not None and last.target.j == noun.i - 1:
-            pps.append(Prep(last.word, noun, last.outer, last.on_mention))
-            return True
-        return False
 
     def _premodifiers(self, mention: Mention) -> None:
         """``a speeding car``, ``the left turning truck``: events of the noun itself."""
@@ -296,7 +272,9 @@ class ClauseReader:
         state.ahead = []
         subjects.link(event, state)
         event.negated = any(word.startswith("neg:") for word in state.between) or event.negated
-        event.negated = event.negated or any(m.pronoun == "neither" for m in event.subject)
+        event.negated = event.negated or any(
+            m.denied or m.pronoun == "neither" for m in event.subject
+        )
         event.modal = event.modal or "aux:modal" in state.between
         self._release_prep()
         state.events.append(event)

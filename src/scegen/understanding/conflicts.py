@@ -87,7 +87,9 @@ def enter(scene: Scene, context: Context) -> None:
     others = [e for e in scene.drivers if not e.ego]
     if lane is None or lane.kind != "lane" or not others or scene.reaction:
         return
-    in_front = any(p.word.cat == "locus" and p.value == "ahead" for p in (*scene.event.pps, *lane.pps))
+    in_front = any(
+        p.word.cat == "locus" and p.value == "ahead" for p in (*scene.event.pps, *lane.pps)
+    )
     owners = _owners(lane)
     if not in_front and not owners:
         return
@@ -154,7 +156,12 @@ def fail_to_yield(scene: Scene, context: Context) -> None:
 
 def subsume(context: Context) -> None:
     """Who runs a red light does not give way either; the first says it all."""
-    red = {e.index for d in context.draft.dangers if d.kind is HazardKind.RED_LIGHT_RUNNING for e in d.by}
+    red = {
+        e.index
+        for d in context.draft.dangers
+        if d.kind is HazardKind.RED_LIGHT_RUNNING
+        for e in d.by
+    }
     context.draft.dangers[:] = [
         d
         for d in context.draft.dangers

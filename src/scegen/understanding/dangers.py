@@ -7,7 +7,7 @@ from collections.abc import Callable
 from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
 from scegen.understanding import conflicts, encounters
 from scegen.understanding.context import Context, Scene
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.draft import Basis
 
 _REGULATED = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_stop", "parking",
                         "shoulder", "sidewalk", "crosswalk"})  # fmt: skip

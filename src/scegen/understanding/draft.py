@@ -46,8 +46,10 @@ class Entity:
     speed_basis: Basis | None = None
     heading: str | None = None
     heading_basis: Basis | None = None
+    by_heading: Basis | None = None
     counted: Basis | None = None
     moves: Basis | None = None
+    on_straight: bool = False
     claimed: bool = False
     opposed: set[int] = field(default_factory=set)
     name: str = ""

@@ -7,7 +7,6 @@ from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep,
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
 
-
 _HIDING = frozenset({"behind", "between"})
 _CARRIAGEWAY = frozenset({"road", "crosswalk", "highway"})
 _OPAQUE_PLACES = frozenset({"bus_stop", "feature", "parking"})
@@ -56,6 +55,8 @@ def ride(scene: Scene, context: Context) -> None:
         p.value == "into" and isinstance(p.target, Place) and p.target.kind in _CARRIAGEWAY
         for p in scene.event.pps
     )
+    aside = any(p.kind in {"sidewalk", "access", "parking"} for p in scene.places())
+    onto = onto or (aside and any(p.kind == "path" for p in scene.places()))
     if onto and not scene.event.dirs:
         _cyclists_cross(scene, context)
 

@@ -19,6 +19,7 @@ class Group:
     members: list[Entity]
     vague: bool
     dirs: set[str] = field(default_factory=set)
+    specific: bool = False
 
     @property
     def free(self) -> list[Entity]:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Control, HazardKind
+from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding import conflicts, dangers, encounters
 from scegen.understanding.chunks import Chunk, Event, Mention, Prep, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.movements import MOVEMENTS
+from scegen.understanding.omissions import not_done
 from scegen.understanding.placing import Placer, thing_sides
 from scegen.understanding.resolving import from_everywhere
 from scegen.understanding.tagging import Term
@@ -15,10 +16,8 @@ from scegen.understanding.tagging import Term
 _BREACHING = frozenset({"walk", "breach", "move", "enter", "cross", "speed", "accelerate"})
 _ON_THE_MOVE = frozenset({"swerve", "use", "enter", "move", "cross", "lose_control", "lane_change",
                           "merge", "overtake", "bypass", "turn"})  # fmt: skip
-_UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross", "merge",
-                       "enter", "follow", "move", "turn", "appear", "swerve", "pull_out"})  # fmt: skip
-_SIGNED = frozenset({Control.STOP, Control.ALL_WAY_STOP})
-_STOPPING = frozenset({"stop", "brake", "wait"})
+_UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
+                       "merge", "enter", "follow", "move", "turn", "appear", "swerve", "pull_out"})  # fmt: skip
 _TRAVEL = frozenset({"move", "approach", "enter", "merge", "turn", "cross", "follow", "overtake",
                      "bypass", "leave", "lane_change", "accelerate", "speed", "try"})  # fmt: skip
 
@@ -143,7 +142,7 @@ class Interpreter:
         self._access(scene)
         failed = event.parent is not None and event.parent.name == "fail"
         if event.negated or failed:
-            self._not_done(scene)
+            not_done(scene, self._context)
             return
         if event.name in _BREACHING:
             conflicts.breach(scene, self._context)
@@ -191,28 +190,6 @@ class Interpreter:
         for number, entity in enumerate(actors):
             entity.entries = {number % arms}
             entity.entry_basis = Basis(prep.word.i, end)
-
-    def _not_done(self, scene: Scene) -> None:
-        """What is said not to happen, or not to be done in time."""
-        event = scene.event
-        regulated = {p.kind for p in scene.places()}
-        basis = Basis(event.i, event.j)
-        control = self._context.junction.control if event.name == "stop" else None
-        if event.name == "yield":
-            conflicts.fail_to_yield(scene, self._context)
-        elif (event.name in _STOPPING and "signal" in regulated) or (
-            event.name in _STOPPING and control is Control.SIGNALS
-        ):
-            self._draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
-        elif (
-            event.name in _STOPPING
-            and (control in _SIGNED or regulated & {"stop_sign", "stop_line", "yield_sign"})
-        ) or (event.name == "stop" and any(self._context.comes_across(e) for e in scene.drivers)):
-            self._draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers)
-        elif event.name in {"brake", "stop", "slow"} and scene.drivers:
-            self._draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
-        elif event.name not in {"light", "inert", "return", "move", "encounter", "try"}:
-            self._draft.note(event.i, event.j, "said not to happen; left out")
 
     def _manner(self, scene: Scene) -> None:
         event = scene.event

@@ -76,8 +76,10 @@ def move(scene: Scene, context: Context) -> None:
     """``goes straight``, ``drives``, ``continues to the left``."""
     event = scene.event
     directions = _directions(event)
+    straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in scene.places())
     for entity in scene.drivers:
         entity.moves = entity.moves or Basis(event.i, event.j)
+        entity.on_straight = entity.on_straight or straight
     if not directions:
         return
     values = set(directions)
@@ -124,6 +126,9 @@ def cross(scene: Scene, context: Context) -> None:
         if not entity.is_vehicle or (context.is_cyclist(entity) and _onto_road(scene.event)):
             context.draft.maneuver(entity, {Maneuver.CROSS}, basis)
     drivers = [e for e in scene.drivers if Maneuver.CROSS not in e.maneuvers]
+    if _directions(scene.event) and drivers:
+        move(scene, context)
+        return
     for entity in drivers:
         if not entity.maneuvers and not _onto_road(scene.event):
             reason = "a vehicle that crosses goes straight through"

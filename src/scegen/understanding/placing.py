@@ -48,7 +48,7 @@ def _place_approaches(place: Place, prep: str) -> frozenset[Approach]:
         if "opposite" in dirs:
             return _BY_DIR["opposite"]
         if "lateral" in dirs:
-            return _BY_DIR["lateral"]
+            return frozenset(sides) or _BY_DIR["lateral"]
         beside = sides or "adjacent" in dirs
         return _BY_DIR["adjacent"] if beside and prep in {"in", "from"} else frozenset()
     if sides:

@@ -17,6 +17,8 @@ _NOMINAL_BEFORE = frozenset(
     {"det", "possessive", "dir", "manner", "num", "quant", "label", "noted", "shape"}
 )
 _NO_PREMODIFIER = frozenset({"aux", "actor", "pronoun", "neg"})
+_WHOSE = frozenset({"its", "his", "her", "their", "our", "my", "your", "the", "a"})
+"""What may stand for ``~`` in a phrase of the lexicon."""
 _UNIT_WORDS = frozenset({"unit", "veh", "v"})
 _VERBAL_BEFORE = frozenset({"actor", "pronoun", "aux", "rel", "neg"})
 _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
@@ -65,7 +67,10 @@ class Match:
 
 
 def _step(node: Node, token: Token) -> list[tuple[Node, str]]:
-    return [(node.following[base], form) for base, form in token.forms if base in node.following]
+    found = [(node.following[base], form) for base, form in token.forms if base in node.following]
+    if "~" in node.following and token.low in _WHOSE:
+        found.append((node.following["~"], "base"))
+    return found
 
 
 def longest_match(tokens: list[Token], i: int) -> Match | None:
@@ -147,6 +152,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     if match.has(*nouns) and noun_slot and match.form in {"base", "s"}:
         return match.get(*nouns), False
     controlled = previous is not None and before == "verb" and "control" in previous.data
+    controlled = controlled and previous is not None and previous.value != "unknown"
     verbal = (
         controlled or before in _VERBAL_BEFORE or (previous is not None and previous.value == "to")
     )
@@ -188,6 +194,10 @@ def _choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[E
         next_match = None if bare else longest_match(tokens, match.j)
         noun = next_match is not None and next_match.has("actor", "place", "label")
         return match.get("label" if noun else "place"), False
+    if match.has("neg") and match.has("pronoun"):
+        following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+        listed = following is not None and following.has("det", "actor", "possessive")
+        return match.get("neg" if listed else "pronoun"), False
     if match.has("leg") and previous is not None and previous.cat == "num":
         return match.get("leg"), False
     if match.has("manner") and match.has("label") and previous and previous.cat == "det":

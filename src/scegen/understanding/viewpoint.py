@@ -143,6 +143,8 @@ def settle_positions(
             basis = entity.heading_basis or Basis()
             reason = f"headed {entity.heading}, the ego {ego.heading}"
             entity.approach_basis = Basis(basis.i, basis.j, reason)
+            seen = ego.heading_basis or Basis()
+            entity.by_heading = Basis(seen.i, seen.j, f"the ego is headed {ego.heading}")
     ego.approaches = set()
     return relations
 

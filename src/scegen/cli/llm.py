@@ -1,0 +1,117 @@
+"""The options about language models, and what is said about them on the terminal."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from scegen.cli.console import say, stderr
+from scegen.errors import InputError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from scegen.llm import LlmSettings
+    from scegen.scenario.functional import FunctionalScenario
+    from scegen.understanding.agents import Understanding
+
+ModelOption = Annotated[
+    str | None,
+    typer.Option(
+        "--llm",
+        metavar="MODEL",
+        help="Understand with a language model, such as deepseek:deepseek-chat; several with "
+        "commas are tried in order, then the offline reader.",
+    ),
+]
+UrlOption = Annotated[str | None, typer.Option("--llm-url", help="Any OpenAI-compatible endpoint.")]
+BudgetOption = Annotated[
+    str | None,
+    typer.Option("--llm-budget", help="The most to use: 20000 (tokens), 0.10usd, or 20k,0.10usd."),
+]
+RecordOption = Annotated[
+    Path | None,
+    typer.Option("--llm-record", metavar="DIR", help="Write transcripts into this new folder."),
+]
+ReplayOption = Annotated[
+    Path | None,
+    typer.Option("--llm-replay", metavar="DIR", help="Repeat a recorded run, without network."),
+]
+
+
+def llm_settings(
+    model: str | None,
+    url: str | None,
+    budget: str | None,
+    record: Path | None,
+    replay: Path | None,
+) -> LlmSettings | None:
+    """The options as settings; None if no language model is asked for."""
+    given = {"--llm-url": url, "--llm-budget": budget, "--llm-record": record}
+    if model is None and replay is None:
+        for option, value in given.items():
+            if value is not None:
+                raise InputError("needs --llm", where=option, hint="name a model with --llm")
+        return None
+    if replay is not None:
+        # a recording brings its own address, and costs nothing
+        for option, value in given.items():
+            if value is not None:
+                raise InputError("has no meaning with --llm-replay", where=option)
+    from scegen.llm import Budget, LlmSettings, parse_models, require_llm
+    from scegen.llm.budget import parse_budget
+    from scegen.llm.naming import require_url
+    from scegen.llm.transcript import Recording
+
+    require_llm()
+    address = require_url(url) if url is not None else None
+    if replay is not None:
+        address = Recording(replay).run.url
+    return LlmSettings(
+        models=parse_models(model, url=address) if model is not None else (),
+        url=address,
+        budget=parse_budget(budget) if budget is not None else Budget(),
+        record=record,
+        replay=replay,
+    )
+
+
+class Listener:
+    """Understands descriptions with language models, and remembers the last understanding."""
+
+    def __init__(self, settings: LlmSettings, progress: Callable[[str], None]) -> None:
+        self._settings = settings
+        self._progress = progress
+        self.understanding: Understanding | None = None
+
+    def __call__(self, text: str) -> FunctionalScenario:
+        """The functional scenario of a description."""
+        from scegen.understanding.agents import understand
+
+        self.understanding = understand(text, self._settings, progress=self._progress)
+        return self.understanding.functional
+
+
+def tell(understanding: Understanding | None) -> None:
+    """Who spoke, what went wrong, what was not agreed on, and what it took."""
+    if understanding is None:
+        say("the source is a scenario file: no language model was asked")
+        return
+    for fault in understanding.faults:
+        stderr.print("warning:", style="bold yellow", end=" ")
+        say(fault.in_words())
+        if fault.hint:
+            say(f"  {fault.hint}")
+    if understanding.fell_back:
+        stderr.print("warning:", style="bold yellow", end=" ")
+        say("no language model gave a usable answer: the offline reader understood the text")
+    for item in understanding.disagreements:
+        say(
+            f'disagreement on {item.field} ("{item.words}"): reader {item.reader}, '
+            f"agents {item.agents}; kept: {item.kept} ({item.reason})"
+        )
+    for note in understanding.notes:
+        say(note)
+    say(f"understood by {understanding.speaker}: {understanding.usage.in_words()}")

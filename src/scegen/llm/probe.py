@@ -1,0 +1,81 @@
+"""The connection test: one small question to a model, through all that a real run goes through."""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from pydantic_ai import Agent, ToolOutput
+from pydantic_ai.settings import ModelSettings
+
+from scegen.errors import ScegenError
+from scegen.llm.budget import Budget, Ledger
+from scegen.llm.faults import Fault
+from scegen.llm.keys import key_for
+from scegen.llm.line import Line
+from scegen.llm.naming import ModelName
+from scegen.llm.providers import endpoint
+from scegen.llm.settings import Limits
+from scegen.llm.troubles import fault_of_run
+from scegen.llm.usage import Usage
+from scegen.scenario.model import FrozenModel
+
+_PATIENCE = Limits(request_s=30.0, run_s=60.0, attempts=2, corrections=1)
+
+
+class Answer(FrozenModel):
+    """What a model that can serve has to give back."""
+
+    arms: int
+
+
+@dataclass(frozen=True, slots=True)
+class Probe:
+    """How the test went; ``fault`` is None if the model can serve."""
+
+    model: str
+    address: str
+    fault: Fault | None
+    usage: Usage
+    seconds: float
+
+
+def probe(
+    name: ModelName,
+    environment: Mapping[str, str],
+    *,
+    url: str | None = None,
+    limits: Limits = _PATIENCE,
+) -> Probe:
+    """Ask a model something small, in the way in which agents ask.
+
+    Raises:
+        InputError: there is no key for it.
+    """
+    key = key_for(name, environment, url=url)
+    line = Line(name=name, chain=1, url=url, key=key, limits=limits, ledger=Ledger(Budget()))
+    began = time.perf_counter()
+    fault = asyncio.run(_ask(line))
+    seconds = time.perf_counter() - began
+    address = endpoint(name, url) or f"{name.provider}'s own address"
+    return Probe(str(name), address, fault, line.usage, seconds)
+
+
+async def _ask(line: Line) -> Fault | None:
+    async with line:
+        agent: Agent[object, Answer] = Agent(
+            line.model("probe"),
+            output_type=ToolOutput(Answer, name="answer", description="Give the answer."),
+            instructions="Answer the question by calling the tool.",
+            retries={"output": line.limits.corrections},
+            model_settings=ModelSettings(temperature=0.0),
+        )
+        try:
+            await agent.run("How many arms has a four-way intersection?")
+        except ScegenError:
+            raise
+        except Exception as error:  # noqa: BLE001 - every fault is a finding
+            return fault_of_run(error, line.key)
+    return None

@@ -1,0 +1,53 @@
+"""What is said not to happen, or not to be done in time."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Control, HazardKind
+from scegen.understanding import conflicts
+from scegen.understanding.context import Context, Scene
+from scegen.understanding.draft import Basis
+
+_SIGNED = frozenset({Control.STOP, Control.ALL_WAY_STOP})
+_SIGNS = frozenset({"stop_sign", "stop_line", "yield_sign"})
+_STOPPING = frozenset({"stop", "brake", "wait"})
+_HARMLESS = frozenset({"light", "inert", "return", "move", "encounter", "try"})
+
+
+def not_done(scene: Scene, context: Context) -> None:
+    """Not stopping, yielding or braking is a danger; other things that do not happen are noted.
+
+    Args:
+        scene: the event that does not take place.
+        context: the scenario in the making.
+    """
+    event = scene.event
+    basis = Basis(event.i, event.j)
+    if event.name == "yield":
+        conflicts.fail_to_yield(scene, context)
+    elif event.name in _STOPPING and _at_signals(scene, context):
+        context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
+    elif event.name in _STOPPING and _has_to_wait(scene, context):
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers)
+    elif event.name in {"brake", "stop", "slow"} and scene.drivers:
+        context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
+    elif event.name not in _HARMLESS:
+        context.draft.note(event.i, event.j, "said not to happen; left out")
+
+
+def _at_signals(scene: Scene, context: Context) -> bool:
+    named = any(p.kind == "signal" for p in scene.places())
+    regulated = scene.event.name == "stop" and context.junction.control is Control.SIGNALS
+    return named or regulated
+
+
+def _has_to_wait(scene: Scene, context: Context) -> bool:
+    """A sign, another road, or a crossing that is driven over "without stopping"."""
+    if any(p.kind in _SIGNS for p in scene.places()):
+        return True
+    if scene.event.name != "stop":
+        return False
+    if context.junction.control in _SIGNED:
+        return True
+    if any(context.comes_across(e) for e in scene.drivers):
+        return True
+    return scene.event.link == "ing" and context.junction.crossing

@@ -1,0 +1,44 @@
+"""Noun phrases that continue others: appositions, and sides joined by "and"."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
+from scegen.understanding.state import State
+
+
+def apposes(chunks: list[Chunk], k: int, state: State) -> bool:
+    """``vehicle 1, a sedan, was …``: the second only describes the first.
+
+    Args:
+        chunks: the chunks of the text.
+        k: index of the second noun.
+        state: what the clause reader remembers.
+    """
+    waiting = isinstance(state.anchor, Mention) and state.anchor is state.candidate
+    if not waiting or state.between != {","} or state.candidate_done:
+        return False
+    following = chunks[k + 1 : k + 3]
+    comma = bool(following) and isinstance(following[0], Word) and following[0].value == ","
+    if not comma or len(following) < 2:
+        return False
+    after = following[1]
+    verb = isinstance(after, Event) and after.form != "ing"
+    return verb or (isinstance(after, Word) and after.cat == "aux")
+
+
+def also_from(noun: NounPhrase, state: State) -> bool:
+    """``from the north and the east``: the preposition counts for both.
+
+    Args:
+        noun: the noun just read.
+        state: what the clause reader remembers.
+    """
+    pps = state.events[-1].pps if state.events else []
+    if not (pps and isinstance(noun, Place) and noun.kind == "side"):
+        return False
+    last = pps[-1]
+    joined = state.between & {"and", "or"} and isinstance(last.target, Place)
+    if joined and last.target is not None and last.target.j == noun.i - 1:
+        pps.append(Prep(last.word, noun, last.outer, last.on_mention))
+        return True
+    return False

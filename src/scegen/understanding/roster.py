@@ -1,0 +1,164 @@
+"""The participants of a text so far, singly and in the groups in which they came up."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.chunks import Mention
+from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.groups import Group
+from scegen.understanding.mention_words import Reading
+from scegen.understanding.tokens import Token
+
+_MOTOR = frozenset(ParticipantKind) - {ParticipantKind.PEDESTRIAN}
+_INCLUDING = frozenset({"including", "among", "amongst"})
+
+
+@dataclass(slots=True)
+class Roster:
+    """Who is known, and who was spoken of last.
+
+    Attributes:
+        draft: where participants are kept.
+        tokens: the tokens of the text.
+        groups: participants that came up together.
+        recent: everybody, the one spoken of last at the end.
+        subject: who acted last.
+    """
+
+    draft: Draft
+    tokens: list[Token]
+    groups: list[Group] = field(default_factory=list)
+    recent: list[Entity] = field(default_factory=list)
+    subject: list[Entity] = field(default_factory=list)
+
+    def new(self, kind: ParticipantKind, basis: Basis) -> Entity:
+        """A new participant."""
+        return self.draft.add(kind, basis)
+
+    def claim(
+        self, count: int, exclude: list[Entity], reading: Reading | None = None
+    ) -> list[Entity]:
+        """Members of an earlier group that nobody has picked out yet."""
+        for group in reversed(self.groups):
+            free = [e for e in group.free if e not in exclude and self.fits(e, reading)]
+            if len(free) >= count:
+                for entity in free[:count]:
+                    entity.claimed = True
+                return free[:count]
+        return []
+
+    def rest(self, exclude: list[Entity]) -> list[Entity]:
+        """The one vehicle besides those just spoken of, if only one is left."""
+        out = {e.index for e in (*exclude, *self.subject)}
+        rest = [e for e in self.draft.entities if e.index not in out and e.is_vehicle]
+        return rest if len(rest) == 1 else []
+
+    def together(self) -> list[Entity]:
+        """The last group, or the last two."""
+        if self.groups and len(self.groups[-1].members) > 1:
+            return list(self.groups[-1].members)
+        return list(self.draft.entities[-2:])
+
+    def further(self, exclude: list[Entity], basis: Basis) -> list[Entity]:
+        """``another``, ``a third one``: of a group that is being picked apart, else a new one."""
+        if any(group.vague or len(group.free) < len(group.members) for group in self.groups):
+            claimed = self.claim(1, exclude)
+            if claimed:
+                return claimed
+        alike = [e.kind for e in self.recent if e.is_vehicle] or [ParticipantKind.CAR]
+        return [self.new(alike[-1], basis)]
+
+    def named(self, reading: Reading, names: set[str]) -> list[Entity]:
+        """``Two cars collided. Vehicle 1 …``: a new name goes to one without a name."""
+        for group in reversed(self.groups):
+            nameless = [
+                e
+                for e in group.free
+                if self.fits(e, reading) and not any(n.startswith("#") for n in e.labels)
+            ]
+            if nameless:
+                nameless[0].claimed = True
+                nameless[0].labels |= names
+                return nameless[:1]
+        return []
+
+    def included(self, reading: Reading, mention: Mention) -> list[Entity]:
+        """``five vehicles, including a bus and two trucks``: members get their kind."""
+        head = mention
+        while head.joined is not None and head.joined is not head:
+            head = head.joined
+        word = head.prep
+        if word is None or self.tokens[word.i].low not in _INCLUDING or reading.generic:
+            return []
+        for group in reversed(self.groups):
+            free = [e for e in group.free if e.kind is ParticipantKind.CAR]
+            if len(free) >= reading.count and not group.specific:
+                for entity in free[: reading.count]:
+                    entity.kind, entity.claimed = reading.kind, True
+                    entity.basis, entity.counted = Basis(mention.i, mention.j), None
+                return free[: reading.count]
+        return []
+
+    def from_title(self, reading: Reading, mention: Mention) -> list[Entity]:
+        """``Lead vehicle stopped: … a stationary lead vehicle …``: a title names nobody new."""
+        colon = next((k for k, t in enumerate(self.tokens) if t.low == ":"), None)
+        if colon is None or mention.i < colon:
+            return []
+        before = [e for e in self.draft.entities if (e.basis.i or 0) < colon and not e.ego]
+        alike = [e for e in before if self.compatible(e, reading) and e.dirs == reading.dirs]
+        return alike[:1]
+
+    def fits(self, entity: Entity, reading: Reading | None) -> bool:
+        """Whether a member of a group can be meant."""
+        if reading is None:
+            return True
+        generic = reading.generic or reading.driver
+        same = entity.kind is reading.kind or (generic and entity.kind in _MOTOR)
+        return same and entity.parked == reading.parked
+
+    def agree(self, group: Group, reading: Reading) -> bool:
+        """Whether a group comes from where the mention says."""
+        return not reading.dirs or not group.dirs or reading.dirs == group.dirs
+
+    def compatible(self, entity: Entity, reading: Reading) -> bool:
+        """Whether the words of a mention can stand for a known participant."""
+        if reading.driver or reading.generic:
+            kind = entity.kind in _MOTOR
+        else:
+            kind = entity.kind is reading.kind
+        adversary = reading.labels == {"adversary"} and not reading.plural
+        if adversary:
+            if entity.ego or (reading.generic is False and not kind):
+                return False
+            return "adversary" in entity.labels
+        if reading.labels and not reading.labels <= entity.labels:
+            return False
+        return kind and (entity.parked or not reading.parked)
+
+    def enrich(self, known: list[Entity], reading: Reading) -> None:
+        """What a further mention says of known participants."""
+        for entity in known:
+            entity.labels |= reading.labels
+            if reading.dirs and not entity.dirs:
+                entity.dirs |= reading.dirs
+
+    def introduce(self, reading: Reading, basis: Basis) -> list[Entity]:
+        """New participants."""
+        found = []
+        for _ in range(reading.count):
+            entity = self.new(reading.kind, basis)
+            entity.labels |= reading.labels
+            entity.dirs |= reading.dirs
+            entity.parked = reading.parked
+            entity.parked_basis = basis if reading.parked else None
+            if reading.reason:
+                entity.counted = Basis(basis.i, basis.j, reading.reason)
+            entity.claimed = reading.count == 1
+            found.append(entity)
+        if len(found) > 1:
+            self.groups.append(
+                Group(found, reading.vague, set(reading.dirs), specific=not reading.generic)
+            )
+        return found
