@@ -128,7 +128,8 @@ class Handler(BaseHTTPRequestHandler):
         agent = agent_of(body)
         script = self.script
         with script.lock:
-            script.requests.append((agent, body, dict(self.headers)))
+            headers = {name.lower(): value for name, value in self.headers.items()}
+            script.requests.append((agent, body, headers))
             script.running += 1
             script.most_at_once = max(script.most_at_once, script.running)
             answer = script.next(agent)

@@ -45,6 +45,32 @@ def test_the_same_scenario_gives_the_same_bytes(scenario):
     assert to_json(again) == to_json(scenario)
 
 
+@pytest.mark.parametrize("count", [0, 1, 3])
+def test_logical_sets_have_a_line_for_each_scenario(count):
+    one = {
+        "slug": "ego-right",
+        "pattern": (1,),
+        "assignments": [
+            {"participant": "ego", "entry": 0, "move": 1, "exit": 1, "turn": "right",
+             "maneuver": "right"}
+        ],
+    }  # fmt: skip
+    made = LogicalSet(
+        functional=FunctionalScenario(
+            description="A car turns right.",
+            junction=Junction(kind="four_way", arms=4),
+            participants=(Participant(id="ego", role="ego"),),
+        ),
+        reduction="none",
+        arms="distinct",
+        certificate={"total": count, "count": count, "complete": True, "method": "test"},
+        scenarios=[one | {"index": i} for i in range(count)],
+    )
+    text = to_json(made)
+    assert from_data(LogicalSet, json.loads(text), where="test") == made
+    assert sum('"slug"' in line for line in text.splitlines()) == count
+
+
 def test_sets_are_written_in_the_order_of_the_vocabulary():
     someone = Participant(id="ego", maneuvers={"left", "straight", "right"}, entries={3, 1})
     data = someone.model_dump(mode="json")

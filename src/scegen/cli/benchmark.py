@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -42,6 +43,26 @@ def paper(
     else:
         _print_table(rows, f"ours {green}/{len(rows)}, the paper {PAPER_SUCCESSES}/{PAPER_CASES}")
     if any(not row.understood or row.problem or "failed" in row.checks.values() for row in rows):
+        raise typer.Exit(1)
+
+
+@app.command("understand")
+def understand(
+    file: Annotated[Path, typer.Argument(metavar="FILE.jsonl", help="Labelled descriptions.")],
+    json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
+) -> None:
+    """Labelled descriptions: how many are understood, per field, kind and hazard."""
+    from scegen.benchmark.understand import run
+    from scegen.understanding import load_cases
+
+    outcome = run(load_cases(file))
+    if json:
+        result_json(outcome.to_data())
+    else:
+        from scegen.cli.scores import print_scores
+
+        print_scores(outcome)
+    if outcome.understood < outcome.cases:
         raise typer.Exit(1)
 
 

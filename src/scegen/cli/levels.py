@@ -18,7 +18,8 @@ from scegen.cli.llm import (
     llm_settings,
     tell,
 )
-from scegen.errors import InputError
+from scegen.cli.parse_report import show_contradiction, show_report
+from scegen.errors import InfeasibleError, InputError
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 
 if TYPE_CHECKING:
@@ -35,6 +36,9 @@ def understand(
     text: Annotated[str, typer.Argument(metavar="TEXT|FILE", help="A description.")],
     json: JsonFlag = False,
     output: OutputFile = None,
+    report: Annotated[
+        bool, typer.Option("--report", help="Show the text with what became of its words.")
+    ] = False,
     llm: ModelOption = None,
     llm_url: UrlOption = None,
     llm_budget: BudgetOption = None,
@@ -46,12 +50,20 @@ def understand(
 
     settings = llm_settings(llm, llm_url, llm_budget, llm_record, llm_replay)
     if settings is None:
-        functional = _functional(text)
+        try:
+            functional = _functional(text)
+        except InfeasibleError as error:
+            if report:
+                show_contradiction(text, error, as_json=json)
+            raise
     else:
         with working() as progress:
             listener = Listener(settings, progress)
             functional = _functional(text, listener)
         tell(listener.understanding)
+    if report:
+        show_report(functional, as_json=json)
+        return
     for phrase in functional.unsupported:
         say(f'not expressed: "{phrase.text}" ({phrase.instead})')
     _write(to_json(functional) if json else to_yaml(functional), output)

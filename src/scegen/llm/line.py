@@ -10,14 +10,16 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import httpx2
+from pydantic import ValidationError
 from pydantic_ai.messages import ModelMessage, ModelMessagesTypeAdapter, ModelResponse
 from pydantic_ai.models import Model, ModelRequestParameters
 from pydantic_ai.models.wrapper import WrapperModel
 from pydantic_ai.settings import ModelSettings
 
+from scegen.errors import InputError
 from scegen.llm.budget import Ledger
 from scegen.llm.client import ClosedTransport, GuardedTransport
-from scegen.llm.faults import Fault, FaultKind, LlmError
+from scegen.llm.faults import Fault, LlmError
 from scegen.llm.naming import ModelName
 from scegen.llm.prices import cost_usd
 from scegen.llm.providers import build_model
@@ -111,10 +113,17 @@ class Line:
         if exchange.fault is not None:
             raise LlmError(exchange.fault)
         # through the recorded form even when live, so that a replay sees the same
-        response = ModelMessagesTypeAdapter.validate_python([exchange.response])[0]
-        if not isinstance(response, ModelResponse):
-            raise LlmError(self._fault(agent, FaultKind.NO_ANSWER, "recorded no answer"))
-        return response
+        try:
+            response = ModelMessagesTypeAdapter.validate_python([exchange.response])[0]
+        except ValidationError:
+            response = None
+        if isinstance(response, ModelResponse):
+            return response
+        raise InputError(
+            f"the answer {number} of agent {agent} is damaged",
+            where="--llm-replay",
+            hint="record the run again with --llm-record",
+        )
 
     async def _exchange(
         self,
@@ -168,9 +177,6 @@ class Line:
 
     def _named(self, agent: str, fault: Fault) -> Fault:
         return fault.named(agent=agent, model=str(self.name))
-
-    def _fault(self, agent: str, kind: FaultKind, message: str) -> Fault:
-        return Fault(kind=kind, message=message, agent=agent, model=str(self.name))
 
 
 class _AgentModel(WrapperModel):

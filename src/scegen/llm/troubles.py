@@ -53,7 +53,8 @@ def trouble_of(error: Exception, key: str) -> Trouble:
         return _trouble(FaultKind.TIMEOUT, "gave no answer in time")
     if isinstance(error, ModelConnectionError):
         return _trouble(FaultKind.CONNECTION, f"could not be reached: {_root(error, key)}")
-    if isinstance(error, ModelAPIError):
+    undecodable = any(isinstance(cause, ValueError) for cause in _chain(error))
+    if isinstance(error, ModelAPIError) and not undecodable:
         return _trouble(FaultKind.REJECTED, f"refused the request: {_quote(error.message, key)}")
     return Trouble(
         Fault(

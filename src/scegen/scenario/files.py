@@ -35,8 +35,14 @@ def to_yaml(model: FrozenModel) -> str:
 
 
 def to_json(model: FrozenModel) -> str:
-    """The model as indented JSON, with a final newline."""
-    return json.dumps(model.model_dump(mode="json"), indent=2, ensure_ascii=False) + "\n"
+    """The model as indented JSON, with a final newline; logical scenarios take a line each."""
+    data = model.model_dump(mode="json")
+    if not isinstance(model, LogicalSet):
+        return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
+    lines = [json.dumps(scenario, ensure_ascii=False) for scenario in data.pop("scenarios")]
+    head = json.dumps(data, indent=2, ensure_ascii=False).removesuffix("\n}")
+    listed = "[\n    " + ",\n    ".join(lines) + "\n  ]" if lines else "[]"
+    return f'{head},\n  "scenarios": {listed}\n}}\n'
 
 
 def from_data(cls: type[M], data: object, *, where: str) -> M:

@@ -2,17 +2,31 @@
 
 from scegen.understanding.cases import Case, load_cases, paper_cases
 from scegen.understanding.explain import Mark, marks
+from scegen.understanding.parse_report import (
+    Finding,
+    ParseReport,
+    Standing,
+    parse_report,
+    report_on,
+    report_on_contradiction,
+)
 from scegen.understanding.reader import MAX_CHARACTERS, read
 from scegen.understanding.scoring import Score, score
 
 __all__ = [
     "MAX_CHARACTERS",
     "Case",
+    "Finding",
     "Mark",
+    "ParseReport",
     "Score",
+    "Standing",
     "load_cases",
     "marks",
     "paper_cases",
+    "parse_report",
     "read",
+    "report_on",
+    "report_on_contradiction",
     "score",
 ]

@@ -16,6 +16,8 @@ _INSTEAD = {
     "env": "conditions are given once; the first counts",
     "control": "one rule of priority is kept for the whole junction; the strictest counts",
 }
+CONTRADICTS = "contradicts "
+"""How the remark on words begins that say otherwise than words before them."""
 _EMPTY = frozenset({"mild", "same", "respectively"})
 """Words that stress or order what other words say."""
 _MOST = 200
@@ -41,6 +43,20 @@ def unattached(
         if any(a <= start and b is not None and end <= b for a, b in spans):
             continue
         text = scenario.description[start:end]
-        found.append(Unsupported(text=text, start=start, end=end, instead=_INSTEAD[term.cat]))
+        instead = _otherwise(term, scenario) or _INSTEAD[term.cat]
+        found.append(Unsupported(text=text, start=start, end=end, instead=instead))
     found.sort(key=lambda u: (u.start, u.end))
     return scenario.model_copy(update={"unsupported": tuple(found)})
+
+
+def _otherwise(term: Term, scenario: FunctionalScenario) -> str | None:
+    """The remark if the word says otherwise than what a field holds."""
+    if term.cat == "env":
+        held = getattr(scenario.environment, term.data["field"])
+    elif term.cat == "control":
+        held = scenario.junction.control
+    else:
+        return None
+    if held is None or held == term.value:
+        return None
+    return f"{CONTRADICTS}'{held}', which is kept"

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from scegen.errors import InfeasibleError
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
+from scegen.understanding.tokens import Token
 
 MAX_PARTICIPANTS = 60
 _TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
@@ -99,6 +100,7 @@ class Draft:
     """Everything that has been understood so far."""
 
     text: str = ""
+    tokens: list[Token] = field(default_factory=list)
     entities: list[Entity] = field(default_factory=list)
     dangers: list[Danger] = field(default_factory=list)
     placements: list[Placement] = field(default_factory=list)
@@ -175,7 +177,7 @@ class Draft:
             self.note(basis.i, basis.j, "one junction is built; this later turn is left out")
             return
         if both_ways and not either:
-            self._contradiction(entity, values)
+            self._contradiction(entity, values, basis)
         if alternative is None and values & _TURNS:
             known = known - _OVERRIDABLE if entity.turn_alternative is None else known
         if alternative is None and values == _OVERRIDABLE and known & _TURNS:
@@ -186,9 +188,9 @@ class Draft:
         entity.maneuver_basis = _joined(entity.maneuver_basis, basis, bool(known))
         entity.turn_alternative = alternative or entity.turn_alternative
 
-    def _contradiction(self, entity: Entity, values: set[Maneuver]) -> None:
-        first = min(entity.maneuvers & _TURNS)
-        second = min(values & _TURNS)
+    def _contradiction(self, entity: Entity, values: set[Maneuver], basis: Basis) -> None:
+        first = f"{min(entity.maneuvers & _TURNS)}{self._quoted(entity.maneuver_basis)}"
+        second = f"{min(values & _TURNS)}{self._quoted(basis)}"
         who = entity.name or ("the ego" if entity.ego else f"one {entity.kind}")
         msg = f"contradictory maneuvers: {who} is said to turn {first} and to turn {second}"
         raise InfeasibleError(
@@ -196,6 +198,11 @@ class Draft:
             where="description",
             hint="At one junction a vehicle turns once; say 'left or right' to allow both.",
         )
+
+    def _quoted(self, basis: Basis | None) -> str:
+        if basis is None or basis.i is None or basis.j is None or not self.tokens:
+            return ""
+        return f" ('{self.text[self.tokens[basis.i].start : self.tokens[basis.j - 1].end]}')"
 
 
 def set_of(entities: list[Entity]) -> set[int]:

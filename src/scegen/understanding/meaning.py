@@ -17,7 +17,8 @@ _BREACHING = frozenset({"walk", "breach", "move", "enter", "cross", "speed", "ac
 _ON_THE_MOVE = frozenset({"swerve", "use", "enter", "move", "cross", "lose_control", "lane_change",
                           "merge", "overtake", "bypass", "turn"})  # fmt: skip
 _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
-                       "merge", "enter", "follow", "move", "turn", "appear", "swerve", "pull_out"})  # fmt: skip
+                       "merge", "enter", "follow", "move", "turn", "appear", "swerve",
+                       "pull_out"})  # fmt: skip
 _TRAVEL = frozenset({"move", "approach", "enter", "merge", "turn", "cross", "follow", "overtake",
                      "bypass", "leave", "lane_change", "accelerate", "speed", "try"})  # fmt: skip
 

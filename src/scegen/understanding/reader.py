@@ -61,7 +61,7 @@ def read(text: str) -> FunctionalScenario:
     surroundings = read_surroundings(terms, tokens)
     chunks = Chunker(terms, tokens).run()
     events = ClauseReader(chunks).run()
-    draft = Draft(text)
+    draft = Draft(text, tokens)
     resolve_mentions(chunks, events, Discourse(draft, tokens, _arms(junction)))
     across = "right" if surroundings.side is DrivingSide.LEFT else "left"
     events = share_out(events, terms)

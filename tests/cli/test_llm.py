@@ -1,0 +1,167 @@
+"""The command line with language models: files, words, exit codes, and no key anywhere."""
+
+import json
+import os
+import subprocess
+import sys
+
+import pytest
+
+KEY = "sk-secret-0123456789"
+FILES = ("functional.yaml", "logical.json", "report.html", "summary.json")
+
+
+@pytest.fixture
+def scegen(chat_server, tmp_path):
+    def run(*arguments, code="", **environment):
+        clean = {k: v for k, v in os.environ.items() if not k.lower().endswith("_proxy")}
+        done = subprocess.run(
+            [sys.executable, "-c", f"{code}\nfrom scegen.cli import main; main()", *arguments],
+            capture_output=True,
+            text=True,
+            cwd=tmp_path,
+            timeout=120,
+            check=False,
+            env={**clean, "OPENAI_API_KEY": KEY, **environment},
+        )
+        assert "Traceback" not in done.stderr, done.stderr
+        assert KEY not in done.stdout + done.stderr
+        return done
+
+    return run
+
+
+def llm(chat_server):
+    return ("--llm", "openai:scripted", "--llm-url", chat_server.url)
+
+
+def generate(scegen, story, out, *options):
+    return scegen("generate", story, "-o", out, "--check", "none", *options)
+
+
+def test_generate_says_who_spoke(scegen, chat_server, good_answers, story, tmp_path):
+    chat_server.answers = good_answers
+    done = generate(scegen, story, "out", *llm(chat_server))
+    assert done.returncode == 0, done.stderr
+    assert "understood by openai:scripted" in done.stderr
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text())
+    assert summary["llm"]["speaker"] == "openai:scripted"
+    assert (summary["llm"]["input_tokens"], summary["llm"]["output_tokens"]) == (500, 100)
+    report = (tmp_path / "out" / "report.html").read_text()
+    assert "Who understood it" in report
+    assert "openai:scripted" in report
+
+
+def test_without_a_model_nothing_is_said_of_one(scegen, story, tmp_path):
+    assert generate(scegen, story, "out").returncode == 0
+    assert "llm" not in json.loads((tmp_path / "out" / "summary.json").read_text())
+    assert "Who understood it" not in (tmp_path / "out" / "report.html").read_text()
+
+
+def test_a_replay_writes_the_same_files(scegen, chat_server, good_answers, story, tmp_path):
+    good_answers["road"] = {"junction": {"kind": "four_way", "arms": 4}}  # a disagreement
+    chat_server.answers = good_answers
+    first = generate(scegen, story, "one", *llm(chat_server), "--llm-record", "talk")
+    assert first.returncode == 0, first.stderr
+    chat_server.stop()
+    again = generate(scegen, story, "two", "--llm-replay", "talk")
+    assert again.returncode == 0, again.stderr
+    for name in FILES:
+        one, two = (tmp_path / folder / name for folder in ("one", "two"))
+        assert one.read_bytes() == two.read_bytes(), name
+    report = (tmp_path / "one" / "report.html").read_text()
+    assert "Read in two ways" in report
+    assert all(KEY not in p.read_text("latin-1") for p in tmp_path.rglob("*") if p.is_file())
+
+
+def test_a_failing_model_is_said_loudly(scegen, chat_server, story, tmp_path):
+    chat_server.answers = {"*": chat_server.kinds["Status"](401, f"no such key {KEY}")}
+    done = generate(scegen, story, "out", *llm(chat_server))
+    assert done.returncode == 0, done.stderr
+    assert "warning" in done.stderr
+    assert "the offline reader understood the text" in done.stderr
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text())
+    assert summary["llm"]["speaker"] == "offline reader"
+    assert summary["llm"]["faults"][0]["kind"] == "authentication"
+    assert "offline reader" in (tmp_path / "out" / "report.html").read_text()
+
+
+def test_understand(scegen, chat_server, good_answers, story):
+    chat_server.answers = good_answers
+    done = scegen("understand", story, "--json", *llm(chat_server))
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)["junction"]["kind"] == "t"
+    assert "understood by openai:scripted" in done.stderr
+
+
+def test_any_compatible_endpoint(scegen, chat_server, good_answers, story):
+    chat_server.answers = good_answers
+    options = ("--llm", "my-model:8b", "--llm-url", chat_server.url)
+    done = scegen("understand", story, *options, SCEGEN_LLM_KEY="another-secret-key")
+    assert done.returncode == 0, done.stderr
+    assert {body["model"] for _, body, _ in chat_server.requests} == {"my-model:8b"}
+    keys = {headers["authorization"] for _, _, headers in chat_server.requests}
+    assert keys == {"Bearer another-secret-key"}
+
+
+def test_nothing_is_spent_on_a_folder_in_the_way(scegen, chat_server, story, tmp_path):
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "thesis.txt").write_text("years of work")
+    done = generate(scegen, story, "out", *llm(chat_server))
+    assert done.returncode == 2
+    assert chat_server.requests == []
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (("--llm", "gpt-4o"), "known provider"),
+        (("--llm", "deepseek:deepseek-chat"), "DEEPSEEK_API_KEY"),
+        (("--llm-url", "http://127.0.0.1:9/v1"), "--llm-url: needs --llm"),
+        (("--llm-budget", "5"), "--llm-budget: needs --llm"),
+        (("--llm-record", "talk"), "--llm-record: needs --llm"),
+        (("--llm", "openai:x", "--llm-budget", "much"), "--llm-budget"),
+        (("--llm", "openai:x", "--llm-url", "nowhere"), "--llm-url"),
+        (("--llm-replay", "nowhere"), "run.json"),
+        (("--llm-replay", "talk", "--llm-budget", "5"), "has no meaning"),
+    ],
+)
+def test_options_that_make_no_sense(scegen, story, options, words):
+    done = scegen("understand", story, *options, DEEPSEEK_API_KEY="")
+    assert done.returncode == 2, done.stderr
+    assert done.stdout == ""
+    assert words in done.stderr
+
+
+def test_a_missing_extra(scegen, story):
+    blocked = (
+        "import importlib.util as u; found = u.find_spec\n"
+        "u.find_spec = lambda n, *a: None if n == 'pydantic_ai' else found(n, *a)\n"
+        "import sys; sys.modules['pydantic_ai'] = None"
+    )
+    done = scegen("understand", story, "--llm", "openai:x", code=blocked)
+    assert done.returncode == 3
+    assert "pip install 'ml-scegen[llm]'" in done.stderr
+    # everything else works without it
+    assert scegen("understand", story, code=blocked).returncode == 0
+
+
+def test_doctor_tests_a_connection(scegen, chat_server):
+    chat_server.answers = {"probe": {"arms": 4}}
+    done = scegen("doctor", *llm(chat_server))
+    assert done.returncode == 0, done.stderr
+    assert "serves   openai:scripted" in done.stdout
+    chat_server.answers = {"probe": chat_server.kinds["Status"](401, f"wrong key {KEY}")}
+    done = scegen("doctor", *llm(chat_server), "--json")
+    assert done.returncode == 1
+    (probe,) = json.loads(done.stdout)
+    assert probe["fault"]["kind"] == "authentication"
+    assert not probe["serves"]
+
+
+def test_a_scenario_file_needs_no_model(scegen, chat_server, story, tmp_path):
+    (tmp_path / "in.yaml").write_text(scegen("understand", story).stdout)
+    done = generate(scegen, "in.yaml", "out", *llm(chat_server))
+    assert done.returncode == 0, done.stderr
+    assert "no language model was asked" in done.stderr
+    assert chat_server.requests == []

@@ -1,0 +1,34 @@
+"""The connection test, against a server that serves and against one that does not."""
+
+import pytest
+
+from scegen.llm import ModelName
+from scegen.llm.probe import probe
+from scegen.llm.settings import Limits
+
+KEY = {"OPENAI_API_KEY": "sk-secret-0123456789"}
+QUICK = Limits(request_s=0.5, run_s=2, attempts=2, first_wait_s=0.01, corrections=1)
+
+
+def test_a_model_that_serves(chat_server):
+    chat_server.answers = {"probe": {"arms": 4}}
+    found = probe(ModelName("openai", "x"), KEY, url=chat_server.url, limits=QUICK)
+    assert found.fault is None
+    assert (found.usage.requests, found.usage.tokens) == (1, 120)
+    assert found.address == chat_server.url
+
+
+@pytest.mark.parametrize(
+    ("answer", "kind"),
+    [
+        (("Status", 401), "authentication"),
+        (("Status", 404), "not_found"),
+        (("Text", "four"), "invalid"),
+        (("Drip",), "timeout"),
+    ],
+)
+def test_a_model_that_does_not(chat_server, answer, kind):
+    name, *arguments = answer
+    chat_server.answers = {"probe": chat_server.kinds[name](*arguments)}
+    found = probe(ModelName("openai", "x"), KEY, url=chat_server.url, limits=QUICK)
+    assert found.fault.kind == kind
