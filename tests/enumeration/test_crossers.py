@@ -120,3 +120,13 @@ def test_parked_before_the_one_who_suffers(describe):
     )
     found = enumerate_scenarios(functional).scenarios
     assert {s.assignment("parked").arm for s in found} == {1}
+
+
+@pytest.mark.parametrize(("entries", "arm"), [([1, 2], 1), ([1, 3], 3)])
+def test_parked_on_an_arm_said(describe, entries, arm):
+    """On the arm of the one whom it hinders if that is allowed, else on the first allowed."""
+    parked = {"id": "parked", "parked": True, "entries": entries}
+    (scenario,) = enumerate_scenarios(
+        describe("four_way", 4, [EGO | {"entries": [3]}, parked])
+    ).scenarios
+    assert scenario.assignment("parked").arm == arm

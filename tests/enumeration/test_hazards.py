@@ -83,6 +83,20 @@ def test_cut_in_comes_from_the_next_lane(describe):
         assert car.beside == "ego"
 
 
+def test_cut_in_by_the_one_behind_keeps_the_order(describe):
+    """The van is between the two, so the car cannot be beside the ego at first."""
+    functional = describe(
+        "straight",
+        2,
+        [CAR, EGO, {"id": "van", "kind": "van", "approaches": ["behind"]}],
+        [hazard("cut_in")],
+        [{"participant": "car", "reference": "van", "approaches": ["behind"]}],
+    )
+    for scenario, car, ego in listed(functional):
+        assert [ego.rank, scenario.assignment("van").rank, car.rank] == [0, 1, 2]
+        assert car.beside is None
+
+
 def test_cut_in_from_another_arm_takes_the_same_exit(describe):
     functional = describe(
         "four_way", 4, [EGO, CAR | {"approaches": ["left", "opposite"]}], [hazard("cut_in")]

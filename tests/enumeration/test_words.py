@@ -99,6 +99,14 @@ def test_adjacent_is_beside(describe):
         enumerate_scenarios(describe("four_way", 4, [EGO, *others], lanes=[1, 1, 1, 1]))
 
 
+def test_beside_whoever_is_listed_first(describe):
+    """Two side by side share a rank, in whatever order the participants are listed."""
+    left = {"id": "left_car", "approaches": ["adjacent"]}
+    tail = {"id": "tail", "approaches": ["behind"]}
+    for scenario in enumerate_scenarios(describe("straight", 2, [tail, left, EGO])).scenarios:
+        assert [d.rank for d in scenario.drives] == [1, 0, 0]
+
+
 def test_relations_to_others(describe):
     functional = describe(
         "four_way",

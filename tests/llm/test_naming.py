@@ -131,7 +131,7 @@ def test_requests_side_by_side_do_not_exceed_the_budget_together():
 def test_a_budget_in_dollars():
     ledger = Ledger(Budget(cost_usd=1.0))
     ledger.hold(Usage(cost_usd=0.6))
-    with pytest.raises(LlmError, match="0.4000 of the budget's 1 USD"):
+    with pytest.raises(LlmError, match=r"0\.4000 of the budget's 1 USD"):
         ledger.hold(Usage(cost_usd=0.5))
 
 

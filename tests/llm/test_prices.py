@@ -5,6 +5,7 @@ import asyncio
 import httpx2
 import pytest
 
+from scegen.errors import InputError
 from scegen.llm.client import ClosedTransport
 from scegen.llm.naming import COMPATIBLE, PROVIDERS, ModelName
 from scegen.llm.prices import cost_usd
@@ -30,10 +31,19 @@ def test_every_provider_can_be_built(monkeypatch, provider, url):
     async def build():
         async with httpx2.AsyncClient(transport=ClosedTransport()) as client:
             return build_model(
-                ModelName(provider, "some-model"), url=url, key="a-key", http_client=client
+                ModelName(provider, "openai/gpt-4o"), url=url, key="a-key", http_client=client
             )
 
     model = asyncio.run(build())
-    assert model.model_name == "some-model"
+    assert model.model_name == "openai/gpt-4o"
     address = str(model.client.base_url)
-    assert address.startswith(url if url else "http")
+    assert address.startswith(url or "http")
+
+
+def test_a_name_that_the_provider_does_not_take():
+    async def build():
+        async with httpx2.AsyncClient(transport=ClosedTransport()) as client:
+            build_model(ModelName("openrouter", "x"), url=None, key="a-key", http_client=client)
+
+    with pytest.raises(InputError, match="openrouter:x: cannot be used"):
+        asyncio.run(build())

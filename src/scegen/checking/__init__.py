@@ -7,6 +7,7 @@ that could not look at everything, says ``not_run``, which is never a pass.
 from scegen.checking.check import (
     CHECKERS,
     QUICK_CHECKERS,
+    REPLAY,
     check_files,
     check_folder,
     check_path,
@@ -17,6 +18,7 @@ from scegen.checking.table import reports_table
 __all__ = [
     "CHECKERS",
     "QUICK_CHECKERS",
+    "REPLAY",
     "CheckReport",
     "CheckResult",
     "CheckStatus",

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from scegen.checking import asam, opendrive, openscenario, schema
+from scegen.checking import asam, opendrive, openscenario, replay, schema
 from scegen.checking import esmini as player
+from scegen.checking.opendrive.network import Network
 from scegen.checking.results import CheckReport, CheckResult, error, not_run, verdict
-from scegen.checking.subject import Subject, find_subjects, read_folder
+from scegen.checking.subject import File, Subject, find_subjects, read_folder
 from scegen.checking.twin import make_twin
 from scegen.errors import ScegenError
 
@@ -22,6 +23,8 @@ CHECKERS = (
     player.CHECKER,
 )
 """All checkers, in the order of the reports."""
+REPLAY = replay.CHECKER
+"""Asked for by name only: it plays the file once more and needs concrete.yaml."""
 QUICK_CHECKERS = tuple(name for name in CHECKERS if not name.startswith("asam"))
 """Without ASAM's, which cost more than all the rest together."""
 UNSOUND = "the file was not handed on: it is not XML that can be trusted"
@@ -60,7 +63,7 @@ def check_subjects(subjects: list[Subject], checkers: Collection[str]) -> list[C
     found = [_own(subject, checkers) for subject in subjects]
     for results, more in zip(found, _asam(subjects, checkers), strict=True):
         results.extend(more)
-    order = {name: number for number, name in enumerate(CHECKERS)}
+    order = {name: number for number, name in enumerate((*CHECKERS, REPLAY))}
     return [
         CheckReport(str(subject.place), tuple(sorted(results, key=lambda r: order[r.checker])))
         for subject, results in zip(subjects, found, strict=True)
@@ -85,16 +88,32 @@ def _own(subject: Subject, checkers: Collection[str]) -> list[CheckResult]:
                 concrete=subject.concrete,
             )
         )
-        if player.CHECKER in checkers:
-            sound = scenario.sound and (road is None or road.sound)
-            results.append(
-                player.check_esmini(scenario.path, network, subject.concrete)
-                if sound
-                else not_run(player.CHECKER, UNSOUND)
-            )
+        results += _played(subject, scenario, network, checkers)
     if schema.CHECKER in checkers:
         results.append(schema.check_schema({file.name: file.content for file in subject.files}))
     return [result for result in results if result.checker in checkers]
+
+
+def _played(
+    subject: Subject, scenario: File, network: Network | None, checkers: Collection[str]
+) -> Iterator[CheckResult]:
+    """What needs the player: the file must be XML that it can be given."""
+    asked = [name for name in (player.CHECKER, REPLAY) if name in checkers]
+    if not scenario.sound or not (subject.road is None or subject.road.sound):
+        yield from (not_run(name, UNSOUND) for name in asked)
+        return
+    outside = openscenario.driven_from_outside(scenario.name, scenario.content)
+    if player.CHECKER in asked:
+        yield player.check_esmini(
+            scenario.path, network, subject.concrete, driven_from_outside=outside
+        )
+    if REPLAY in asked:
+        if subject.concrete is None:
+            yield not_run(REPLAY, "there is no concrete.yaml to predict from")
+        elif outside:
+            yield not_run(REPLAY, f"{min(outside)} is driven from outside: nothing is predicted")
+        else:
+            yield replay.check_replay(scenario.path, subject.concrete)
 
 
 @dataclass(frozen=True)

@@ -19,21 +19,27 @@ def check(
     require: Annotated[
         str, typer.Option(help="Checkers that must have run, such as esmini,asam-opendrive.")
     ] = "",
+    replay: Annotated[
+        bool,
+        typer.Option("--replay", help="Also compare what esmini plays with our own simulation."),
+    ] = False,
     json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
 ) -> None:
     """Check files by geometry, topology, schema, the ASAM checkers and esmini."""
-    from scegen.checking import CHECKERS, CheckStatus, check_files, reports_table
+    from scegen.checking import CHECKERS, REPLAY, CheckStatus, check_files, reports_table
+
+    checkers = (*CHECKERS, REPLAY) if replay else CHECKERS
 
     required = {name.strip() for name in require.split(",") if name.strip()}
-    if unknown := required - set(CHECKERS):
+    if unknown := required - set(checkers):
         raise InputError(
             f"no checker is called {min(unknown)!r}",
             where="--require",
-            hint=f"there are: {', '.join(CHECKERS)}",
+            hint=f"there are: {', '.join(checkers)}",
         )
     with working() as progress:
         progress("checking")
-        reports = check_files(paths)
+        reports = check_files(paths, checkers)
     if json:
         result_json([report.to_data() for report in reports])
     else:

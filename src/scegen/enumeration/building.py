@@ -100,7 +100,7 @@ class Builder:
             ranks: dict[str, int] = {}
             beside: dict[str, str] = {}
             for queue in queues(self._problem, solution):
-                ranks |= queue.ranks()
+                ranks |= queue.ranks() or {}
                 beside |= queue.beside
             self._orders[key] = ranks, beside
         return self._orders[key]

@@ -17,21 +17,26 @@ class Queue:
     after: dict[str, set[str]] = field(default_factory=dict)
     beside: dict[str, str] = field(default_factory=dict)
 
-    def ranks(self) -> dict[str, int]:
-        """Rank by name: as said, otherwise in listing order; those side by side share one."""
-        rows: list[list[str]] = []
-        for name in self.names:
-            together = {name, self.beside.get(name, name)}
-            row = next((row for row in rows if together & set(row)), None)
-            if row is None:
-                rows.append([name])
-            else:
-                row.append(name)
+    def ranks(self) -> dict[str, int] | None:
+        """Rank by name: as said, otherwise in listing order; those side by side share one.
+
+        None if what is said goes round in a circle.
+        """
+        rows = [[name] for name in self.names]
+        for name, reference in self.beside.items():
+            row = next(row for row in rows if name in row)
+            other = next(row for row in rows if reference in row)
+            if row is not other:
+                first, second = sorted((row, other), key=rows.index)
+                first += second
+                rows.remove(second)
         ranks: dict[str, int] = {}
-        while rows:
-            row = next(row for row in rows if self._may_go(row, ranks))
+        for rank in range(len(rows)):
+            row = next((row for row in rows if self._may_go(row, ranks)), [])
+            if not row:
+                return None
             rows.remove(row)
-            ranks |= dict.fromkeys(row, len(set(ranks.values())))
+            ranks |= dict.fromkeys(row, rank)
         return ranks
 
     def _may_go(self, row: list[str], ranks: dict[str, int]) -> bool:
@@ -55,24 +60,27 @@ def queues(problem: Problem, solution: Solution) -> list[Queue]:
         elif word == Approach.AHEAD:
             queue.after.setdefault(reference, set()).add(name)
         else:
-            queue.beside.setdefault(name, reference)
+            queue.beside[name] = reference
+    for name, reference in _cutting_in(problem):
+        queue = found[entry_of[name]]
+        if entry_of[name] == entry_of[reference] and name not in queue.beside:
+            queue.beside[name] = reference
+            if queue.ranks() is None:
+                del queue.beside[name]
     return list(found.values())
 
 
 def _sayings(problem: Problem, solution: Solution) -> list[tuple[str, str, str]]:
-    """(vehicle, reference, word): places chosen, and what hazards imply."""
-    said = list(solution.places)
+    """(vehicle, reference, word): places chosen, and the order that hazards demand."""
     implied = {"behind": Approach.BEHIND, "ahead": Approach.AHEAD}
-    said += [(d.by, d.to, implied[d.what]) for d in problem.demands if d.what in implied]
-    ordered = {frozenset(pair[:2]) for pair in said}
+    hazards = [(d.by, d.to, implied[d.what].value) for d in problem.demands if d.what in implied]
+    return [*solution.places, *hazards]
+
+
+def _cutting_in(problem: Problem) -> list[tuple[str, str]]:
+    """Who cuts in comes from the lane beside, unless the order said does not let it."""
     lanes = problem.functional.junction.lanes
-    if not lanes or min(lanes) > 1:
-        # Who cuts in comes from the next lane, if nothing else is said.
-        said += [
-            (d.by, d.to, Approach.ADJACENT)
-            for d in problem.demands
-            if d.what == "together"
-            and d.kind is HazardKind.CUT_IN
-            and frozenset((d.by, d.to)) not in ordered
-        ]
-    return said
+    if lanes and min(lanes) == 1:
+        return []
+    together = [d for d in problem.demands if d.what == "together"]
+    return [(d.by, d.to) for d in together if d.kind is HazardKind.CUT_IN]

@@ -25,6 +25,8 @@ from scegen.scenario.concrete import ConcreteScenario
 
 OpenScenarioVersion = Literal["1.0", "1.2"]
 
+EGO_MODES = ("scripted", "external")
+"""Who drives the ego: the file, or somebody outside it."""
 _MINOR: dict[str, int] = {"1.0": 0, "1.2": 2}
 _DATE = datetime(2024, 1, 1)  # without a zone: strptime-based readers take none
 """A fixed date, or files of the same scenario would differ from run to run."""
@@ -38,6 +40,7 @@ def write_openscenario(
     *,
     road_file: str = "road.xodr",
     version: str = "1.0",
+    ego: str = "scripted",
 ) -> bytes:
     """The scenario as an OpenSCENARIO file; the same input gives the same bytes.
 
@@ -46,14 +49,18 @@ def write_openscenario(
         paths: the path of every participant, by id; one vertex means that it stands.
         road_file: where the OpenDRIVE file lies, as seen from the scenario file.
         version: of OpenSCENARIO, ``1.0`` or ``1.2``.
+        ego: ``scripted`` follows its path and program; ``external`` is placed with its speed
+            and has no motion of its own, for a driver outside the file.
 
     Raises:
-        InputError: the version is none of these, or a participant has no path.
+        InputError: the version or the ego is none of these, or a participant has no path.
     """
     if version not in _MINOR:
         raise InputError(
             f"OpenSCENARIO {version} cannot be written", hint=f"use {' or '.join(_MINOR)}"
         )
+    if ego not in EGO_MODES:
+        raise InputError(f"an {ego} ego is unknown", hint=f"use {' or '.join(EGO_MODES)}")
     missing = [p.id for p in concrete.participants if p.id not in paths]
     if missing:
         raise InputError(f"no path for {', '.join(missing)}", where=concrete.name)
@@ -61,7 +68,8 @@ def write_openscenario(
     with _VERSION_LOCK:
         before = VersionBase.version_minor
         try:
-            root = _scenario(concrete, paths, road_file, minor).get_element()
+            external = ego == "external"
+            root = _scenario(concrete, paths, road_file, minor, external=external).get_element()
         finally:
             VersionBase().setVersion(minor=before)
     ET.indent(root, "  ")
@@ -70,15 +78,20 @@ def write_openscenario(
 
 
 def _scenario(
-    concrete: ConcreteScenario, paths: Mapping[str, Path], road_file: str, minor: int
+    concrete: ConcreteScenario,
+    paths: Mapping[str, Path],
+    road_file: str,
+    minor: int,
+    *,
+    external: bool,
 ) -> xosc.Scenario:
     VersionBase().setVersion(minor=minor)
     return xosc.Scenario(
         header_description(concrete.name, concrete.description),
         "ML-SceGen",
         xosc.ParameterDeclarations(),
-        entities(concrete),
-        storyboard(concrete, paths, minor),
+        entities(concrete, external_ego=external),
+        storyboard(concrete, paths, minor, external_ego=external),
         xosc.RoadNetwork(xml_text(road_file)),
         xosc.Catalog(),
         osc_minor_version=minor,

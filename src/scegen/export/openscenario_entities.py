@@ -22,8 +22,11 @@ _WHEEL_DIAMETER_M = 0.6
 _MAX_STEERING_RAD = 0.6
 
 
-def entities(concrete: ConcreteScenario) -> xosc.Entities:
-    """All participants, named by their ids; standing vehicles are vehicles too."""
+def entities(concrete: ConcreteScenario, *, external_ego: bool = False) -> xosc.Entities:
+    """All participants, named by their ids; standing vehicles are vehicles too.
+
+    An ego that somebody else drives carries a property that says so.
+    """
     result = xosc.Entities()
     for participant in concrete.participants:
         body = BODIES[participant.kind]
@@ -33,6 +36,8 @@ def entities(concrete: ConcreteScenario) -> xosc.Entities:
             entity = _vehicle(participant, body)
         is_ego = participant.role is Role.EGO
         entity.add_property("type", "ego_vehicle" if is_ego else "simulation")
+        if is_ego and external_ego:
+            entity.add_property("driven_by", "external")
         result.add_scenario_object(participant.id, entity)
     return result
 

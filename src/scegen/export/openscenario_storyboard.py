@@ -20,12 +20,19 @@ from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
 
 
 def storyboard(
-    concrete: ConcreteScenario, paths: Mapping[str, Path], minor: int
+    concrete: ConcreteScenario, paths: Mapping[str, Path], minor: int, *, external_ego: bool = False
 ) -> xosc.StoryBoard:
-    """The storyboard: one act, one maneuver group for each participant that moves."""
+    """The storyboard: one act, one maneuver group for each participant that moves.
+
+    An ego that somebody else drives has none: it is placed, and keeps its speed until then.
+    """
     stop = at_end("scenario_over", concrete.duration_s, minor)
     board = xosc.StoryBoard(_init(concrete, paths, minor), stop)
-    moving = [p for p in concrete.participants if _moves(paths[p.id])]
+    moving = [
+        p
+        for p in concrete.participants
+        if _moves(paths[p.id]) and not (external_ego and p is concrete.ego)
+    ]
     act = xosc.Act(
         "act",
         at_once("act_starts", concrete.duration_s),

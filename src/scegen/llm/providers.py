@@ -7,7 +7,9 @@ from collections.abc import Callable
 from typing import cast
 
 import httpx2
-from openai import AsyncOpenAI
+from anthropic import AnthropicError
+from openai import AsyncOpenAI, OpenAIError
+from pydantic_ai.exceptions import UserError
 from pydantic_ai.models import Model
 from pydantic_ai.models.anthropic import AnthropicModel
 from pydantic_ai.models.openai import OpenAIChatModel
@@ -15,6 +17,7 @@ from pydantic_ai.providers import Provider, infer_provider_class
 from pydantic_ai.providers.anthropic import AnthropicProvider
 from pydantic_ai.providers.openai_compatible import OpenAICompatibleProvider
 
+from scegen.errors import InputError
 from scegen.llm.naming import COMPATIBLE, PROVIDERS, ModelName
 
 
@@ -37,8 +40,22 @@ def build_model(
         url: address to ask instead of the provider's own.
         key: the key, possibly a placeholder.
         http_client: carries every request.
+
+    Raises:
+        InputError: the provider has no such model.
     """
     address = endpoint(name, url)
+    try:
+        return _build(name, address, key, http_client)
+    except (UserError, OpenAIError, AnthropicError) as error:
+        raise InputError(
+            f"cannot be used: {error}", where=f"--llm {name}", hint="check the model's name"
+        ) from error
+
+
+def _build(
+    name: ModelName, address: str | None, key: str, http_client: httpx2.AsyncClient
+) -> Model:
     if name.provider == "anthropic":
         return AnthropicModel(
             name.model,

@@ -78,11 +78,12 @@ class ConflictKind(StrEnum):
 
 
 class Conflict(FrozenModel):
-    """A pair of participants whose paths meet."""
+    """A pair of participants whose paths meet; ``yields`` must give way (None = neither)."""
 
     first: Identifier
     second: Identifier
     kind: ConflictKind
+    yields: Identifier | None = None
 
 
 class ParameterRange(FrozenModel):
@@ -111,6 +112,7 @@ class LogicalScenario(FrozenModel):
 
     ``pattern`` is the multiset of the drivers' symbolic moves, sorted (the source paper's
     caption); ``class_size`` counts the assignments that the reduction holds to be this one.
+    ``deadlock`` are those of whom each must wait for another of them.
     """
 
     index: int = Field(ge=0)
@@ -119,6 +121,7 @@ class LogicalScenario(FrozenModel):
     class_size: int = Field(default=1, ge=1)
     assignments: tuple[Assignment, ...]
     conflicts: tuple[Conflict, ...] = ()
+    deadlock: tuple[Identifier, ...] = ()
     parameters: tuple[ParameterRange, ...] = ()
 
     @property

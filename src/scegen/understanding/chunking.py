@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.naming import Namer
-from scegen.understanding.tagging import Term
+from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
 _OPENERS = frozenset({"det", "possessive", "num", "quant"})
@@ -248,10 +248,10 @@ def _has_dir(mods: list[Term]) -> bool:
 
 def _event(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:
     start = mods[0].i if mods else term.i
-    control = term.data.get("control")
-    return Event(
-        term.value, start, term.j, term.form, control=control, nominal=nominal, mods=list(mods)
-    )
+    event = Event(term.value, start, term.j, term.form, nominal=nominal, mods=list(mods))
+    event.control = term.data.get("control")
+    event.drives = bool(term.data.get("drives"))
+    return event
 
 
 def _pronoun(term: Term) -> Mention:

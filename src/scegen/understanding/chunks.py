@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
-from scegen.understanding.tagging import Term
+from scegen.understanding.terms import Term
 
 
 @dataclass(slots=True, eq=False)
@@ -122,7 +122,9 @@ class Event:
         object: what it is done to.
         pps: prepositional phrases that belong to it.
         parent: the verb on which it depends ("tries" in "tries to merge").
+        drives: only vehicles, or people in them, do it.
         link: how it hangs on its parent: ``inf``, ``ing`` or ``noun``.
+        reduced: it only describes its noun ("a man hidden behind a van runs out").
         modal: obliged, forced or reacting ("must stop", "causing it to stop").
     """
 
@@ -134,6 +136,7 @@ class Event:
     nominal: bool = False
     finite: bool = False
     passive: bool = False
+    reduced: bool = False
     negated: bool = False
     modal: bool = False
     purpose: bool = False
@@ -145,6 +148,7 @@ class Event:
     link: str | None = None
     children: list[Event] = field(default_factory=list)
     alternative: int | None = None
+    drives: bool = False
     sentence: int = 0
     premod_of: Mention | None = None
 

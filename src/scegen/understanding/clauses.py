@@ -17,6 +17,7 @@ from scegen.understanding.lookahead import (
     GOVERNING,
     event_follows,
     finite_follows,
+    main_verb_follows,
 )
 from scegen.understanding.phrases import also_from, apposes
 from scegen.understanding.state import State
@@ -43,7 +44,7 @@ class ClauseReader:
             elif isinstance(chunk, Mention):
                 self._mention(chunk, k)
             elif isinstance(chunk, Event):
-                self._event(chunk)
+                self._event(chunk, k)
             else:
                 self._noun(chunk, k)
         self._end_sentence()
@@ -122,6 +123,14 @@ class ClauseReader:
         following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
         before_event = event_follows(self._chunks, k)
         waits = after_event and isinstance(state.anchor, Event) and state.anchor.control
+        opens = word.cat == "manner" and isinstance(following, Event) and following.form == "s"
+        if opens and after_event and not state.candidate_done:
+            state.ahead.append(word.term)  # "a cyclist riding ahead suddenly turns"
+            return
+        copular = "aux:be" in state.between and not before_event and word.cat == "manner"
+        if copular and state.candidate is not None and not state.candidate_done:
+            state.candidate.mods.append(word.term)  # "the one behind me is too close"
+            return
         predicate = not before_event or word.cat in {"dir", "state", "compass"}
         if "rel" in state.between and state.mentions and predicate:
             state.mentions[-1].mods.append(word.term)
@@ -263,8 +272,9 @@ class ClauseReader:
             event.sentence = self._sentence
             self.events.append(event)
 
-    def _event(self, event: Event) -> None:
+    def _event(self, event: Event, k: int) -> None:
         state = self._state
+        event.reduced = state.anchor is state.candidate and main_verb_follows(self._chunks, k)
         if state.prep is not None and state.prep.word.cat == "locus":
             self._release_prep()
         event.sentence = self._sentence

@@ -41,17 +41,29 @@ def lane_change(scene: Scene, context: Context) -> None:
         return
     sudden = scene.how("sudden", "emergency", "aggressive")
     lane = into_lane(scene.event)
-    owned = lane is not None and lane.owner is not None and lane.owner.entities
+    owners = _owners(lane, scene, context)
     in_front = [p for p in scene.event.pps if p.word.cat == "locus" and p.value == "ahead"]
     own_will = not scene.reaction and not all(e.ego for e in scene.drivers)
     if sudden is not None and not scene.reaction:
-        context.draft.hazard(HazardKind.CUT_IN, sudden, scene.drivers, _owners(lane))
-    elif own_will and (owned or in_front):
-        context.draft.hazard(HazardKind.CUT_IN, scene.words, scene.drivers, _owners(lane))
+        context.draft.hazard(
+            HazardKind.CUT_IN, sudden, scene.drivers, _owners(lane, scene, context)
+        )
+    elif own_will and (owners or in_front):
+        context.draft.hazard(
+            HazardKind.CUT_IN, scene.words, scene.drivers, _owners(lane, scene, context)
+        )
 
 
-def _owners(lane: Place | None) -> list[Entity]:
-    return list(lane.owner.entities) if lane is not None and lane.owner is not None else []
+def _owners(lane: Place | None, scene: Scene, context: Context) -> list[Entity]:
+    """Whose lane it is; "its lane" is the ego's for everybody who moves into it."""
+    if lane is None:
+        return []
+    if lane.owner is not None:
+        return list(lane.owner.entities)
+    possessed = any(m.cat == "possessive" for m in lane.mods)
+    kept = any(m.value == "same" for m in lane.mods)
+    egos = [e for e in context.draft.entities if e.ego and e not in scene.actors]
+    return egos if possessed and not kept else []
 
 
 def cut_in(scene: Scene, context: Context) -> None:
@@ -90,7 +102,7 @@ def enter(scene: Scene, context: Context) -> None:
     in_front = any(
         p.word.cat == "locus" and p.value == "ahead" for p in (*scene.event.pps, *lane.pps)
     )
-    owners = _owners(lane)
+    owners = _owners(lane, scene, context)
     if not in_front and not owners:
         return
     if any(context.oncoming(e) for e in others):
@@ -122,7 +134,7 @@ def merge(scene: Scene, context: Context) -> None:
     lane = into_lane(scene.event)
     basis = scene.how("sudden", "aggressive") or scene.words
     if lane is not None and (lane.owner is not None or lane.dirs):
-        context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, _owners(lane))
+        context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, _owners(lane, scene, context))
         return
     to = [
         e

@@ -113,11 +113,13 @@ class Context:
                 if leader is not follower:
                     self.draft.place(leader, follower, {Approach.AHEAD}, basis)
 
+    def placed(self, entity: Entity, approach: Approach) -> bool:
+        """Whether a participant is said to be, or to come from, somewhere."""
+        return any(p.entity is entity and approach in p.approaches for p in self.draft.placements)
+
     def oncoming(self, entity: Entity) -> bool:
         """Whether a vehicle is said to come from the front."""
-        return any(
-            p.entity is entity and Approach.OPPOSITE in p.approaches for p in self.draft.placements
-        )
+        return self.placed(entity, Approach.OPPOSITE)
 
     def in_order(self, earlier: Basis | None, event: Event) -> bool:
         """Whether words of order stand between, or right before, two things that one does."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.functional import FunctionalScenario, Unsupported
-from scegen.understanding.tagging import Term
+from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
 _INSTEAD = {

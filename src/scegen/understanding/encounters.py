@@ -56,8 +56,17 @@ def ride(scene: Scene, context: Context) -> None:
         for p in scene.event.pps
     )
     aside = any(p.kind in {"sidewalk", "access", "parking"} for p in scene.places())
+    direct = scene.event.object if scene.event.name == "enter" else None
+    onto = onto or (isinstance(direct, Place) and direct.kind in _CARRIAGEWAY)
     onto = onto or (aside and any(p.kind == "path" for p in scene.places()))
-    if onto and not scene.event.dirs:
+    away = {"off", "from"}
+    onto = onto or any(
+        context.tokens[p.word.i].low in away
+        and isinstance(p.target, Place)
+        and p.target.kind == "sidewalk"
+        for p in scene.event.pps
+    )
+    if onto and not any(t.value in {"left", "right"} for t in scene.event.dirs):
         _cyclists_cross(scene, context)
 
 

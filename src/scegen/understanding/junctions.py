@@ -8,7 +8,7 @@ from scegen.errors import InfeasibleError
 from scegen.scenario.functional import ARM_COUNTS, MAX_ARMS
 from scegen.scenario.vocabulary import Control, JunctionKind
 from scegen.understanding.draft import Basis
-from scegen.understanding.tagging import Term
+from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
 _ARM_NOUNS = frozenset({"exit", "road", "leg"})

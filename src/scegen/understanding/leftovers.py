@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention
 from scegen.understanding.draft import Draft
-from scegen.understanding.tagging import Term
+from scegen.understanding.terms import Term
 
 _QUALITIES = frozenset({"colour", "quality"})
 _PLACES = {

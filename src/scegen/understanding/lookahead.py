@@ -50,3 +50,25 @@ def finite_follows(chunks: list[Chunk], k: int) -> bool:
         elif isinstance(chunk, Mention) and not chunk.possessor and not preposed:
             return False
     return False
+
+
+def main_verb_follows(chunks: list[Chunk], k: int) -> bool:
+    """Whether another verb makes the clause after a participle with a phrase of place.
+
+    Args:
+        chunks: the chunks of the text.
+        k: index of the participle ("hidden" in "a man hidden behind a van runs out").
+    """
+    preposed = governed = False
+    for chunk in chunks[k + 1 : k + 9]:
+        if isinstance(chunk, Event):
+            return governed and not chunk.nominal and chunk.form in {"s", "ed"}
+        if isinstance(chunk, Word):
+            ends = chunk.cat in {"sub", "conj", "rel", "copy"}
+            if ends or (chunk.cat == "punct" and chunk.value not in "()"):
+                return False
+            preposed = chunk.cat in GOVERNING
+            governed = governed or preposed
+        elif not preposed and isinstance(chunk, Mention):
+            return False
+    return False

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding import conflicts, dangers, encounters
 from scegen.understanding.chunks import Chunk, Event, Mention, Prep, Thing
 from scegen.understanding.context import Context, Scene
@@ -11,7 +11,7 @@ from scegen.understanding.movements import MOVEMENTS
 from scegen.understanding.omissions import not_done
 from scegen.understanding.placing import Placer, thing_sides
 from scegen.understanding.resolving import from_everywhere
-from scegen.understanding.tagging import Term
+from scegen.understanding.terms import Term
 
 _BREACHING = frozenset({"walk", "breach", "move", "enter", "cross", "speed", "accelerate"})
 _ON_THE_MOVE = frozenset({"swerve", "use", "enter", "move", "cross", "lose_control", "lane_change",
@@ -71,6 +71,10 @@ class Interpreter:
             self._draft.hazard(HazardKind.ONCOMING_LANE, basis, drivers)
         elif term.cat == "manner" and term.value == "slow" and drivers:
             self._draft.hazard(HazardKind.SLOW_DRIVING, basis, drivers)
+        elif term.cat == "manner" and term.value == "close":
+            follows = [e for e in drivers if self._context.placed(e, Approach.BEHIND)]
+            if follows:
+                self._draft.hazard(HazardKind.TAILGATING, basis, follows)
         elif term.cat == "quantity":
             self._quantity(term, entities)
         elif term.cat == "state" and term.value == "stationary":

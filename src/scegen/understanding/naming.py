@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from scegen.understanding.chunks import Chunk, Mention, Word
-from scegen.understanding.tagging import Term
+from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
 _MOST_NAMES = 12

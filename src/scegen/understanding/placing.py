@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Draft, Entity
-from scegen.understanding.tagging import Term
+from scegen.understanding.terms import Term
 
 _BY_DIR: dict[str, frozenset[Approach]] = {
     "opposite": frozenset({Approach.OPPOSITE}),

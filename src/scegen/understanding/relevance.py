@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.errors import NotTrafficError
-from scegen.understanding.tagging import Term
+from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
 _PLACES = frozenset(

@@ -22,11 +22,14 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     for event in events:
         for mention in event.subject:
             failing = event.negated and event.name in {"stop", "yield"}
-            mention.drives = mention.drives or failing or event.name in _ONLY_VEHICLES
+            alone = event.drives or event.name in _ONLY_VEHICLES
+            mention.drives = mention.drives or failing or alone
     subjects = {id(m) for event in events for m in event.subject}
     acted_on = {id(e.object): e for e in events if e.object is not None}
     everywhere = _from_everywhere(events)
     beside = _beside(chunks)
+    around = {id(p.target): e for e in events for p in e.pps if _is_it(p.target)}
+    acted_on = {**around, **acted_on}
     waiting: list[Mention] = []
     for chunk in chunks:
         if not isinstance(chunk, Mention):
@@ -61,6 +64,10 @@ def _resolve(
         exclude=exclude,
         all_directions=id(mention) in everywhere,
     )
+
+
+def _is_it(target: object) -> bool:
+    return isinstance(target, Mention) and target.pronoun in {"it", "him"}
 
 
 def _beside(chunks: list[Chunk]) -> dict[int, Mention]:

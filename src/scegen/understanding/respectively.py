@@ -7,7 +7,7 @@ from itertools import groupby
 
 from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.quantities import Quantity
-from scegen.understanding.tagging import Term
+from scegen.understanding.terms import Term
 
 _SHARED = ("compass", "dir")
 _WAYS = frozenset({"left", "right", "straight"})

@@ -90,7 +90,9 @@ class Roster:
         while head.joined is not None and head.joined is not head:
             head = head.joined
         word = head.prep
-        if word is None or self.tokens[word.i].low not in _INCLUDING or reading.generic:
+        listed = word is not None and self.tokens[word.i].low in _INCLUDING
+        listed = listed or (head.i > 0 and self.tokens[head.i - 1].low == ":")
+        if not listed or reading.generic:
             return []
         for group in reversed(self.groups):
             free = [e for e in group.free if e.kind is ParticipantKind.CAR]

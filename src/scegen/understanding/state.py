@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Prep
-from scegen.understanding.tagging import Term
+from scegen.understanding.terms import Term
 
 
 @dataclass(slots=True)

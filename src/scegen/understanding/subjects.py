@@ -10,6 +10,9 @@ _PASSIVE = frozenset(
      "prevent", "precede", "encounter"}
 )  # fmt: skip
 
+_DESCRIBING = _PASSIVE | {"locate", "park"}
+"""Verbs whose participle describes a noun ("a man hidden behind a van")."""
+
 
 def chain(mention: Mention) -> list[Mention]:
     """A mention with those that it is joined to ("a car and a truck"), in order."""
@@ -45,6 +48,10 @@ def link(event: Event, state: State) -> None:
             state.inanimate = False
             return
         _clause(event, state)
+    if event.reduced and event.form == "ed" and event.name in _DESCRIBING and not auxiliary:
+        event.finite = False
+        event.passive = event.name in _PASSIVE
+        return
     if event.form == "ed" and event.name in _PASSIVE:
         reduced = isinstance(state.anchor, Mention) and "aux:have" not in state.between
         event.passive = "aux:be" in state.between or (reduced and _bare_participle(event, state))

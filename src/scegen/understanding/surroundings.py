@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from scegen.scenario.functional import Environment
 from scegen.scenario.vocabulary import DrivingSide, RoadSurface, TimeOfDay, Visibility, Weather
 from scegen.understanding.draft import Basis
-from scegen.understanding.tagging import Term
+from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
 _LIMIT_REACH = 4

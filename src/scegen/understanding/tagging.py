@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
-from typing import Any
 
-from scegen.understanding.lexicon import Entry, load
-from scegen.understanding.lexicon.loader import Node
+from scegen.understanding.lexicon import Entry
 from scegen.understanding.numbers import number_at
 from scegen.understanding.quantities import quantity_at
+from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
 
 _LABELLED = re.compile(r"^(?:v|veh|u|car|cv)\d{1,2}$")
@@ -17,86 +15,9 @@ _NOMINAL_BEFORE = frozenset(
     {"det", "possessive", "dir", "manner", "num", "quant", "label", "noted", "shape"}
 )
 _NO_PREMODIFIER = frozenset({"aux", "actor", "pronoun", "neg"})
-_WHOSE = frozenset({"its", "his", "her", "their", "our", "my", "your", "the", "a"})
-"""What may stand for ``~`` in a phrase of the lexicon."""
 _UNIT_WORDS = frozenset({"unit", "veh", "v"})
 _VERBAL_BEFORE = frozenset({"actor", "pronoun", "aux", "rel", "neg"})
 _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
-
-
-@dataclass(frozen=True, slots=True)
-class Term:
-    """A phrase of the text with one meaning.
-
-    Attributes:
-        cat: word class, see the lexicon files; ``unknown`` if no entry matched.
-        value: meaning within the class.
-        i: index of the first token.
-        j: index after the last token.
-        form: inflection of the first inflected word: ``base``, ``s``, ``ed``, ``ing``.
-        data: further keys of the entry.
-        premod: a participle that stands before the noun it describes ("a speeding car").
-    """
-
-    cat: str
-    value: str
-    i: int
-    j: int
-    form: str = "base"
-    data: dict[str, Any] = field(default_factory=dict, hash=False, compare=False)
-    premod: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class Match:
-    """A phrase of the lexicon found in the text, with all its meanings."""
-
-    entries: tuple[Entry, ...]
-    j: int
-    form: str
-
-    def has(self, *cats: str) -> bool:
-        """Whether some meaning belongs to one of these classes."""
-        return any(entry.cat in cats for entry in self.entries)
-
-    def get(self, *cats: str) -> Entry:
-        """The meaning of the first of these classes that has one, else the first of all."""
-        return next(
-            (entry for cat in cats for entry in self.entries if entry.cat == cat), self.entries[0]
-        )
-
-
-def _step(node: Node, token: Token) -> list[tuple[Node, str]]:
-    found = [(node.following[base], form) for base, form in token.forms if base in node.following]
-    if "~" in node.following and token.low in _WHOSE:
-        found.append((node.following["~"], "base"))
-    return found
-
-
-def longest_match(tokens: list[Token], i: int) -> Match | None:
-    """The longest phrase of the lexicon that begins at token ``i``, with all meanings.
-
-    Two readings of equal length ("left": a side, or the past of "leave") are merged.
-    """
-    best: list[tuple[Node, str]] = []
-    best_j = i
-    states = [(load().root, "base")]
-    j = i
-    while states and j < len(tokens):
-        reached: list[tuple[Node, str]] = []
-        for node, form in states:
-            for following, inflection in _step(node, tokens[j]):
-                reached.append((following, form if form != "base" else inflection))
-        j += 1
-        ends = [(node, form) for node, form in reached if node.entries]
-        if ends:
-            best, best_j = ends, j
-        states = reached
-    if not best:
-        return None
-    entries = tuple(entry for node, _ in best for entry in node.entries)
-    forms = [form for _, form in best if form != "base"]
-    return Match(entries, best_j, forms[0] if forms else "base")
 
 
 def _noun_follows(tokens: list[Token], j: int) -> bool:
@@ -259,9 +180,27 @@ def tag(tokens: list[Token]) -> list[Term]:
     terms: list[Term] = []
     i = 0
     while i < len(tokens):
-        terms.append(_term_at(tokens, i, terms[-1] if terms else None))
+        term = _term_at(tokens, i, _before(terms, tokens))
+        if term.value == "crosswalk" and _list_of_doings(terms, tokens, term):
+            term = _term_at(tokens[: i + 1], i, terms[-1])
+        terms.append(term)
         i = terms[-1].j
     return terms
+
+
+def _list_of_doings(terms: list[Term], tokens: list[Token], term: Term) -> bool:
+    """``a van turning left and a pedestrian crossing``: not the place of that name."""
+    if term.j - term.i != 2 or not tokens[term.j - 1].low.endswith("ing") or len(terms) < 3:
+        return False
+    listed = terms[-1].cat == "det" and terms[-2].value in {"and", ","}
+    return listed and any(t.cat == "verb" and t.form == "ing" for t in terms[-8:])
+
+
+def _before(terms: list[Term], tokens: list[Token]) -> Term | None:
+    """The term before; a number that names a vehicle ("vehicle 1") counts as the vehicle."""
+    if len(terms) > 1 and terms[-1].cat == "num" and terms[-2].cat == "actor":
+        return terms[-1] if tokens[terms[-2].i].text.endswith("s") else terms[-2]
+    return terms[-1] if terms else None
 
 
 def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:

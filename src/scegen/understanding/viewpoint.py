@@ -38,13 +38,30 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     riders = [e for e in movers if e.index not in crossers]
     candidates = motor or riders
     if not candidates:
-        ego = draft.add(ParticipantKind.CAR, Basis(reason="the text names no moving vehicle"))
-        reason = "the text names no moving vehicle; a car is added as the ego"
-        ego.ego = True
-        return ego, Basis(reason=reason)
+        return _added(draft, "the text names no moving vehicle; a car is added as the ego")
+    if all(_seen_along_the_road(draft, e) for e in candidates):
+        reason = "positions are given as seen from a vehicle that is not named; a car is added"
+        return _added(draft, reason)
     chosen, reason = _designate(draft, candidates)
     chosen.ego = True
     return chosen, Basis(reason=f"the text names no ego; {reason}")
+
+
+def _added(draft: Draft, reason: str) -> tuple[Entity, Basis]:
+    ego = draft.add(ParticipantKind.CAR, Basis(reason=reason))
+    ego.ego = True
+    return ego, Basis(reason=reason)
+
+
+def _seen_along_the_road(draft: Draft, entity: Entity) -> bool:
+    """``the car ahead``, ``an oncoming van``: there is somebody from whom it is seen."""
+    seen = {Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE}
+    if entity.entries or entity.heading is not None:
+        return False
+    return any(
+        p.entity is entity and p.reference is None and p.approaches <= seen
+        for p in draft.placements
+    )
 
 
 def _designate(draft: Draft, candidates: list[Entity]) -> tuple[Entity, str]:

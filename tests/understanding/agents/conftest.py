@@ -4,6 +4,7 @@ import pytest
 
 from scegen.llm import LlmSettings, parse_models
 from scegen.llm.settings import Limits
+from scegen.understanding.agents import understand
 
 KEY = "sk-secret-0123456789"
 QUICK = Limits(
@@ -29,7 +30,6 @@ def settings_for(chat_server):
 @pytest.fixture
 def understood(chat_server, settings_for, environment, story):
     """Understands the story with the script's answers."""
-    from scegen.understanding.agents import understand
 
     def run(answers, text=story, **changes):
         chat_server.answers = answers

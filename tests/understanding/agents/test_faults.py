@@ -285,7 +285,7 @@ def test_a_missing_key_is_said_before_anything_is_asked(chat_server, settings_fo
 
 
 def test_a_missing_extra(monkeypatch, settings_for, story):
-    monkeypatch.setattr("scegen.llm.extra.find_spec", lambda name: None)
+    monkeypatch.setattr("scegen.llm.extra.find_spec", lambda _: None)
     with pytest.raises(MissingToolError, match=r"pip install 'ml-scegen\[llm\]'"):
         understand(story, settings_for(), environment={})
 

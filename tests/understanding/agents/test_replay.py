@@ -6,7 +6,7 @@ import socket
 import pytest
 
 from scegen.errors import InputError
-from scegen.llm import LlmSettings
+from scegen.llm import Budget, LlmSettings
 from scegen.scenario.files import to_yaml
 from scegen.understanding.agents import understand
 
@@ -69,8 +69,6 @@ def test_a_replay_of_a_chain(tmp_path, understood, good_answers, chat_server, st
 
 
 def test_a_run_over_budget_is_repeated_as_it_was(tmp_path, understood, good_answers, story):
-    from scegen.llm import Budget
-
     recorded = understood(good_answers, record=tmp_path / "t", budget=Budget(tokens=14_000))
     replayed = understand(story, LlmSettings(models=(), replay=tmp_path / "t"), environment={})
     assert recorded.fell_back

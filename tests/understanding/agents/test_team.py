@@ -1,5 +1,7 @@
 """A scripted model that answers well: what comes out, in which order it is asked, how often."""
 
+import asyncio
+
 import pytest
 
 from scegen.scenario.files import from_data
@@ -175,8 +177,6 @@ def test_parts_that_do_not_fit_together_go_back(understood, good_answers, chat_s
 
 
 def test_it_runs_inside_a_running_loop(understood, good_answers):
-    import asyncio
-
     async def notebook():
         return understood(good_answers)
 

@@ -71,6 +71,15 @@ def check_openscenario(
     return verdict(CHECKER, findings, detail)
 
 
+def driven_from_outside(name: str, content: bytes) -> frozenset[str]:
+    """The entities of a file that somebody else drives; none in a file that cannot be read."""
+    try:
+        document = parse_document(name, content, "OpenSCENARIO")
+    except BrokenXmlError:
+        return frozenset()
+    return read_storyboard(document).storyboard.driven_from_outside
+
+
 def _road_file(storyboard: Storyboard, beside: str | None) -> Iterator[Finding]:
     """``xosc.road_file``: the road that the scenario names lies beside it."""
     named = storyboard.road_file

@@ -10,6 +10,7 @@ from lxml import etree
 from scegen.checking.documents import Document
 from scegen.checking.openscenario.storyboard import (
     EGO_PROPERTY,
+    EXTERNAL_PROPERTY,
     Entity,
     LanePoint,
     Reference,
@@ -94,9 +95,9 @@ class _Reader:
 
     def entity(self, element: etree._Element) -> Entity:
         body = next((child for child in element if child.tag in BODIES), None)
-        properties = (
+        properties = {
             (e.get("name", ""), self.text(e, "value")) for e in element.iterfind(".//Property")
-        )
+        }
         category = ""
         if body is not None:
             category = body.get("vehicleCategory") or body.get("pedestrianCategory") or ""
@@ -105,6 +106,7 @@ class _Reader:
             kind=str(body.tag) if body is not None else "",
             category=category,
             is_ego=EGO_PROPERTY in properties,
+            is_external=EXTERNAL_PROPERTY in properties,
         )
 
     def starts(self, root: etree._Element) -> Iterator[Start]:

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 EGO_PROPERTY = ("type", "ego_vehicle")
 """The property by which CARLA's scenario_runner, and so we, know the ego."""
+EXTERNAL_PROPERTY = ("driven_by", "external")
+"""The property of an ego that somebody else drives: it has no way of its own in the file."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +42,7 @@ class Entity:
     kind: str
     category: str
     is_ego: bool
+    is_external: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +83,11 @@ class Storyboard:
     trajectories: tuple[Trajectory, ...]
     references: tuple[Reference, ...]
     lane_points: tuple[tuple[str, LanePoint], ...]
+
+    @property
+    def driven_from_outside(self) -> frozenset[str]:
+        """The entities that somebody else drives."""
+        return frozenset(entity.name for entity in self.entities if entity.is_external)
 
     def start(self, entity: str) -> WorldPoint | LanePoint | None:
         """Where an entity starts, if the file says."""

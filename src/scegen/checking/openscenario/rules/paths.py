@@ -13,11 +13,18 @@ from scegen.scenario.concrete import CrossingMotion, DriveMotion
 
 
 def check_paths(situation: Situation) -> Iterator[Finding]:
-    """``xosc.off_road``, ``xosc.exit``, ``xosc.crossing``, ``xosc.missing_trajectory``."""
+    """``xosc.off_road``, ``xosc.exit``, ``xosc.crossing``, ``xosc.missing_trajectory``.
+
+    ``xosc.external``: who is driven from outside has no trajectory.
+    """
     for participant in situation.concrete.participants if situation.concrete else ():
         trajectory = situation.storyboard.trajectory(participant.id)
         motion = participant.motion
-        if isinstance(motion, DriveMotion | CrossingMotion) and trajectory is None:
+        if participant.id in situation.storyboard.driven_from_outside:
+            if trajectory is not None:
+                message = "is said to be driven from outside, but has a trajectory"
+                yield error("xosc.external", participant.id, message)
+        elif isinstance(motion, DriveMotion | CrossingMotion) and trajectory is None:
             yield error("xosc.missing_trajectory", participant.id, "moves but has no trajectory")
         elif trajectory is None or not situation.arms or not trajectory.points:
             continue

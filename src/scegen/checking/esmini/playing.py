@@ -1,0 +1,54 @@
+"""Running the reference player: one scenario, without a window, in a folder of its own."""
+
+from __future__ import annotations
+
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+from scegen.checking.environment import ESMINI_HINT, esmini
+from scegen.checking.limits import run_limited
+
+STEP_S = 0.05
+TIMEOUT_S = 30.0
+
+
+class NotPlayedError(Exception):
+    """There is no player, or it cannot be started. Never leaves the package."""
+
+
+@dataclass(frozen=True, slots=True)
+class Played:
+    """How a play ended: exit code (None = stopped at the time limit), log, recording as CSV."""
+
+    code: int | None
+    log: str
+    recording: str
+
+
+def play(scenario: Path, timeout_s: float = TIMEOUT_S) -> Played:
+    """Play a scenario in fixed steps of ``STEP_S``, with its contacts in the log.
+
+    Raises:
+        NotPlayedError: esmini is not there or cannot be started.
+    """
+    player = esmini()
+    if player is None:
+        raise NotPlayedError(f"esmini is not on PATH; {ESMINI_HINT}")
+    with tempfile.TemporaryDirectory(prefix="scegen-esmini-") as name:
+        folder = Path(name)
+        command = [str(player), "--osc", str(scenario.absolute()), "--headless", "--collision"]
+        command += ["--fixed_timestep", str(STEP_S), "--csv_logger", "played.csv"]
+        command += ["--disable_stdout", "--logfile_path", "played.log"]
+        try:
+            ran = run_limited(command, folder, timeout_s)
+        except OSError as failure:
+            raise NotPlayedError(f"{player} cannot be started: {failure.strerror}") from failure
+        return Played(ran.code, _text(folder / "played.log"), _text(folder / "played.csv"))
+
+
+def _text(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8", errors="replace")
+    except OSError:
+        return ""

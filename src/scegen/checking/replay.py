@@ -1,0 +1,239 @@
+"""Agreement with the reference player: does esmini show what our simulator predicts?
+
+The file is played in steps of 0.05 s and compared with ``scegen.motion.simulate`` at the same
+step: every participant's position over its whole trace, the time at which every phase of a speed
+program fires, and which bodies touch, and when.
+
+At the end of its path esmini leaves out the last step, the one that would go beyond the end: it
+stops up to speed times step short of it, where our simulator moves to the very end. From the step
+of our arrival on, any place on that last piece counts as the predicted one.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import combinations
+from pathlib import Path as FilePath
+
+import numpy as np
+
+from scegen.checking.esmini.playing import STEP_S, NotPlayedError, play
+from scegen.checking.esmini.recording import Movement, RecordingError, read_recording
+from scegen.checking.results import CheckResult, Finding, error, not_run, verdict
+from scegen.criticality import build_scene
+from scegen.criticality.measures.contact import contact_series
+from scegen.criticality.measures.distance import distance_series
+from scegen.errors import ScegenError
+from scegen.motion import build_paths, simulate
+from scegen.motion.batch import compile_program, simulate_batch, stack_traces
+from scegen.motion.model import Array, Trace
+from scegen.road import build_network
+from scegen.scenario.concrete import ConcreteScenario
+
+CHECKER = "replay"
+P95_M = 0.05
+MAX_M = 0.25
+EVENT_STEPS = 2
+GRAZE_M = 0.02
+"""Bodies that pass so closely may touch in one program and not in the other."""
+
+_FIRED = re.compile(r"^\[(?P<time>[\d.]+)\] \[info\] (?P<event>\S+) standbyState -> startTransition")
+_CONTACT = re.compile(r"^\[(?P<time>[\d.]+)\] .*Collision between (?P<a>\S+) .*and (?P<b>\S+)")
+
+
+@dataclass(frozen=True, slots=True)
+class Prediction:
+    """Our side: traces by participant, when phases fire, and when pairs first touch (s).
+
+    ``distance_m`` is the smallest distance of every pair, 0 where they touch; ``overlaps`` are
+    the pairs that touch in more than one step, which are no mere grazes.
+    """
+
+    traces: dict[str, Trace]
+    fired_s: dict[str, float]
+    contact_s: dict[frozenset[str], float]
+    distance_m: dict[frozenset[str], float]
+    overlaps: frozenset[frozenset[str]]
+
+
+@dataclass(frozen=True, slots=True)
+class Agreement:
+    """How well the play agrees with the prediction; all is well without findings.
+
+    ``p95_m`` and ``max_m`` are over all participants and steps together.
+    """
+
+    p95_m: float
+    max_m: float
+    events: int
+    contacts: int
+    findings: tuple[Finding, ...]
+
+
+def check_replay(scenario: FilePath, concrete: ConcreteScenario) -> CheckResult:
+    """Play a scenario file and compare it with the prediction from its concrete scenario."""
+    try:
+        predicted = predict(concrete)
+        played = play(scenario)
+        recording = read_recording(played.recording)
+    except NotPlayedError as reason:
+        return not_run(CHECKER, str(reason))
+    except (ScegenError, RecordingError) as problem:
+        return verdict(CHECKER, [error("replay.played", scenario.name, str(problem))])
+    found = compare(predicted, recording, played.log)
+    detail = (
+        f"positions p95 {100 * found.p95_m:.2f} cm, max {100 * found.max_m:.2f} cm; "
+        f"{found.events} events, {found.contacts} contacts"
+    )
+    return verdict(CHECKER, found.findings, detail)
+
+
+def predict(concrete: ConcreteScenario) -> Prediction:
+    """Simulate a scenario at the player's step.
+
+    Raises:
+        InfeasibleError: the concrete scenario cannot be built.
+    """
+    paths = build_paths(concrete, build_network(concrete.road, concrete.name))
+    traces = simulate(concrete, paths, dt_s=STEP_S)
+    program, candidate = compile_program(concrete, paths)
+    batch = simulate_batch(program, candidate, duration_s=concrete.duration_s, dt_s=STEP_S)
+    names = [
+        f"{p.id}_phase_{number}"
+        for p in concrete.participants
+        for number in range(1, len(p.speed_program) + 1)
+    ]
+    steps = batch.fired_step[0].tolist()
+    people = concrete.participants
+    scene = build_scene([paths[p.id] for p in people], [p.kind for p in people])
+    tracks = stack_traces([traces[p.id] for p in people]).tracks
+    touching = contact_series(tracks, scene.bodies, scene.pairs)[0]
+    apart = distance_series(tracks, scene.bodies, scene.pairs)[0]
+    pairs = [frozenset((a.id, b.id)) for a, b in combinations(people, 2)]
+    return Prediction(
+        traces,
+        {name: step * STEP_S for name, step in zip(names, steps, strict=True) if step >= 0},
+        {
+            pair: float(touching[:, n].argmax()) * STEP_S
+            for n, pair in enumerate(pairs)
+            if touching[:, n].any()
+        },
+        {pair: float(apart[:, n].min()) for n, pair in enumerate(pairs)},
+        frozenset(pair for n, pair in enumerate(pairs) if touching[:, n].sum() > 1),
+    )
+
+
+def compare(predicted: Prediction, recording: list[Movement], log: str) -> Agreement:
+    """Compare a play with a prediction."""
+    played = {movement.entity: movement for movement in recording}
+    findings: list[Finding] = []
+    errors: list[Array] = []
+    for name, trace in predicted.traces.items():
+        if name not in played:
+            findings.append(error("replay.missing", name, "does not take part in the play"))
+            continue
+        off = position_errors(trace, played[name].point)
+        errors.append(off)
+        findings += _positions(trace, off)
+    fired, contacts = _times(_FIRED, log, "event"), _contacts(log)
+    phases = {n: t for n, t in fired.items() if re.search(r"_phase_\d+$", n)}
+    findings += _events(predicted.fired_s, phases)
+    findings += _touching(predicted, contacts)
+    every = np.concatenate(errors) if errors else np.zeros(1)
+    p95 = float(np.percentile(every, 95))
+    if p95 > P95_M:
+        message = f"95 % of all positions are within {100 * p95:.1f} cm, not {100 * P95_M:g} cm"
+        findings.append(error("replay.p95", "all participants", message))
+    return Agreement(p95, float(every.max()), len(phases), len(contacts), tuple(findings))
+
+
+def position_errors(trace: Trace, points: np.ndarray[tuple[int], np.dtype[np.complex128]]) -> Array:
+    """Distance between predicted and played reference point by step, m.
+
+    Args:
+        trace: the prediction.
+        points: what was played, x + iy; may be one step shorter than the prediction.
+    """
+    steps = min(len(points), len(trace.x_m))
+    wanted = trace.x_m[:steps] + 1j * trace.y_m[:steps]
+    off: Array = np.abs(points[:steps] - wanted)
+    arrived = _arrival(trace)
+    if arrived is not None and arrived < steps:
+        before = complex(trace.x_m[arrived - 1], trace.y_m[arrived - 1])
+        last = complex(trace.x_m[arrived], trace.y_m[arrived]) - before
+        rest = (points[arrived:steps] - before) * last.conjugate()
+        along = np.clip(rest.real / max(abs(last) ** 2, 1e-12), 0.0, 1.0)
+        off[arrived:] = np.abs(points[arrived:steps] - before - along * last)
+    return off
+
+
+def _arrival(trace: Trace) -> int | None:
+    """The step in which it is halted at the end of its path, None if it never is."""
+    halted = np.flatnonzero((trace.speed_mps[1:] == 0.0) & (np.diff(trace.s_m) > 0.0))
+    return int(halted[0]) + 1 if halted.size else None
+
+
+def _positions(trace: Trace, off: Array) -> Iterator[Finding]:
+    """``replay.position``, ``replay.end``: everywhere near, and to the end."""
+    if len(off) < len(trace.x_m) - 1:
+        message = f"is played for {len(off)} steps of {len(trace.x_m)}"
+        yield error("replay.end", trace.participant, message)
+    step = int(off.argmax())
+    if off[step] > MAX_M:
+        place = f"{trace.participant} t = {step * STEP_S:.2f} s"
+        yield error("replay.position", place, f"is {off[step]:.2f} m from where it should be")
+
+
+def _events(predicted: dict[str, float], played: dict[str, float]) -> Iterator[Finding]:
+    """``replay.event``: the same phases fire, within ``EVENT_STEPS`` steps."""
+    for name in sorted(predicted.keys() | played.keys()):
+        ours, theirs = predicted.get(name), played.get(name)
+        if ours is None or theirs is None:
+            who = "esmini" if ours is None else "our simulator"
+            when = theirs if ours is None else ours
+            yield error("replay.event", name, f"fires at {when:.2f} s in {who} only")
+        elif _steps_apart(ours, theirs) > EVENT_STEPS:
+            yield error("replay.event", name, f"fires at {theirs:.2f} s, predicted {ours:.2f} s")
+
+
+def _touching(predicted: Prediction, played: dict[frozenset[str], float]) -> Iterator[Finding]:
+    """``replay.contact``: the same pairs touch, for the first time within ``EVENT_STEPS`` steps."""
+    for pair in sorted(predicted.contact_s.keys() | played.keys(), key=sorted):
+        ours, theirs = predicted.contact_s.get(pair), played.get(pair)
+        place = " and ".join(sorted(pair))
+        if ours is None:
+            apart = predicted.distance_m.get(pair, np.inf)
+            if apart > GRAZE_M:
+                message = f"touch in esmini at {theirs:.2f} s; predicted {apart:.2f} m apart"
+                yield error("replay.contact", place, message)
+        elif theirs is None:
+            if pair in predicted.overlaps:
+                message = f"do not touch in esmini; predicted at {ours:.2f} s"
+                yield error("replay.contact", place, message)
+        elif _steps_apart(ours, theirs) > EVENT_STEPS:
+            message = f"touch at {theirs:.2f} s, predicted {ours:.2f} s"
+            yield error("replay.contact", place, message)
+
+
+def _steps_apart(one_s: float, two_s: float) -> int:
+    return abs(round(one_s / STEP_S) - round(two_s / STEP_S))
+
+
+def _times(pattern: re.Pattern[str], log: str, group: str) -> dict[str, float]:
+    """The first time of every name that lines of this pattern have."""
+    times: dict[str, float] = {}
+    for line in log.splitlines():
+        if found := pattern.match(line):
+            times.setdefault(found[group], float(found["time"]))
+    return times
+
+
+def _contacts(log: str) -> dict[frozenset[str], float]:
+    """When esmini says for the first time that two touch, s."""
+    times: dict[frozenset[str], float] = {}
+    for line in log.splitlines():
+        if found := _CONTACT.match(line):
+            times.setdefault(frozenset((found["a"], found["b"])), float(found["time"]))
+    return times
