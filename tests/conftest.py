@@ -96,7 +96,8 @@ class Script:
 
 
 def agent_of(body):
-    system = next(m["content"] for m in body["messages"] if m["role"] in {"system", "developer"})
+    said = [m["content"] for m in body["messages"] if m["role"] in {"system", "developer"}]
+    system = str(said or body.get("system"))  # Anthropic's protocol has it beside the messages
     for words, name in PARTS.items():
         if f"Your part of the work: {words}." in system:
             return name

@@ -1,5 +1,7 @@
 """The connection test, against a server that serves and against one that does not."""
 
+import json
+
 import pytest
 
 from scegen.llm import ModelName
@@ -32,3 +34,25 @@ def test_a_model_that_does_not(chat_server, answer, kind):
     chat_server.answers = {"probe": chat_server.kinds[name](*arguments)}
     found = probe(ModelName("openai", "x"), KEY, url=chat_server.url, limits=QUICK)
     assert found.fault.kind == kind
+
+
+def test_the_protocol_of_anthropic(chat_server):
+    answer = {
+        "id": "m",
+        "type": "message",
+        "role": "assistant",
+        "model": "claude-haiku-4-5",
+        "content": [{"type": "tool_use", "id": "t", "name": "answer", "input": {"arms": 4}}],
+        "stop_reason": "tool_use",
+        "stop_sequence": None,
+        "usage": {"input_tokens": 10, "output_tokens": 5},
+    }
+    chat_server.answers = {"probe": chat_server.kinds["Raw"](json.dumps(answer).encode())}
+    url = chat_server.url.removesuffix("/v1")
+    key = {"ANTHROPIC_API_KEY": "sk-secret-0123456789"}
+    found = probe(ModelName("anthropic", "claude-haiku-4-5"), key, url=url, limits=QUICK)
+    assert found.fault is None
+    assert found.usage.tokens == 15
+    assert found.usage.cost_usd > 0
+    ((_, _, headers),) = chat_server.requests
+    assert any(key["ANTHROPIC_API_KEY"] in value for value in headers.values())

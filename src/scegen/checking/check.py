@@ -150,7 +150,8 @@ def _prepare(subject: Subject, checkers: Collection[str]) -> _Prepared:
     if scenario is None or subject.concrete is None:
         return _Prepared(job, results)
     try:
-        twin = make_twin(subject.concrete, job.road_file)
+        outside = openscenario.driven_from_outside(scenario.name, scenario.content)
+        twin = make_twin(subject.concrete, job.road_file, "external" if outside else "scripted")
     except ScegenError as problem:
         failed = error("asam.twin", "concrete.yaml", f"cannot be built: {problem.message}")
         return _Prepared(

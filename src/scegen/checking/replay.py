@@ -4,9 +4,10 @@ The file is played in steps of 0.05 s and compared with ``scegen.motion.simulate
 step: every participant's position over its whole trace, the time at which every phase of a speed
 program fires, and which bodies touch, and when.
 
-At the end of its path esmini leaves out the last step, the one that would go beyond the end: it
-stops up to speed times step short of it, where our simulator moves to the very end. From the step
-of our arrival on, any place on that last piece counts as the predicted one.
+In the step that would go beyond the end of its path, an entity in esmini either does not move at
+all (off the road) or takes the whole step (on a road), and then it stops: up to speed times step
+short of the end or beyond it, where our simulator moves to the very end. From the step of our
+arrival on, any place on that one step straight ahead counts as the predicted one.
 """
 
 from __future__ import annotations
@@ -39,8 +40,8 @@ EVENT_STEPS = 2
 GRAZE_M = 0.02
 """Bodies that pass so closely may touch in one program and not in the other."""
 
-_FIRED = re.compile(r"^\[(?P<time>[\d.]+)\] \[info\] (?P<event>\S+) standbyState -> startTransition")
-_CONTACT = re.compile(r"^\[(?P<time>[\d.]+)\] .*Collision between (?P<a>\S+) .*and (?P<b>\S+)")
+_FIRED = re.compile(r"^\[(?P<time>[\d.]+)\] \[info\] (?P<event>\S+_phase_\d+) standbyState -> ")
+_CONTACT = re.compile(r"^\[(?P<time>[\d.]+)\] .*Collision between (?P<a>\S+) and (?P<b>\S+)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,8 +138,7 @@ def compare(predicted: Prediction, recording: list[Movement], log: str) -> Agree
         off = position_errors(trace, played[name].point)
         errors.append(off)
         findings += _positions(trace, off)
-    fired, contacts = _times(_FIRED, log, "event"), _contacts(log)
-    phases = {n: t for n, t in fired.items() if re.search(r"_phase_\d+$", n)}
+    phases, contacts = _phases(log), _contacts(log)
     findings += _events(predicted.fired_s, phases)
     findings += _touching(predicted, contacts)
     every = np.concatenate(errors) if errors else np.zeros(1)
@@ -163,9 +163,11 @@ def position_errors(trace: Trace, points: np.ndarray[tuple[int], np.dtype[np.com
     if arrived is not None and arrived < steps:
         before = complex(trace.x_m[arrived - 1], trace.y_m[arrived - 1])
         last = complex(trace.x_m[arrived], trace.y_m[arrived]) - before
-        rest = (points[arrived:steps] - before) * last.conjugate()
-        along = np.clip(rest.real / max(abs(last) ** 2, 1e-12), 0.0, 1.0)
-        off[arrived:] = np.abs(points[arrived:steps] - before - along * last)
+        ahead = last / max(abs(last), 1e-12)
+        rest = points[arrived:steps] - before
+        step_m = float(trace.speed_mps[arrived - 1] * np.diff(trace.time_s[:2])[0])
+        along = np.clip((rest * ahead.conjugate()).real, 0.0, step_m)
+        off[arrived:] = np.abs(rest - along * ahead)
     return off
 
 
@@ -221,12 +223,12 @@ def _steps_apart(one_s: float, two_s: float) -> int:
     return abs(round(one_s / STEP_S) - round(two_s / STEP_S))
 
 
-def _times(pattern: re.Pattern[str], log: str, group: str) -> dict[str, float]:
-    """The first time of every name that lines of this pattern have."""
+def _phases(log: str) -> dict[str, float]:
+    """When esmini starts the event of each phase, s."""
     times: dict[str, float] = {}
     for line in log.splitlines():
-        if found := pattern.match(line):
-            times.setdefault(found[group], float(found["time"]))
+        if found := _FIRED.match(line):
+            times.setdefault(found["event"], float(found["time"]))
     return times
 
 

@@ -17,10 +17,11 @@ class Twin(NamedTuple):
     checked: bytes
 
 
-def make_twin(concrete: ConcreteScenario, road_file: str) -> Twin:
+def make_twin(concrete: ConcreteScenario, road_file: str, ego: str = "scripted") -> Twin:
     """Write a concrete scenario in versions 1.0 and 1.2.
 
-    The twin speaks for a file only if ``played`` is that file, byte for byte.
+    The twin speaks for a file only if ``played`` is that file, byte for byte. ``ego`` says who
+    drives it, as in :func:`write_openscenario`.
 
     Raises:
         InfeasibleError: the concrete scenario cannot be built.
@@ -28,7 +29,7 @@ def make_twin(concrete: ConcreteScenario, road_file: str) -> Twin:
     network = build_network(concrete.road, concrete.name)
     paths = build_paths(concrete, network)
     played, checked = (
-        write_openscenario(concrete, paths, road_file=road_file, version=version)
+        write_openscenario(concrete, paths, road_file=road_file, version=version, ego=ego)
         for version in ("1.0", "1.2")
     )
     return Twin(played, checked)

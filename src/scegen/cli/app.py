@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from scegen import __version__
-from scegen.cli import benchmark, check, generate, levels, machine
+from scegen.cli import benchmark, check, generate, levels, machine, simulate
 from scegen.cli.console import stderr
 from scegen.errors import ScegenError
 
@@ -46,6 +46,7 @@ app.command("understand")(levels.understand)
 app.command("enumerate")(levels.enumerate_)
 app.command("concretize")(levels.concretize)
 app.command("check")(check.check)
+app.command("simulate")(simulate.simulate)
 app.command("play")(machine.play)
 app.command("schema")(levels.schema)
 app.command("doctor")(machine.doctor)

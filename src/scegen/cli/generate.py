@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from scegen.cli.console import result, result_json, say, working
+from scegen.cli.danger import proof_lines
 from scegen.cli.llm import (
     BudgetOption,
     Listener,
@@ -18,7 +19,7 @@ from scegen.cli.llm import (
     llm_settings,
     tell,
 )
-from scegen.pipeline.options import CheckDepth, Options, OscVersion
+from scegen.pipeline.options import CheckDepth, EgoMode, Options, OscVersion
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 
 if TYPE_CHECKING:
@@ -55,6 +56,17 @@ def generate(
     force: Annotated[
         bool, typer.Option("--force", help="Replace what lies in the folder.")
     ] = False,
+    ego: Annotated[
+        EgoMode, typer.Option(help="external writes the ego without motion, for your own driver.")
+    ] = EgoMode.SCRIPTED,
+    target: Annotated[
+        str | None,
+        typer.Option(
+            help="What the danger is raised to: near-miss (default), collision, pet=0.3..1.0, "
+            "ttc=…, distance=…, headway=…, drac=…, or none. A concrete.yaml stays as it is "
+            "unless this is given."
+        ),
+    ] = None,
     json: Annotated[bool, typer.Option("--json", help="Print summary.json.")] = False,
     llm: ModelOption = None,
     llm_url: UrlOption = None,
@@ -70,7 +82,7 @@ def generate(
     settings = llm_settings(llm, llm_url, llm_budget, llm_record, llm_replay)
     with working() as progress:
         progress("understanding")
-        options = Options(pick, count, seed, reduction, arms, osc, check, force)
+        options = Options(pick, count, seed, reduction, arms, osc, check, force, ego, target)
         if settings is None:
             made = run(resolve_source(source), output, options, progress)
         else:
@@ -102,6 +114,9 @@ def _tell(made: Result) -> None:
         )
     for name, reason in made.skipped.items():
         say(f"skipped {name}: {reason}")
+    for name, proof in made.proofs.items():
+        for line in proof_lines(proof):
+            say(f"{name}: {line}")
     for name, report in made.checks.items():
         states = ", ".join(f"{r.checker} {r.status}" for r in report.results)
         result(f"{made.folder / 'scenarios' / name}  {states}".rstrip())

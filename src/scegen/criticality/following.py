@@ -71,7 +71,7 @@ def rear_stations(follower: Path, leader: Path, own: Body, other: Body) -> Float
     s = np.linspace(0.0, follower.length_m, int(np.ceil(follower.length_m / 0.25)) + 1)
     way = np.interp(s, follower.s_m, follower.heading_rad)
     fx, fy = np.interp(s, follower.s_m, follower.x_m), np.interp(s, follower.s_m, follower.y_m)
-    turn = np.angle(np.exp(1j * (heading[:, None] - way[None, :])))
+    turn = (heading[:, None] - way[None, :] + np.pi) % (2 * np.pi) - np.pi
     away = (x[:, None] - fx) ** 2 + (y[:, None] - fy) ** 2
     away[np.abs(turn) > SAME_WAY_RAD] = np.inf
     nearest = np.argmin(away, axis=1)

@@ -2,53 +2,26 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
-from scegen.enumeration.conflicts import conflict_table, conflicts_of, shared_conflict
 from scegen.enumeration.problem import Problem
-from scegen.enumeration.ranges import offset_range, speed_range
 from scegen.enumeration.ranks import queues
-from scegen.enumeration.slugs import slug_of
-from scegen.enumeration.solving import Solution
-from scegen.scenario.arms import exit_arm, turn_name
+from scegen.enumeration.reading import Solution
+from scegen.enumeration.sharing import Share, Sharing, conflicts_among
+from scegen.enumeration.slugs import MOST_SPELT_OUT, slug_of
 from scegen.scenario.functional import Participant
-from scegen.scenario.logical import (
-    Assignment,
-    Conflict,
-    ConflictKind,
-    Crossing,
-    Drive,
-    LogicalScenario,
-    ParameterRange,
-    Side,
-    Standing,
-)
-from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
+from scegen.scenario.logical import Assignment, Crossing, Drive, LogicalScenario, Side, Standing
+from scegen.scenario.vocabulary import Approach, HazardKind
+
+MOST_ORDERS = 4096
+"""Orders of arrival and slugs that are kept; a stream of millions must not fill the memory."""
+
+Entries = tuple[tuple[int, ...], tuple[tuple[str, str, str], ...]]
+"""Entries of the vehicles, and the places said of them."""
+Order = tuple[tuple[int, ...], tuple[str | None, ...]]
+"""Rank of every vehicle, and beside whom it travels."""
 
 BLOCKING = frozenset({HazardKind.OBSTACLE, HazardKind.STOPPING})
 """Hazards by which a parked vehicle stands in the travelled lane."""
 HIDING = BLOCKING | {HazardKind.OCCLUSION}
-
-_MANNERS = {m.value: m for m in (Maneuver.LANE_CHANGE, Maneuver.OVERTAKE, Maneuver.STAY)}
-
-
-@lru_cache(maxsize=65536)
-def _drive(
-    name: str, way: tuple[int, int, str], angles: tuple[float, ...], rank: int, beside: str | None
-) -> Drive:
-    """Equal drives of thousands of scenarios are one object."""
-    entry, move, manner = way
-    turn = turn_name(angles, entry, move)
-    return Drive(
-        participant=name,
-        entry=entry,
-        move=move,
-        exit=exit_arm(entry, move, len(angles)),
-        turn=turn,
-        maneuver=_MANNERS.get(manner, turn),
-        rank=rank,
-        beside=beside,
-    )
 
 
 class Builder:
@@ -57,53 +30,65 @@ class Builder:
     def __init__(self, problem: Problem) -> None:
         self._problem = problem
         self._functional = problem.functional
-        self._table = conflict_table(problem.functional.junction)
-        # Thousands of scenarios share these; they are made once.
-        self._orders: dict[
-            tuple[tuple[int, ...], tuple[tuple[str, str, str], ...]],
-            tuple[dict[str, int], dict[str, str]],
-        ] = {}
-        self._speeds: dict[tuple[str, bool], ParameterRange] = {}
-        self._offsets: dict[tuple[Assignment, Assignment], ParameterRange | None] = {}
+        self._sharing = Sharing(problem)
+        self._orders: dict[Entries, Order] = {}
+        self._slugs: dict[tuple[int, ...], str] = {}
 
     def scenario(self, solution: Solution, *, index: int, class_size: int) -> LogicalScenario:
         """The scenario that a solution describes."""
-        assignments = self._assignments(solution)
-        conflicts = tuple(shared_conflict(*met) for met in conflicts_of(self._table, assignments))
-        return LogicalScenario(
+        shares = self._shares(solution)
+        pattern = solution.pattern
+        # Every part was validated when it was made; to do so again takes longer than all the rest.
+        return LogicalScenario.model_construct(
             index=index,
-            slug=slug_of(self._functional.junction, assignments),
-            pattern=solution.pattern,
+            slug=self._slug(pattern, shares),
+            pattern=pattern,
             class_size=class_size,
-            assignments=assignments,
-            conflicts=conflicts,
-            parameters=self._parameters(assignments, conflicts),
+            assignments=tuple([share.assignment for share in shares]),
+            conflicts=tuple(conflicts_among(shares)),
+            parameters=tuple(self._sharing.parameters(shares)),
         )
 
-    def _assignments(self, solution: Solution) -> tuple[Assignment, ...]:
-        problem = self._problem
+    def _shares(self, solution: Solution) -> list[Share]:
+        """What everybody does, in the order of the description."""
+        problem, sharing = self._problem, self._sharing
         ranks, beside = self._order(solution)
-        made: dict[str, Assignment] = {}
-        for vehicle, way in zip(problem.vehicles, solution.drives, strict=True):
-            name = vehicle.id
-            made[name] = _drive(name, way, problem.angles_deg, ranks[name], beside.get(name))
+        made = [
+            sharing.drive(slot, way, rank, mate)
+            for slot, (way, rank, mate) in enumerate(
+                zip(solution.drives, ranks, beside, strict=True)
+            )
+        ]
+        if len(made) == len(self._functional.participants):
+            return made
+        names = [v.id for v in problem.vehicles]
+        by_name = dict(zip(names, made, strict=True))
         for crosser, (arm, side) in zip(problem.crossers, solution.crossings, strict=True):
-            made[crosser.id] = Crossing(participant=crosser.id, arm=arm, start=Side(side))
+            by_name[crosser.id] = sharing.other(
+                Crossing(participant=crosser.id, arm=arm, start=Side(side))
+            )
+        assignments = {name: share.assignment for name, share in by_name.items()}
         for participant in self._functional.participants:
             if participant.parked:
-                made[participant.id] = self._standing(participant, made)
-        return tuple(made[member.id] for member in self._functional.participants)
+                by_name[participant.id] = sharing.other(self._standing(participant, assignments))
+        return [by_name[member.id] for member in self._functional.participants]
 
-    def _order(self, solution: Solution) -> tuple[dict[str, int], dict[str, str]]:
-        key = (tuple(entry for entry, _, _ in solution.drives), solution.places)
-        if key not in self._orders:
+    def _order(self, solution: Solution) -> Order:
+        """Ranks and neighbours of the vehicles, which follow from entries and places."""
+        key = (tuple([entry for entry, _, _ in solution.drives]), solution.places)
+        found = self._orders.get(key)
+        if found is None:
             ranks: dict[str, int] = {}
             beside: dict[str, str] = {}
             for queue in queues(self._problem, solution):
                 ranks |= queue.ranks() or {}
                 beside |= queue.beside
-            self._orders[key] = ranks, beside
-        return self._orders[key]
+            names = [v.id for v in self._problem.vehicles]
+            found = tuple(ranks[name] for name in names), tuple(beside.get(name) for name in names)
+            if len(self._orders) >= MOST_ORDERS:
+                self._orders.clear()
+            self._orders[key] = found
+        return found
 
     def _standing(self, parked: Participant, made: dict[str, Assignment]) -> Standing:
         """A parked vehicle stands on the arm where the one whom it hinders enters."""
@@ -129,34 +114,14 @@ class Builder:
         ]
         return hindered + [r.reference for r in self._functional.relations if r.participant == name]
 
-    def _parameters(
-        self, assignments: tuple[Assignment, ...], conflicts: tuple[Conflict, ...]
-    ) -> tuple[ParameterRange, ...]:
-        ego = next(a for a in assignments if a.participant == self._functional.ego.id)
-        met = {
-            (c.second if c.first == ego.participant else c.first): c.kind
-            for c in conflicts
-            if ego.participant in {c.first, c.second}
-        }
-        speeds = [self._speed(a) for a in assignments if not isinstance(a, Standing)]
-        offsets = [
-            self._offset(ego, a, met.get(a.participant, ConflictKind.NONE))
-            for a in assignments
-            if a is not ego
-        ]
-        return (*speeds, *(offset for offset in offsets if offset is not None))
-
-    def _speed(self, assignment: Assignment) -> ParameterRange:
-        stays = isinstance(assignment, Drive) and assignment.maneuver is Maneuver.STAY
-        key = (assignment.participant, stays)
-        if key not in self._speeds:
-            self._speeds[key] = speed_range(self._functional, assignment)
-        return self._speeds[key]
-
-    def _offset(
-        self, ego: Assignment, other: Assignment, kind: ConflictKind
-    ) -> ParameterRange | None:
-        key = (ego, other)  # the two say how their paths meet
-        if key not in self._offsets:
-            self._offsets[key] = offset_range(self._functional, ego, other, kind)
-        return self._offsets[key]
+    def _slug(self, pattern: tuple[int, ...], shares: list[Share]) -> str:
+        """Of many drivers the slug tells the pattern alone, so there are few."""
+        slug = self._slugs.get(pattern)
+        if slug is None:
+            slug = slug_of(self._functional.junction, tuple(s.assignment for s in shares))
+            if len(pattern) <= MOST_SPELT_OUT:
+                return slug
+            if len(self._slugs) >= MOST_ORDERS:
+                self._slugs.clear()
+            self._slugs[pattern] = slug
+        return slug

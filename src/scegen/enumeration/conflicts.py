@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from itertools import combinations
 
 from clorm import Predicate
 
@@ -38,16 +37,14 @@ def _table(arms: int, ring: bool, left_hand: bool) -> dict[Ways, ConflictKind]:
     }
 
 
-def conflicts_of(
-    table: dict[Ways, ConflictKind], assignments: tuple[Assignment, ...]
-) -> list[tuple[str, str, ConflictKind]]:
-    """All pairs whose paths meet, in the order of the participants."""
-    pairs: list[tuple[str, str, ConflictKind]] = []
-    for first, second in combinations(assignments, 2):
-        kind = _kind(table, first, second)
-        if kind is not ConflictKind.NONE:
-            pairs.append((first.participant, second.participant, kind))
-    return pairs
+def conflict_between(
+    table: dict[Ways, ConflictKind], first: Assignment, second: Assignment
+) -> Conflict | None:
+    """The conflict of two participants, None if their paths do not meet."""
+    kind = _kind(table, first, second)
+    if kind is ConflictKind.NONE:
+        return None
+    return Conflict(first=first.participant, second=second.participant, kind=kind)
 
 
 def _kind(table: dict[Ways, ConflictKind], first: Assignment, second: Assignment) -> ConflictKind:
@@ -67,9 +64,3 @@ def _kind(table: dict[Ways, ConflictKind], first: Assignment, second: Assignment
 def _behind_obstacle(drive: Drive, standing: Standing) -> ConflictKind:
     blocked = standing.in_lane and standing.arm == drive.entry
     return ConflictKind.FOLLOWING if blocked else ConflictKind.NONE
-
-
-@lru_cache(maxsize=65536)
-def shared_conflict(first: str, second: str, kind: ConflictKind) -> Conflict:
-    """The conflict as a model; equal ones are one object."""
-    return Conflict(first=first, second=second, kind=kind)

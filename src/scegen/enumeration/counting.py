@@ -13,9 +13,11 @@ from collections import Counter
 from collections.abc import Hashable
 from dataclasses import dataclass, field
 
+from scegen.enumeration.class_sizes import Choice, ClassSizes, arrangements
 from scegen.enumeration.patterns import Polynomial, Row, product
 from scegen.enumeration.problem import Problem
-from scegen.enumeration.solving import COUNTED, Solution, Space, choices, states
+from scegen.enumeration.reading import COUNTED, Solution
+from scegen.enumeration.solving import Space, states
 from scegen.enumeration.symmetry import Symmetry
 from scegen.errors import InputError
 from scegen.scenario.vocabulary import Reduction
@@ -41,6 +43,11 @@ class Census:
     loose: Counter[tuple[tuple[Row, ...], tuple[int, ...]]] = field(default_factory=Counter)
     polynomial: Polynomial | None = None
 
+    def __post_init__(self) -> None:
+        self._sizes = ClassSizes(self.symmetry, self.problem.arms)
+        slot = {name: place for place, name in enumerate(self.problem.names)}
+        self._slots = [[slot[name] for name in g.members] for g in self.symmetry.groups]
+
     def count(self, reduction: Reduction) -> int:
         """Number of scenarios under a reduction."""
         if reduction is Reduction.NONE:
@@ -58,7 +65,7 @@ class Census:
         if reduction is Reduction.NONE:
             return 1
         if reduction is Reduction.EXACT:
-            return self._swaps(solution) * self._orbit(solution)
+            return self._sizes.of(self._choices(solution))
         counts = Counter(move for _, move, _ in solution.drives)
         same = self._one_row()
         if same is None:
@@ -81,21 +88,19 @@ class Census:
             self.polynomial = product(self.loose)
         return self.polynomial
 
-    def _swaps(self, solution: Solution) -> int:
-        return math.prod(_arrangements(chosen) for chosen in self._choices(solution))
+    def _choices(self, solution: Solution) -> list[list[Choice]]:
+        """What the members of each group chose, group by group."""
+        made: tuple[Choice, ...] = (*solution.drives, *solution.crossings)
+        if self.problem.open_places:
+            stances = dict.fromkeys(self.problem.names, "none")
+            open_pairs = set(self.problem.open_places)
+            stances |= {v: word for v, ref, word in solution.places if (v, ref) in open_pairs}
+            vehicles = zip(self.problem.vehicles, solution.drives, strict=True)
+            stands = [(*drive, stances[vehicle.id]) for vehicle, drive in vehicles]
+            made = (*stands, *solution.crossings)
+        return [[made[slot] for slot in slots] for slots in self._slots]
 
-    def _orbit(self, solution: Solution) -> int:
-        if self.symmetry.anchor is not None or len(self.symmetry.rotations) == 1:
-            return len(self.symmetry.rotations)
-        chosen = self._choices(solution)
-        return len({frozenset(self._turned(chosen, r).items()) for r in self.symmetry.rotations})
-
-    def _choices(self, solution: Solution) -> list[list[tuple[int | str, ...]]]:
-        return choices(self.problem, self.symmetry, solution)
-
-    def _turned(
-        self, chosen: list[list[tuple[int | str, ...]]], turn: int
-    ) -> Counter[tuple[int, tuple[int | str, ...]]]:
+    def _turned(self, chosen: list[list[Choice]], turn: int) -> Counter[tuple[int, Choice]]:
         images, arms = self.symmetry.rotations[turn], self.problem.arms
         return Counter(
             (images[group], ((int(choice[0]) + turn) % arms, *choice[1:]))
@@ -112,7 +117,7 @@ class Census:
             if move == COUNTED
         ]
         turned = len(self.symmetry.rotations) if self.symmetry.anchor is not None else 1
-        labelled = turned * math.prod(_arrangements(members) for members in chosen)
+        labelled = turned * math.prod(arrangements(tuple(members)) for members in chosen)
         self.states += 1
         self.total += labelled * math.prod(sum(manners for _, manners in row) for row in rows)
         moves = Counter(move for _, move, _ in state.drives if move != COUNTED)
@@ -127,7 +132,7 @@ class Census:
         found = Counter(move for move, _ in self.problem.wanted.get((vehicle, entry), ()))
         return tuple(sorted(found.items()))
 
-    def _fixed_by(self, chosen: list[list[tuple[int | str, ...]]], turn: int) -> int:
+    def _fixed_by(self, chosen: list[list[Choice]], turn: int) -> int:
         """Scenarios in a state, up to swaps, that the rotation maps onto themselves.
 
         The members at a cell choose a multiset; cells on one cycle must choose alike.
@@ -169,11 +174,3 @@ def census(space: Space, symmetry: Symmetry) -> Census:
             )
         out.add(state)
     return out
-
-
-def _arrangements(chosen: list[tuple[int | str, ...]]) -> int:
-    """Ways to hand out these choices to the members of a group, who are told apart by name."""
-    ways = math.factorial(len(chosen))
-    for times in Counter(chosen).values():
-        ways //= math.factorial(times)
-    return ways

@@ -42,6 +42,7 @@ class Problem:
 
     ``entries`` are the arms to which a participant is limited, absent where the text leaves
     them open; ``spread`` says that the program put the vehicles on the arms in turn.
+    ``settled`` says that every entry is known and every move open, so nothing need be solved.
     ``wanted[vehicle, entry]`` are the choices that the words allow there. ``tied`` are the
     vehicles whose moves matter to others; the moves of all others are independent.
     """
@@ -52,6 +53,7 @@ class Problem:
     notes: tuple[str, ...]
     entries: dict[str, tuple[int, ...]]
     spread: bool
+    settled: bool
     wanted: dict[tuple[str, int], tuple[Choice, ...]]
     demands: tuple[Demand, ...]
     tied: frozenset[str]
@@ -107,8 +109,13 @@ def build_problem(functional: FunctionalScenario) -> Problem:
     vehicles = functional.vehicles
     _check_size(functional)
     said = stated(functional)
-    derived = consequences(
-        said.facts, (Part.ARMS, Part.WORDS), (a.Wanted, a.Needs, a.TurnsLeft, a.Tied)
+    wordless = _wordless(functional)
+    derived = (
+        []
+        if wordless
+        else consequences(
+            said.facts, (Part.ARMS, Part.WORDS), (a.Wanted, a.Needs, a.TurnsLeft, a.Tied)
+        )
     )
     demands = _demands(said.facts, derived)
     entries = {
@@ -134,10 +141,28 @@ def build_problem(functional: FunctionalScenario) -> Problem:
         notes=tuple(said.notes),
         entries=entries,
         spread=spread,
-        wanted=_wanted(derived),
+        settled=wordless and all(len(entries.get(v.id, ())) == 1 for v in vehicles),
+        wanted=_every_move(functional) if wordless else _wanted(derived),
         demands=demands,
         tied=frozenset(fact.id for fact in derived if isinstance(fact, a.Tied)),
     )
+
+
+def _wordless(functional: FunctionalScenario) -> bool:
+    """Whether the text leaves all moves open and nobody's matters to anybody else."""
+    return not (
+        functional.hazards
+        or functional.relations
+        or functional.crossers
+        or any(v.maneuvers or v.approaches for v in functional.vehicles)
+    )
+
+
+def _every_move(functional: FunctionalScenario) -> dict[tuple[str, int], tuple[Choice, ...]]:
+    """What words.lp derives where nothing is said: any move but the U-turn."""
+    arms = functional.junction.arms
+    moves = tuple((move, "plain") for move in range(1, arms))
+    return {(v.id, entry): moves for v in functional.vehicles for entry in range(arms)}
 
 
 def _demands(said: Iterable[Predicate], derived: Iterable[Predicate]) -> tuple[Demand, ...]:

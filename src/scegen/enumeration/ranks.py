@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from scegen.enumeration.problem import Problem
-from scegen.enumeration.solving import Solution
+from scegen.enumeration.reading import Solution
 from scegen.scenario.vocabulary import Approach, HazardKind
 
 

@@ -6,36 +6,15 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from clorm import Predicate
+from clorm.clingo import Control
 
-from scegen.enumeration import answers as a
 from scegen.enumeration import predicates as p
 from scegen.enumeration.explaining import contradiction
 from scegen.enumeration.problem import Problem
-from scegen.enumeration.programs import SCENARIO_PARTS, Part, answer_sets, grounded, satisfiable
+from scegen.enumeration.programs import SCENARIO_PARTS, Part, grounded, satisfiable
+from scegen.enumeration.reading import COUNTED, Solution, read_solutions
 from scegen.enumeration.symmetry import Symmetry
 from scegen.scenario.vocabulary import Reduction
-
-COUNTED = -1
-"""Stands for the move of a vehicle whose moves are counted instead of chosen."""
-
-
-@dataclass(frozen=True, slots=True, order=True)
-class Solution:
-    """One assignment, in listing order of the participants.
-
-    ``drives`` holds (entry, move, manner); in a state, of which only the entries are chosen,
-    the move of an independent vehicle is COUNTED. ``crossings`` holds (arm, side), ``places``
-    (vehicle, reference, word).
-    """
-
-    drives: tuple[tuple[int, int, str], ...]
-    crossings: tuple[tuple[int, str], ...]
-    places: tuple[tuple[str, str, str], ...]
-
-    @property
-    def pattern(self) -> tuple[int, ...]:
-        """The multiset of symbolic moves, sorted."""
-        return tuple(sorted(move for _, move, _ in self.drives))
 
 
 @dataclass(frozen=True)
@@ -55,7 +34,7 @@ def space_of(problem: Problem) -> Space:
         NoScenarioError: there is none, however crowded; names the statements that clash.
     """
     parts: tuple[Part, ...] = (*SCENARIO_PARTS, Part.HOLDS)
-    if problem.spread:
+    if problem.settled or problem.spread:
         return Space(problem, problem.facts, parts, 0)
     facts = (*problem.facts, p.FairShare(problem.fair_share))
     parts = (*parts, Part.BALANCE)
@@ -73,6 +52,12 @@ def solutions(
     space: Space, symmetry: Symmetry, reduction: Reduction, *, limit: int = 0
 ) -> Iterator[Solution]:
     """Every scenario once, in rising order; ``limit`` 0 means all."""
+    control = listing_program(space, symmetry, reduction)
+    yield from read_solutions(space.problem, control, limit=limit)
+
+
+def listing_program(space: Space, symmetry: Symmetry, reduction: Reduction) -> Control:
+    """The grounded program whose answer sets are the scenarios."""
     problem = space.problem
     facts = [*space.facts, *(p.Decides(v.id) for v in problem.vehicles)]
     parts = [*space.parts, Part.ORDER]
@@ -87,9 +72,7 @@ def solutions(
         if len(symmetry.rotations) > 1:
             facts += _rotation_facts(problem, symmetry)
             parts.append(Part.ROTATIONS)
-    control = grounded(facts, parts, *options)
-    for found in answer_sets(control, (a.Drive, a.Crosses, a.Place), limit=limit):
-        yield _solution(problem, found)
+    return grounded(facts, parts, *options)
 
 
 def states(space: Space, symmetry: Symmetry) -> Iterator[Solution]:
@@ -99,16 +82,18 @@ def states(space: Space, symmetry: Symmetry) -> Iterator[Solution]:
     is one of a kind, a state stands for as many as there are rotations: one of each turned set.
     """
     problem = space.problem
+    if problem.settled:
+        yield Solution(
+            tuple((problem.entries[v.id][0], COUNTED, "none") for v in problem.vehicles), (), ()
+        )
+        return
     facts = [*space.facts, *group_facts(problem, symmetry)]
     facts += [p.Decides(name) for name in sorted(problem.tied)]
     parts = [*space.parts, Part.INTERCHANGEABLE, Part.STATE]
     if symmetry.anchor is not None:
         facts += _rotation_facts(problem, symmetry)
         parts.append(Part.ROTATIONS)
-    control = grounded(facts, parts)
-    predicates = (a.Enters, a.Drive, a.Crosses, a.Place)
-    for found in answer_sets(control, predicates):
-        yield _solution(problem, found)
+    yield from read_solutions(problem, grounded(facts, parts))
 
 
 def group_facts(problem: Problem, symmetry: Symmetry) -> list[Predicate]:
@@ -158,38 +143,3 @@ def _trade_facts(problem: Problem) -> list[Predicate]:
             facts.append(p.Trades(last[moves], vehicle.id))
         last[moves] = vehicle.id
     return facts
-
-
-def _solution(problem: Problem, found: list[Predicate]) -> Solution:
-    drives: dict[str, tuple[int, int, str]] = {}
-    crossings: dict[str, tuple[int, str]] = {}
-    places: list[tuple[str, str, str]] = []
-    for fact in found:
-        if isinstance(fact, a.Drive):
-            drives[fact.id] = (fact.entry, fact.move, fact.manner)
-        elif isinstance(fact, a.Crosses):
-            crossings[fact.id] = (fact.arm, fact.side)
-        elif isinstance(fact, a.Place):
-            places.append((fact.id, fact.reference, fact.word))
-        elif isinstance(fact, a.Enters) and fact.id not in drives:
-            drives[fact.id] = (fact.arm, COUNTED, "none")
-    return Solution(
-        tuple(drives[v.id] for v in problem.vehicles),
-        tuple(crossings[c.id] for c in problem.crossers),
-        tuple(sorted(places)),
-    )
-
-
-def choices(
-    problem: Problem, symmetry: Symmetry, solution: Solution
-) -> list[list[tuple[int | str, ...]]]:
-    """What the members of each group chose, group by group."""
-    chosen: dict[str, tuple[int | str, ...]] = {}
-    stances = dict.fromkeys(problem.names, "none")
-    open_pairs = set(problem.open_places)
-    stances |= {name: word for name, ref, word in solution.places if (name, ref) in open_pairs}
-    for vehicle, drive in zip(problem.vehicles, solution.drives, strict=True):
-        chosen[vehicle.id] = (*drive, stances[vehicle.id])
-    for crosser, crossing in zip(problem.crossers, solution.crossings, strict=True):
-        chosen[crosser.id] = crossing
-    return [[chosen[name] for name in group.members] for group in symmetry.groups]

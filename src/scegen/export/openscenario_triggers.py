@@ -17,6 +17,8 @@ from scegen.scenario.concrete import (
 
 _SLACK_S = 1e-5
 """1.0 knows only "greater than": this much earlier, a time on the step's grid counts as reached."""
+_SLACK_M = 1e-5
+"""Likewise, a distance that a step reaches exactly counts as reached."""
 
 
 def phase_event_name(participant: ConcreteParticipant, index: int) -> str:
@@ -85,9 +87,9 @@ def _condition(
             return at_once(name, duration_s)
         return _value(name, _reached(trigger.time_s, minor))
     if isinstance(trigger, Travelled):
-        return _entity(
-            name, xosc.TraveledDistanceCondition(trigger.distance_m), trigger.participant
-        )
+        # Players add up rounded steps: a distance that a step reaches exactly may be missed by one.
+        distance = max(0.0, round(trigger.distance_m - _SLACK_M, 6))
+        return _entity(name, xosc.TraveledDistanceCondition(distance), trigger.participant)
     kind = xosc.RelativeDistanceType
     condition = xosc.RelativeDistanceCondition(
         trigger.distance_m,

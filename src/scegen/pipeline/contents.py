@@ -9,6 +9,8 @@ from scegen import __version__
 from scegen.checking import CheckReport, CheckResult
 from scegen.pipeline.export import PREVIEW_FILE
 from scegen.pipeline.folder import digest
+from scegen.pipeline.judging import Judged
+from scegen.pipeline.raising import proof_summary
 from scegen.report.contents import DisagreementRow, Voice
 from scegen.report.gallery import gallery_svg
 from scegen.report.html import CheckRow, ConcreteEntry, ReportInput, report_html
@@ -16,16 +18,19 @@ from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import to_json, to_yaml
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
+from scegen.scenario.proof import Proof
 from scegen.understanding.agents import Understanding
 
 
 @dataclass(frozen=True, slots=True)
 class Made:
-    """A concrete scenario with its files and its checks."""
+    """A concrete scenario with its files, its checks, its judgement and its proof."""
 
     concrete: ConcreteScenario
     files: dict[str, bytes]
     checks: CheckReport
+    judged: Judged
+    proof: Proof | None = None
 
 
 def folder_files(
@@ -65,6 +70,10 @@ def _report_input(
                 CheckRow(result.checker, result.status.value, _findings(result))
                 for result in item.checks.results
             ),
+            plots_svg=item.judged.plots_svg,
+            verdict=item.judged.verdict,
+            sensitivity=item.judged.sensitivity,
+            proof=item.proof,
         )
         for item in made
     )
@@ -124,6 +133,8 @@ def _summary(
                 "folder": f"scenarios/{item.concrete.name}",
                 "logical_index": item.concrete.logical.index,
                 "checks": {r.checker: str(r.status) for r in item.checks.results},
+                **proof_summary(item.proof),
+                **item.judged.to_data(),
             }
             for item in made
         ],

@@ -16,12 +16,15 @@ CONCRETE_FILE = "concrete.yaml"
 PREVIEW_FILE = "preview.png"
 
 
-def export_scenario(concrete: ConcreteScenario, *, osc: str = "1.0") -> dict[str, bytes]:
+def export_scenario(
+    concrete: ConcreteScenario, *, osc: str = "1.0", ego: str = "scripted"
+) -> dict[str, bytes]:
     """The files of one scenario folder by name.
 
     Args:
         concrete: the scenario.
         osc: version of OpenSCENARIO, ``1.0`` or ``1.2``.
+        ego: ``scripted``, or ``external`` for a driver outside the scenario file.
 
     Raises:
         RoadInfeasibleError, MotionInfeasibleError: the numbers cannot be built.
@@ -34,7 +37,9 @@ def export_scenario(concrete: ConcreteScenario, *, osc: str = "1.0") -> dict[str
             control=concrete.road.control,
             controlled_arms=concrete.road.controlled_arms,
         ).encode(),
-        SCENARIO_FILE: write_openscenario(concrete, paths, road_file=ROAD_FILE, version=osc),
+        SCENARIO_FILE: write_openscenario(
+            concrete, paths, road_file=ROAD_FILE, version=osc, ego=ego
+        ),
         CONCRETE_FILE: to_yaml(concrete).encode(),
         PREVIEW_FILE: preview_png(concrete, network, paths),
     }

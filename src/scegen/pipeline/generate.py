@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from scegen.checking import CHECKERS, QUICK_CHECKERS, CheckReport, check_files
@@ -14,12 +14,16 @@ from scegen.motion import concretize
 from scegen.pipeline.contents import Made, folder_files
 from scegen.pipeline.export import export_scenario
 from scegen.pipeline.folder import replace_content, require_usable
+from scegen.pipeline.judging import judge
 from scegen.pipeline.options import CheckDepth, Options
 from scegen.pipeline.picking import pick
+from scegen.pipeline.raising import PROOF_FILE, chosen_target, raise_all
 from scegen.pipeline.source import Source
 from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.files import to_json
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
+from scegen.scenario.proof import Proof
 from scegen.understanding.agents import Understanding
 
 Progress = Callable[[str], None]
@@ -32,13 +36,14 @@ _CHECKERS = {
 
 @dataclass(frozen=True, slots=True)
 class Result:
-    """What was made: scenario folders by name, their checks, and what could not be made."""
+    """What was made: scenario folders by name, their checks, what could not be made, proofs of danger."""
 
     folder: Path
     functional: FunctionalScenario | None
     logical: LogicalSet | None
     checks: dict[str, CheckReport]
     skipped: dict[str, str]
+    proofs: dict[str, Proof] = field(default_factory=dict)
 
     @property
     def ok(self) -> bool:
@@ -64,6 +69,7 @@ def generate(
     require_usable(folder, force=options.force)
     if options.count < 1:
         raise InputError(f"must be at least 1, not {options.count}", where="--count")
+    target = chosen_target(options, numbers_given=isinstance(source, ConcreteScenario))
     functional = source if isinstance(source, FunctionalScenario) else None
     logical = source if isinstance(source, LogicalSet) else None
     if functional is not None:
@@ -72,23 +78,28 @@ def generate(
     if logical is not None:
         functional = logical.functional
     concretes, skipped = _concretes(source, logical, options, progress)
+    concretes, proofs = raise_all(functional, concretes, target, options.seed, progress)
 
     with tempfile.TemporaryDirectory(prefix="scegen-") as staging:
         staged = Path(staging)
         files: dict[str, dict[str, bytes]] = {}
         for concrete in concretes:
             progress(f"writing {concrete.name}")
-            files[concrete.name] = export_scenario(concrete, osc=options.osc)
+            files[concrete.name] = export_scenario(concrete, osc=options.osc, ego=options.ego)
+            if concrete.name in proofs:
+                proof = to_json(proofs[concrete.name])
+                files[concrete.name][PROOF_FILE] = proof.encode()
             _write(staged / "scenarios" / concrete.name, files[concrete.name])
         progress("checking")
         checks = _checks(staged, [concrete.name for concrete in concretes], options.depth)
-        made = [Made(c, files[c.name], checks[c.name]) for c in concretes]
+        progress("judging")
+        made = [Made(c, files[c.name], checks[c.name], judge(c), proofs.get(c.name)) for c in concretes]
         progress("drawing the report")
         _write(
             staged, folder_files(functional, logical, made, skipped, options.seed, understanding)
         )
         replace_content(folder, staged)
-    return Result(folder, functional, logical, checks, skipped)
+    return Result(folder, functional, logical, checks, skipped, proofs)
 
 
 def _concretes(

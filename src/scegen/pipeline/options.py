@@ -15,6 +15,13 @@ class OscVersion(StrEnum):
     V1_2 = "1.2"
 
 
+class EgoMode(StrEnum):
+    """Who drives the ego: the scenario file, or the user's own stack."""
+
+    SCRIPTED = "scripted"
+    EXTERNAL = "external"
+
+
 class CheckDepth(StrEnum):
     """How deep to check: not at all, all but the ASAM checkers (the slowest), everything."""
 
@@ -28,7 +35,8 @@ class Options:
     """Options of one run.
 
     ``pick`` names logical scenarios (see :mod:`scegen.pipeline.picking`), and all that it names
-    are made; without it, the ``count`` richest are.
+    are made; without it, the ``count`` richest are. ``target`` is what the search is to reach, ``none`` for no
+    search; None stands for a near-miss, and for no search where concrete numbers are given.
     """
 
     pick: str | None = None
@@ -39,3 +47,5 @@ class Options:
     osc: OscVersion = OscVersion.V1_0
     depth: CheckDepth = CheckDepth.QUICK
     force: bool = False
+    ego: EgoMode = EgoMode.SCRIPTED
+    target: str | None = None

@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 
 from scegen.errors import InputError
+from scegen.scenario.arms import arm_angles_deg, seen_from
 from scegen.scenario.logical import ConflictKind, LogicalScenario, LogicalSet
-from scegen.scenario.vocabulary import Maneuver
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 
 _WEIGHT = {
     ConflictKind.CROSSING: 3,
@@ -18,7 +19,8 @@ _WEIGHT = {
 
 
 def pick(logical: LogicalSet, expression: str | None) -> tuple[LogicalScenario, ...]:
-    """The scenarios that ``expression`` names, in its order; by conflict richness if None.
+    """The scenarios that ``expression`` names, in its order; by conflict richness if None,
+    those first in which the text's occluders can hide somebody.
 
     An expression is ``all``, or a comma-separated list of numbers (``3``), ranges (``0-4``)
     and names (``000-ego-left`` or its slug).
@@ -28,7 +30,15 @@ def pick(logical: LogicalSet, expression: str | None) -> tuple[LogicalScenario, 
     """
     if expression is None:
         return tuple(
-            sorted(logical.scenarios, key=lambda s: (-_richness(s, logical), _turns(s), s.index))
+            sorted(
+                logical.scenarios,
+                key=lambda s: (
+                    -_hidden(s, logical),
+                    -_richness(s, logical),
+                    _turns(s),
+                    s.index,
+                ),
+            )
         )
     if expression.strip() == "all":
         return logical.scenarios
@@ -59,6 +69,31 @@ def _richness(scenario: LogicalScenario, logical: LogicalSet) -> int:
     return sum(
         _WEIGHT[c.kind] * (1 + len(centre & {c.first, c.second})) for c in scenario.conflicts
     )
+
+
+def _hidden(scenario: LogicalScenario, logical: LogicalSet) -> int:
+    """Where the text asks for occlusion: how many come from the side that is parked on.
+
+    One who stands on the right of the observer's arm hides traffic from the right.
+    """
+    angles = arm_angles_deg(logical.functional.junction)
+    count = 0
+    for hazard in logical.functional.hazards:
+        if hazard.kind is not HazardKind.OCCLUSION:
+            continue
+        observers = hazard.to or (logical.functional.ego.id,)
+        for observer in (d for d in scenario.drives if d.participant in observers):
+            sides = {
+                Approach(stand.side.value)
+                for stand in scenario.standings
+                if stand.arm == observer.entry and stand.participant in hazard.by
+            }
+            count += sum(
+                bool(sides & seen_from(angles, observer.entry, other.entry))
+                for other in scenario.drives
+                if other.participant not in observers
+            )
+    return count
 
 
 def _turns(scenario: LogicalScenario) -> int:

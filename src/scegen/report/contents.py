@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from scegen.criticality.careful_driver import Verdict
+from scegen.criticality.sensitivity import Sensitivity
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
+from scegen.scenario.proof import Proof
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,12 +23,20 @@ class CheckRow:
 
 @dataclass(frozen=True, slots=True)
 class ConcreteEntry:
-    """A concrete scenario, its picture, its folder as seen from the report, its checks."""
+    """A concrete scenario, its picture, its folder as seen from the report, its checks.
+
+    ``plots_svg`` is its course over time; the verdict and the sensitivity are None where nobody
+    judged, the proof where nothing was searched.
+    """
 
     concrete: ConcreteScenario
     preview_png: bytes
     folder: str
     checks: tuple[CheckRow, ...] = ()
+    plots_svg: str = ""
+    verdict: Verdict | None = None
+    sensitivity: Sensitivity | None = None
+    proof: Proof | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,8 +10,10 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from scegen.report.contents import CheckRow, ConcreteEntry, ReportInput
+from scegen.report.danger import danger_tables
 from scegen.report.evidence import UNSUPPORTED, field_rows, spans
 from scegen.report.gallery import MOST_TILES, counted, summary
+from scegen.report.judgement import judgement_tables
 from scegen.report.tables import Table, tables
 from scegen.report.tile import tile_svg
 from scegen.report.words import hazard_words
@@ -88,6 +90,8 @@ class _Concrete:
     tables: tuple[Table, ...]
     files: tuple[tuple[str, str], ...]
     checks: tuple[tuple[CheckRow, str], ...]
+    plots: Markup
+    judgement: tuple[Table, ...]
 
 
 def _concrete(entry: ConcreteEntry) -> _Concrete:
@@ -107,6 +111,11 @@ def _concrete(entry: ConcreteEntry) -> _Concrete:
         tables=tuple(tables(concrete)),
         files=tuple((name, quote(f"{entry.folder}/{name}")) for name in names),
         checks=tuple((row, _verdict(row.status)) for row in entry.checks),
+        plots=Markup(entry.plots_svg),  # noqa: S704 - escapes what comes from outside itself
+        judgement=(
+            *danger_tables(entry.proof),
+            *judgement_tables(entry.verdict, entry.sensitivity),
+        ),
     )
 
 

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Set as AbstractSet
 
-from scegen.scenario.arms import arm_angles_deg, turn_name
+from scegen.scenario.arms import arm_angles_deg
 from scegen.scenario.concrete import ArmRoad, RoadParameters
+from scegen.scenario.control import controlled_arms
 from scegen.scenario.functional import Junction
-from scegen.scenario.vocabulary import Control, JunctionKind, Maneuver
+from scegen.scenario.vocabulary import JunctionKind
 
 ARM_LENGTH_M = 120.0
 LANE_WIDTH_M = 3.5
 SPEED_LIMIT_MPS = 50 / 3.6
 ROUNDABOUT_SPEED_LIMIT_MPS = 30 / 3.6
-_MINOR_ROAD = frozenset({Control.YIELD, Control.STOP})
 
 
 def plan_road(
@@ -62,30 +62,5 @@ def plan_road(
         crosswalks=junction.crosswalks | crosswalks,
         parking_lanes=frozenset(parking_lanes),
         u_turns=frozenset(u_turns),
-        controlled_arms=_controlled_arms(junction, angles),
+        controlled_arms=controlled_arms(junction),
     )
-
-
-def _controlled_arms(junction: Junction, angles_deg: tuple[float, ...]) -> frozenset[int]:
-    """The arms at which the control's signs or lights stand.
-
-    Yield and stop signs face the minor road: the stem of a T, every second arm of a crossing,
-    every entry of a roundabout. All other controls hold for all arms alike.
-    """
-    arms = range(junction.arms)
-    if junction.control in {Control.UNCONTROLLED, Control.PRIORITY_TO_RIGHT}:
-        return frozenset()
-    everywhere = junction.kind is JunctionKind.ROUNDABOUT or junction.control not in _MINOR_ROAD
-    if everywhere:
-        return frozenset(arms)
-    stems = [
-        arm
-        for arm in arms
-        if all(
-            turn_name(angles_deg, arm, move) is not Maneuver.STRAIGHT
-            for move in range(1, junction.arms)
-        )
-    ]
-    if stems and len(stems) < junction.arms:
-        return frozenset(stems)
-    return frozenset(arms[1::2])

@@ -77,13 +77,36 @@ class ConflictKind(StrEnum):
     NONE = "none"
 
 
+class Rule(StrEnum):
+    """Why one of two gives way, or why it cannot be said in advance who does.
+
+    ``signal`` and ``first_come`` name nobody: the light decides, or who is first on the ring.
+    """
+
+    SIGN = "sign"
+    PRIORITY_TO_RIGHT = "priority_to_right"
+    ONCOMING = "oncoming"
+    RING = "ring"
+    U_TURN = "u_turn"
+    SIGNAL = "signal"
+    FIRST_COME = "first_come"
+    CROSSWALK = "crosswalk"
+    NO_CROSSWALK = "no_crosswalk"
+    AHEAD = "ahead"
+    LANE_CHANGE = "lane_change"
+
+
 class Conflict(FrozenModel):
-    """A pair of participants whose paths meet; ``yields`` must give way (None = neither)."""
+    """A pair of participants whose paths meet.
+
+    ``yields`` must give way by ``rule``; None if neither need, or if nobody can say in advance.
+    """
 
     first: Identifier
     second: Identifier
     kind: ConflictKind
     yields: Identifier | None = None
+    rule: Rule | None = None
 
 
 class ParameterRange(FrozenModel):
@@ -112,7 +135,8 @@ class LogicalScenario(FrozenModel):
 
     ``pattern`` is the multiset of the drivers' symbolic moves, sorted (the source paper's
     caption); ``class_size`` counts the assignments that the reduction holds to be this one.
-    ``deadlock`` are those of whom each must wait for another of them.
+    ``deadlock`` are those of whom each must wait for another of them, if all who are first on
+    their arms arrive at once.
     """
 
     index: int = Field(ge=0)

@@ -229,8 +229,8 @@ class Builder:
         ):
             if value:
                 self._prove(f"{path}.{name}", basis or entity.basis)
-        if entity.approaches and entity.by_heading is not None:
-            self._prove(f"{path}.approaches", entity.by_heading)
+        for basis in self._further_words(entity):
+            self._prove(f"{path}.approaches", basis)
         return Participant(
             id=entity.name,
             kind=entity.kind,
@@ -241,6 +241,18 @@ class Builder:
             entries=entries,
             speed_mps=entity.speed,
         )
+
+    def _further_words(self, entity: Entity) -> list[Basis]:
+        """Other words that say the same of where somebody comes from."""
+        if not entity.approaches:
+            return []
+        found = [entity.by_heading] if entity.by_heading is not None else []
+        found += [
+            p.basis
+            for p in self._draft.placements
+            if p.entity is entity and p.approaches & entity.approaches and p.basis.i is not None
+        ]
+        return [b for b in dict.fromkeys(found) if b != entity.approach_basis]
 
     def _maneuvers(self, entity: Entity, junction: Junction) -> set[Maneuver]:
         basis = entity.basis

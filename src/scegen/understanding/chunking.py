@@ -156,7 +156,8 @@ class Chunker:
         if mods[0].cat == "dir" and isinstance(previous, Word) and previous.cat == "aux":
             return False
         after_prep = isinstance(previous, Word) and previous.cat in _VERBAL_LINKS
-        if after_prep and _has_dir(mods) and head.form == "s":
+        sided = _has_dir(mods) and (head.form == "s" or mods[-1].value in {"front", "rear"})
+        if after_prep and (sided or (_has_dir(mods) and "control" in head.data)):
             return False
         pronominal = mods[-1].cat == "num" or mods[-1].value in {"another", "other", *_ORDINALS}
         if pronominal and head.form != "base":

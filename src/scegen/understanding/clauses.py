@@ -19,7 +19,7 @@ from scegen.understanding.lookahead import (
     finite_follows,
     main_verb_follows,
 )
-from scegen.understanding.phrases import also_from, apposes
+from scegen.understanding.phrases import also_from, apposes, bracketed
 from scegen.understanding.state import State
 
 
@@ -168,6 +168,9 @@ class ClauseReader:
         direct = isinstance(anchor, Event) and not anchor.nominal and not state.between
         if isinstance(anchor, Event) and direct and anchor.object is None:
             anchor.object = mention
+        elif bracketed(self._chunks, k) and isinstance(anchor, Mention):
+            mention.same_as = anchor
+            return
         elif apposes(self._chunks, k, state):
             mention.same_as = state.candidate
             return

@@ -183,8 +183,11 @@ def subsume(context: Context) -> None:
 
 def breach(scene: Scene, context: Context) -> None:
     """``runs the red light``, ``ignores a stop sign``, ``violates the right of way``."""
-    certain = scene.event.name in {"walk", "breach"}
+    driven_through = {
+        id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low == "through"
+    }
     for place in scene.places():
+        certain = scene.event.name in {"walk", "breach"} or id(place) in driven_through
         basis = Basis(scene.event.i, max(place.j, scene.event.j))
         words = {t.low for t in context.tokens[place.i : place.j]}
         if place.kind == "signal":

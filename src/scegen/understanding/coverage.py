@@ -20,6 +20,8 @@ CONTRADICTS = "contradicts "
 """How the remark on words begins that say otherwise than words before them."""
 _EMPTY = frozenset({"mild", "same", "respectively"})
 """Words that stress or order what other words say."""
+_WHO = (".kind", ".role")
+"""Fields that rest on a whole noun phrase, whatever adjectives stand in it."""
 _MOST = 200
 
 
@@ -33,7 +35,11 @@ def unattached(
         terms: the terms of its description.
         tokens: the tokens of its description.
     """
-    spans = [(e.start, e.end) for e in scenario.evidence if e.start is not None]
+    spans = [
+        (e.start, e.end)
+        for e in scenario.evidence
+        if e.start is not None and not e.field.endswith(_WHO)
+    ]
     spans += [(u.start, u.end) for u in scenario.unsupported]
     found = list(scenario.unsupported)
     for term in terms:

@@ -86,7 +86,8 @@ def oncoming_lane(scene: Scene, context: Context) -> None:
     for place in scene.places():
         lane = place.kind == "lane" and "opposite" in place.dirs and place.owner is None
         if lane or place.kind == "centerline":
-            by = [e for e in scene.drivers if not context.oncoming(e)]
+            over = place.kind == "centerline"
+            by = [e for e in scene.drivers if over or not context.oncoming(e)]
             if by:
                 basis = Basis(place.i, place.j)
                 context.draft.hazard(HazardKind.ONCOMING_LANE, basis, by)

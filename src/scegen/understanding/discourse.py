@@ -45,6 +45,7 @@ class Discourse:
         subject: bool,
         exclude: list[Entity],
         all_directions: bool = False,
+        settled: bool = False,
     ) -> list[Entity]:
         """The participants that a mention refers to.
 
@@ -53,6 +54,7 @@ class Discourse:
             subject: it is the subject of its clause.
             exclude: participants that it cannot mean (the subject, for an object).
             all_directions: its members come one from each arm.
+            settled: the text says which way all its members go.
         """
         if mention.entities:
             return mention.entities
@@ -76,6 +78,8 @@ class Discourse:
                 exclude,
             )
         mention.entities = list(found)
+        for group in self._roster.groups[-1:]:
+            group.settled = group.settled or (settled and group.members == found)
         for entity in found:
             if entity in self._roster.recent:
                 self._roster.recent.remove(entity)
@@ -134,7 +138,7 @@ class Discourse:
     def _noun(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         basis = Basis(mention.i, mention.j)
         if reading.ego:
-            return [self._ego(reading, basis)]
+            return [self._ego(reading.kind, basis)]
         of_whom = next((p.target for p in mention.pps if p.value == "of"), None)
         if reading.driver and isinstance(of_whom, Mention):
             return self.resolve(of_whom, subject=False, exclude=[])
@@ -147,11 +151,20 @@ class Discourse:
             return known
         return self._roster.introduce(reading, basis)
 
-    def _ego(self, reading: Reading, basis: Basis) -> Entity:
+    def observer(self, i: int, j: int) -> None:
+        """``our lane``: whoever tells it takes part.
+
+        Args:
+            i: index of the first token of the words.
+            j: index after the last one.
+        """
+        self._ego(ParticipantKind.CAR, Basis(i, j))
+
+    def _ego(self, kind: ParticipantKind, basis: Basis) -> Entity:
         for entity in self._draft.entities:
             if entity.ego:
                 return entity
-        entity = self._roster.new(reading.kind, basis)
+        entity = self._roster.new(kind, basis)
         entity.ego = True
         entity.named_by.add("ego")
         entity.claimed = True
@@ -204,6 +217,8 @@ class Discourse:
         within = mention.prep is not None and mention.prep.value == "with"
         for group in reversed(self._roster.groups):
             if not (within or group.vague or reading.det == "one"):
+                continue
+            if group.settled and not within:
                 continue
             if not self._roster.agree(group, reading):
                 continue

@@ -10,6 +10,7 @@ from scegen.understanding.draft import Basis, Entity
 _HIDING = frozenset({"behind", "between"})
 _CARRIAGEWAY = frozenset({"road", "crosswalk", "highway"})
 _OPAQUE_PLACES = frozenset({"bus_stop", "feature", "parking"})
+_COMING = frozenset({"move", "enter", "pull_out"})
 _WAITING = frozenset({"wait", "locate", "walk", "move", "stop", "park", "appear"})
 
 
@@ -124,6 +125,8 @@ def from_behind(scene: Scene, context: Context) -> None:
         if sprung:
             basis, by = _screen(prep, scene.actors)
             context.draft.hazard(HazardKind.OCCLUSION, basis, by)
+            if scene.event.name in _COMING:
+                _cyclists_cross(scene, context)
         elif scene.event.name in _WAITING:
             wait_behind(prep, scene.actors, context)
 

@@ -20,6 +20,8 @@ class Group:
     vague: bool
     dirs: set[str] = field(default_factory=set)
     specific: bool = False
+    settled: bool = False
+    """What they do is said of all of them, so that "one car" is somebody else."""
 
     @property
     def free(self) -> list[Entity]:

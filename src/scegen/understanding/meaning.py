@@ -222,9 +222,9 @@ class Interpreter:
     def _share_sides(self, scene: Scene) -> None:
         """Who comes out from behind something stands on its side of the road."""
         for prep in scene.event.pps:
-            if prep.word.cat != "locus" or prep.value != "behind":
-                continue
-            if not isinstance(prep.target, Mention):
+            beside = prep.word.cat == "locus" and prep.value in {"behind", "between"}
+            hidden = scene.event.name == "hide" and prep.value == "by"
+            if not (beside or hidden) or not isinstance(prep.target, Mention):
                 continue
             for hider in prep.target.entities:
                 sides = thing_sides(hider, self._draft)

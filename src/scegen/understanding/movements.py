@@ -113,10 +113,17 @@ def overtake(scene: Scene, context: Context) -> None:
         move(scene, context)
         return
     basis = Basis(event.i, event.j)
-    _apply(scene, context, {Maneuver.OVERTAKE}, basis)
+    means = event.parent if event.link == "inf" else None
+    if not (means is not None and _changes_lane(means)):
+        _apply(scene, context, {Maneuver.OVERTAKE}, basis)
     if any(entity.moving_vehicle for entity in scene.targets):
         context.lanes_implied(basis, "overtaking needs a second lane")
     context.ahead(scene.targets, scene.actors, basis)
+
+
+def _changes_lane(event: Event) -> bool:
+    """``changes lanes to get past``: the change of lane is the movement, the rest its purpose."""
+    return event.name == "lane_change" or any(c.name == "lane_change" for c in event.children)
 
 
 def cross(scene: Scene, context: Context) -> None:

@@ -42,3 +42,14 @@ def also_from(noun: NounPhrase, state: State) -> bool:
         pps.append(Prep(last.word, noun, last.outer, last.on_mention))
         return True
     return False
+
+
+def bracketed(chunks: list[Chunk], k: int) -> bool:
+    """``vehicle 1 (a taxi)``: a noun alone in brackets describes the noun before.
+
+    Args:
+        chunks: the chunks of the text.
+        k: index of the noun in brackets.
+    """
+    around = [*chunks[max(0, k - 1) : k], *chunks[k + 1 : k + 2]]
+    return [c.value for c in around if isinstance(c, Word)] == ["(", ")"]

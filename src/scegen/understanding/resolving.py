@@ -10,6 +10,8 @@ _ONLY_VEHICLES = frozenset(
      "cut_in", "pull_out", "park", "swerve", "u_turn"}
 )  # fmt: skip
 
+_PARTS = frozenset({"one", "count", "both", "other", "another", "ordinal"})
+
 
 def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discourse) -> None:
     """Finds out whom every mention refers to, in the order of the text.
@@ -28,21 +30,24 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     acted_on = {id(e.object): e for e in events if e.object is not None}
     everywhere = _from_everywhere(events)
     beside = _beside(chunks)
+    settled = _settled(events)
     around = {id(p.target): e for e in events for p in e.pps if _is_it(p.target)}
     acted_on = {**around, **acted_on}
     waiting: list[Mention] = []
     for chunk in chunks:
+        if isinstance(chunk, Place) and any(m.value == "first_person" for m in chunk.mods):
+            discourse.observer(chunk.i, chunk.j)
         if not isinstance(chunk, Mention):
             continue
-        if chunk.partitive and chunk.pronoun in {"one", "count", "both", "other", "another"}:
+        if chunk.partitive and chunk.pronoun in _PARTS:
             waiting.append(chunk)
             continue
-        _resolve(chunk, discourse, subjects, acted_on, everywhere, beside)
+        _resolve(chunk, discourse, subjects, acted_on, everywhere, beside, settled)
         for earlier in waiting:
-            _resolve(earlier, discourse, subjects, acted_on, everywhere, beside)
+            _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled)
         waiting = []
     for earlier in waiting:
-        _resolve(earlier, discourse, subjects, acted_on, everywhere, beside)
+        _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled)
 
 
 def _resolve(
@@ -52,9 +57,12 @@ def _resolve(
     acted_on: dict[int, Event],
     everywhere: set[int],
     beside: dict[int, Mention],
+    settled: set[int],
 ) -> None:
     event = acted_on.get(id(mention))
     exclude = [e for m in event.subject for e in m.entities] if event else []
+    if mention.joined is not None and mention.pronoun is None:
+        exclude = [*exclude, *mention.joined.entities]  # "a van and the van behind": two
     placed = beside.get(id(mention))
     if placed is not None:
         exclude = [*exclude, *placed.entities]
@@ -63,7 +71,15 @@ def _resolve(
         subject=id(mention) in subjects,
         exclude=exclude,
         all_directions=id(mention) in everywhere,
+        settled=id(mention) in settled,
     )
+
+
+def _settled(events: list[Event]) -> set[int]:
+    """Mentions of whom the text says which way they go."""
+    ways = {"left", "right", "straight"}
+    going = [e for e in events if e.finite and any(d.value in ways for d in e.dirs)]
+    return {id(m) for e in going for m in e.subject}
 
 
 def _is_it(target: object) -> bool:

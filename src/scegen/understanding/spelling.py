@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from scegen.understanding.lexicon import load, load_spelling
+from scegen.understanding.lemmas import lemmas
+from scegen.understanding.lexicon import load_spelling
 
 _SHORTEST_KEY = 6
 _SHORTEST_WORD = 5
@@ -62,5 +63,5 @@ def meant(word: str) -> str | None:
         for key in options
         if len(key) >= _SHORTEST_KEY and key[0] == word[0] and one_slip(word, key)
     }
-    bases = {load().irregular.get(key, (key, ""))[0] for key in fitting}
-    return min(fitting) if len(bases) == 1 else None
+    bases = {lemmas(key)[-1][0] for key in fitting}
+    return min(fitting, key=lambda key: (len(key), key)) if len(bases) == 1 else None

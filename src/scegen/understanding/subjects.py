@@ -48,6 +48,8 @@ def link(event: Event, state: State) -> None:
             state.inanimate = False
             return
         _clause(event, state)
+    if event.form == "base" and "aux:be" in state.between and event.name in _PASSIVE:
+        event.form = "ed"  # "is cut off", "was hit": the participle looks like the base form
     if event.reduced and event.form == "ed" and event.name in _DESCRIBING and not auxiliary:
         event.finite = False
         event.passive = event.name in _PASSIVE
@@ -98,6 +100,7 @@ def _infinitive(event: Event, state: State) -> None:
         event.subject = chain(anchor) if isinstance(anchor, Mention) else []
         return
     _depend(event, parent, "inf")
+    event.negated = parent.negated and parent.control == "subject"
     controlled = parent.control == "object" and isinstance(parent.object, Mention)
     prep = anchor.prep if isinstance(anchor, Mention) else None
     if prep is not None and prep.value == "for" and isinstance(anchor, Mention):

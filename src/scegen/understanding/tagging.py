@@ -58,6 +58,9 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     verb = match.get("verb")
     participle = match.form in {"ing", "ed"}
     attributive = _may_describe(previous) and _noun_follows(tokens, match.j)
+    if match.has("place", "dir") and match.get("place").value == "junction":
+        shaped = before in {"shape", "control"} and not attributive
+        return (match.get("place") if shaped else _without_place(match, attributive)), attributive
     if match.has("dir") and match.get("dir").value == "left":
         return _left(match, previous)
     if match.form == "base" and before == "aux" and previous is not None and previous.value == "be":
@@ -80,6 +83,11 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     if match.has("dir") and not verbal and match.form == "base":
         return match.get("dir"), False
     return verb, False
+
+
+def _without_place(match: Match, attributive: bool) -> Entry:
+    """``crossing`` describes a vehicle or is what somebody does, unless it is a shaped one."""
+    return match.get("dir" if attributive else "verb")
 
 
 def _left(match: Match, previous: Term | None) -> tuple[Entry, bool]:
@@ -168,7 +176,9 @@ def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term | None)
         return False
     alone = longest_match(tokens[: i + 1], i)
     singular = previous is not None and previous.cat == "det"
-    return singular and alone is not None and alone.has("actor")
+    rest = longest_match(tokens, i + 1)
+    verbal = rest is not None and rest.has("verb")
+    return singular and verbal and alone is not None and alone.has("actor")
 
 
 def tag(tokens: list[Token]) -> list[Term]:
@@ -203,6 +213,15 @@ def _before(terms: list[Term], tokens: list[Token]) -> Term | None:
     return terms[-1] if terms else None
 
 
+def _just_right(tokens: list[Token], i: int, previous: Term | None) -> bool:
+    """``right behind``, ``right in front of``: no direction, except after a turn."""
+    if tokens[i].low != "right" or i + 1 >= len(tokens) or previous is None:
+        return False
+    following = longest_match(tokens, i + 1)
+    located = following is not None and following.has("locus")
+    return located and not previous.value.endswith("turn") and previous.cat != "det"
+
+
 def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     token = tokens[i]
     if token.kind == "punct":
@@ -210,6 +229,8 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     labelled = _labelled(token, i)
     if labelled:
         return labelled
+    if _just_right(tokens, i, previous):
+        return Term("manner", "mild", i, i + 1)
     quantity = quantity_at(tokens, i)
     if quantity:
         return Term("quantity", quantity.dimension, i, quantity.j, data={"quantity": quantity})

@@ -39,6 +39,10 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     candidates = motor or riders
     if not candidates:
         return _added(draft, "the text names no moving vehicle; a car is added as the ego")
+    last = next((e for e in candidates if _placed(draft, e, Approach.BEHIND)), None)
+    if last is not None and any(_placed(draft, e, Approach.AHEAD) for e in candidates):
+        last.ego = True
+        return last, Basis(reason="the text names no ego; this vehicle follows the other")
     if all(_seen_along_the_road(draft, e) for e in candidates):
         reason = "positions are given as seen from a vehicle that is not named; a car is added"
         return _added(draft, reason)
@@ -51,6 +55,13 @@ def _added(draft: Draft, reason: str) -> tuple[Entity, Basis]:
     ego = draft.add(ParticipantKind.CAR, Basis(reason=reason))
     ego.ego = True
     return ego, Basis(reason=reason)
+
+
+def _placed(draft: Draft, entity: Entity, approach: Approach) -> bool:
+    return any(
+        p.entity is entity and p.reference is None and p.approaches == {approach}
+        for p in draft.placements
+    )
 
 
 def _seen_along_the_road(draft: Draft, entity: Entity) -> bool:

@@ -69,16 +69,31 @@ def test_a_rounded_number_is_no_disagreement(differ):
     assert result.functional.junction.speed_limit_mps == pytest.approx(50 / 3.6)
 
 
-def test_a_quoted_junction_stands_against_the_reader(differ):
+Y_ROAD = {"kind": "y", "arms": 3}
+
+
+def test_a_junction_that_rests_on_other_words_stands(differ):
     road = {
-        "junction": {"kind": "y", "arms": 3},
-        "basis": [{"field": "junction.kind", "words": "T-intersection"}],
+        "junction": Y_ROAD,
+        "basis": [{"field": "junction.kind", "words": "a T-intersection that forks"}],
     }
-    result = differ("Two cars meet at a T-intersection.", ("car", "car"), road=road)
+    text = "Two cars meet at a T-intersection that forks like a tuning fork."
+    result = differ(text, ("car", "car"), road=road)
     item = only(result)
     assert (item.field, item.reader, item.agents) == ("junction.kind", "t", "y")
     assert item.kept is Kept.AGENTS
     assert result.functional.junction.kind == "y"
+
+
+def test_a_junction_that_rests_on_the_same_words_gives_way(differ):
+    road = {
+        "junction": Y_ROAD,
+        "basis": [{"field": "junction.kind", "words": "T-intersection"}],
+    }
+    result = differ("Two cars meet at a T-intersection.", ("car", "car"), road=road)
+    item = only(result)
+    assert (item.agents, item.kept) == ("y", "reader")
+    assert result.functional.junction.kind == "t"
 
 
 def test_an_unquoted_junction_gives_way(differ):

@@ -94,6 +94,15 @@ def test_transcripts_hold_the_conversation_and_no_key(
     assert all(key in h["authorization"] for _, _, h in chat_server.requests)
 
 
+def test_a_key_in_an_answer_is_blotted_out(tmp_path, understood, good_answers, environment):
+    key = environment["OPENAI_API_KEY"]
+    good_answers["hazards"]["basis"] = [{"field": "speeding", "reason": f"you sent {key}"}]
+    result = understood(good_answers, record=tmp_path / "t")
+    assert result.speaker == "openai:scripted"
+    assert "you sent [key]" in to_yaml(result.functional)
+    assert all(key not in p.read_text() for p in (tmp_path / "t").iterdir())
+
+
 def replay(folder, text):
     return understand(text, LlmSettings(models=(), replay=folder), environment={})
 

@@ -7,6 +7,7 @@ from scegen.motion.lanes import is_ring
 from scegen.road import build_network, plan_road
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import RoadParameters
+from scegen.scenario.control import has_crosswalk
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
@@ -40,10 +41,9 @@ def plan(
 
 
 def _crosswalks(functional: FunctionalScenario, logical: LogicalScenario) -> frozenset[int]:
-    """At a junction, where somebody crosses; on an open road people cross anywhere."""
-    if functional.junction.kind is JunctionKind.STRAIGHT:
-        return frozenset()
-    return frozenset(crossing.arm for crossing in logical.crossings)
+    """Where somebody crosses at a junction."""
+    crossed = {crossing.arm for crossing in logical.crossings}
+    return frozenset(arm for arm in crossed if has_crosswalk(functional.junction, arm))
 
 
 def _min_lanes(functional: FunctionalScenario, logical: LogicalScenario) -> int:

@@ -1,7 +1,8 @@
 """Reader and agents combined: where they differ on a stated fact, both are shown and one kept.
 
-Numbers that the text states win, as the reader parsed them; elsewhere the agents' value stands
-if they quoted words for it, and the reader's otherwise.
+Numbers that the text states win, as the reader parsed them. Elsewhere the agents' value stands if
+they quoted more or other words for it than the reader; what rests on the very same words, or on
+none, gives way to the lexicon.
 """
 
 from __future__ import annotations
@@ -128,7 +129,7 @@ class Combiner:
             return
         quoted = words_of(self.scenario, path)
         shown = (_shown(theirs), _shown(ours))
-        if quoted is not None and not number:
+        if quoted is not None and not number and not quoted.within(words):
             reason = f'the agents rest it on the words "{quoted.text}"'
             self._note(path, words, *shown, Kept.AGENTS, reason)
             return
@@ -140,7 +141,7 @@ class Combiner:
         reason = (
             "numbers stated in the text win"
             if number
-            else "the reader rests it on words, the agents on none"
+            else "the reader's lexicon has these words, and the agents named no others"
         )
         self.scenario = combined
         self._note(path, words, *shown, Kept.READER, reason)

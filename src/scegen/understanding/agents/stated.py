@@ -27,6 +27,10 @@ class Words:
         found = (number_at(tokens, i) for i in range(len(tokens)))
         return frozenset(n.value for n in found if n is not None)
 
+    def within(self, other: Words) -> bool:
+        """Whether these are the other words, or a part of them."""
+        return other.start <= self.start and self.end <= other.end
+
 
 @dataclass(frozen=True, slots=True)
 class Count:

@@ -1,0 +1,76 @@
+"""The course of a scenario as the ego sees it: speeds, distances and times to collision."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from scegen.criticality.bodies import body_table
+from scegen.criticality.friction import friction_of
+from scegen.criticality.measures.distance import distance_series
+from scegen.criticality.measures.injury import PROTECTED, UNPROTECTED
+from scegen.criticality.measures.time_to_collision import time_to_collision_series
+from scegen.motion.batch import compile_program, simulate_batch
+from scegen.motion.batch.arrays import Floats
+from scegen.motion.model import Path
+from scegen.scenario.concrete import ConcreteScenario
+
+
+@dataclass(frozen=True)
+class Course:
+    """Time series, one value per step of ``time_s`` (s).
+
+    Attributes:
+        speed_mps: of every participant.
+        distance_m: between the bodies of the ego and each other; 0 in contact.
+        ttc_s: their two-dimensional time to collision; inf if they would never touch.
+        partner: the other that comes nearest to the ego; those who are parked count only where
+            nobody else is or a hazard names them. Empty where the ego is alone.
+        step: the first step in which the partner is nearest: the critical moment.
+    """
+
+    time_s: Floats
+    speed_mps: dict[str, Floats]
+    distance_m: dict[str, Floats]
+    ttc_s: dict[str, Floats]
+    partner: str
+    step: int
+
+
+def ego_course(
+    concrete: ConcreteScenario, paths: Mapping[str, Path], *, dt_s: float = 0.05
+) -> Course:
+    """Simulate a scenario and look at it from the ego.
+
+    Args:
+        concrete: the scenario.
+        paths: its paths by participant, as :func:`scegen.motion.build_paths` makes them.
+        dt_s: time step, s.
+    """
+    people = concrete.participants
+    program, candidate = compile_program(concrete, paths)
+    traces = simulate_batch(program, candidate, duration_s=concrete.duration_s, dt_s=dt_s)
+    bodies = body_table(
+        [p.kind for p in people],
+        friction=friction_of(concrete.environment),
+        protected_curve=PROTECTED,
+        unprotected_curve=UNPROTECTED,
+    )
+    ego = people.index(concrete.ego)
+    others = [n for n in range(len(people)) if n != ego]
+    pairs = np.array([(ego, n) for n in others], dtype=np.int64).reshape(-1, 2)
+    apart = distance_series(traces.tracks, bodies, pairs)[0]
+    ttc = time_to_collision_series(traces.tracks, bodies, pairs)[0]
+    named = {name for hazard in concrete.hazards for name in (*hazard.by, *hazard.to)}
+    counting = [k for k, n in enumerate(others) if not people[n].parked or people[n].id in named]
+    nearest = min(counting or range(len(others)), key=lambda k: apart[:, k].min(), default=None)
+    return Course(
+        traces.time_s,
+        {p.id: traces.speed_mps[0, :, n] for n, p in enumerate(people)},
+        {people[n].id: apart[:, k] for k, n in enumerate(others)},
+        {people[n].id: ttc[:, k] for k, n in enumerate(others)},
+        "" if nearest is None else people[others[nearest]].id,
+        0 if nearest is None else int(apart[:, nearest].argmin()),
+    )

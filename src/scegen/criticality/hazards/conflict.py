@@ -1,0 +1,59 @@
+"""Dangers of two whose ways cross or merge: how close in time they come.
+
+Closeness is PET, where it exists, or TTC of those who really come close: a TTC alone is weak at
+crossings. For one who brakes before the other's way PET says nothing and TTC does.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from scegen.criticality.hazards import thresholds as limits
+from scegen.criticality.hazards.predicate import NEVER, Part, Predicate, at_least
+from scegen.criticality.hazards.view import View
+
+_BEFORE_LINE_M = 15.0
+
+
+def closeness(view: View, by: str, to: str, limit: limits.Threshold = limits.CONFLICT) -> Part:
+    """The time between the two, in s: the smaller of PET and a TTC that counts."""
+    pet = view.of_pair("pet_s", by, to)
+    ttc = view.of_pair("ttc_s", by, to)
+    apart = view.of_pair("distance_m", by, to)
+    # Beyond the distance a TTC fades out by 1 s per metre, so that a search finds the way in.
+    ttc = ttc + np.maximum(0.0, apart - limits.CONFLICT_WITHIN_M)
+    value = np.fmin(pet, ttc)
+    margin = limit.value - value
+    relative = np.nan_to_num(margin / limit.scale, nan=NEVER, posinf=-NEVER, neginf=NEVER)
+    return Part(
+        "PET or TTC",
+        value,
+        limit.value,
+        "s",
+        margin,
+        np.clip(relative, NEVER, -NEVER),
+        view.of_pair("closest_s", by, to),
+    )
+
+
+def conflict(view: View, by: str, to: str) -> list[Part]:
+    """Both want to be in the same place at nearly the same time."""
+    return [closeness(view, by, to)]
+
+
+def drives_on(view: View, by: str, to: str) -> list[Part]:
+    """The same, by one who should have stopped and does not.
+
+    Signal states are not simulated: running a red light is entering without a stop.
+    """
+    way, place = view.ways[by], view.place_m(by)
+    near = (place > way.turn_start_m - _BEFORE_LINE_M) & (place < way.turn_end_m)
+    slowest = np.where(near, view.speed_mps(by), np.inf)
+    part = at_least(
+        "slowest speed at the line", slowest.min(axis=1), limits.DRIVES_ON, view.when(-slowest)
+    )
+    return [closeness(view, by, to), part]
+
+
+CONFLICT = Predicate(conflict)
+DRIVES_ON = Predicate(drives_on)

@@ -1,0 +1,239 @@
+"""Which numbers a search may vary and how far: realism as bounds.
+
+Speeds keep to the ranges of the logical scenario (or what concretization chose beyond them),
+rates to what bodies and tyres allow, starts to the arm and to a few seconds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+
+from scegen.criticality.bodies import GRAVITY_MPS2
+from scegen.criticality.hazards.ways import Way
+from scegen.criticality.search.variables import (
+    LEAD_IN_S,
+    PhaseRecipe,
+    Place,
+    Quantity,
+    Space,
+    Variable,
+)
+from scegen.motion.batch.arrays import Candidates
+from scegen.scenario.bodies import BODIES
+from scegen.scenario.concrete import (
+    AtTime,
+    ConcreteParticipant,
+    ConcreteScenario,
+    DistanceBelow,
+    DriveMotion,
+    SpeedPhase,
+    Travelled,
+)
+from scegen.scenario.vocabulary import HazardKind
+
+_START_WITHIN_S = 3.0
+_BYSTANDER_WITHIN_S = 6.0
+_ARM_MARGIN_M = 1.0
+_BEFORE_CHANGE_M = 3.0
+_BEFORE_JUNCTION_M = 8.0
+_BEND = (0.6, 1.1)
+_QUICKER = (0.85, 1.25)
+_RATE = (0.7, 1.25)
+_SPEEDING = 1.5
+_SHIFT_S = 1.5
+_WALKER_SHIFT_S = 2.5
+_NEAR_M = 4.0
+_SAME_MPS = 1e-3
+
+
+class _Maker:
+    """Collects variables while the recipes are written."""
+
+    def __init__(self) -> None:
+        self.variables: list[Variable] = []
+
+    def quantity(
+        self, name: str, base: float, bounds: tuple[float, float], scale: float
+    ) -> Quantity:
+        """A variable, or a fixed value where the bounds leave no room."""
+        low, high = bounds
+        if high - low < 1e-6:
+            return Quantity(min(max(base, low), high))
+        self.variables.append(Variable(name, base, low, high, scale))
+        return Quantity(base, len(self.variables) - 1)
+
+
+def build_space(
+    concrete: ConcreteScenario,
+    ways: Mapping[str, Way],
+    base: Candidates,
+    *,
+    involved: Collection[str],
+    friction: float,
+) -> Space:
+    """The search space of a scenario.
+
+    Args:
+        concrete: the scenario, with drives that start at the outer end of their arms.
+        ways: its ways.
+        base: its numbers, with the starts that it really has.
+        involved: those who take part in what is wanted; the others only start elsewhere.
+        friction: coefficient between tyre and road.
+    """
+    maker = _Maker()
+    index = {p.id: i for i, p in enumerate(concrete.participants)}
+    starts, speeds, recipes = [], [], []
+    phase = 0
+    for i, participant in enumerate(concrete.participants):
+        full = participant.id in involved
+        start = float(base.start_m[0, i])
+        way = ways[participant.id]
+        levels: dict[float, Quantity] = {}
+        if isinstance(participant.motion, DriveMotion):
+            starts.append(_start(maker, participant, way, start, full=full))
+            cruise = _cruise(maker, concrete, participant, way)
+            speeds.append(cruise)
+            levels[participant.speed_mps] = cruise
+        else:
+            starts.append(Quantity(start))
+            speeds.append(Quantity(participant.speed_mps))
+        before = speeds[-1]
+        for n, item in enumerate(participant.speed_program):
+            target = _level(maker, concrete, participant, item, levels, before, full=full)
+            recipes.append(
+                _recipe(
+                    maker, participant, n, phase + n, index, ways, before, target, friction, full
+                )
+            )
+            before = target
+        phase += len(participant.speed_program)
+    return Space(base, maker.variables, starts, speeds, recipes)
+
+
+def _start(
+    maker: _Maker, participant: ConcreteParticipant, way: Way, start_m: float, *, full: bool
+) -> Quantity:
+    """Where a drive starts on its arm."""
+    speed = max(participant.speed_mps, 1.0)
+    within = speed * (_START_WITHIN_S if full else _BYSTANDER_WITHIN_S)
+    places = [way.turn_start_m - _BEFORE_JUNCTION_M]
+    places += [change.start_m - _BEFORE_CHANGE_M for change in way.changes]
+    places += [
+        phase.trigger.distance_m + start_m - speed * LEAD_IN_S
+        for phase in participant.speed_program
+        if isinstance(phase.trigger, Travelled) and phase.trigger.participant == participant.id
+    ]
+    rear = BODIES[participant.kind].rear_m + _ARM_MARGIN_M
+    low = min(start_m, max(rear, start_m - within))
+    high = max(start_m, min([start_m + within, *places]))
+    return maker.quantity(f"{participant.id}.start_m", start_m, (low, high), speed)
+
+
+def speed_range(
+    concrete: ConcreteScenario, participant: ConcreteParticipant, limit_mps: float, speed_mps: float
+) -> tuple[float, float]:
+    """How fast somebody may go: the logical scenario's range, widened to what was chosen."""
+    low = high = speed_mps
+    for parameter in concrete.logical.parameters:
+        if parameter.name == f"{participant.id}.speed_mps":
+            low, high = min(low, parameter.low), max(high, parameter.high)
+    speeds = any(
+        h.kind is HazardKind.SPEEDING and participant.id in h.by for h in concrete.hazards
+    )
+    if speeds:
+        high = max(speed_mps, min(high, _SPEEDING * limit_mps))
+    return low, min(high, max(speed_mps, BODIES[participant.kind].top_speed_mps))
+
+
+def _cruise(
+    maker: _Maker, concrete: ConcreteScenario, participant: ConcreteParticipant, way: Way
+) -> Quantity:
+    speed = participant.speed_mps
+    bounds = speed_range(concrete, participant, way.limit_mps, speed)
+    return maker.quantity(f"{participant.id}.speed_mps", speed, bounds, 0.1 * max(speed, 1.0))
+
+
+def _level(
+    maker: _Maker,
+    concrete: ConcreteScenario,
+    participant: ConcreteParticipant,
+    phase: SpeedPhase,
+    levels: dict[float, Quantity],
+    before: Quantity,
+    *,
+    full: bool,
+) -> Quantity:
+    """The target speed of a phase; equal speeds stay equal."""
+    speed = phase.target_speed_mps
+    for known, quantity in levels.items():
+        if abs(known - speed) < _SAME_MPS:
+            return quantity
+    name = f"{participant.id}.{'to' if phase.hazard else 'bend'}_mps"
+    if speed == 0.0:
+        return Quantity(0.0)
+    if not isinstance(participant.motion, DriveMotion):
+        bounds = speed_range(concrete, participant, speed, speed)
+        name = f"{participant.id}.speed_mps"
+    elif not full:
+        bounds = (speed, speed)
+    elif speed > before.base:
+        bounds = (_QUICKER[0] * speed, _QUICKER[1] * speed)
+    else:
+        bounds = (_BEND[0] * speed, _BEND[1] * speed)
+    levels[speed] = maker.quantity(name, speed, bounds, 0.1 * speed)
+    return levels[speed]
+
+
+def _recipe(
+    maker: _Maker,
+    participant: ConcreteParticipant,
+    n: int,
+    phase: int,
+    index: Mapping[str, int],
+    ways: Mapping[str, Way],
+    before: Quantity,
+    target: Quantity,
+    friction: float,
+    full: bool,
+) -> PhaseRecipe:
+    item = participant.speed_program[n]
+    trigger, owner = item.trigger, index[participant.id]
+    name = f"{participant.id}.{item.hazard or 'phase'}_{n}"
+    body = BODIES[participant.kind]
+    slows = target.base < before.base
+    best = body.max_deceleration_mps2 if slows else body.max_acceleration_mps2
+    most = min(max(best, item.rate_mps2), friction * GRAVITY_MPS2)
+    drives = isinstance(participant.motion, DriveMotion)
+    varies = full and item.hazard is not None and drives
+    least = min(item.rate_mps2, most)
+    bounds = (
+        (_RATE[0] * least, min(_RATE[1] * least, most)) if varies else (least, least)
+    )
+    rate = maker.quantity(f"{name}.rate_mps2", item.rate_mps2, bounds, 0.15 * item.rate_mps2)
+    subject, length = owner, ways[participant.id].path.length_m
+    shift = Quantity(0.0)
+    if isinstance(trigger, AtTime):
+        place, value = (Place.WAITED if n else Place.AS_IS), trigger.time_s
+    elif isinstance(trigger, DistanceBelow):
+        place, value = Place.AS_IS, trigger.distance_m
+        if full:
+            wide = min(_NEAR_M, 0.4 * value)
+            shift = maker.quantity(f"{name}.distance_m", 0.0, (-wide, wide), 1.0)
+    elif trigger.participant != participant.id:
+        place, value = Place.OTHER, trigger.distance_m
+        subject = index[trigger.participant]
+        reach = _WALKER_SHIFT_S * max(ways[trigger.participant].participant.speed_mps, 1.0)
+        if full:
+            shift = maker.quantity(
+                f"{name}.distance_m", 0.0, (-min(reach, value), reach), reach / 4
+            )
+    else:
+        place, value = (Place.SLOWED if slows else Place.HERE), trigger.distance_m
+        if not drives:
+            place = Place.FAR_SIDE
+        elif varies:
+            reach = _SHIFT_S * max(participant.speed_mps, 1.0)
+            shift = maker.quantity(f"{name}.place_m", 0.0, (-reach, reach), reach / 4)
+    return PhaseRecipe(
+        phase, owner, subject, place, value, before, target, rate, shift, item.rate_mps2, length
+    )

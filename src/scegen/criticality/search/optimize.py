@@ -1,0 +1,164 @@
+"""The search itself: a quasi-random batch, closer looks, then CMA-ES with restarts.
+
+Every batch runs through the compiled simulator at once. What is found is then brought back
+towards the scenario as it was concretized, as far as the demands allow.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from scegen.criticality.search.problem import Outcome, Problem
+from scegen.motion.batch.arrays import Floats
+
+FIRST_BATCH = 96
+CLOSER_BATCH = 48
+CLOSER_SPANS = (0.5, 0.3, 0.15, 0.08)
+RESTARTS = 3
+GENERATIONS = 40
+_SIGMA = 0.2
+_BACK_STEPS = 6
+_BACK_ROUNDS = 3
+_PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79)
+
+
+@dataclass
+class Best:
+    """The best candidate so far, and by demand the least that any candidate missed."""
+
+    x: Floats
+    loss: float
+    missing: dict[str, float]
+    least: dict[str, float]
+
+    @property
+    def found(self) -> bool:
+        """Whether it misses nothing."""
+        return sum(self.missing.values()) <= 0.0
+
+    def take(self, x: Floats, outcome: Outcome) -> bool:
+        """Keep the best of a batch if it is better; solutions before others."""
+        for name, values in outcome.missing.items():
+            self.least[name] = min(self.least.get(name, np.inf), float(values.min()))
+        order = np.where(outcome.found, outcome.loss, 1e3 + outcome.loss)
+        i = int(order.argmin())
+        if float(order[i]) < (self.loss if self.found else 1e3 + self.loss):
+            self.x, self.loss = x[i].copy(), float(outcome.loss[i])
+            self.missing = {name: float(values[i]) for name, values in outcome.missing.items()}
+            return True
+        return False
+
+
+def search(problem: Problem, rng: np.random.Generator) -> Best:
+    """Look until something is found or the effort is spent; the same rng gives the same result."""
+    space = problem.space
+    low, span = space.low, space.high - space.low
+    origin = space.origin
+    first = origin[None, :]
+    outcome = problem.evaluate(first)
+    best = Best(origin, np.inf, {"all": np.inf}, {})
+    best.take(first, outcome)
+    if best.found or not len(span):
+        return best
+    u0 = (origin - low) / span
+    points = halton(FIRST_BATCH, len(span), rng.random(len(span)))
+    reach = np.repeat([0.4, 1.0, 2.0], FIRST_BATCH // 3)[:, None]
+    _look(problem, best, low, span, u0 + (points - 0.5) * reach)
+    for width in CLOSER_SPANS:
+        if best.found:
+            break
+        points = halton(CLOSER_BATCH, len(span), rng.random(len(span)))
+        _look(problem, best, low, span, (best.x - low) / span + (points - 0.5) * width)
+    for restart in range(RESTARTS):
+        if best.found:
+            break
+        start = (best.x - low) / span if restart == 0 else rng.random(len(span))
+        _evolve(problem, best, low, span, start, rng)
+    if best.found:
+        _come_back(problem, best, origin)
+    return best
+
+
+def _look(problem: Problem, best: Best, low: Floats, span: Floats, u: Floats) -> None:
+    """Evaluate points of the unit cube."""
+    x = low + folded(u) * span
+    best.take(x, problem.evaluate(x))
+
+
+def _evolve(
+    problem: Problem,
+    best: Best,
+    low: Floats,
+    span: Floats,
+    start: Floats,
+    rng: np.random.Generator,
+) -> None:
+    """One run of CMA-ES, until something is found."""
+    # Brings scipy.stats along, half a second that most searches do without.
+    from cmaes import CMA  # noqa: PLC0415
+
+    optimizer = CMA(
+        mean=start,
+        sigma=_SIGMA,
+        population_size=max(16, 2 * (4 + int(3 * np.log(len(start))))),
+        seed=int(rng.integers(2**31)),
+        n_max_resampling=1,
+    )
+    for _ in range(GENERATIONS):
+        asked = np.array([optimizer.ask() for _ in range(optimizer.population_size)])
+        inside = np.clip(asked, 0.0, 1.0)
+        x = low + inside * span
+        outcome = problem.evaluate(x)
+        best.take(x, outcome)
+        outside = np.sum((asked - inside) ** 2, axis=1)
+        losses = outcome.loss + 10.0 * outside
+        optimizer.tell(list(zip(asked, losses.tolist(), strict=True)))
+        if best.found or optimizer.should_stop():
+            return
+
+
+def _come_back(problem: Problem, best: Best, origin: Floats) -> None:
+    """Undo what was not needed: every variable alone, then all together, step by step."""
+    for _ in range(_BACK_ROUNDS):
+        x = np.array(list(_nearer(best.x, origin)))
+        if not best.take(x, problem.evaluate(x)):
+            return
+
+
+def _nearer(x: Floats, origin: Floats) -> Iterator[Floats]:
+    for share in np.linspace(0.15, 0.9, _BACK_STEPS):
+        yield x + share * (origin - x)
+    for n in np.flatnonzero(x != origin):
+        for share in (1.0, 0.5):
+            tried = x.copy()
+            tried[n] += share * (origin[n] - tried[n])
+            yield tried
+
+
+def folded(u: Floats) -> Floats:
+    """Points outside the unit cube reflected into it."""
+    inside: Floats = 1.0 - np.abs(1.0 - np.mod(u, 2.0))
+    return inside
+
+
+def halton(count: int, dimensions: int, shift: Floats) -> Floats:
+    """Points of the Halton sequence, shifted around the unit cube (c, n).
+
+    Higher dimensions than there are primes at hand use the shift alone to differ.
+    """
+    indices = np.arange(1, count + 1)
+    columns = []
+    for n in range(dimensions):
+        base = _PRIMES[n % len(_PRIMES)]
+        left = indices * (1 + n // len(_PRIMES))
+        value, share = np.zeros(count), 1.0
+        while left.any():
+            share /= base
+            value += share * (left % base)
+            left = left // base
+        columns.append(value)
+    points = np.array(columns).reshape(dimensions, count).T
+    return np.mod(points + shift, 1.0)

@@ -1,0 +1,241 @@
+"""What a candidate is worth: how far it is from everything that is wanted at once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from scegen.criticality.evaluation import Summary, measure
+from scegen.criticality.hazards.judging import relative_margins
+from scegen.criticality.hazards.table import INEXPRESSIBLE
+from scegen.criticality.hazards.view import View
+from scegen.criticality.hazards.ways import Way
+from scegen.criticality.scene import Scene
+from scegen.criticality.search.variables import Space
+from scegen.criticality.target import Band, Target
+from scegen.motion.batch.arrays import BatchTraces, Candidates, Floats, Program
+from scegen.motion.batch.simulation import simulate_batch
+from scegen.scenario.concrete import ConcreteScenario, DriveMotion
+from scegen.scenario.functional import Hazard
+
+MEASURE_FIELDS = {
+    "pet": ("pet_s", "s"),
+    "distance": ("distance_m", "m"),
+    "ttc": ("ttc_s", "s"),
+    "headway": ("headway_s", "s"),
+    "drac": ("drac_mps2", "m/s2"),
+    "contact_time": ("contact_s", "s"),
+    "impact_speed": ("impact_mps", "m/s"),
+}
+"""Measures of pairs that a proof shows: field of the summary, unit."""
+
+HAZARD_ROOM = 0.08
+BAND_ROOM = 0.08
+"""A search aims inside of what it must prove, by this share, so that finer steps do not undo it."""
+CLEAR_M = 0.2
+"""Those who are not to touch keep this distance."""
+AFTER_S = 1.0
+"""The scenario goes on this long after everybody has left."""
+LATERAL_ROOM = 1.03
+_EARLIEST_CONTACT_S = 1.0
+_NEVER = 3.0
+_STRANGE = 0.02
+_SPREAD = 0.12
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What candidates miss, by demand (c,); all 0: found. ``loss`` adds how strange they are."""
+
+    missing: Mapping[str, Floats]
+    strangeness: Floats
+    made: Candidates
+    duration_s: Floats
+
+    @property
+    def total(self) -> Floats:
+        """The sum of what is missing (c,)."""
+        return np.sum(list(self.missing.values()), axis=0)
+
+    @property
+    def loss(self) -> Floats:
+        """What a search makes small (c,)."""
+        return self.total + _STRANGE * np.minimum(self.strangeness, 25.0)
+
+    @property
+    def found(self) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+        """Which candidates miss nothing (c,)."""
+        return self.total <= 0.0
+
+
+@dataclass
+class Problem:
+    """One search: what is wanted of whom, and what it runs on."""
+
+    concrete: ConcreteScenario
+    ways: Mapping[str, Way]
+    program: Program
+    space: Space
+    scene: Scene
+    target: Target
+    pair: tuple[str, str]
+    friction: float
+    duration_s: float
+    lateral_mps2: Mapping[str, float]
+    room: float = 1.0
+    evaluations: int = 0
+    known: list[Floats] = field(default_factory=list)
+
+    def evaluate(self, x: Floats) -> Outcome:
+        """Everything about candidates with these values of the variables (c, n)."""
+        made = self.space.candidates(x)
+        traces = simulate_batch(self.program, made, duration_s=self.duration_s)
+        for _ in range(2):
+            if not self.space.waits_s or not self.space.with_waits(made, traces):
+                break
+            traces = simulate_batch(self.program, made, duration_s=self.duration_s)
+        self.evaluations += x.shape[0]
+        view = view_of(self.concrete, self.ways, self.scene, traces, self.friction)
+        missing: dict[str, Floats] = {}
+        for n, hazard in enumerate(judged(self.concrete)):
+            missing[f"hazard {n}"] = np.maximum(
+                0.0, HAZARD_ROOM * self.room - relative_margins(view, hazard)
+            )
+        missing["target"] = target_missing(view, self.target, self.pair, room=BAND_ROOM * self.room)
+        missing["contacts"] = unwanted(view, self.target, self.pair)
+        missing["lateral acceleration"] = self._lateral(view)
+        finish, duration = finishing(view)
+        missing["finish"] = finish
+        missing["sameness"] = self._sameness(x)
+        return Outcome(missing, self.space.strangeness(x), made, duration)
+
+    def _lateral(self, view: View) -> Floats:
+        """How far bends and lane changes are taken too fast, in shares of the limit."""
+        worst = np.zeros(view.count)
+        for name, limit in self.lateral_mps2.items():
+            worst = np.maximum(worst, view.lateral_mps2(name).max(axis=1) / limit - 1.0)
+        return np.where(worst > 0.0, 0.1 + worst, 0.0)
+
+    def _sameness(self, x: Floats) -> Floats:
+        """Whether a candidate is too much like a solution that is known already."""
+        span = np.maximum(self.space.high - self.space.low, 1e-9)
+        worst = np.zeros(x.shape[0])
+        for other in self.known:
+            apart = np.sqrt(np.mean(((x - other) / span) ** 2, axis=1))
+            worst = np.maximum(worst, 1.0 - apart / _SPREAD)
+        return np.maximum(worst, 0.0)
+
+
+def judged(concrete: ConcreteScenario) -> list[Hazard]:
+    """The dangers that movements can show."""
+    return [hazard for hazard in concrete.hazards if hazard.kind not in INEXPRESSIBLE]
+
+
+def view_of(
+    concrete: ConcreteScenario,
+    ways: Mapping[str, Way],
+    scene: Scene,
+    traces: BatchTraces,
+    friction: float,
+) -> View:
+    """What predicates look at, from movements."""
+    summary: Summary = measure(traces, scene)
+    return View(
+        concrete=concrete,
+        ways=ways,
+        scene=scene,
+        traces=traces,
+        summary=summary,
+        index={p.id: i for i, p in enumerate(concrete.participants)},
+        pairs={(int(a), int(b)): n for n, (a, b) in enumerate(scene.pairs)},
+        friction=friction,
+    )
+
+
+def band_missing(values: Floats, band: Band, room: float) -> Floats:
+    """How far values lie outside a band, in widths of the band (at least 0.5 of its unit)."""
+    width = band.high - band.low
+    low, high = band.low + room * width, band.high - room * width
+    outside = np.maximum(low - values, values - high) / max(width, 0.5)
+    # Far away the slope is gentle, so that one far demand does not drown the others.
+    outside = np.where(outside > 1.0, 1.0 + np.log1p(np.maximum(outside - 1.0, 0.0)), outside)
+    return np.maximum(np.nan_to_num(outside, nan=_NEVER, posinf=_NEVER, neginf=_NEVER), 0.0)
+
+
+def choice_missing(
+    view: View, choice: Sequence[Band], pair: tuple[str, str], room: float
+) -> Floats:
+    """How far a pair is from bands that must hold together."""
+    return np.max(
+        [
+            band_missing(view.of_pair(MEASURE_FIELDS[band.measure][0], *pair), band, room)
+            for band in choice
+        ],
+        axis=0,
+    )
+
+
+def target_missing(view: View, target: Target, pair: tuple[str, str], *, room: float) -> Floats:
+    """How far a pair is from the nearest of the target's choices, or from a contact."""
+    if target.contact:
+        contact = view.of_pair("contact_s", *pair)
+        apart = view.of_pair("distance_m", *pair)
+        early = np.maximum(0.0, _EARLIEST_CONTACT_S - contact)
+        return np.where(np.isnan(contact), 0.3 + np.log1p(apart), early)
+    return np.min([choice_missing(view, c, pair, room) for c in target.choices], axis=0)
+
+
+def unwanted(view: View, target: Target, pair: tuple[str, str]) -> Floats:
+    """Contacts that are not wanted, and near ones of those who shall not meet at all."""
+    wanted = view.pair(*pair)
+    missing = np.zeros(view.count)
+    for p in range(len(view.scene.pairs)):
+        touches = ~np.isnan(view.summary.contact_s[:, p])
+        if wanted is not None and p == wanted[0]:
+            if target.contact is not False:
+                continue
+            near = np.zeros(view.count)
+        else:
+            near = np.maximum(0.0, CLEAR_M - view.summary.distance_m[:, p])
+        depth = np.nan_to_num(np.clip(-view.summary.pet_s[:, p], 0.0, 3.0), nan=1.0)
+        missing += np.where(touches, 1.0 + depth, near)
+    return missing
+
+
+def finishing(view: View) -> tuple[Floats, Floats]:
+    """What is missing until everybody has left in time, and the duration that takes (c,), s."""
+    last = np.zeros(view.count)
+    missing = np.zeros(view.count)
+    ends: list[Floats] = []
+    steps = view.traces.tracks.shape[3]
+    for participant in view.concrete.participants:
+        way, place = view.ways[participant.id], view.place_m(participant.id)
+        if way.goal_m <= 0.0:
+            continue
+        left = way.goal_m - place[:, -1]
+        missing += np.where(left > 0.0, 0.2 + np.maximum(left, 0.0) / 20.0, 0.0)
+        last = np.maximum(last, (place < way.goal_m).sum(axis=1) * view.dt_s)
+        if isinstance(participant.motion, DriveMotion):
+            # One who waits at the end of its road would stand in the way of the next.
+            ends.append((place < way.path.length_m - 1e-3).sum(axis=1) * view.dt_s)
+    duration = np.minimum(last + AFTER_S, (steps - 1) * view.dt_s)
+    for end in ends:
+        missing += np.maximum(0.0, np.minimum(duration, steps * view.dt_s) - end - view.dt_s)
+    return missing, duration
+
+
+def lateral_limits(
+    view: View, friction: float, everyday_mps2: float = 4.0
+) -> dict[str, float]:
+    """How hard each drive may go through bends: as first made, within what the tyres hold."""
+    limits = {}
+    for participant in view.concrete.participants:
+        if isinstance(participant.motion, DriveMotion):
+            first = float(view.lateral_mps2(participant.id)[0].max())
+            most = 0.9 * friction * 9.81
+            limits[participant.id] = min(max(first, everyday_mps2) * LATERAL_ROOM, most)
+    return limits
+
+

@@ -1,0 +1,122 @@
+"""The proof: what a scenario really shows, simulated anew in fine steps from its own numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from scegen.criticality.hazards.judging import judge, number
+from scegen.criticality.hazards.view import View
+from scegen.criticality.hazards.ways import paths_of, ways_of
+from scegen.criticality.search.pairs import Pair, scene_of
+from scegen.criticality.search.problem import (
+    MEASURE_FIELDS,
+    choice_missing,
+    target_missing,
+    view_of,
+)
+from scegen.criticality.target import Band, Target
+from scegen.motion.batch.compilation import compile_program
+from scegen.motion.batch.simulation import simulate_batch
+from scegen.road.model import RoadNetwork
+from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.proof import HazardProof, MeasureProof, Proof
+
+PROOF_DT_S = 0.01
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """What one scenario shows."""
+
+    concrete: ConcreteScenario
+    view: View
+    hazards: tuple[HazardProof, ...]
+
+    @property
+    def all_happen(self) -> bool:
+        """Whether every danger asked for happens."""
+        return all(hazard.happened for hazard in self.hazards)
+
+    def unwanted(self, target: Target, pair: Pair) -> tuple[Pair, ...]:
+        """Pairs that touch although they should not."""
+        people = [p.id for p in self.concrete.participants]
+        wanted = self.view.pair(*pair) if pair else None
+        found = []
+        for p, (a, b) in enumerate(self.view.scene.pairs):
+            allowed = wanted is not None and p == wanted[0] and target.contact is not False
+            if not allowed and not np.isnan(self.view.summary.contact_s[0, p]):
+                found.append((people[int(a)], people[int(b)]))
+        return tuple(found)
+
+    def meets(self, target: Target, pair: Pair) -> bool:
+        """Whether the target is met, with no unwanted contact."""
+        missing = target_missing(self.view, target, pair, room=0.0)
+        return bool(missing[0] <= 0.0) and not self.unwanted(target, pair)
+
+
+def examine(
+    concrete: ConcreteScenario,
+    network: RoadNetwork,
+    focus: Sequence[Pair],
+    friction: float,
+    *,
+    dt_s: float = PROOF_DT_S,
+) -> Evidence:
+    """Simulate a scenario from nothing but its own numbers, and judge it.
+
+    Raises:
+        MotionInfeasibleError: somebody cannot move as its numbers say.
+    """
+    ways = ways_of(concrete, network)
+    program, own = compile_program(concrete, paths_of(ways))
+    traces = simulate_batch(program, own, duration_s=concrete.duration_s, dt_s=dt_s)
+    scene = scene_of(concrete, paths_of(ways), focus, friction)
+    view = view_of(concrete, ways, scene, traces, friction)
+    return Evidence(concrete, view, tuple(judge(view, hazard) for hazard in concrete.hazards))
+
+
+def proof_of(
+    target: Target,
+    pair: Pair,
+    before: Evidence,
+    after: Evidence,
+    *,
+    evaluations: int,
+    blocked_by: str | None,
+) -> Proof:
+    """The proof of one search, for files."""
+    deciding = _deciding(after.view, target, pair)
+    measure = "contact_time" if target.contact else deciding.measure
+    return Proof(
+        target=target.text,
+        in_band=after.meets(target, pair),
+        in_band_before=before.meets(target, pair),
+        measure=measure,
+        band=None if target.contact else (deciding.low, deciding.high),
+        pair=pair,
+        measures=tuple(
+            MeasureProof(
+                name=name,
+                unit=unit,
+                before=number(before.view.of_pair(field, *pair)[0]),
+                after=number(after.view.of_pair(field, *pair)[0]),
+            )
+            for name, (field, unit) in MEASURE_FIELDS.items()
+        ),
+        hazards=after.hazards,
+        hazards_before=before.hazards,
+        unwanted_contacts=after.unwanted(target, pair),
+        evaluations=evaluations,
+        dt_s=PROOF_DT_S,
+        changed=after.concrete != before.concrete,
+        blocked_by=blocked_by,
+    )
+
+
+def _deciding(view: View, target: Target, pair: Pair) -> Band:
+    """The first band of the choice that is met, or missed by the least."""
+    missing = [float(choice_missing(view, choice, pair, 0.0)[0]) for choice in target.choices]
+    return target.choices[int(np.argmin(missing))][0]

@@ -1,0 +1,170 @@
+"""What a search may vary, and how its numbers become candidates of the batch simulator.
+
+Variables are meant as a driver would mean them: "starts there", "cruises at", "comes to rest
+there". Triggers follow from them: whoever is to have slowed down at a place begins earlier if it
+is faster, and waits as long as before wherever it stops.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from enum import Enum, auto
+
+import numpy as np
+
+from scegen.motion.batch.arrays import SPEED, BatchTraces, Candidates, Floats
+from scegen.motion.batch.compilation import repeat
+
+LEAD_IN_S = 1.0
+"""Everybody drives at least this long before its first phase."""
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """A number that may change within ``[low, high]``; ``scale`` is a small but real change."""
+
+    name: str
+    base: float
+    low: float
+    high: float
+    scale: float
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A value that is a variable (``column`` >= 0) or fixed."""
+
+    base: float
+    column: int = -1
+
+    def of(self, x: Floats) -> Floats:
+        """Its value in every candidate; ``x`` (c, variables)."""
+        return x[:, self.column] if self.column >= 0 else np.full(x.shape[0], self.base)
+
+
+class Place(Enum):
+    """What the trigger of a phase follows from."""
+
+    HERE = auto()
+    """A fixed place on the owner's way."""
+    SLOWED = auto()
+    """The place on the owner's way at which it has slowed down to the target."""
+    OTHER = auto()
+    """A fixed place on another's way."""
+    FAR_SIDE = auto()
+    """The place from which one who walks can still stop before the end of its way."""
+    WAITED = auto()
+    """The end of a wait, as long as it was, after the phase before it."""
+    AS_IS = auto()
+    """A time or a distance of its own."""
+
+
+@dataclass(frozen=True, slots=True)
+class PhaseRecipe:
+    """How one phase of a candidate is made; ``phase`` is its number in the program."""
+
+    phase: int
+    owner: int
+    subject: int
+    place: Place
+    trigger: float
+    before: Quantity
+    target: Quantity
+    rate: Quantity
+    shift: Quantity
+    original_rate_mps2: float
+    path_length_m: float = 0.0
+
+
+@dataclass(frozen=True)
+class Space:
+    """The variables of a scenario and how they make candidates."""
+
+    base: Candidates
+    variables: Sequence[Variable]
+    starts: Sequence[Quantity]
+    speeds: Sequence[Quantity]
+    recipes: Sequence[PhaseRecipe]
+    waits_s: dict[int, float] = field(default_factory=dict)
+
+    @property
+    def low(self) -> Floats:
+        """Lower bounds (n,)."""
+        return np.array([v.low for v in self.variables])
+
+    @property
+    def high(self) -> Floats:
+        """Upper bounds (n,)."""
+        return np.array([v.high for v in self.variables])
+
+    @property
+    def origin(self) -> Floats:
+        """The scenario as it was concretized, inside the bounds (n,)."""
+        return np.array([min(max(v.base, v.low), v.high) for v in self.variables])
+
+    def strangeness(self, x: Floats) -> Floats:
+        """Mean squared distance from the concretized scenario, in small changes (c,)."""
+        if not self.variables:
+            return np.zeros(x.shape[0])
+        base = np.array([v.base for v in self.variables])
+        scale = np.array([v.scale for v in self.variables])
+        return np.mean(((x - base) / scale) ** 2, axis=1)
+
+    def candidates(self, x: Floats) -> Candidates:
+        """The candidates of these values; waits end when they did at first."""
+        made = repeat(self.base, x.shape[0])
+        for i, (start, speed) in enumerate(zip(self.starts, self.speeds, strict=True)):
+            made.start_m[:, i] = start.of(x)
+            made.speed_mps[:, i] = speed.of(x)
+        moved = made.start_m - self.base.start_m
+        for recipe in self.recipes:
+            k = recipe.phase
+            made.target_speed_mps[:, k] = recipe.target.of(x)
+            made.rate_mps2[:, k] = recipe.rate.of(x)
+            made.trigger[:, k] = _trigger(recipe, x, moved, made)
+        return made
+
+    def with_waits(self, made: Candidates, traces: BatchTraces) -> bool:
+        """Let waits begin when those who wait have stopped; whether anything changed.
+
+        ``traces`` are the movements of ``made``, whose triggers are changed in place.
+        """
+        changed = False
+        for k, wait_s in self.waits_s.items():
+            owner = next(r.owner for r in self.recipes if r.phase == k)
+            begun = stands_at_s(made, traces, owner, k - 1)
+            fresh = np.where(np.isfinite(begun), begun + wait_s, made.trigger[:, k])
+            changed |= bool((np.abs(fresh - made.trigger[:, k]) > 1e-6).any())
+            made.trigger[:, k] = fresh
+        return changed
+
+
+def stands_at_s(made: Candidates, traces: BatchTraces, owner: int, phase: int) -> Floats:
+    """When the target speed of a phase is reached; inf if the phase never fires (c,)."""
+    fired = traces.fired_step[:, phase]
+    rows = np.arange(len(fired))
+    speed = traces.tracks[rows, owner, SPEED, np.maximum(fired, 0)]
+    change = np.abs(speed - made.target_speed_mps[:, phase]) / made.rate_mps2[:, phase]
+    return np.where(fired >= 0, fired * traces.dt_s + change, np.inf)
+
+
+def _trigger(recipe: PhaseRecipe, x: Floats, moved: Floats, made: Candidates) -> Floats:
+    """The trigger value of a phase (c,)."""
+    value = recipe.trigger + recipe.shift.of(x)
+    if recipe.place in {Place.HERE, Place.SLOWED}:
+        value = value - moved[:, recipe.owner]
+        if recipe.place is Place.SLOWED:
+            first, last = recipe.before, recipe.target
+            was = (first.base**2 - last.base**2) / (2 * recipe.original_rate_mps2)
+            now = (first.of(x) ** 2 - last.of(x) ** 2) / (2 * recipe.rate.of(x))
+            value = value + was - now
+        lead = np.minimum(made.speed_mps[:, recipe.owner] * LEAD_IN_S, recipe.trigger)
+        return np.maximum(value, lead)
+    if recipe.place is Place.OTHER:
+        return np.maximum(value - moved[:, recipe.subject], 0.0)
+    if recipe.place is Place.FAR_SIDE:
+        share = (recipe.before.of(x) / max(recipe.before.base, 0.1)) ** 2
+        left = (recipe.path_length_m - recipe.trigger) * share
+        return np.maximum(recipe.path_length_m - left, 0.0)
+    return np.maximum(value, 0.05)

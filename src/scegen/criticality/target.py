@@ -1,0 +1,89 @@
+"""Targets: what a search is to reach, as a word or a range of a measure.
+
+near-miss: nobody touches anybody, and the pair comes as close as in a serious conflict, by one
+of several measures. PET below 1 s is serious (Allen, Shin, Cooper 1978); the least values keep
+it from being a contact by chance; the distances are this program's own choice. A small TTC
+alone says little at crossings, so it counts only together with a distance below 2 m.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from scegen.errors import InputError
+
+COLLISION, NEAR_MISS = "collision", "near-miss"
+
+
+@dataclass(frozen=True, slots=True)
+class Band:
+    """A range of a measure, in the measure's unit."""
+
+    measure: str
+    low: float
+    high: float
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """What to reach: one of ``choices``, each a set of bands that must hold together.
+
+    The first band of a choice is the one that is reported. ``contact`` says whether the pair
+    must (True) or must not (False) touch; None leaves it open.
+    """
+
+    text: str
+    choices: tuple[tuple[Band, ...], ...]
+    contact: bool | None
+
+
+BANDS: dict[str, tuple[float, float]] = {
+    "pet": (-5.0, 20.0),
+    "ttc": (0.0, 20.0),
+    "distance": (0.0, 100.0),
+    "headway": (0.0, 20.0),
+    "drac": (0.0, 20.0),
+}
+"""Measures that a band can be asked for, and the widest range that makes sense."""
+
+_PET = (Band("pet", 0.2, 1.0),)
+_CLOSE = (Band("distance", 0.2, 0.8),)
+_TIME = (Band("ttc", 0.3, 1.5), Band("distance", 0.2, 2.0))
+HEADWAY = (Band("headway", 0.2, 0.8), Band("distance", 0.2, 8.0))
+"""One more way to a near-miss, where one tailgates another."""
+
+_PATTERN = re.compile(r"\s*([a-z]+)\s*=\s*(-?[0-9.]+)\s*\.\.\s*(-?[0-9.]+)\s*")
+
+
+def parse_target(text: str) -> Target:
+    """A target from its text: ``near-miss``, ``collision`` or ``pet=0.3..1.0`` and the like.
+
+    Raises:
+        InputError: it is none, or its range is empty or out of reach.
+    """
+    word = text.strip().lower()
+    if word == NEAR_MISS:
+        return Target(word, (_PET, _CLOSE, _TIME), contact=False)
+    if word == COLLISION:
+        return Target(word, ((Band("distance", 0.0, 0.0),),), contact=True)
+    match = _PATTERN.fullmatch(word)
+    if match is None or match[1] not in BANDS:
+        raise InputError(
+            f"{text!r} is no target",
+            where="--target",
+            hint=f"near-miss, collision, none, or a range: {', '.join(f'{n}=A..B' for n in BANDS)}",
+        )
+    try:
+        low, high = float(match[2]), float(match[3])
+    except ValueError as error:
+        raise InputError(f"{text!r} has no numbers", where="--target") from error
+    least, most = BANDS[match[1]]
+    if not least <= low < high <= most:
+        raise InputError(
+            f"{low:g}..{high:g} is no range within {least:g}..{most:g}",
+            where="--target",
+            hint="a range needs a lower and a higher end: no search meets one exact value",
+        )
+    touching = match[1] != "drac" and match[1] != "headway" and low <= 0.0
+    return Target(word, ((Band(match[1], low, high),),), contact=None if touching else False)

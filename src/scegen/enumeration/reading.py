@@ -1,0 +1,94 @@
+"""From answer sets to solutions: every atom is understood once, however often it comes back."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from clorm import Predicate, unify
+from clorm.clingo import Control, Symbol
+
+from scegen.enumeration import answers as a
+from scegen.enumeration.problem import Problem
+
+COUNTED = -1
+"""Stands for the move of a vehicle whose moves are counted instead of chosen."""
+
+Way = tuple[int, int, str]
+"""Entry, move and manner of a vehicle."""
+
+_SHOWN = (a.Drive, a.Enters, a.Crosses, a.Place)
+_UNSET: Way = (-1, COUNTED, "")
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Solution:
+    """One assignment, in listing order of the participants.
+
+    ``drives`` holds (entry, move, manner); in a state, of which only the entries are chosen,
+    the move of an independent vehicle is COUNTED. ``crossings`` holds (arm, side), ``places``
+    (vehicle, reference, word).
+    """
+
+    drives: tuple[Way, ...]
+    crossings: tuple[tuple[int, str], ...]
+    places: tuple[tuple[str, str, str], ...]
+
+    @property
+    def pattern(self) -> tuple[int, ...]:
+        """The multiset of symbolic moves, sorted."""
+        return tuple(sorted([move for _, move, _ in self.drives]))
+
+
+class Reader:
+    """Reads the answer sets of one program.
+
+    Atoms are few and answer sets many: an atom is taken apart once and looked up afterwards.
+    """
+
+    def __init__(self, problem: Problem) -> None:
+        self._slots = {vehicle.id: slot for slot, vehicle in enumerate(problem.vehicles)}
+        self._crossers = {crosser.id: slot for slot, crosser in enumerate(problem.crossers)}
+        self._ways: dict[Symbol, tuple[int, Way]] = {}
+        self._facts: dict[Symbol, Predicate] = {}
+
+    def solution(self, shown: Iterable[Symbol]) -> Solution:
+        """The solution that the shown atoms of one answer set say."""
+        drives: list[Way] = [_UNSET] * len(self._slots)
+        others: list[Symbol] = []
+        find = self._ways.get
+        for symbol in shown:
+            found = find(symbol)
+            if found is None:
+                others.append(symbol)
+            else:
+                drives[found[0]] = found[1]
+        crossings: list[tuple[int, str]] = [(0, "")] * len(self._crossers)
+        places: list[tuple[str, str, str]] = []
+        for symbol in others:
+            fact = self._fact(symbol)
+            if isinstance(fact, a.Drive):
+                slot, way = self._slots[fact.id], (fact.entry, fact.move, fact.manner)
+                self._ways[symbol] = slot, way
+                drives[slot] = way
+            elif isinstance(fact, a.Crosses):
+                crossings[self._crossers[fact.id]] = (fact.arm, fact.side)
+            elif isinstance(fact, a.Place):
+                places.append((fact.id, fact.reference, fact.word))
+            elif isinstance(fact, a.Enters) and drives[self._slots[fact.id]] is _UNSET:
+                drives[self._slots[fact.id]] = (fact.arm, COUNTED, "none")
+        return Solution(tuple(drives), tuple(crossings), tuple(sorted(places)))
+
+    def _fact(self, symbol: Symbol) -> Predicate:
+        if symbol not in self._facts:
+            (self._facts[symbol],) = unify(_SHOWN, [symbol], ordered=True)
+        return self._facts[symbol]
+
+
+def read_solutions(problem: Problem, control: Control, *, limit: int = 0) -> Iterator[Solution]:
+    """The answer sets of a program as solutions, in its order; ``limit`` 0 means all."""
+    reader = Reader(problem)
+    control.configuration.solve.models = limit
+    with control.solve(yield_=True) as handle:
+        for model in handle:
+            yield reader.solution(model.symbols(shown=True))

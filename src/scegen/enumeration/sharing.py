@@ -1,0 +1,153 @@
+"""What thousands of scenarios have in common is made once: who drives how, and who meets whom.
+
+A scenario is little more than a row of references to immutable parts. A part is what one
+participant does; two parts determine their conflict, and when the one arrives at the other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import combinations
+from typing import TypeVar
+
+from scegen.enumeration.conflicts import conflict_between, conflict_table
+from scegen.enumeration.problem import Problem
+from scegen.enumeration.ranges import offset_range, speed_range
+from scegen.enumeration.reading import Way
+from scegen.scenario.arms import exit_arm, turn_name
+from scegen.scenario.logical import (
+    Assignment,
+    Conflict,
+    ConflictKind,
+    Crossing,
+    Drive,
+    ParameterRange,
+    Standing,
+)
+from scegen.scenario.vocabulary import Maneuver
+
+MOST_PAIRS = 400_000
+"""Pairs that are kept (some 100 MB at the very most); then they are made anew."""
+
+_MANNERS = {m.value: m for m in (Maneuver.LANE_CHANGE, Maneuver.OVERTAKE, Maneuver.STAY)}
+
+
+K = TypeVar("K")
+V = TypeVar("V")
+
+
+class Kept(dict[K, V]):
+    """Values that are made when first asked for."""
+
+    __slots__ = ("_make",)
+
+    def __init__(self, make: Callable[[K], V]) -> None:
+        super().__init__()
+        self._make = make
+
+    def __missing__(self, key: K) -> V:
+        value = self[key] = self._make(key)
+        return value
+
+
+class Share:
+    """What one participant does: its assignment and speed, and how it meets the others.
+
+    ``conflicts`` are those with participants listed after it, ``offsets`` the arrivals of others
+    against it; the latter are asked of the ego alone.
+    """
+
+    __slots__ = ("assignment", "conflicts", "offsets", "speed")
+
+    def __init__(self, sharing: Sharing, assignment: Assignment) -> None:
+        self.assignment = assignment
+        self.speed = sharing.speed(assignment)
+        self.conflicts: Kept[Share, Conflict | None] = Kept(
+            lambda other: sharing.conflict(assignment, other.assignment)
+        )
+        self.offsets: Kept[Share, ParameterRange | None] = Kept(
+            lambda other: sharing.offset(assignment, other.assignment)
+        )
+
+
+def conflicts_among(shares: list[Share]) -> list[Conflict]:
+    """All pairs whose paths meet, in the order of the participants."""
+    return [
+        conflict
+        for first, second in combinations(shares, 2)
+        if (conflict := first.conflicts[second]) is not None
+    ]
+
+
+class Sharing:
+    """The parts of all scenarios of one problem."""
+
+    def __init__(self, problem: Problem) -> None:
+        self._problem = problem
+        self._table = conflict_table(problem.functional.junction)
+        ego = problem.functional.ego
+        self._ego = problem.functional.participants.index(ego)
+        self._pairs = 0
+        self._drives: dict[tuple[int, Way, int, str | None], Share] = {}
+        self._others: dict[Assignment, Share] = {}
+
+    def drive(self, slot: int, way: Way, rank: int, beside: str | None) -> Share:
+        """The share of the vehicle in this place of the listing order."""
+        key = (slot, way, rank, beside)
+        found = self._drives.get(key)
+        if found is None:
+            entry, move, manner = way
+            angles = self._problem.angles_deg
+            turn = turn_name(angles, entry, move)
+            drive = Drive(
+                participant=self._problem.vehicles[slot].id,
+                entry=entry,
+                move=move,
+                exit=exit_arm(entry, move, len(angles)),
+                turn=turn,
+                maneuver=_MANNERS.get(manner, turn),
+                rank=rank,
+                beside=beside,
+            )
+            found = self._drives[key] = Share(self, drive)
+        return found
+
+    def other(self, assignment: Crossing | Standing) -> Share:
+        """The share of one who crosses an arm or stands on one."""
+        found = self._others.get(assignment)
+        if found is None:
+            found = self._others[assignment] = Share(self, assignment)
+        return found
+
+    def parameters(self, shares: list[Share]) -> list[ParameterRange]:
+        """The ranges that concretization chooses from: speeds, then arrivals against the ego."""
+        ego = shares[self._ego]
+        offsets = ego.offsets
+        found = [share.speed for share in shares if share.speed is not None]
+        found += [
+            offset
+            for share in shares
+            if share is not ego and (offset := offsets[share]) is not None
+        ]
+        return found
+
+    def speed(self, assignment: Assignment) -> ParameterRange | None:
+        """How fast a participant may be, None if it stands."""
+        if isinstance(assignment, Standing):
+            return None
+        return speed_range(self._problem.functional, assignment)
+
+    def conflict(self, first: Assignment, second: Assignment) -> Conflict | None:
+        """How two participants meet; too many answers are forgotten, not piled up."""
+        self._pairs += 1
+        if self._pairs > MOST_PAIRS:
+            self._pairs = 0
+            self._drives.clear()
+            self._others.clear()
+        return conflict_between(self._table, first, second)
+
+    def offset(self, ego: Assignment, other: Assignment) -> ParameterRange | None:
+        """When another participant arrives, against the ego."""
+        met = conflict_between(self._table, ego, other)
+        kind = ConflictKind.NONE if met is None else met.kind
+        return offset_range(self._problem.functional, ego, other, kind)

@@ -1,0 +1,32 @@
+"""Simulated movements as a table."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from scegen.motion.model import Trace
+
+COLUMNS = ("time", "id", "x", "y", "heading", "speed")
+
+
+def traces_csv(traces: Mapping[str, Trace]) -> str:
+    """All traces as CSV: by time, then in the scenario's order; the same input, the same text.
+
+    ``x``, ``y`` (m, world) and ``heading`` (rad, counter-clockwise from east, unwrapped) are those
+    of the reference point: the middle of the rear axle, a pedestrian's centre. ``speed`` is in m/s.
+
+    Args:
+        traces: by participant, at the same times.
+    """
+    lines = [",".join(COLUMNS)]
+    movers = [
+        (name, t.x_m.tolist(), t.y_m.tolist(), t.heading_rad.tolist(), t.speed_mps.tolist())
+        for name, t in traces.items()
+    ]
+    times = next(iter(traces.values())).time_s.tolist() if traces else []
+    for step, time in enumerate(times):
+        for name, x, y, heading, speed in movers:
+            # Adding zero turns -0.0 into 0.0.
+            values = (round(v[step], 6) + 0.0 for v in (x, y, heading, speed))
+            lines.append(f"{time:.3f},{name}," + ",".join(f"{value:.6f}" for value in values))
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,57 @@
+"""What is said of a finished scenario: its course, the careful driver's verdict, reactivity."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from math import isfinite
+from typing import Any
+
+from scegen.criticality.careful_driver import Verdict, careful_driver_verdict
+from scegen.criticality.course import ego_course
+from scegen.criticality.sensitivity import Sensitivity, ego_start_sensitivity
+from scegen.motion import build_paths
+from scegen.report.plots import plots_svg
+from scegen.road import build_network
+from scegen.scenario.concrete import ConcreteScenario
+
+_DIGITS = 3
+
+
+@dataclass(frozen=True, slots=True)
+class Judged:
+    """The judgement of one scenario; ``sensitivity`` is None where the ego is alone."""
+
+    verdict: Verdict
+    sensitivity: Sensitivity | None
+    plots_svg: str
+
+    def to_data(self) -> dict[str, Any]:
+        """Verdict and sensitivity as JSON-able data; what is infinite is None."""
+        starts: dict[str, Any] | None = None
+        if self.sensitivity is not None:
+            starts = asdict(self.sensitivity) | {"reactive": self.sensitivity.reactive}
+        data: dict[str, Any] = _plain({"verdict": asdict(self.verdict), "ego_start": starts})
+        return data
+
+
+def judge(concrete: ConcreteScenario) -> Judged:
+    """Judge a scenario.
+
+    Raises:
+        RoadInfeasibleError, MotionInfeasibleError: the numbers cannot be built.
+    """
+    paths = build_paths(concrete, build_network(concrete.road, concrete.name))
+    course = ego_course(concrete, paths)
+    return Judged(
+        careful_driver_verdict(concrete, paths),
+        ego_start_sensitivity(concrete, paths, partner=course.partner or None),
+        plots_svg(concrete, course),
+    )
+
+
+def _plain(value: Any) -> Any:  # noqa: ANN401 - JSON-able data of any shape
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, float):
+        return round(value, _DIGITS) if isfinite(value) else None
+    return list(value) if isinstance(value, tuple) else value

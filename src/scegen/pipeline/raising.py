@@ -1,0 +1,73 @@
+"""The stage between numbers and files: make the danger happen, or say why it does not."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from scegen.criticality import raise_criticality
+from scegen.criticality.target import NEAR_MISS, parse_target
+from scegen.pipeline.options import Options
+from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.proof import Proof
+
+NO_SEARCH = "none"
+PROOF_FILE = "proof.json"
+
+
+def chosen_target(options: Options, *, numbers_given: bool) -> str | None:
+    """The target of a run; None for no search.
+
+    Numbers that somebody gave are not touched unless a target is asked for.
+
+    Raises:
+        InputError: the option names no target.
+    """
+    if options.target is None:
+        return None if numbers_given else NEAR_MISS
+    if options.target.strip().lower() == NO_SEARCH:
+        return None
+    return parse_target(options.target).text
+
+
+def raise_all(
+    functional: FunctionalScenario | None,
+    concretes: list[ConcreteScenario],
+    target: str | None,
+    seed: int,
+    progress: Callable[[str], None],
+) -> tuple[list[ConcreteScenario], dict[str, Proof]]:
+    """The scenarios with their danger raised, and the proofs by name; none without a target."""
+    if target is None:
+        return concretes, {}
+    raised: list[ConcreteScenario] = []
+    proofs: dict[str, Proof] = {}
+    for concrete in concretes:
+        progress(f"searching for a {target} in {concrete.name}")
+        result = raise_criticality(functional, concrete, target=target, seed=seed)
+        raised.append(result.concrete)
+        proofs[concrete.name] = result.proof
+    return raised, proofs
+
+
+def proof_summary(proof: Proof | None) -> dict[str, object]:
+    """What ``summary.json`` says of a search; nothing without one."""
+    if proof is None:
+        return {}
+    measure = proof.of(proof.measure)
+    return {
+        "danger": {
+            "target": proof.target,
+            "in_band": proof.in_band,
+            "measure": proof.measure,
+            "pair": list(proof.pair),
+            "before": measure.before if measure else None,
+            "after": measure.after if measure else None,
+            "hazards": {
+                "asked": len(proof.hazards),
+                "happened": [str(h.kind) for h in proof.hazards if h.happened],
+                "missing": [str(h.kind) for h in proof.hazards if not h.happened],
+            },
+            "blocked_by": proof.blocked_by,
+        }
+    }

@@ -1,0 +1,77 @@
+"""The proof of danger as tables: every hazard and every measure, before and after the search."""
+
+from __future__ import annotations
+
+from scegen.report.tables import Row, Table
+from scegen.report.words import plain
+from scegen.scenario.proof import HazardProof, Proof
+
+_MEASURES = {
+    "pet": "post-encroachment time",
+    "distance": "smallest distance",
+    "ttc": "smallest time to collision",
+    "headway": "smallest time headway",
+    "drac": "deceleration to avoid a crash",
+    "contact_time": "first contact at",
+    "impact_speed": "speed of impact",
+}
+
+
+def danger_tables(proof: Proof | None) -> list[Table]:
+    """The tables; none where nothing was searched."""
+    if proof is None:
+        return []
+    tables = [_target(proof)]
+    rows = tuple(
+        _hazard(after, before)
+        for after, before in zip(proof.hazards, proof.hazards_before, strict=True)
+    )
+    if rows:
+        heads = ("Danger", "By", "To", "Before", "Now", "Margin", "At", "Conditions")
+        tables.append(Table("Does the danger happen?", heads, rows))
+    return tables
+
+
+def _target(proof: Proof) -> Table:
+    outcome = "reached" if proof.in_band else "NOT reached"
+    if proof.in_band_before and not proof.changed:
+        outcome += ", as it was first made"
+    if proof.blocked_by:
+        outcome += f": {proof.blocked_by}"
+    pair = " and ".join(proof.pair) or "nobody"
+    rows = [
+        (
+            _MEASURES.get(m.name, m.name) + (" (decides)" if m.name == proof.measure else ""),
+            _value(m.before, m.unit),
+            _value(m.after, m.unit),
+            _band(proof) if m.name == proof.measure else "",
+        )
+        for m in proof.measures
+        if m.before is not None or m.after is not None
+    ]
+    title = f"Target {proof.target} between {pair}: {outcome}"
+    return Table(title, ("Measure", "Before", "Now", "Band"), tuple(rows))
+
+
+def _hazard(after: HazardProof, before: HazardProof) -> Row:
+    return (
+        plain(after.kind),
+        " and ".join(after.by),
+        " and ".join(after.to),
+        "happened" if before.happened else "did not happen",
+        "happens" if after.happened else f"does NOT happen{': ' + after.note if after.note else ''}",
+        _value(after.margin, after.unit),
+        _value(after.time_s, "s"),
+        "; ".join(
+            f"{part.name} {_value(part.value, part.unit)} (threshold {part.threshold:g})"
+            for part in after.parts
+        ),
+    )
+
+
+def _band(proof: Proof) -> str:
+    return f"{proof.band[0]:g} to {proof.band[1]:g}" if proof.band else "a contact"
+
+
+def _value(value: float | None, unit: str) -> str:
+    return "–" if value is None else f"{value:.2f} {unit.replace('m/s2', 'm/s²')}"

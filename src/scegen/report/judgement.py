@@ -1,0 +1,83 @@
+"""The careful driver's verdict and the reactivity of a scenario, in words and rows."""
+
+from __future__ import annotations
+
+from scegen.criticality.careful_driver import DELAY_S, RISK_EVALUATION_S, Outcome, Verdict
+from scegen.criticality.sensitivity import Sensitivity, Start
+from scegen.report.tables import Row, Table
+
+_MODEL = "careful and competent driver of UN R157; its use here, beyond motorways, is our extension"
+
+
+def verdict_words(verdict: Verdict) -> str:
+    """The verdict in a few sentences."""
+    return " ".join([*_outcome(verdict), *_reaction(verdict), *_margin(verdict)])
+
+
+def _outcome(verdict: Verdict) -> list[str]:
+    driven = " and ".join(verdict.contact_as_driven)
+    if verdict.outcome is Outcome.UNAVOIDABLE:
+        others = " and ".join(verdict.contact)
+        at = verdict.contact_speed_mps
+        speed = "" if at is None else f" (ego at {at:.1f} m/s)"
+        return [f"A careful driver would touch {others} all the same{speed}."]
+    if driven:
+        return [f"A careful driver would not touch {driven}."]
+    return ["Nobody is touched, and a careful driver need not change that."]
+
+
+def _reaction(verdict: Verdict) -> list[str]:
+    if verdict.danger is None or verdict.perceived_s is None:
+        return ["No danger ahead becomes perceivable in time to react to."]
+    said = f"{verdict.danger} is a perceivable danger from {verdict.perceived_s:.2f} s"
+    if verdict.brakes_s is None:
+        return [f"{said}; braking for it would not help."]
+    late = RISK_EVALUATION_S + DELAY_S
+    return [f"{said}, the brakes act {late:.2f} s later, at {verdict.brakes_s:.2f} s."]
+
+
+def _margin(verdict: Verdict) -> list[str]:
+    parts = []
+    if verdict.outcome is Outcome.AVOIDABLE and verdict.distance_m != float("inf"):
+        parts.append(f"Remaining distance {verdict.distance_m:.2f} m.")
+    if verdict.spare_s is not None:
+        amount = f"{abs(verdict.spare_s):.1f} s"
+        if verdict.outcome is Outcome.AVOIDABLE:
+            parts.append(f"The brakes could act {amount} later.")
+        else:
+            parts.append(f"The brakes would have to act {amount} earlier.")
+    if verdict.secondary:
+        names = " and ".join(verdict.secondary)
+        parts.append(f"Because it stops and stays, {names}, who does not react, would run into it.")
+    return parts
+
+
+def judgement_tables(verdict: Verdict | None, sensitivity: Sensitivity | None) -> list[Table]:
+    """The verdict and the reactivity as tables; none for what was not judged."""
+    tables = []
+    if verdict is not None:
+        rows: tuple[Row, ...] = ((verdict.outcome.value, verdict_words(verdict), _MODEL),)
+        tables.append(Table("Could it be avoided?", ("Verdict", "Why", "Driver"), rows))
+    if sensitivity is not None:
+        stays = "stays critical" if sensitivity.reactive else "does not always stay critical"
+        starts = (sensitivity.slower, sensitivity.own, sensitivity.faster)
+        tables.append(
+            Table(
+                f"If the ego starts slower or faster: with {sensitivity.partner}, it {stays}",
+                ("Start", "Contact", "Smallest distance", "PET", "TTC", "Critical"),
+                tuple(_start(start) for start in starts),
+            )
+        )
+    return tables
+
+
+def _start(start: Start) -> Row:
+    percent = round(100 * (start.factor - 1))
+    return (
+        f"{percent:+d} %".replace("-", "−") if percent else "as it is",
+        "yes" if start.contact else "no",
+        f"{start.distance_m:.2f} m",
+        "–" if start.pet_s is None else f"{start.pet_s:.2f} s",
+        "–" if start.ttc_s is None else f"{start.ttc_s:.2f} s",
+        "yes" if start.critical else "no",
+    )

@@ -1,0 +1,42 @@
+"""Words of manner, direction, state and measure are used or reported, never dropped."""
+
+import pytest
+
+from scegen.understanding import read
+
+
+def reported(text):
+    return {u.text: u.instead for u in read(text).unsupported}
+
+
+@pytest.mark.parametrize(
+    ("text", "word"),
+    [
+        ("The ego must react suddenly because a boy crosses the road.", "suddenly"),
+        ("A van on a road swerves to the right.", "right"),
+        ("A northbound van brakes.", "northbound"),
+        ("A van parks quickly.", "quickly"),
+        ("The ego drives 50 m behind a van.", "50 m"),
+    ],
+)
+def test_what_fills_no_field_is_reported(text, word):
+    assert word in reported(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The ego turns left at a crossroads.",
+        "A van coming from the right of the ego suddenly brakes.",
+        "Vehicle 1 was northbound. Vehicle 2 was westbound.",
+        "A van drives at 50 km/h at night.",
+    ],
+)
+def test_what_fills_a_field_is_not_reported(text):
+    assert reported(text) == {}
+
+
+def test_words_that_contradict_each_other_are_told():
+    assert reported("In rain a van turns left. In snow a bus turns right.") == {
+        "snow": "contradicts 'rain', which is kept"
+    }
