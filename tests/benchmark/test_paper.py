@@ -27,3 +27,27 @@ def test_files_are_made_and_no_checker_fails(rows):
 
 def test_ten_cars_are_ten_cars(rows):
     assert next(row for row in rows if row.case == "paper-b6").participants == 10
+
+
+def test_every_case_has_a_verdict_and_esmini_agrees(rows):
+    assert {row.verdict for row in rows} <= {"avoidable", "unavoidable"}
+    assert [row.case for row in rows if row.esmini_agrees is False] == []
+    played = {row.checks["esmini"] for row in rows}
+    assert ("passed" in played) == any(row.esmini_agrees for row in rows)
+
+
+def test_every_danger_happens_and_every_target_is_reached(rows):
+    """The paper: 8 of 11."""
+    assert [(row.case, row.proof.blocked_by) for row in rows if not row.proof.reached] == []
+    for row in rows:
+        data = row.to_data()
+        assert data["in_band"] is True
+        assert data["hazards_asked"] == [h["kind"] for h in data["hazards_happened"]]
+        assert all(h["margin"] >= 0 for h in data["hazards_happened"])
+        low, high = row.proof.band
+        assert low <= data["after"] <= high
+        assert data["evaluations"] >= 1
+
+
+def test_searches_take_less_than_a_second(rows):
+    assert sorted(row.search_s for row in rows)[len(rows) // 2] < 1.0

@@ -39,7 +39,7 @@ from scegen.scenario.functional import (
 )
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver, ParticipantKind, Role
 
-EACH = 5
+EACH = 4
 """Scenarios of each set of hazards."""
 
 

@@ -49,6 +49,7 @@ def test_generate_makes_the_whole_folder(scegen, tmp_path, made):
         "scenario.xosc",
         "concrete.yaml",
         "preview.png",
+        "proof.json",
     }
     assert scenario.name in done.stdout
     assert "report.html" in done.stderr
@@ -137,7 +138,9 @@ def test_enumerate_without_a_file(scegen, reduction, count):
 def test_concretize_makes_a_level_that_generate_takes(scegen, tmp_path, made):
     done = scegen("concretize", made / "logical.json", "--index", "0", "-o", "concrete.yaml")
     assert done.returncode == 0, done.stderr
-    (theirs,) = made.glob("scenarios/000-*/concrete.yaml")
+    plain = ("-o", "plain", "--pick", "0", "--target", "none", "--check", "none")
+    assert scegen("generate", made / "logical.json", *plain).returncode == 0
+    (theirs,) = (tmp_path / "plain").glob("scenarios/000-*/concrete.yaml")
     assert (tmp_path / "concrete.yaml").read_bytes() == theirs.read_bytes()
 
 
@@ -202,3 +205,40 @@ def test_help_is_quick_to_load():
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
+
+
+def test_a_target_that_is_none_is_refused(scegen, tmp_path):
+    done = scegen("generate", SENTENCE, "-o", "out", "--target", "doom")
+    assert done.returncode == 2
+    assert "--target" in done.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_failed_search_is_said_loudly_and_keeps_the_scenario(scegen, tmp_path):
+    text = "Two cars go straight on a four-way intersection."
+    done = scegen("generate", text, "-o", "out", "--target", "headway=0.01..0.02")
+    assert done.returncode == 0, done.stderr
+    assert "TARGET NOT REACHED" in done.stderr
+    assert scegen("generate", text, "-o", "plain", "--target", "none").returncode == 0
+    (kept,) = (tmp_path / "out").glob("scenarios/*/concrete.yaml")
+    (plain,) = (tmp_path / "plain").glob("scenarios/*/concrete.yaml")
+    assert kept.read_bytes() == plain.read_bytes()
+    assert not (plain.parent / "proof.json").exists()
+    danger = json.loads((tmp_path / "out" / "summary.json").read_text())["scenarios"][0]["danger"]
+    assert danger["in_band"] is False
+    assert danger["blocked_by"]
+
+
+def test_numbers_given_are_searched_only_on_request(scegen, tmp_path):
+    text = "The ego turns left at a four-way intersection while an oncoming car goes straight."
+    assert scegen("generate", text, "-o", "a", "--target", "none").returncode == 0
+    (source,) = (tmp_path / "a").glob("scenarios/*/concrete.yaml")
+    assert scegen("generate", source, "-o", "b").returncode == 0
+    (kept,) = (tmp_path / "b").glob("scenarios/*/concrete.yaml")
+    assert kept.read_bytes() == source.read_bytes()
+    assert not (kept.parent / "proof.json").exists()
+    assert scegen("generate", source, "-o", "c", "--target", "near-miss").returncode == 0
+    (proof,) = (tmp_path / "c").glob("scenarios/*/proof.json")
+    data = json.loads(proof.read_text())
+    assert data["in_band"]
+    assert data["changed"]

@@ -225,11 +225,21 @@ def _hazards_hold(functional, made: Assignment) -> bool:
         if hazard.kind is HazardKind.FAILURE_TO_YIELD and met not in {"merging", "crossing"}:
             return False
         if hazard.kind is HazardKind.UNPROTECTED_LEFT_TURN:
-            opposite = Approach.OPPOSITE in seen_from(angles, made[by][0], made[to][0])
+            opposite = _faces(angles, made[by][0], made[to][0])
             left = turn_name(angles, *made[by][:2]) is Maneuver.LEFT
             if not (opposite and left and met in {"merging", "crossing"}):
                 return False
     return True
+
+
+def _faces(angles, arm, other) -> bool:
+    """Whether traffic from ``other`` comes towards ``arm``; if none does, any other arm's will."""
+    facing = {
+        one
+        for one in range(len(angles))
+        if one != arm and Approach.OPPOSITE in seen_from(angles, arm, one)
+    }
+    return other in facing if facing else other != arm
 
 
 def classes(functional: FunctionalScenario, reduction: Reduction, arms: ArmsMode) -> Counter:

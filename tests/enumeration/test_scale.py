@@ -1,4 +1,4 @@
-"""Many scenarios: shared parts stay valid, streams do not fill the memory, counts need no solver."""
+"""Many scenarios: shared parts stay valid, streams stay small, counts need no solver."""
 
 from __future__ import annotations
 

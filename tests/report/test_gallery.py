@@ -1,11 +1,15 @@
 """The gallery: one tile per logical scenario, drawn the right way round, always valid XML."""
 
+from collections import Counter
 from itertools import pairwise
 from math import atan2, pi
 
 import pytest
 from lxml import etree
 
+from scegen.enumeration import enumerate_scenarios, plain_crossing
+from scegen.report import gallery
+from scegen.report.conflict_points import conflict_points
 from scegen.report.gallery import MOST_TILES, gallery_svg
 from scegen.report.palette import EGO, OTHERS, colours
 from scegen.report.plan import arrow_head, crossing_line, drive_line, make_plan, standing_box
@@ -14,6 +18,7 @@ from scegen.scenario.arms import arm_angles_deg, exit_arm, turn_name
 from scegen.scenario.functional import FunctionalScenario, Junction, Participant
 from scegen.scenario.logical import (
     Certificate,
+    Conflict,
     Crossing,
     Drive,
     LogicalScenario,
@@ -107,6 +112,50 @@ def test_what_is_not_drawn_is_counted():
     text = gallery_svg(logical_set(junction(), count=MOST_TILES + 7))
     assert "7 more not drawn" in text
     assert len(etree.fromstring(text.encode()).findall(f"{SVG}g")) == MOST_TILES
+
+
+def test_many_are_grouped_by_pattern_with_their_sizes():
+    listed = enumerate_scenarios(plain_crossing((0, 1, 2, 3, 0, 1), 4), arms=ArmsMode.EQUAL)
+    text = gallery_svg(listed)
+    assert len(text.encode()) < 3_000_000
+    root = etree.fromstring(text.encode())
+    assert len(root.findall(f"{SVG}g")) == len(listed.scenarios) == 324
+    headings = [t.text for t in root.findall(f"{SVG}text") if t.text.startswith("Moves ")]
+    sizes = Counter()
+    for scenario in listed.scenarios:
+        sizes[scenario.pattern] += scenario.class_size
+    assert len(headings) == len(sizes) == 28
+    for heading, (pattern, size) in zip(headings, sorted(sizes.items()), strict=True):
+        assert heading.startswith(f"Moves {' '.join(map(str, pattern))}: ")
+        if "assignment" in heading:
+            assert f" {size} assignment" in heading
+    assert len(root.findall(f".//{SVG}use")) == 324  # the roads are drawn once
+
+
+def test_a_picture_that_grows_too_large_is_cut(monkeypatch):
+    monkeypatch.setattr(gallery, "MOST_CHARACTERS", 9_000)
+    text = gallery_svg(logical_set(junction(), count=40))
+    drawn = len(etree.fromstring(text.encode()).findall(f"{SVG}g"))
+    assert 0 < drawn < 40
+    assert f"{40 - drawn} more not drawn" in text
+
+
+def test_conflicts_are_marked_where_the_ways_meet():
+    lines = {
+        "a": [(-50.0, 0.0), (50.0, 0.0)],
+        "b": [(10.0, -50.0), (10.0, 50.0)],
+        "c": [(-50.0, 30.0), (20.0, 4.0), (50.0, 4.0)],
+    }
+    met = [
+        Conflict(first="a", second="b", kind="crossing"),
+        Conflict(first="c", second="a", kind="merging"),
+        Conflict(first="a", second="nobody", kind="crossing"),
+        Conflict(first="b", second="c", kind="diverging"),
+    ]
+    (ring, at), (diamond, where) = conflict_points(met, lines)
+    assert (ring, at) == ("crossing", (10.0, 0.0))
+    assert diamond == "merging"
+    assert where == pytest.approx((50.0, 4.0)) or where == pytest.approx((20.0, 4.0))
 
 
 def test_an_empty_set_is_a_picture_too():

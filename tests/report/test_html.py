@@ -31,6 +31,7 @@ from scegen.scenario.functional import (
 )
 from scegen.scenario.logical import (
     Certificate,
+    Conflict,
     Drive,
     LogicalScenario,
     LogicalSet,
@@ -102,6 +103,10 @@ def logical() -> LogicalScenario:
             Drive(participant=n, entry=0, move=1, exit=1, turn=straight, maneuver=straight, rank=r)
             for r, n in enumerate(("ego", "car_1"))
         ),
+        conflicts=(
+            Conflict(first="ego", second="car_1", kind="following", yields="car_1", rule="ahead"),
+        ),
+        deadlock=("ego", "car_1"),
         parameters=(
             ParameterRange(name="ego.speed_mps", low=8, high=14, default=10, reason="usual"),
         ),
@@ -257,9 +262,15 @@ def test_every_parameter_is_in_a_table():
         "into the oncoming lane from 40.0 m",
         "heavy rain",
         "8 – 14",
+        "car_1 yields to ego (the other is ahead)",
     ):
         assert wanted in words
     assert all(len(row) == len(t.heads) for t in tables(concrete()) for row in t.rows)
+
+
+def test_a_deadlock_is_named():
+    titles = [table.title for table in tables(concrete())]
+    assert any("deadlock: ego, car_1 wait for each other" in title for title in titles)
 
 
 def test_chosen_values_come_from_the_provenance():

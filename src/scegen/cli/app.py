@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from scegen import __version__
-from scegen.cli import benchmark, check, generate, levels, machine, simulate
+from scegen.cli import benchmark, check, enumerating, generate, levels, machine, simulate
 from scegen.cli.console import stderr
 from scegen.errors import ScegenError
 
@@ -43,7 +43,7 @@ def _options(
 
 app.command("generate")(generate.generate)
 app.command("understand")(levels.understand)
-app.command("enumerate")(levels.enumerate_)
+app.command("enumerate")(enumerating.enumerate_)
 app.command("concretize")(levels.concretize)
 app.command("check")(check.check)
 app.command("simulate")(simulate.simulate)

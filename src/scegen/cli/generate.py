@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from scegen.cli.choices import RulesOption, WhereOption
 from scegen.cli.console import result, result_json, say, working
 from scegen.cli.danger import proof_lines
 from scegen.cli.llm import (
@@ -67,6 +68,8 @@ def generate(
             "unless this is given."
         ),
     ] = None,
+    where: WhereOption = None,
+    rules: RulesOption = None,
     json: Annotated[bool, typer.Option("--json", help="Print summary.json.")] = False,
     llm: ModelOption = None,
     llm_url: UrlOption = None,
@@ -82,7 +85,9 @@ def generate(
     settings = llm_settings(llm, llm_url, llm_budget, llm_record, llm_replay)
     with working() as progress:
         progress("understanding")
-        options = Options(pick, count, seed, reduction, arms, osc, check, force, ego, target)
+        options = Options(
+            pick, count, seed, reduction, arms, osc, check, force, ego, target, where, rules
+        )
         if settings is None:
             made = run(resolve_source(source), output, options, progress)
         else:

@@ -1,4 +1,4 @@
-"""scegen understand, enumerate, concretize, schema: one stage each, level in, level out."""
+"""scegen understand, concretize, schema: one stage each, level in, level out."""
 
 from __future__ import annotations
 
@@ -20,11 +20,9 @@ from scegen.cli.llm import (
 )
 from scegen.cli.parse_report import show_contradiction, show_report
 from scegen.errors import InfeasibleError, InputError
-from scegen.scenario.vocabulary import ArmsMode, Reduction
 
 if TYPE_CHECKING:
     from scegen.scenario.functional import FunctionalScenario
-    from scegen.scenario.logical import Certificate, LogicalSet
 
 JsonFlag = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 OutputFile = Annotated[
@@ -51,7 +49,7 @@ def understand(
     settings = llm_settings(llm, llm_url, llm_budget, llm_record, llm_replay)
     if settings is None:
         try:
-            functional = _functional(text)
+            functional = functional_of(text)
         except InfeasibleError as error:
             if report:
                 show_contradiction(text, error, as_json=json)
@@ -59,59 +57,14 @@ def understand(
     else:
         with working() as progress:
             listener = Listener(settings, progress)
-            functional = _functional(text, listener)
+            functional = functional_of(text, listener)
         tell(listener.understanding)
     if report:
         show_report(functional, as_json=json)
         return
     for phrase in functional.unsupported:
         say(f'not expressed: "{phrase.text}" ({phrase.instead})')
-    _write(to_json(functional) if json else to_yaml(functional), output)
-
-
-def enumerate_(
-    source: Annotated[
-        str | None, typer.Argument(metavar="FUNCTIONAL|TEXT", help="functional.yaml or a text.")
-    ] = None,
-    reduction: Annotated[
-        Reduction, typer.Option(help="Which assignments count as one scenario.")
-    ] = Reduction.EXACT,
-    arms: Annotated[
-        ArmsMode, typer.Option(help="Whether all arms count alike.")
-    ] = ArmsMode.DISTINCT,
-    count_only: Annotated[bool, typer.Option("--count-only", help="Count, do not list.")] = False,
-    limit: Annotated[int | None, typer.Option(min=1, help="List at most so many.")] = None,
-    entries: Annotated[
-        str | None, typer.Option(help="Entry arms of free cars, such as 0,1,2, instead of a file.")
-    ] = None,
-    junction_arms: Annotated[
-        int | None, typer.Option(min=2, max=8, help="With --entries: arms of the junction.")
-    ] = None,
-    json: JsonFlag = False,
-    output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="Write logical.json to this file.")
-    ] = None,
-) -> None:
-    """List or count all logical scenarios of a functional one."""
-    from scegen.enumeration import count_scenarios, enumerate_scenarios
-
-    functional = _counted_cars(source, entries, junction_arms)
-    if count_only:
-        certificate = count_scenarios(functional, reduction=reduction, arms=arms)
-        _tell_count(certificate, reduction, arms, as_json=json)
-        return
-    with working() as progress:
-        progress("enumerating")
-        logical = enumerate_scenarios(functional, reduction=reduction, arms=arms, limit=limit)
-    if output is not None:
-        from scegen.scenario.files import to_json
-
-        _write(to_json(logical), output)
-    if json:
-        scenarios = [s.model_dump(mode="json") for s in logical.scenarios]
-        result_json(_head(logical.certificate, reduction, arms) | {"scenarios": scenarios})
-    elif output is None:
-        _tell_list(logical)
+    write_text(to_json(functional) if json else to_yaml(functional), output)
 
 
 def concretize(
@@ -130,7 +83,7 @@ def concretize(
     logical = load(source, LogicalSet)
     scenario = pick(logical, str(index))[0]
     concrete = choose_numbers(logical.functional, scenario, seed=seed)
-    _write(to_json(concrete) if json else to_yaml(concrete), output)
+    write_text(to_json(concrete) if json else to_yaml(concrete), output)
 
 
 def schema(
@@ -142,7 +95,8 @@ def schema(
     result_json(json_schema(level))
 
 
-def _functional(text_or_path: str, listener: Listener | None = None) -> FunctionalScenario:
+def functional_of(text_or_path: str, listener: Listener | None = None) -> FunctionalScenario:
+    """The functional scenario that an argument names or tells."""
     from scegen.pipeline.source import resolve_source
     from scegen.scenario.functional import FunctionalScenario
 
@@ -155,61 +109,8 @@ def _functional(text_or_path: str, listener: Listener | None = None) -> Function
     return source
 
 
-def _counted_cars(
-    source: str | None, entries: str | None, junction_arms: int | None
-) -> FunctionalScenario:
-    from scegen.enumeration import plain_crossing
-
-    if (source is None) == (entries is None):
-        raise InputError("name either a functional file (or a text) or --entries, not both")
-    if source is not None:
-        return _functional(source)
-    if junction_arms is None:
-        raise InputError("--entries needs --junction-arms, the number of arms of the junction")
-    try:
-        numbers = tuple(int(part) for part in (entries or "").split(","))
-    except ValueError as error:
-        raise InputError(
-            f"{entries!r} is not a list of arm numbers", where="--entries", hint="such as 0,1,2"
-        ) from error
-    return plain_crossing(entries=numbers, arms=junction_arms)
-
-
-def _head(certificate: Certificate, reduction: Reduction, arms: ArmsMode) -> dict[str, object]:
-    return {
-        "total": certificate.total,
-        "count": certificate.count,
-        "complete": certificate.complete,
-        "method": certificate.method,
-        "reduction": reduction.value,
-        "arms": arms.value,
-    }
-
-
-def _tell_count(
-    certificate: Certificate, reduction: Reduction, arms: ArmsMode, *, as_json: bool
-) -> None:
-    if as_json:
-        result_json(_head(certificate, reduction, arms))
-    else:
-        result(f"{certificate.count} scenarios of {certificate.total} assignments")
-
-
-def _tell_list(logical: LogicalSet) -> None:
-    certificate = logical.certificate
-    say(
-        f"{certificate.count} scenarios of {certificate.total} assignments "
-        f"(reduction {logical.reduction}, arms {logical.arms}; {certificate.method})"
-    )
-    for note in logical.notes:
-        say(note)
-    for scenario in logical.scenarios:
-        ways = "  ".join(f"{d.participant} {d.entry}→{d.exit}" for d in scenario.drives)
-        times = f"  ×{scenario.class_size}" if scenario.class_size > 1 else ""
-        result(f"{scenario.index:03d}-{scenario.slug}  {ways}{times}")
-
-
-def _write(text: str, output: Path | None) -> None:
+def write_text(text: str, output: Path | None) -> None:
+    """Write to a file, or to stdout."""
     if output is None:
         result(text)
         return

@@ -1,7 +1,8 @@
-"""How critical a movement is: measures, and their evaluation for thousands of candidates.
+"""How critical a movement is: measures, their evaluation for thousands of candidates, a search.
 
-``raise_criticality`` makes the dangers of a scenario happen and proves it. ``build_scene`` prepares what depends on paths and bodies only; ``evaluate`` simulates and
-measures candidates, ``measure`` measures movements that exist.
+``raise_criticality`` makes the dangers of a scenario happen and proves it. ``build_scene``
+prepares what depends on paths and bodies only; ``evaluate`` simulates and measures candidates,
+``measure`` measures movements that exist.
 """
 
 from scegen.criticality.evaluation import Summary, evaluate, measure

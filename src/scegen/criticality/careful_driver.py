@@ -3,9 +3,10 @@
 The ego is driven by the reference driver of UN Regulation No. 157 (automated lane keeping systems,
 Annex 3, first model; Appendix 3 to Annex 4 of its first version): it evaluates a perceivable risk
 for 0.4 s, needs 0.75 s more until the brakes act, and then brakes with up to 0.774 g, reached
-within 0.6 s. The figures agree with two public implementations, the JRC's (ec-jrc/JRC-FSM,
-``CC_human_driver``) and esmini's (``ControllerALKS_R157SM``, ``ReferenceDriver``): 0.4 s, 0.75 s,
-0.774 x 9.81 m/s², 12.65 m/s³, lateral wandering 0.375 m, critical time to collision 2.0 s.
+within 0.6 s. The figures were checked against two public implementations that cite the
+regulation, the JRC's (ec-jrc/JRC-FSM, ``CC_human_driver``) and esmini's (``ControllerALKS_R157SM``,
+``ReferenceDriver``): 0.4 s, 0.75 s, 0.774 x 9.81 m/s², 12.65 m/s³, lateral wandering 0.375 m,
+critical time to collision 2.0 s.
 
 The regulation defines this driver for cut-in, cut-out and deceleration on motorways. **Using it at
 crossings, and for pedestrians, cyclists and oncoming traffic, is an extension of our own**: what is
@@ -233,7 +234,7 @@ class _Trial:
 
     def first_danger(self) -> tuple[str | None, float | None]:
         """Who first stays a perceivable danger for the whole evaluation, and from when (s)."""
-        flags = self.dangers(self.as_driven)
+        flags = self.until_contact(self.as_driven)
         step_s = STEP_S * _LOOK_EVERY
         needed = round(RISK_EVALUATION_S / step_s) + 1
         best: tuple[int, str] | None = None
@@ -247,14 +248,16 @@ class _Trial:
 
     def seen(self, run: _Run) -> set[str]:
         """Those who ever are a perceivable danger in a run, before they touch the ego."""
+        return {self.names[n] for n in np.flatnonzero(self.until_contact(run).any(axis=1))}
+
+    def until_contact(self, run: _Run) -> Bools:
+        """The dangers of a run, of each participant until it touches the ego: (i, t)."""
         flags = self.dangers(run)
-        seen: set[str] = set()
         for number, name in enumerate(self.others):
             hits = np.flatnonzero(run.distance_m[:, number] <= 0.0)
-            end = hits[0] // _LOOK_EVERY if hits.size else flags.shape[1]
-            if flags[self.names.index(name), :end].any():
-                seen.add(name)
-        return seen
+            if hits.size:
+                flags[self.names.index(name), hits[0] // _LOOK_EVERY :] = False
+        return flags
 
     def braking(self, brakes_s: float) -> ConcreteScenario:
         """The scenario with an ego that brakes to a standstill from a time on."""

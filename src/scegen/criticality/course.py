@@ -15,7 +15,7 @@ from scegen.criticality.measures.time_to_collision import time_to_collision_seri
 from scegen.motion.batch import compile_program, simulate_batch
 from scegen.motion.batch.arrays import Floats
 from scegen.motion.model import Path
-from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
 
 
 @dataclass(frozen=True)
@@ -40,13 +40,18 @@ class Course:
 
 
 def ego_course(
-    concrete: ConcreteScenario, paths: Mapping[str, Path], *, dt_s: float = 0.05
+    concrete: ConcreteScenario,
+    paths: Mapping[str, Path],
+    *,
+    partner: str | None = None,
+    dt_s: float = 0.05,
 ) -> Course:
     """Simulate a scenario and look at it from the ego.
 
     Args:
         concrete: the scenario.
         paths: its paths by participant, as :func:`scegen.motion.build_paths` makes them.
+        partner: whom the event is about; None for whoever comes nearest, see :class:`Course`.
         dt_s: time step, s.
     """
     people = concrete.participants
@@ -63,8 +68,7 @@ def ego_course(
     pairs = np.array([(ego, n) for n in others], dtype=np.int64).reshape(-1, 2)
     apart = distance_series(traces.tracks, bodies, pairs)[0]
     ttc = time_to_collision_series(traces.tracks, bodies, pairs)[0]
-    named = {name for hazard in concrete.hazards for name in (*hazard.by, *hazard.to)}
-    counting = [k for k, n in enumerate(others) if not people[n].parked or people[n].id in named]
+    counting = [k for k, n in enumerate(others) if _counts(concrete, people[n], partner)]
     nearest = min(counting or range(len(others)), key=lambda k: apart[:, k].min(), default=None)
     return Course(
         traces.time_s,
@@ -74,3 +78,10 @@ def ego_course(
         "" if nearest is None else people[others[nearest]].id,
         0 if nearest is None else int(apart[:, nearest].argmin()),
     )
+
+
+def _counts(concrete: ConcreteScenario, one: ConcreteParticipant, partner: str | None) -> bool:
+    """Whether the event can be about this one."""
+    if partner is not None:
+        return one.id == partner
+    return not one.parked or any(one.id in (*h.by, *h.to) for h in concrete.hazards)

@@ -71,12 +71,9 @@ def rear_stations(follower: Path, leader: Path, own: Body, other: Body) -> Float
     s = np.linspace(0.0, follower.length_m, int(np.ceil(follower.length_m / 0.25)) + 1)
     way = np.interp(s, follower.s_m, follower.heading_rad)
     fx, fy = np.interp(s, follower.s_m, follower.x_m), np.interp(s, follower.s_m, follower.y_m)
-    turn = (heading[:, None] - way[None, :] + np.pi) % (2 * np.pi) - np.pi
-    away = (x[:, None] - fx) ** 2 + (y[:, None] - fy) ** 2
-    away[np.abs(turn) > SAME_WAY_RAD] = np.inf
-    nearest = np.argmin(away, axis=1)
-    rows_all = np.arange(rows)
-    turn, way = np.abs(turn[rows_all, nearest]), way[nearest]
+    nearest, away = _nearest(x, y, heading, fx, fy, way)
+    way = way[nearest]
+    turn = np.abs((heading - way + np.pi) % (2 * np.pi) - np.pi)
     dx, dy = x - fx[nearest], y - fy[nearest]
     ahead = dx * np.cos(way) + dy * np.sin(way)
     aside = np.abs(dy * np.cos(way) - dx * np.sin(way))
@@ -86,8 +83,29 @@ def rear_stations(follower: Path, leader: Path, own: Body, other: Body) -> Float
     half_breadth = length * np.sin(turn) + width * np.cos(turn)
     inside = aside < own.half_width_m + half_breadth
     # Beyond either end of the follower's path there is nothing to project on.
-    on_path = (np.abs(ahead) <= 0.5) & np.isfinite(away[rows_all, nearest])
+    on_path = (np.abs(ahead) <= 0.5) & np.isfinite(away)
     return np.where(inside & on_path, s[nearest] + ahead - reach, nan)
+
+
+@kernel
+def _nearest(
+    x: Floats, y: Floats, heading: Floats, fx: Floats, fy: Floats, way: Floats
+) -> tuple[Ints, Floats]:
+    """For each pose the nearest point of a path with a similar heading, and its squared distance.
+
+    The distance is inf, the point the first, where no heading is similar.
+    """
+    index = np.zeros(x.shape[0], dtype=np.int64)
+    away = np.full(x.shape[0], np.inf)
+    for n in range(x.shape[0]):
+        for m in range(fx.shape[0]):
+            dx, dy = x[n] - fx[m], y[n] - fy[m]
+            squared = dx * dx + dy * dy
+            if squared < away[n]:
+                turn = (heading[n] - way[m] + np.pi) % (2 * np.pi) - np.pi
+                if abs(turn) <= SAME_WAY_RAD:
+                    away[n], index[n] = squared, m
+    return index, away
 
 
 @kernel

@@ -5,9 +5,10 @@ triggers that look at the ego (distance to it, distance travelled by it) are eva
 danger that is bound to the ego's movement stays critical; one that happens at a fixed time or
 place of the other's own way is missed by an ego that comes earlier or later.
 
-A run counts as critical if the pair touches or one of these holds: distance at most 1.6 m, or
-post-encroachment time at most 2.0 s (above that, traffic is normal). Both are twice the upper end
-of the near-miss bands of :mod:`scegen.criticality.target`.
+A run counts as critical if the pair touches or one of these holds: distance at most 1.6 m;
+post-encroachment time at most 2.0 s (above that, traffic is normal); time to collision at most
+3.0 s and distance at most 4.0 m. These are twice the upper ends of the near-miss bands of
+:mod:`scegen.criticality.target`.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ from scegen.scenario.concrete import ConcreteScenario
 SLOWER, FASTER = 0.8, 1.2
 CRITICAL_DISTANCE_M = 2 * 0.8
 CRITICAL_PET_S = 2 * 1.0
+CRITICAL_TTC_S, WITHIN_M = 2 * 1.5, 2 * 2.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,8 +49,12 @@ class Start:
     @property
     def critical(self) -> bool:
         """Whether the pair touches, or comes as close as the module says."""
-        near = self.contact or self.distance_m <= CRITICAL_DISTANCE_M
-        return near or (self.pet_s is not None and self.pet_s <= CRITICAL_PET_S)
+        if self.contact or self.distance_m <= CRITICAL_DISTANCE_M:
+            return True
+        if self.pet_s is not None and self.pet_s <= CRITICAL_PET_S:
+            return True
+        soon = self.ttc_s is not None and self.ttc_s <= CRITICAL_TTC_S
+        return soon and self.distance_m <= WITHIN_M
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,6 +7,7 @@ from time import perf_counter
 import numpy as np
 
 from scegen.criticality.evaluation import evaluate, measure
+from scegen.criticality.measures.occlusion import occlusion_series
 from scegen.criticality.scene import build_scene
 from scegen.motion.batch import build_program, simulate_batch
 from scegen.motion.model import Path
@@ -26,5 +27,7 @@ def warm_kernels() -> float:
     program, candidate = build_program(paths, [1.0, 1.0], [[], []])
     scene = build_scene(paths, [ParticipantKind.CAR, ParticipantKind.CAR])
     evaluate(program, candidate, scene, duration_s=0.1)
-    measure(simulate_batch(program, candidate, duration_s=0.1), scene)
+    traces = simulate_batch(program, candidate, duration_s=0.1)
+    measure(traces, scene)
+    occlusion_series(traces.tracks, scene.bodies, scene.occlusions)
     return perf_counter() - begin

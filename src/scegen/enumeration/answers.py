@@ -24,6 +24,15 @@ class Drive(Predicate):
     manner: ConstantStr
 
 
+class Two(Predicate):
+    """The drives of two vehicles, each (entry, move, manner)."""
+
+    id: ConstantStr
+    way: tuple[int, int, ConstantStr]
+    other: ConstantStr
+    other_way: tuple[int, int, ConstantStr]
+
+
 class Crosses(Predicate):
     """A crosser's arm and the side on which it starts."""
 

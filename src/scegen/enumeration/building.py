@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from scegen.enumeration.problem import Problem
 from scegen.enumeration.ranks import queues
-from scegen.enumeration.reading import Solution
-from scegen.enumeration.sharing import Share, Sharing, conflicts_among
+from scegen.enumeration.reading import Solution, Way
+from scegen.enumeration.sharing import Kept, Share, Sharing, conflicts_among
 from scegen.enumeration.slugs import MOST_SPELT_OUT, slug_of
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Assignment, Crossing, Drive, LogicalScenario, Side, Standing
@@ -16,8 +16,10 @@ MOST_ORDERS = 4096
 
 Entries = tuple[tuple[int, ...], tuple[tuple[str, str, str], ...]]
 """Entries of the vehicles, and the places said of them."""
-Order = tuple[tuple[int, ...], tuple[str | None, ...]]
-"""Rank of every vehicle, and beside whom it travels."""
+Order = list[Kept[Way, Share]]
+"""The shares of every vehicle in its rank, by way."""
+
+_FIELDS = set(LogicalScenario.model_fields)
 
 BLOCKING = frozenset({HazardKind.OBSTACLE, HazardKind.STOPPING})
 """Hazards by which a parked vehicle stands in the travelled lane."""
@@ -40,25 +42,22 @@ class Builder:
         pattern = solution.pattern
         # Every part was validated when it was made; to do so again takes longer than all the rest.
         return LogicalScenario.model_construct(
+            _FIELDS,
             index=index,
             slug=self._slug(pattern, shares),
             pattern=pattern,
             class_size=class_size,
             assignments=tuple([share.assignment for share in shares]),
             conflicts=tuple(conflicts_among(shares)),
+            deadlock=self._sharing.deadlock(shares),
             parameters=tuple(self._sharing.parameters(shares)),
         )
 
     def _shares(self, solution: Solution) -> list[Share]:
         """What everybody does, in the order of the description."""
         problem, sharing = self._problem, self._sharing
-        ranks, beside = self._order(solution)
-        made = [
-            sharing.drive(slot, way, rank, mate)
-            for slot, (way, rank, mate) in enumerate(
-                zip(solution.drives, ranks, beside, strict=True)
-            )
-        ]
+        rows = self._order(solution)
+        made = [row[way] for row, way in zip(rows, solution.drives, strict=True)]
         if len(made) == len(self._functional.participants):
             return made
         names = [v.id for v in problem.vehicles]
@@ -74,7 +73,7 @@ class Builder:
         return [by_name[member.id] for member in self._functional.participants]
 
     def _order(self, solution: Solution) -> Order:
-        """Ranks and neighbours of the vehicles, which follow from entries and places."""
+        """The vehicles in the order in which they arrive, which entries and places decide."""
         key = (tuple([entry for entry, _, _ in solution.drives]), solution.places)
         found = self._orders.get(key)
         if found is None:
@@ -83,8 +82,10 @@ class Builder:
             for queue in queues(self._problem, solution):
                 ranks |= queue.ranks() or {}
                 beside |= queue.beside
-            names = [v.id for v in self._problem.vehicles]
-            found = tuple(ranks[name] for name in names), tuple(beside.get(name) for name in names)
+            found = [
+                self._sharing.drives(slot, ranks[vehicle.id], beside.get(vehicle.id))
+                for slot, vehicle in enumerate(self._problem.vehicles)
+            ]
             if len(self._orders) >= MOST_ORDERS:
                 self._orders.clear()
             self._orders[key] = found

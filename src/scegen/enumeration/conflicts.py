@@ -2,49 +2,26 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
-from clorm import Predicate
-
-from scegen.enumeration import answers as a
-from scegen.enumeration import predicates as p
-from scegen.enumeration.programs import Part, consequences
+from scegen.enumeration.right_of_way import RoadRules, right_of_way, road_rules
+from scegen.enumeration.swings import Ways
 from scegen.scenario.functional import Junction
 from scegen.scenario.logical import Assignment, Conflict, ConflictKind, Crossing, Drive, Standing
-from scegen.scenario.vocabulary import DrivingSide, JunctionKind
-
-Ways = tuple[int, int, int, int]
-"""Entry and exit of one vehicle, entry and exit of another."""
 
 
-def conflict_table(junction: Junction) -> dict[Ways, ConflictKind]:
+def conflict_table(junction: Junction, *, u_turns: bool = False) -> dict[Ways, ConflictKind]:
     """For every pair of ways through the junction that meet, how they do."""
-    return _table(
-        junction.arms,
-        junction.kind is JunctionKind.ROUNDABOUT,
-        junction.driving_side is DrivingSide.LEFT,
-    )
+    return road_rules(junction, u_turns=u_turns).kinds
 
 
-@lru_cache(maxsize=64)
-def _table(arms: int, ring: bool, left_hand: bool) -> dict[Ways, ConflictKind]:
-    facts: list[Predicate] = [p.Arms(arms)]
-    facts += [p.Ring()] if ring else []
-    facts += [p.LeftHand()] if left_hand else []
-    return {
-        (fact.entry, fact.exit, fact.other_entry, fact.other_exit): ConflictKind(fact.kind)
-        for fact in consequences(facts, (Part.ARMS, Part.CONFLICTS), (a.Meets,))
-    }
-
-
-def conflict_between(
-    table: dict[Ways, ConflictKind], first: Assignment, second: Assignment
-) -> Conflict | None:
-    """The conflict of two participants, None if their paths do not meet."""
-    kind = _kind(table, first, second)
+def conflict_between(rules: RoadRules, first: Assignment, second: Assignment) -> Conflict | None:
+    """The conflict of two participants and who yields, None if their paths do not meet."""
+    kind = _kind(rules.kinds, first, second)
     if kind is ConflictKind.NONE:
         return None
-    return Conflict(first=first.participant, second=second.participant, kind=kind)
+    yields, rule = right_of_way(rules, first, second)
+    return Conflict(
+        first=first.participant, second=second.participant, kind=kind, yields=yields, rule=rule
+    )
 
 
 def _kind(table: dict[Ways, ConflictKind], first: Assignment, second: Assignment) -> ConflictKind:

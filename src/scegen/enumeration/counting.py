@@ -76,6 +76,14 @@ class Census:
             ways = ways // math.factorial(counts[move]) * manners ** counts[move]
         return ways * entries
 
+    def class_key(self, reduction: Reduction, solution: Solution) -> Hashable:
+        """Equal for two assignments exactly if the reduction holds them to be one scenario."""
+        if reduction is Reduction.NONE:
+            return solution
+        if reduction is Reduction.PATTERN:
+            return solution.pattern
+        return self._sizes.key(self._choices(solution))
+
     def _one_row(self) -> tuple[Row, int, int] | None:
         """If all vehicles choose from the same moves everywhere: the row, vehicles, entries."""
         rows = {row for key, tied in self.loose for row in key}

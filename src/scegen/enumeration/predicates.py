@@ -78,6 +78,13 @@ class Ego(Predicate):
     id: ConstantStr
 
 
+class Kind(Predicate):
+    """What a participant is; for users' rules."""
+
+    id: ConstantStr
+    word: ConstantStr
+
+
 class VehicleCount(Predicate, name="vehicle_count"):
     """Number of vehicles."""
 
@@ -270,3 +277,13 @@ class Turned(Predicate):
     arms: int
     before: int
     after: int
+
+
+# --- reading ------------------------------------------------------------------------------
+
+
+class Pair(Predicate):
+    """Two vehicles whose drives are shown as one atom."""
+
+    first: ConstantStr
+    second: ConstantStr

@@ -7,7 +7,7 @@ from enum import StrEnum
 from pathlib import Path
 
 from clorm import FactBase, Predicate, unify
-from clorm.clingo import Control, SolveHandle, Symbol
+from clorm.clingo import Control, MessageCode, SolveHandle, Symbol
 
 ENCODINGS = Path(__file__).parent / "encodings"
 
@@ -18,6 +18,8 @@ class Part(StrEnum):
     ARMS = "arms"
     WORDS = "words"
     CONFLICTS = "conflicts"
+    RIGHT_OF_WAY = "right_of_way"
+    DEADLOCK = "deadlock"
     DRIVES = "drives"
     PLACES = "places"
     HAZARDS = "hazards"
@@ -30,6 +32,9 @@ class Part(StrEnum):
     EXPLAIN = "explain"
     ORDER = "order"
     STATE = "state"
+    BUNDLES = "bundles"
+    COVER = "cover"
+    RULES = "rules"
 
 
 SCENARIO_PARTS = (
@@ -44,18 +49,27 @@ SCENARIO_PARTS = (
 """What makes an assignment a scenario, without symmetry and without who decides."""
 
 
-def _quiet(code: object, message: str) -> None:
-    """Drop notes such as "atom does not occur in any rule head": most facts are optional."""
+def grounded(
+    facts: Iterable[Predicate],
+    parts: Sequence[Part],
+    *options: str,
+    files: Sequence[Path] = (),
+    said: list[str] | None = None,
+) -> Control:
+    """A solver that holds the facts and the parts, and a user's files; clingo's errors go to said.
 
-
-def grounded(facts: Iterable[Predicate], parts: Sequence[Part], *options: str) -> Control:
-    """A solver that holds the facts and the parts.
-
-    The seed is fixed and there is one thread, so equal input gives equal output in equal order.
+    Its notes, such as "atom does not occur in any rule head", are dropped: most facts are
+    optional. The seed is fixed and there is one thread, so equal input gives equal output in
+    equal order.
     """
-    control = Control(["--seed=1", *options], logger=_quiet)
-    for part in parts:
-        control.load(str(ENCODINGS / f"{part}.lp"))
+
+    def note(code: MessageCode, message: str) -> None:
+        if said is not None and code is MessageCode.RuntimeError:
+            said.append(message)
+
+    control = Control(["--seed=1", *options], logger=note)
+    for file in (*(ENCODINGS / f"{part}.lp" for part in parts), *files):
+        control.load(str(file))
     control.add_facts(FactBase(facts))
     control.ground([("base", [])])
     return control

@@ -17,7 +17,7 @@ COUNTED = -1
 Way = tuple[int, int, str]
 """Entry, move and manner of a vehicle."""
 
-_SHOWN = (a.Drive, a.Enters, a.Crosses, a.Place)
+_SHOWN = (a.Drive, a.Two, a.Enters, a.Crosses, a.Place)
 _UNSET: Way = (-1, COUNTED, "")
 
 
@@ -49,7 +49,7 @@ class Reader:
     def __init__(self, problem: Problem) -> None:
         self._slots = {vehicle.id: slot for slot, vehicle in enumerate(problem.vehicles)}
         self._crossers = {crosser.id: slot for slot, crosser in enumerate(problem.crossers)}
-        self._ways: dict[Symbol, tuple[int, Way]] = {}
+        self._ways: dict[Symbol, list[tuple[int, Way]]] = {}
         self._facts: dict[Symbol, Predicate] = {}
 
     def solution(self, shown: Iterable[Symbol]) -> Solution:
@@ -62,15 +62,17 @@ class Reader:
             if found is None:
                 others.append(symbol)
             else:
-                drives[found[0]] = found[1]
+                for slot, way in found:
+                    drives[slot] = way
         crossings: list[tuple[int, str]] = [(0, "")] * len(self._crossers)
         places: list[tuple[str, str, str]] = []
         for symbol in others:
             fact = self._fact(symbol)
-            if isinstance(fact, a.Drive):
-                slot, way = self._slots[fact.id], (fact.entry, fact.move, fact.manner)
-                self._ways[symbol] = slot, way
-                drives[slot] = way
+            ways = self._driven(fact)
+            if ways:
+                self._ways[symbol] = ways
+                for slot, way in ways:
+                    drives[slot] = way
             elif isinstance(fact, a.Crosses):
                 crossings[self._crossers[fact.id]] = (fact.arm, fact.side)
             elif isinstance(fact, a.Place):
@@ -78,6 +80,16 @@ class Reader:
             elif isinstance(fact, a.Enters) and drives[self._slots[fact.id]] is _UNSET:
                 drives[self._slots[fact.id]] = (fact.arm, COUNTED, "none")
         return Solution(tuple(drives), tuple(crossings), tuple(sorted(places)))
+
+    def _driven(self, fact: Predicate) -> list[tuple[int, Way]]:
+        """The ways that an atom tells, of one vehicle or of two."""
+        if isinstance(fact, a.Drive):
+            told = [(fact.id, (fact.entry, fact.move, fact.manner))]
+        elif isinstance(fact, a.Two):
+            told = [(fact.id, tuple(fact.way)), (fact.other, tuple(fact.other_way))]
+        else:
+            told = []
+        return [(self._slots[name], way) for name, way in told]
 
     def _fact(self, symbol: Symbol) -> Predicate:
         if symbol not in self._facts:
@@ -89,6 +101,7 @@ def read_solutions(problem: Problem, control: Control, *, limit: int = 0) -> Ite
     """The answer sets of a program as solutions, in its order; ``limit`` 0 means all."""
     reader = Reader(problem)
     control.configuration.solve.models = limit
-    with control.solve(yield_=True) as handle:
+    # The plain handle: clorm's would wrap every model anew, and the reader does its work.
+    with control.control_.solve(yield_=True) as handle:
         for model in handle:
             yield reader.solution(model.symbols(shown=True))

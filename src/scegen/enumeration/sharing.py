@@ -8,12 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from itertools import combinations
-from typing import TypeVar
+from typing import Any, TypeVar
 
-from scegen.enumeration.conflicts import conflict_between, conflict_table
+from scegen.enumeration.conflicts import conflict_between
+from scegen.enumeration.deadlock import deadlock_among, may_be_stuck
 from scegen.enumeration.problem import Problem
 from scegen.enumeration.ranges import offset_range, speed_range
 from scegen.enumeration.reading import Way
+from scegen.enumeration.right_of_way import road_rules
 from scegen.scenario.arms import exit_arm, turn_name
 from scegen.scenario.logical import (
     Assignment,
@@ -26,6 +28,8 @@ from scegen.scenario.logical import (
 )
 from scegen.scenario.vocabulary import Maneuver
 
+MOST_DEADLOCKS = 4096
+"""Deadlocks that are kept."""
 MOST_PAIRS = 400_000
 """Pairs that are kept (some 100 MB at the very most); then they are made anew."""
 
@@ -54,14 +58,16 @@ class Share:
     """What one participant does: its assignment and speed, and how it meets the others.
 
     ``conflicts`` are those with participants listed after it, ``offsets`` the arrivals of others
-    against it; the latter are asked of the ego alone.
+    against it; the latter are asked of the ego alone. ``may_be_stuck`` tells who can be in a
+    deadlock.
     """
 
-    __slots__ = ("assignment", "conflicts", "offsets", "speed")
+    __slots__ = ("assignment", "conflicts", "may_be_stuck", "offsets", "speed")
 
     def __init__(self, sharing: Sharing, assignment: Assignment) -> None:
         self.assignment = assignment
         self.speed = sharing.speed(assignment)
+        self.may_be_stuck = sharing.may_be_stuck(assignment)
         self.conflicts: Kept[Share, Conflict | None] = Kept(
             lambda other: sharing.conflict(assignment, other.assignment)
         )
@@ -84,33 +90,37 @@ class Sharing:
 
     def __init__(self, problem: Problem) -> None:
         self._problem = problem
-        self._table = conflict_table(problem.functional.junction)
+        turns_back = any(move == 0 for found in problem.wanted.values() for move, _ in found)
+        self._rules = road_rules(problem.functional.junction, u_turns=turns_back)
         ego = problem.functional.ego
         self._ego = problem.functional.participants.index(ego)
         self._pairs = 0
-        self._drives: dict[tuple[int, Way, int, str | None], Share] = {}
+        self._equal: dict[Any, Any] = {}
+        self._drives: dict[tuple[int, int, str | None], Kept[Way, Share]] = {}
         self._others: dict[Assignment, Share] = {}
+        self._deadlocks: dict[tuple[Share, ...], tuple[str, ...]] = {}
 
-    def drive(self, slot: int, way: Way, rank: int, beside: str | None) -> Share:
-        """The share of the vehicle in this place of the listing order."""
-        key = (slot, way, rank, beside)
-        found = self._drives.get(key)
-        if found is None:
-            entry, move, manner = way
-            angles = self._problem.angles_deg
-            turn = turn_name(angles, entry, move)
-            drive = Drive(
-                participant=self._problem.vehicles[slot].id,
-                entry=entry,
-                move=move,
-                exit=exit_arm(entry, move, len(angles)),
-                turn=turn,
-                maneuver=_MANNERS.get(manner, turn),
-                rank=rank,
-                beside=beside,
-            )
-            found = self._drives[key] = Share(self, drive)
-        return found
+    def drives(self, slot: int, rank: int, beside: str | None) -> Kept[Way, Share]:
+        """The shares of the vehicle in this place of the listing order, by way."""
+        key = (slot, rank, beside)
+        if key not in self._drives:
+            self._drives[key] = Kept(lambda way: Share(self, self._drive(way, *key)))
+        return self._drives[key]
+
+    def _drive(self, way: Way, slot: int, rank: int, beside: str | None) -> Drive:
+        entry, move, manner = way
+        angles = self._problem.angles_deg
+        turn = turn_name(angles, entry, move)
+        return Drive(
+            participant=self._problem.vehicles[slot].id,
+            entry=entry,
+            move=move,
+            exit=exit_arm(entry, move, len(angles)),
+            turn=turn,
+            maneuver=_MANNERS.get(manner, turn),
+            rank=rank,
+            beside=beside,
+        )
 
     def other(self, assignment: Crossing | Standing) -> Share:
         """The share of one who crosses an arm or stands on one."""
@@ -131,11 +141,27 @@ class Sharing:
         ]
         return found
 
+    def may_be_stuck(self, assignment: Assignment) -> bool:
+        """Whether a participant can be in a deadlock."""
+        return may_be_stuck(self._rules, assignment)
+
+    def deadlock(self, shares: list[Share]) -> tuple[str, ...]:
+        """Those of whom each must wait for another of them."""
+        line = tuple([share for share in shares if share.may_be_stuck])
+        found = self._deadlocks.get(line)
+        if found is None:
+            names = [share.assignment.participant for share in line]
+            found = deadlock_among(names, conflicts_among(list(line)))
+            if len(self._deadlocks) >= MOST_DEADLOCKS:
+                self._deadlocks.clear()
+            self._deadlocks[line] = found
+        return found
+
     def speed(self, assignment: Assignment) -> ParameterRange | None:
         """How fast a participant may be, None if it stands."""
         if isinstance(assignment, Standing):
             return None
-        return speed_range(self._problem.functional, assignment)
+        return self._one(speed_range(self._problem.functional, assignment))
 
     def conflict(self, first: Assignment, second: Assignment) -> Conflict | None:
         """How two participants meet; too many answers are forgotten, not piled up."""
@@ -144,10 +170,17 @@ class Sharing:
             self._pairs = 0
             self._drives.clear()
             self._others.clear()
-        return conflict_between(self._table, first, second)
+        found = conflict_between(self._rules, first, second)
+        return self._one(found)
 
     def offset(self, ego: Assignment, other: Assignment) -> ParameterRange | None:
         """When another participant arrives, against the ego."""
-        met = conflict_between(self._table, ego, other)
+        met = conflict_between(self._rules, ego, other)
         kind = ConflictKind.NONE if met is None else met.kind
-        return offset_range(self._problem.functional, ego, other, kind)
+        found = offset_range(self._problem.functional, ego, other, kind)
+        return self._one(found)
+
+    def _one(self, part: V) -> V:
+        """Of equal parts the one that was made first."""
+        found: V = self._equal.setdefault(part, part)
+        return found

@@ -16,6 +16,9 @@ from scegen.enumeration.reading import COUNTED, Solution, read_solutions
 from scegen.enumeration.symmetry import Symmetry
 from scegen.scenario.vocabulary import Reduction
 
+MOST_COMBINATIONS = 49
+"""Two vehicles are shown in one atom if together they have no more choices than this."""
+
 
 @dataclass(frozen=True)
 class Space:
@@ -72,7 +75,20 @@ def listing_program(space: Space, symmetry: Symmetry, reduction: Reduction) -> C
         if len(symmetry.rotations) > 1:
             facts += _rotation_facts(problem, symmetry)
             parts.append(Part.ROTATIONS)
-    return grounded(facts, parts, *options)
+    return grounded([*facts, *_pairs(problem)], [*parts, Part.BUNDLES], *options)
+
+
+def _pairs(problem: Problem) -> list[Predicate]:
+    """Vehicles next to each other in the listing, two by two where few choices are theirs."""
+    facts: list[Predicate] = []
+    for first, second in zip(problem.vehicles[::2], problem.vehicles[1::2], strict=False):
+        combinations = 1
+        for vehicle in (first, second):
+            entries = problem.entries.get(vehicle.id, range(problem.arms))
+            combinations *= sum(len(problem.wanted.get((vehicle.id, e), ())) for e in entries)
+        if combinations <= MOST_COMBINATIONS:
+            facts.append(p.Pair(first.id, second.id))
+    return facts
 
 
 def states(space: Space, symmetry: Symmetry) -> Iterator[Solution]:

@@ -9,12 +9,12 @@ from pathlib import Path
 
 from scegen.checking import CHECKERS, QUICK_CHECKERS, CheckReport, check_files
 from scegen.enumeration import enumerate_scenarios
-from scegen.errors import InfeasibleError, InputError
+from scegen.errors import InfeasibleError, InputError, NoScenarioError
 from scegen.motion import concretize
 from scegen.pipeline.contents import Made, folder_files
 from scegen.pipeline.export import export_scenario
 from scegen.pipeline.folder import replace_content, require_usable
-from scegen.pipeline.judging import judge
+from scegen.pipeline.judging import Judged, judge
 from scegen.pipeline.options import CheckDepth, Options
 from scegen.pipeline.picking import pick
 from scegen.pipeline.raising import PROOF_FILE, chosen_target, raise_all
@@ -36,7 +36,11 @@ _CHECKERS = {
 
 @dataclass(frozen=True, slots=True)
 class Result:
-    """What was made: scenario folders by name, their checks, what could not be made, proofs of danger."""
+    """What was made: scenario folders by name, their checks, and what could not be made.
+
+    ``proofs`` say what the search for danger has reached, ``search_s`` how long it took,
+    ``judged`` what the careful driver makes of it.
+    """
 
     folder: Path
     functional: FunctionalScenario | None
@@ -44,6 +48,8 @@ class Result:
     checks: dict[str, CheckReport]
     skipped: dict[str, str]
     proofs: dict[str, Proof] = field(default_factory=dict)
+    search_s: dict[str, float] = field(default_factory=dict)
+    judged: dict[str, Judged] = field(default_factory=dict)
 
     @property
     def ok(self) -> bool:
@@ -74,11 +80,22 @@ def generate(
     logical = source if isinstance(source, LogicalSet) else None
     if functional is not None:
         progress("enumerating logical scenarios")
-        logical = enumerate_scenarios(functional, reduction=options.reduction, arms=options.arms)
+        logical = enumerate_scenarios(
+            functional,
+            reduction=options.reduction,
+            arms=options.arms,
+            where=options.where,
+            rules=options.rules,
+        )
+        if not logical.scenarios:
+            raise NoScenarioError("no scenario is as asked for", where=f"--where {options.where}")
+    elif options.where or options.rules:
+        raise InputError("--where and --rules narrow the enumeration of a functional scenario")
     if logical is not None:
         functional = logical.functional
     concretes, skipped = _concretes(source, logical, options, progress)
-    concretes, proofs = raise_all(functional, concretes, target, options.seed, progress)
+    raised = raise_all(functional, concretes, target, options.seed, progress)
+    concretes, proofs = raised.concretes, raised.proofs
 
     with tempfile.TemporaryDirectory(prefix="scegen-") as staging:
         staged = Path(staging)
@@ -93,13 +110,17 @@ def generate(
         progress("checking")
         checks = _checks(staged, [concrete.name for concrete in concretes], options.depth)
         progress("judging")
-        made = [Made(c, files[c.name], checks[c.name], judge(c), proofs.get(c.name)) for c in concretes]
+        judged = {c.name: judge(c, proofs.get(c.name)) for c in concretes}
+        made = [
+            Made(c, files[c.name], checks[c.name], judged[c.name], proofs.get(c.name))
+            for c in concretes
+        ]
         progress("drawing the report")
         _write(
             staged, folder_files(functional, logical, made, skipped, options.seed, understanding)
         )
         replace_content(folder, staged)
-    return Result(folder, functional, logical, checks, skipped, proofs)
+    return Result(folder, functional, logical, checks, skipped, proofs, raised.search_s, judged)
 
 
 def _concretes(

@@ -13,6 +13,7 @@ from scegen.motion import build_paths
 from scegen.report.plots import plots_svg
 from scegen.road import build_network
 from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.proof import Proof
 
 _DIGITS = 3
 
@@ -34,14 +35,19 @@ class Judged:
         return data
 
 
-def judge(concrete: ConcreteScenario) -> Judged:
+def judge(concrete: ConcreteScenario, proof: Proof | None = None) -> Judged:
     """Judge a scenario.
+
+    If a search was about a pair with the ego, the event is that pair's.
 
     Raises:
         RoadInfeasibleError, MotionInfeasibleError: the numbers cannot be built.
     """
     paths = build_paths(concrete, build_network(concrete.road, concrete.name))
-    course = ego_course(concrete, paths)
+    ego = concrete.ego.id
+    pair = proof.pair if proof is not None and ego in proof.pair else ()
+    partner = next((name for name in pair if name != ego), None)
+    course = ego_course(concrete, paths, partner=partner)
     return Judged(
         careful_driver_verdict(concrete, paths),
         ego_start_sensitivity(concrete, paths, partner=course.partner or None),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
+from pathlib import Path
 
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 
@@ -35,8 +36,9 @@ class Options:
     """Options of one run.
 
     ``pick`` names logical scenarios (see :mod:`scegen.pipeline.picking`), and all that it names
-    are made; without it, the ``count`` richest are. ``target`` is what the search is to reach, ``none`` for no
-    search; None stands for a near-miss, and for no search where concrete numbers are given.
+    are made; without it, the ``count`` richest are. ``target`` is what the search is to
+    reach, ``none`` for no search; None stands for a near-miss, and for no search where concrete
+    numbers are given. ``where`` and ``rules`` narrow the list of logical scenarios.
     """
 
     pick: str | None = None
@@ -49,3 +51,5 @@ class Options:
     force: bool = False
     ego: EgoMode = EgoMode.SCRIPTED
     target: str | None = None
+    where: str | None = None
+    rules: Path | None = None

@@ -4,23 +4,17 @@ from __future__ import annotations
 
 import re
 
+from scegen.enumeration.choosing.ranking import richest_first
 from scegen.errors import InputError
 from scegen.scenario.arms import arm_angles_deg, seen_from
-from scegen.scenario.logical import ConflictKind, LogicalScenario, LogicalSet
-from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
-
-_WEIGHT = {
-    ConflictKind.CROSSING: 3,
-    ConflictKind.MERGING: 2,
-    ConflictKind.FOLLOWING: 1,
-    ConflictKind.DIVERGING: 1,
-    ConflictKind.NONE: 0,
-}
+from scegen.scenario.logical import LogicalScenario, LogicalSet
+from scegen.scenario.vocabulary import Approach, HazardKind
 
 
 def pick(logical: LogicalSet, expression: str | None) -> tuple[LogicalScenario, ...]:
-    """The scenarios that ``expression`` names, in its order; by conflict richness if None,
-    those first in which the text's occluders can hide somebody.
+    """The scenarios that ``expression`` names, in its order; by conflict richness if None.
+
+    Of all, those come first in which the text's occluders can hide somebody.
 
     An expression is ``all``, or a comma-separated list of numbers (``3``), ranges (``0-4``)
     and names (``000-ego-left`` or its slug).
@@ -32,12 +26,7 @@ def pick(logical: LogicalSet, expression: str | None) -> tuple[LogicalScenario, 
         return tuple(
             sorted(
                 logical.scenarios,
-                key=lambda s: (
-                    -_hidden(s, logical),
-                    -_richness(s, logical),
-                    _turns(s),
-                    s.index,
-                ),
+                key=lambda s: (-_hidden(s, logical), *richest_first(s, logical.functional)),
             )
         )
     if expression.strip() == "all":
@@ -59,16 +48,6 @@ def pick(logical: LogicalSet, expression: str | None) -> tuple[LogicalScenario, 
         else:
             raise _unknown(part, logical)
     return tuple(chosen.values())
-
-
-def _richness(scenario: LogicalScenario, logical: LogicalSet) -> int:
-    """Conflicts count by kind, and twice where the ego or somebody in a hazard takes part."""
-    centre = {logical.functional.ego.id}
-    for hazard in logical.functional.hazards:
-        centre.update(hazard.by, hazard.to)
-    return sum(
-        _WEIGHT[c.kind] * (1 + len(centre & {c.first, c.second})) for c in scenario.conflicts
-    )
 
 
 def _hidden(scenario: LogicalScenario, logical: LogicalSet) -> int:
@@ -94,11 +73,6 @@ def _hidden(scenario: LogicalScenario, logical: LogicalSet) -> int:
                 if other.participant not in observers
             )
     return count
-
-
-def _turns(scenario: LogicalScenario) -> int:
-    """Of equally rich scenarios the plainest comes first."""
-    return sum(drive.turn is not Maneuver.STRAIGHT for drive in scenario.drives)
 
 
 def _unknown(part: str, logical: LogicalSet) -> InputError:

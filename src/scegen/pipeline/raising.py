@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass, field
+from time import perf_counter
 
 from scegen.criticality import raise_criticality
 from scegen.criticality.target import NEAR_MISS, parse_target
@@ -13,6 +15,15 @@ from scegen.scenario.proof import Proof
 
 NO_SEARCH = "none"
 PROOF_FILE = "proof.json"
+
+
+@dataclass(frozen=True, slots=True)
+class Raising:
+    """The scenarios with their danger raised, and proofs and seconds taken, by name."""
+
+    concretes: list[ConcreteScenario]
+    proofs: dict[str, Proof] = field(default_factory=dict)
+    search_s: dict[str, float] = field(default_factory=dict)
 
 
 def chosen_target(options: Options, *, numbers_given: bool) -> str | None:
@@ -36,18 +47,19 @@ def raise_all(
     target: str | None,
     seed: int,
     progress: Callable[[str], None],
-) -> tuple[list[ConcreteScenario], dict[str, Proof]]:
-    """The scenarios with their danger raised, and the proofs by name; none without a target."""
+) -> Raising:
+    """Raise the danger of some scenarios; without a target they stay as they are."""
     if target is None:
-        return concretes, {}
-    raised: list[ConcreteScenario] = []
-    proofs: dict[str, Proof] = {}
+        return Raising(concretes)
+    raising = Raising([])
     for concrete in concretes:
         progress(f"searching for a {target} in {concrete.name}")
+        begin = perf_counter()
         result = raise_criticality(functional, concrete, target=target, seed=seed)
-        raised.append(result.concrete)
-        proofs[concrete.name] = result.proof
-    return raised, proofs
+        raising.search_s[concrete.name] = perf_counter() - begin
+        raising.concretes.append(result.concrete)
+        raising.proofs[concrete.name] = result.proof
+    return raising
 
 
 def proof_summary(proof: Proof | None) -> dict[str, object]:

@@ -97,7 +97,9 @@ class _Concrete:
 def _concrete(entry: ConcreteEntry) -> _Concrete:
     concrete = entry.concrete
     who = ", ".join(p.id for p in concrete.participants)
-    names = ("road.xodr", "scenario.xosc", "concrete.yaml", "preview.png")
+    names = ["road.xodr", "scenario.xosc", "concrete.yaml", "preview.png"]
+    if entry.proof is not None:
+        names.append("proof.json")
     return _Concrete(
         name=concrete.name,
         anchor=f"scenario-{concrete.name}",

@@ -23,15 +23,15 @@ def _outcome(verdict: Verdict) -> list[str]:
         return [f"A careful driver would touch {others} all the same{speed}."]
     if driven:
         return [f"A careful driver would not touch {driven}."]
-    return ["Nobody is touched, and a careful driver need not change that."]
+    return ["Nobody is touched as it is, and nobody with a careful driver."]
 
 
 def _reaction(verdict: Verdict) -> list[str]:
     if verdict.danger is None or verdict.perceived_s is None:
-        return ["No danger ahead becomes perceivable in time to react to."]
+        return ["No danger ahead is perceivable for long enough to react."]
     said = f"{verdict.danger} is a perceivable danger from {verdict.perceived_s:.2f} s"
     if verdict.brakes_s is None:
-        return [f"{said}; braking for it would not help."]
+        return [f"{said}; braking for it would only bring about a contact."]
     late = RISK_EVALUATION_S + DELAY_S
     return [f"{said}, the brakes act {late:.2f} s later, at {verdict.brakes_s:.2f} s."]
 
@@ -48,7 +48,8 @@ def _margin(verdict: Verdict) -> list[str]:
             parts.append(f"The brakes would have to act {amount} earlier.")
     if verdict.secondary:
         names = " and ".join(verdict.secondary)
-        parts.append(f"Because it stops and stays, {names}, who does not react, would run into it.")
+        does = "does" if len(verdict.secondary) == 1 else "do"
+        parts.append(f"It stops and stays: {names}, who {does} not react, would run into it.")
     return parts
 
 

@@ -4,7 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from scegen.report.words import lane_change_words, phase_words, plain, speed_words
+from scegen.report.words import (
+    lane_change_words,
+    phase_words,
+    plain,
+    right_of_way_words,
+    speed_words,
+)
 from scegen.scenario.concrete import (
     ConcreteParticipant,
     ConcreteScenario,
@@ -37,6 +43,7 @@ def tables(concrete: ConcreteScenario) -> list[Table]:
         _lane_changes(concrete),
         _crossers(concrete),
         _standing(concrete),
+        _conflicts(concrete),
         _environment(concrete.environment),
         _parameters(concrete),
         _provenance(concrete),
@@ -173,6 +180,15 @@ def _standing(concrete: ConcreteScenario) -> Table:
     )
     heads = ("Name", "Type", "Road", "Side", "Before the junction", "Where")
     return Table("Standing vehicles", heads, rows)
+
+
+def _conflicts(concrete: ConcreteScenario) -> Table:
+    logical = concrete.logical
+    rows = tuple((c.first, c.second, c.kind, right_of_way_words(c)) for c in logical.conflicts)
+    title = "Whose paths meet, and who gives way"
+    if logical.deadlock:
+        title += f" — deadlock: {', '.join(logical.deadlock)} wait for each other"
+    return Table(title, ("One", "Other", "Conflict", "Right of way"), rows)
 
 
 def _environment(environment: Environment) -> Table:

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from html import escape
 from math import cos, degrees, sin
 
+from scegen.report.conflict_points import conflict_points
 from scegen.report.palette import colours
 from scegen.report.plan import (
     REACH,
@@ -18,7 +19,7 @@ from scegen.report.plan import (
     standing_box,
 )
 from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.logical import Assignment, Crossing, Drive, LogicalScenario
+from scegen.scenario.logical import Assignment, ConflictKind, Crossing, Drive, LogicalScenario
 from scegen.scenario.vocabulary import JunctionKind, Maneuver
 
 TILE_WIDTH = 240
@@ -41,11 +42,22 @@ def _lift(plan: Plan) -> int:
     return 55 if plan.kind is JunctionKind.STRAIGHT and level else 0
 
 
-def tile_body(scenario: LogicalScenario, functional: FunctionalScenario) -> str:
-    """The elements of a tile, in a frame of its own size with the origin at the top left."""
+def roads(functional: FunctionalScenario) -> str:
+    """The junction alone: the same in every tile."""
+    return _roads(make_plan(functional.junction), functional)
+
+
+def tile_body(
+    scenario: LogicalScenario, functional: FunctionalScenario, ground: str | None = None
+) -> str:
+    """The elements of a tile, in a frame of its own size with the origin at the top left.
+
+    ``ground`` stands for the junction where many tiles refer to one drawing of it.
+    """
     plan = make_plan(functional.junction)
     colour = colours((p.id for p in functional.participants), functional.ego.id)
-    parts = [_roads(plan, functional)]
+    parts = [_roads(plan, functional) if ground is None else ground]
+    lines: dict[str, list[Point]] = {}
     crossings = standings = 0
     drawings: list[tuple[bool, str]] = []
     drives = scenario.drives
@@ -55,10 +67,11 @@ def tile_body(scenario: LogicalScenario, functional: FunctionalScenario) -> str:
         is_ego = name == functional.ego.id
         if isinstance(assignment, Drive):
             behind = sum(d.entry == assignment.entry and d.rank > assignment.rank for d in drives)
-            line = drive_line(plan, assignment, spreads[name], behind)
+            line = lines[name] = drive_line(plan, assignment, spreads[name], behind)
             drawing = _arrow(line, colour[name], ego=is_ego)
         elif isinstance(assignment, Crossing):
-            drawing = _walk(crossing_line(plan, assignment, crossings), colour[name])
+            line = lines[name] = crossing_line(plan, assignment, crossings)
+            drawing = _walk(line, colour[name])
             crossings += 1
         else:
             drawing = _box(standing_box(plan, assignment, standings), colour[name])
@@ -66,6 +79,7 @@ def tile_body(scenario: LogicalScenario, functional: FunctionalScenario) -> str:
         drawings.append((is_ego, drawing))
     parts += [d for is_ego, d in drawings if not is_ego]
     parts += [d for is_ego, d in drawings if is_ego]  # on top
+    parts += [_mark(kind, at) for kind, at in conflict_points(scenario.conflicts, lines)]
     lift = _lift(plan)
     caption = _caption(scenario, functional, colour, _PICTURE - 2 * lift)
     return f'<g transform="translate(0 {-lift})">{"".join(parts)}</g>{caption}'
@@ -222,6 +236,15 @@ def _walk(line: list[Point], colour: str) -> str:
         f'fill="none"/><path d="{h}" fill="{colour}"/>'
         f'<circle cx="{x}" cy="{y}" r="4.2" fill="{colour}" stroke="{_MARK}"/>'
     )
+
+
+def _mark(kind: ConflictKind, point: Point) -> str:
+    """Told apart by shape, not by colour: a ring for a crossing, a diamond for a merge."""
+    x, y = point[0] + _MIDDLE, _MIDDLE - point[1]
+    paint = f'fill="{_MARK}" stroke="{_TEXT}" stroke-width="1.5"'
+    if kind is ConflictKind.CROSSING:
+        return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3.4" {paint}/>'
+    return f'<path d="M{x:.1f} {y - 4.4:.1f}l4.4 4.4l-4.4 4.4l-4.4-4.4Z" {paint}/>'
 
 
 def _box(corners: list[Point], colour: str) -> str:

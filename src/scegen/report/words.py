@@ -12,8 +12,22 @@ from scegen.scenario.concrete import (
     Travelled,
 )
 from scegen.scenario.functional import Hazard
+from scegen.scenario.logical import Conflict, Rule
 
 KMH = 3.6
+_RULES: dict[Rule, str] = {
+    Rule.SIGN: "sign at the minor road",
+    Rule.PRIORITY_TO_RIGHT: "priority to the right",
+    Rule.ONCOMING: "turns across oncoming traffic",
+    Rule.RING: "the ring goes first",
+    Rule.U_TURN: "turns round",
+    Rule.SIGNAL: "the light decides who goes",
+    Rule.FIRST_COME: "whoever is first on the ring goes first",
+    Rule.CROSSWALK: "crosswalk",
+    Rule.NO_CROSSWALK: "no crosswalk there",
+    Rule.AHEAD: "the other is ahead",
+    Rule.LANE_CHANGE: "changes lane",
+}
 
 
 def plain(word: str) -> str:
@@ -72,3 +86,12 @@ def lane_change_words(change: LaneChange) -> str:
     lane = "the oncoming lane" if change.lane_after == 0 else f"lane {change.lane_after}"
     text = f"into {lane} from {change.position_m:.1f} m, over {change.length_m:.1f} m"
     return f"{text} — {plain(change.hazard)}" if change.hazard else text
+
+
+def right_of_way_words(conflict: Conflict) -> str:
+    """Who gives way to whom, and why."""
+    why = _RULES[conflict.rule] if conflict.rule else "neither gives way"
+    if conflict.yields is None:
+        return why
+    other = conflict.second if conflict.yields == conflict.first else conflict.first
+    return f"{conflict.yields} yields to {other} ({why})"

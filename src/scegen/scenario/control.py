@@ -56,7 +56,7 @@ def signal_phases(junction: Junction) -> tuple[int, ...]:
 
     Of several arms that face one, the straightest shares. The plain two-phase plan of a
     crossing, with left turns (right turns where traffic keeps left) that filter through the
-    oncoming traffic: FHWA, Traffic Signal Timing Manual (2008), 4.3, permissive left turns.
+    oncoming traffic: permissive left turns in FHWA, Traffic Signal Timing Manual (2008), chapter 4.
     """
     angles, count = arm_angles_deg(junction), junction.arms
     facing = oncoming_arms(junction)

@@ -172,12 +172,17 @@ class LogicalScenario(FrozenModel):
 
 
 class Certificate(FrozenModel):
-    """What the enumeration claims: ``total`` assignments fall into ``count`` scenarios."""
+    """What the enumeration claims: ``total`` assignments fall into ``count`` scenarios.
+
+    ``matching`` of these are as asked for (``--where``); None if all are, or if the list ends
+    before all were looked at. ``complete``: the list holds all that are as asked for.
+    """
 
     total: int = Field(ge=0)
     count: int = Field(ge=0)
     complete: bool
     method: str
+    matching: int | None = None
 
 
 class LogicalSet(FrozenModel):

@@ -148,6 +148,8 @@ class Chunker:
         """Whether a verb form after these words is a noun ("a sudden stop")."""
         if head.cat != "verb" or head.form == "ed":
             return False
+        if len(mods) == 1 and mods[0].cat == "quant" and mods[0].value in {"both", "all"}:
+            return False  # "both go"
         if not any(m.cat in {*_OPENERS, "dir", "manner"} for m in mods):
             return False
         previous = self._chunks[-1] if self._chunks else None

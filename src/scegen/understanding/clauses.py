@@ -172,7 +172,7 @@ class ClauseReader:
             mention.same_as = anchor
             return
         elif apposes(self._chunks, k, state):
-            mention.same_as = state.candidate
+            mention.same_as = anchor if isinstance(anchor, Mention) else state.candidate
             return
         elif self._joins(mention, k):
             return
@@ -189,6 +189,8 @@ class ClauseReader:
         listed = "and" in state.between or "or" in state.between or state.between == {","}
         if not (isinstance(anchor, Mention) and listed) or "sub" in state.between:
             return False
+        if mention.pronoun in {"count", "one", "another"} and "," in state.between:
+            return False  # "four vans, two turning left": some of them, not further ones
         waiting = anchor is state.candidate and not state.candidate_done
         waiting = waiting and not any(anchor in event.subject for event in state.events)
         if state.between == {","} and not waiting:

@@ -149,7 +149,7 @@ def overtake(scene: Scene, context: Context) -> None:
     """Overtaking another moving vehicle."""
     if scene.event.name == "pass" and not scene.targets:
         return
-    if scene.drivers and not any(e.parked for e in scene.targets):
+    if scene.drivers and (not scene.targets or any(not e.parked for e in scene.targets)):
         context.draft.hazard(HazardKind.OVERTAKING, scene.words, scene.drivers, scene.targets)
 
 
@@ -187,7 +187,7 @@ def breach(scene: Scene, context: Context) -> None:
         id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low == "through"
     }
     for place in scene.places():
-        certain = scene.event.name in {"walk", "breach"} or id(place) in driven_through
+        certain = scene.event.name in {"walk", "breach", "obey"} or id(place) in driven_through
         basis = Basis(scene.event.i, max(place.j, scene.event.j))
         words = {t.low for t in context.tokens[place.i : place.j]}
         if place.kind == "signal":

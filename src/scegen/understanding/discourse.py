@@ -62,13 +62,10 @@ class Discourse:
             mention.entities = list(mention.same_as.entities)
             self._refine(mention)
             return mention.entities
-        surrounded = mention.prep is not None and mention.prep.value in {"in", "of", "for"}
-        if surrounded and len(mention.mods) == 0 and mention.head and mention.head.data.get("mass"):
+        if _refers_to_nobody(mention):
             return []
-        if mention.negated or mention.pronoun == "reflexive":
-            return []
-        if mention.pronoun == "ordinal" and mention.prep and mention.prep.value == "in":
-            return []  # "at the first crossing …, at the second": a place
+        if any(p.word.cat == "locus" and _is_pronoun(p.target) for p in mention.pps):
+            exclude = [*exclude, *self._roster.subject]  # "the car behind it" is not "it"
         if mention.pronoun is not None:
             found = self._pronoun(mention, exclude)
         else:
@@ -78,14 +75,9 @@ class Discourse:
                 exclude,
             )
         mention.entities = list(found)
-        for group in self._roster.groups[-1:]:
-            group.settled = group.settled or (settled and group.members == found)
         for entity in found:
-            if entity in self._roster.recent:
-                self._roster.recent.remove(entity)
-            self._roster.recent.append(entity)
-        if subject and found:
-            self._roster.subject = found
+            entity.loci |= _loci(mention)
+        self._roster.spoken_of(found, subject=subject, settled=settled)
         return found
 
     def _refine(self, mention: Mention) -> None:
@@ -104,7 +96,8 @@ class Discourse:
             options = (
                 self._roster.subject if len(self._roster.subject) == 1 else self._roster.recent[-1:]
             )
-            left = [e for e in reversed(self._roster.recent) if e not in exclude]
+            before = self._roster.before if len(self._roster.before) == 1 else []
+            left = [e for e in (*before, *reversed(self._roster.recent)) if e not in exclude]
             return [e for e in options if e not in exclude] or left[:1]
         if which in {"they", "both", "all", "neither"}:
             return self._roster.together()
@@ -199,9 +192,14 @@ class Discourse:
         if reading.det != "def" and not (both and not reading.dirs):
             return []
         for group in reversed(self._roster.groups):
+            counted = reading.det == "bare" and not reading.vague
+            if counted and (group.settled or len(group.members) != reading.count):
+                continue
             if all(self._roster.compatible(e, reading) for e in group.members):
                 return list(group.members)
         fitting = [e for e in self._draft.entities if self._roster.compatible(e, reading)]
+        if reading.det == "bare" and not reading.vague:
+            return fitting if len(fitting) == reading.count else []
         return fitting if len(fitting) > 1 else []
 
     def _another(self, reading: Reading, exclude: list[Entity]) -> list[Entity]:
@@ -241,8 +239,29 @@ class Discourse:
         ]
         if reading.dirs:
             options = [e for e in options if e.dirs == reading.dirs]
+        loci = _loci(mention)
+        options = [e for e in options if not (loci and e.loci) or loci & e.loci]
         others = [e for e in options if not e.ego]
         restricted = reading.dirs or reading.labels or mention.pps
         if others or reading.det == "bare" or restricted:
             return others[:1]
         return options[:1]
+
+
+def _is_pronoun(target: object) -> bool:
+    return isinstance(target, Mention) and target.pronoun in {"it", "him", "they"}
+
+
+def _loci(mention: Mention) -> set[str]:
+    """Where a noun is said to be: "the car behind" is not "the car in front"."""
+    return {p.value for p in mention.pps if p.word.cat == "locus"}
+
+
+def _refers_to_nobody(mention: Mention) -> bool:
+    """``in traffic``, ``no pedestrians``, ``at the second``: words that name no participant."""
+    prep = mention.prep.value if mention.prep is not None else ""
+    mass = bool(mention.head and mention.head.data.get("mass")) and not mention.mods
+    if mass and prep in {"in", "of", "for"}:
+        return True
+    place = mention.pronoun == "ordinal" and prep == "in"  # "at the first junction …, the second"
+    return place or mention.negated or mention.pronoun == "reflexive"

@@ -36,6 +36,7 @@ class Entity:
     labels: set[str] = field(default_factory=set)
     dirs: set[str] = field(default_factory=set)
     named_by: set[str] = field(default_factory=set)
+    loci: set[str] = field(default_factory=set)
     approaches: set[Approach] = field(default_factory=set)
     approach_basis: Basis | None = None
     maneuvers: set[Maneuver] = field(default_factory=set)

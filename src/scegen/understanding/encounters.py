@@ -10,6 +10,7 @@ from scegen.understanding.draft import Basis, Entity
 _HIDING = frozenset({"behind", "between"})
 _CARRIAGEWAY = frozenset({"road", "crosswalk", "highway"})
 _OPAQUE_PLACES = frozenset({"bus_stop", "feature", "parking"})
+_SPRINGING = frozenset({"cross", "appear"})
 _COMING = frozenset({"move", "enter", "pull_out"})
 _WAITING = frozenset({"wait", "locate", "walk", "move", "stop", "park", "appear"})
 
@@ -118,9 +119,12 @@ def _behind(event: Event) -> list[Entity]:
 def from_behind(scene: Scene, context: Context) -> None:
     """``emerges from behind a parked van``: until then it was out of sight."""
     for prep in scene.event.pps:
-        if not _hides(prep):
+        unknown = prep.target is None and prep.outer == "from" and scene.event.name in _SPRINGING
+        people = any(not e.is_vehicle or context.is_cyclist(e) for e in scene.actors)
+        if not _hides(prep) and not (unknown and people):
             continue
-        sprung = prep.outer == "from" or scene.event.name == "appear"
+        out = prep.outer == "from" or context.tokens[prep.word.i].low == "from"
+        sprung = out or scene.event.name == "appear"
         sprung = sprung or (prep.value == "between" and bool(scene.walkers))
         if sprung:
             basis, by = _screen(prep, scene.actors)

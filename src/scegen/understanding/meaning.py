@@ -49,6 +49,9 @@ class Interpreter:
                 self._mention(chunk)
             elif isinstance(chunk, Thing):
                 self._thing(chunk, chunks)
+        for chunk in chunks:
+            if isinstance(chunk, Mention):
+                self._share_sides(chunk.pps, chunk.entities, hidden=False)
         for event in events:
             self._event(event)
         encounters.come_out(self._context)
@@ -105,6 +108,13 @@ class Interpreter:
             self._draft.note(
                 thing.i, thing.j, "things on the road are kept as the hazard 'obstacle' only"
             )
+        elif thing.kind == "door":
+            whose = [
+                e for p in thing.pps if isinstance(p.target, Mention) for e in p.target.entities
+            ]
+            whose += thing.owner.entities if thing.owner is not None else []
+            self._draft.hazard(HazardKind.OBSTACLE, basis, whose)
+            self._draft.note(thing.i, thing.j, "doors are not modelled; an obstacle is")
         elif thing.kind == "object":
             self._draft.note(
                 thing.i, thing.j, "things beside the road are not built; what they hide is kept"
@@ -161,7 +171,7 @@ class Interpreter:
         if event.name in _ON_THE_MOVE:
             dangers.oncoming_lane(scene, self._context)
         encounters.from_behind(scene, self._context)
-        self._share_sides(scene)
+        self._share_sides(event.pps, scene.actors, hidden=event.name == "hide")
 
     def _starts(self, event: Event, prep: Prep) -> bool:
         """``overtakes the bus from the left`` says where the one who moves comes from.
@@ -170,7 +180,8 @@ class Interpreter:
         """
         named = prep.on_mention
         target = named is not None and named not in event.subject
-        return prep.value == "from" and not (target and event.name not in _UNDERWAY)
+        moved = event.name in _UNDERWAY and (named is event.object or event.object is None)
+        return prep.value == "from" and not (target and not moved)
 
     def _access(self, scene: Scene) -> None:
         """A vehicle that comes out of a side road needs that road."""
@@ -203,6 +214,10 @@ class Interpreter:
                 self._quantity(term, scene.actors)
             elif term.cat == "compass":
                 self._placer.heading(term, scene.actors)
+            elif term.cat == "dir" and term.value == "opposite" and event.name in _TRAVEL:
+                for entity in scene.drivers:
+                    basis = Basis(term.i, term.j)
+                    self._draft.place(entity, None, {Approach.OPPOSITE}, basis)
             elif term.cat == "state":
                 self._quality(term, scene.actors)
         if event.nominal and event.name not in _TRAVEL:
@@ -219,18 +234,19 @@ class Interpreter:
         if slow is not None and scene.drivers and travels:
             self._draft.hazard(HazardKind.SLOW_DRIVING, Basis(slow.i, slow.j), scene.drivers)
 
-    def _share_sides(self, scene: Scene) -> None:
+    def _share_sides(self, pps: list[Prep], entities: list[Entity], *, hidden: bool) -> None:
         """Who comes out from behind something stands on its side of the road."""
-        for prep in scene.event.pps:
+        for prep in pps:
             beside = prep.word.cat == "locus" and prep.value in {"behind", "between"}
-            hidden = scene.event.name == "hide" and prep.value == "by"
-            if not (beside or hidden) or not isinstance(prep.target, Mention):
+            by = hidden and prep.value == "by"
+            if not (beside or by) or not isinstance(prep.target, Mention):
                 continue
+            basis = Basis(prep.word.i, prep.target.j)
             for hider in prep.target.entities:
                 sides = thing_sides(hider, self._draft)
-                for entity in scene.actors:
-                    if sides and not entity.is_vehicle:
-                        basis = Basis(prep.word.i, prep.target.j)
+                for entity in entities:
+                    on_foot = not entity.is_vehicle or self._context.is_cyclist(entity)
+                    if sides and on_foot:
                         self._draft.place(entity, None, sides, basis)
 
 

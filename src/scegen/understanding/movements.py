@@ -118,7 +118,13 @@ def overtake(scene: Scene, context: Context) -> None:
         _apply(scene, context, {Maneuver.OVERTAKE}, basis)
     if any(entity.moving_vehicle for entity in scene.targets):
         context.lanes_implied(basis, "overtaking needs a second lane")
-    context.ahead(scene.targets, scene.actors, basis)
+    stated = {
+        p.entity.index
+        for p in context.draft.placements
+        if p.reference is None or p.reference in scene.targets
+    }
+    if not any(e.index in stated for e in scene.actors):
+        context.ahead(scene.targets, scene.actors, basis)
 
 
 def _changes_lane(event: Event) -> bool:

@@ -24,6 +24,8 @@ def not_done(scene: Scene, context: Context) -> None:
     basis = Basis(event.i, event.j)
     if event.name == "yield":
         conflicts.fail_to_yield(scene, context)
+    elif event.name == "obey":
+        conflicts.breach(scene, context)
     elif event.name in _STOPPING and _at_signals(scene, context):
         context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
     elif event.name in _STOPPING and _has_to_wait(scene, context):

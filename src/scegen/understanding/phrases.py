@@ -14,6 +14,8 @@ def apposes(chunks: list[Chunk], k: int, state: State) -> bool:
         k: index of the second noun.
         state: what the clause reader remembers.
     """
+    if _names_before(chunks, k, state):
+        return True
     waiting = isinstance(state.anchor, Mention) and state.anchor is state.candidate
     if not waiting or state.between != {","} or state.candidate_done:
         return False
@@ -53,3 +55,15 @@ def bracketed(chunks: list[Chunk], k: int) -> bool:
     """
     around = [*chunks[max(0, k - 1) : k], *chunks[k + 1 : k + 2]]
     return [c.value for c in around if isinstance(c, Word)] == ["(", ")"]
+
+
+def _names_before(chunks: list[Chunk], k: int, state: State) -> bool:
+    """``struck V2, an oncoming pickup.``: a noun without a name after one with a name."""
+    here, before = chunks[k], state.anchor
+    if state.between != {","} or not isinstance(before, Mention) or not isinstance(here, Mention):
+        return False
+    named = (before.label or "").startswith("#") and not (here.label or "").startswith("#")
+    closes = k + 1 >= len(chunks) or (
+        isinstance(chunks[k + 1], Word) and getattr(chunks[k + 1], "value", "") in {",", ".", ";"}
+    )
+    return named and closes and any(m.value == "indef" for m in here.mods)

@@ -25,6 +25,7 @@ class Roster:
         groups: participants that came up together.
         recent: everybody, the one spoken of last at the end.
         subject: who acted last.
+        before: who acted before them.
     """
 
     draft: Draft
@@ -32,6 +33,26 @@ class Roster:
     groups: list[Group] = field(default_factory=list)
     recent: list[Entity] = field(default_factory=list)
     subject: list[Entity] = field(default_factory=list)
+    before: list[Entity] = field(default_factory=list)
+
+    def spoken_of(self, found: list[Entity], *, subject: bool, settled: bool) -> None:
+        """Remembers a mention.
+
+        Args:
+            found: whom it means.
+            subject: it is the subject of its clause.
+            settled: the text says which way all of them go.
+        """
+        for group in self.groups[-1:]:
+            group.settled = group.settled or (settled and group.members == found)
+        for entity in found:
+            if entity in self.recent:
+                self.recent.remove(entity)
+            self.recent.append(entity)
+        if subject and found:
+            if found != self.subject:
+                self.before = self.subject
+            self.subject = found
 
     def new(self, kind: ParticipantKind, basis: Basis) -> Entity:
         """A new participant."""

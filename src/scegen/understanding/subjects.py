@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention
+from scegen.understanding.chunks import Event, Mention, NounPhrase
 from scegen.understanding.state import State
 
 _PASSIVE = frozenset(
@@ -48,6 +48,8 @@ def link(event: Event, state: State) -> None:
             state.inanimate = False
             return
         _clause(event, state)
+    if _blocked(event, state):
+        return
     if event.form == "base" and "aux:be" in state.between and event.name in _PASSIVE:
         event.form = "ed"  # "is cut off", "was hit": the participle looks like the base form
     if event.reduced and event.form == "ed" and event.name in _DESCRIBING and not auxiliary:
@@ -60,6 +62,17 @@ def link(event: Event, state: State) -> None:
     if event.finite and event.subject:
         state.main = event.subject
         state.candidate_done = True
+
+
+def _blocked(event: Event, state: State) -> bool:
+    """``finds its lane blocked by a van``: the place suffers it, not the finder."""
+    anchor = state.anchor
+    if event.form != "ed" or event.name not in _PASSIVE or state.between:
+        return False
+    if isinstance(anchor, Mention) or not isinstance(anchor, NounPhrase):
+        return False
+    event.passive, event.object = True, anchor
+    return True
 
 
 def _bare_participle(event: Event, state: State) -> bool:

@@ -117,6 +117,11 @@ def _choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[E
         return _verb_or_other(match, tokens, previous)
     if match.has("rel") and match.has("det"):
         noun_before = previous is not None and previous.cat in {"actor", "place", "thing", "inert"}
+        after = longest_match(tokens, match.j) if match.j < len(tokens) else None
+        verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
+        sided = previous is not None and previous.cat in {"dir", "compass"}
+        if sided and verbal and after is not None and not after.has("actor", "place"):
+            return match.get("rel"), False  # "a bus from the right that turns"
         return match.get("rel" if noun_before else "det"), False
     if match.has("label") and match.has("place"):
         bare = match.j >= len(tokens) or longest_match(tokens, match.j) is None
@@ -202,7 +207,11 @@ def _list_of_doings(terms: list[Term], tokens: list[Token], term: Term) -> bool:
     """``a van turning left and a pedestrian crossing``: not the place of that name."""
     if term.j - term.i != 2 or not tokens[term.j - 1].low.endswith("ing") or len(terms) < 3:
         return False
-    listed = terms[-1].cat == "det" and terms[-2].value in {"and", ","}
+    counted = terms[-1].cat in {"det", "num"}
+    road = longest_match(tokens, term.j) if term.j < len(tokens) else None
+    if counted and road is not None and road.has("det"):
+        return True  # "a pedestrian crossing the road"
+    listed = counted and terms[-2].value in {"and", ","}
     return listed and any(t.cat == "verb" and t.form == "ing" for t in terms[-8:])
 
 

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 
+from scegen.criticality.bodies import GRAVITY_MPS2
 from scegen.criticality.hazards import thresholds as limits
 from scegen.criticality.hazards.predicate import Part, Predicate, at_least, at_most
 from scegen.criticality.hazards.view import View, lasting, longest_run
-from scegen.criticality.bodies import GRAVITY_MPS2
 from scegen.scenario.bodies import BODIES
 
 _MOVING_MPS = 0.5
 _AT_END_M = 0.05
 _LEAST_ROOM_M = 0.5
+_HARSH_MPS2 = 3.0
+"""More than comfortable braking; where this begins, the driver has seen the danger."""
 
 
 def speeding(view: View, by: str, _: str) -> list[Part]:
@@ -71,7 +73,7 @@ def delayed_braking(view: View, by: str, to: str) -> list[Part]:
     behind the other) from where its hard braking begins.
     """
     braking = braking_part(view, by, limits.LATE_BRAKING)
-    harsh = -view.acceleration_mps2(by, limits.MEASURED_OVER_S) >= limits.LATE_BRAKING.value / 2
+    harsh = -view.acceleration_mps2(by, limits.MEASURED_OVER_S) >= _HARSH_MPS2
     begins = np.where(harsh.any(axis=1), harsh.argmax(axis=1), 0)
     rows = np.arange(view.count)
     speed = view.speed_mps(by)[rows, begins]

@@ -54,16 +54,15 @@ def relative_margins(view: View, hazard: Hazard) -> Floats:
     if not by_cause:
         return np.full(view.count, NEVER)
     several = np.array(by_cause)
-    return several.max(axis=0) if hazard.kind in _ANY_CULPRIT else several.min(axis=0)
+    margins: Floats = several.max(axis=0) if hazard.kind in _ANY_CULPRIT else several.min(axis=0)
+    return margins
 
 
 def judge(view: View, hazard: Hazard, candidate: int = 0) -> HazardProof:
     """The danger in one candidate, with who, whom, when and by which margin."""
     if hazard.kind in INEXPRESSIBLE:
         note = INEXPRESSIBLE[hazard.kind]
-        return HazardProof(
-            kind=hazard.kind, by=hazard.by, to=hazard.to, happened=False, note=note
-        )
+        return HazardProof(kind=hazard.kind, by=hazard.by, to=hazard.to, happened=False, note=note)
     chosen = [
         max(couples, key=lambda couple: float(couple.relative[candidate]))
         for couples in _couples(view, hazard)

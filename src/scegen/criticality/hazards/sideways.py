@@ -24,7 +24,8 @@ def _reaches_s(view: View, name: str, place_m: float) -> Floats:
     """When it reaches a place; the end of time if it does not."""
     reached = view.place_m(name) >= place_m
     step = np.where(reached.any(axis=1), reached.argmax(axis=1), reached.shape[1])
-    return step * view.dt_s
+    time_s: Floats = step * view.dt_s
+    return time_s
 
 
 def _lateral_part(view: View, by: str, changes: list[Sideways]) -> Part:
@@ -122,9 +123,7 @@ def sudden_turn(view: View, by: str, _: str) -> list[Part]:
         limits.LATERAL_ACCELERATION.value, limits.OF_WHAT_IS_POSSIBLE * 9.81 * view.friction
     )
     limit = limits.LATERAL_ACCELERATION
-    return [
-        at_least("lateral acceleration", lateral.max(axis=1), limit, view.when(lateral), bound)
-    ]
+    return [at_least("lateral acceleration", lateral.max(axis=1), limit, view.when(lateral), bound)]
 
 
 CUT_IN = Predicate(cut_in)

@@ -5,8 +5,9 @@
 of lateral acceleration in curves. [ISO15622] ISO 15622:2018: adaptive cruise control keeps at
 least 0.8 s. [ASC] Allen, Shin, Cooper (1978) and later practice: PET below 1.5 s is a conflict.
 [TTC] Hayward (1972): TTC below 1.5 s. [UN157] UN R157 speaks of a cut-in with less than about
-1 s to spare, and its careful driver takes 0.4 s to evaluate a risk. [g/3] telematics practice: harsh acceleration begins near 0.3 g. "own" marks this
-program's own choice, made so that the danger is plain to see in the player.
+1 s to spare, and its careful driver takes 0.4 s to evaluate a risk. [g/3]
+telematics practice: harsh acceleration begins near 0.3 g. "own" marks this program's own choice,
+made so that the danger is plain to see in the player.
 """
 
 from __future__ import annotations

@@ -117,14 +117,16 @@ class View:
 
     def when(self, series: Floats) -> Floats:
         """Time of the greatest value."""
-        return np.argmax(series, axis=1) * self.dt_s
+        time_s: Floats = np.argmax(series, axis=1) * self.dt_s
+        return time_s
 
 
 def lasting(series: Floats, steps: int, *, greatest: bool) -> Floats:
     """The greatest (or least) value over every window of so many steps."""
     steps = max(1, min(steps, series.shape[1]))
     windows = np.lib.stride_tricks.sliding_window_view(series, steps, axis=1)
-    return windows.max(axis=2) if greatest else windows.min(axis=2)
+    kept: Floats = windows.max(axis=2) if greatest else windows.min(axis=2)
+    return kept
 
 
 def longest_run(flags: Bools) -> tuple[Floats, Floats]:

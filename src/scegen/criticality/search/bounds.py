@@ -37,7 +37,7 @@ _ARM_MARGIN_M = 1.0
 _BEFORE_CHANGE_M = 3.0
 _BEFORE_JUNCTION_M = 8.0
 _BEND = (0.6, 1.1)
-_QUICKER = (0.85, 1.25)
+_QUICKER = (0.7, 1.25)
 _RATE = (0.7, 1.25)
 _SPEEDING = 1.5
 _SHIFT_S = 1.5
@@ -137,9 +137,7 @@ def speed_range(
     for parameter in concrete.logical.parameters:
         if parameter.name == f"{participant.id}.speed_mps":
             low, high = min(low, parameter.low), max(high, parameter.high)
-    speeds = any(
-        h.kind is HazardKind.SPEEDING and participant.id in h.by for h in concrete.hazards
-    )
+    speeds = any(h.kind is HazardKind.SPEEDING and participant.id in h.by for h in concrete.hazards)
     if speeds:
         high = max(speed_mps, min(high, _SPEEDING * limit_mps))
     return low, min(high, max(speed_mps, BODIES[participant.kind].top_speed_mps))
@@ -206,9 +204,7 @@ def _recipe(
     drives = isinstance(participant.motion, DriveMotion)
     varies = full and item.hazard is not None and drives
     least = min(item.rate_mps2, most)
-    bounds = (
-        (_RATE[0] * least, min(_RATE[1] * least, most)) if varies else (least, least)
-    )
+    bounds = (_RATE[0] * least, min(_RATE[1] * least, most)) if varies else (least, least)
     rate = maker.quantity(f"{name}.rate_mps2", item.rate_mps2, bounds, 0.15 * item.rate_mps2)
     subject, length = owner, ways[participant.id].path.length_m
     shift = Quantity(0.0)

@@ -17,7 +17,7 @@ from scegen.motion.batch.arrays import Floats
 FIRST_BATCH = 96
 CLOSER_BATCH = 48
 CLOSER_SPANS = (0.5, 0.3, 0.15, 0.08)
-RESTARTS = 3
+RESTARTS = 2
 GENERATIONS = 40
 _SIGMA = 0.2
 _BACK_STEPS = 6

@@ -35,7 +35,9 @@ def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
     ):
         if not PREDICATES[hazard.kind].conflict:
             continue
-        pairs = [(b, v) for b, _ in hazard_pairs(concrete, hazard) for v in victims(concrete, hazard, b)]
+        pairs = [
+            (b, v) for b, _ in hazard_pairs(concrete, hazard) for v in victims(concrete, hazard, b)
+        ]
         found += sorted(dict.fromkeys(pairs), key=lambda pair: ego not in pair)
     conflicts = [c for c in concrete.logical.conflicts if c.kind is not ConflictKind.NONE]
     conflicts.sort(key=lambda c: (ego not in {c.first, c.second}, c.kind not in _MEETS))

@@ -15,7 +15,7 @@ from scegen.criticality.hazards.ways import Way
 from scegen.criticality.scene import Scene
 from scegen.criticality.search.variables import Space
 from scegen.criticality.target import Band, Target
-from scegen.motion.batch.arrays import BatchTraces, Candidates, Floats, Program
+from scegen.motion.batch.arrays import BatchTraces, Bools, Candidates, Floats, Program
 from scegen.motion.batch.simulation import simulate_batch
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.functional import Hazard
@@ -57,7 +57,8 @@ class Outcome:
     @property
     def total(self) -> Floats:
         """The sum of what is missing (c,)."""
-        return np.sum(list(self.missing.values()), axis=0)
+        total: Floats = np.sum(list(self.missing.values()), axis=0)
+        return total
 
     @property
     def loss(self) -> Floats:
@@ -65,7 +66,7 @@ class Outcome:
         return self.total + _STRANGE * np.minimum(self.strangeness, 25.0)
 
     @property
-    def found(self) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+    def found(self) -> Bools:
         """Which candidates miss nothing (c,)."""
         return self.total <= 0.0
 
@@ -103,10 +104,13 @@ class Problem:
             missing[f"hazard {n}"] = np.maximum(
                 0.0, HAZARD_ROOM * self.room - relative_margins(view, hazard)
             )
+        finish, duration = finishing(view)
+        late = view.of_pair("closest_s", *self.pair) - (duration - AFTER_S / 2)
         missing["target"] = target_missing(view, self.target, self.pair, room=BAND_ROOM * self.room)
         missing["contacts"] = unwanted(view, self.target, self.pair)
         missing["lateral acceleration"] = self._lateral(view)
-        finish, duration = finishing(view)
+        # What comes after everybody has left is cut off.
+        missing["target"] = missing["target"] + np.where(late > 0.0, 0.2 + late / 4.0, 0.0)
         missing["finish"] = finish
         missing["sameness"] = self._sameness(x)
         return Outcome(missing, self.space.strangeness(x), made, duration)
@@ -168,13 +172,14 @@ def choice_missing(
     view: View, choice: Sequence[Band], pair: tuple[str, str], room: float
 ) -> Floats:
     """How far a pair is from bands that must hold together."""
-    return np.max(
+    missing: Floats = np.max(
         [
             band_missing(view.of_pair(MEASURE_FIELDS[band.measure][0], *pair), band, room)
             for band in choice
         ],
         axis=0,
     )
+    return missing
 
 
 def target_missing(view: View, target: Target, pair: tuple[str, str], *, room: float) -> Floats:
@@ -184,7 +189,8 @@ def target_missing(view: View, target: Target, pair: tuple[str, str], *, room: f
         apart = view.of_pair("distance_m", *pair)
         early = np.maximum(0.0, _EARLIEST_CONTACT_S - contact)
         return np.where(np.isnan(contact), 0.3 + np.log1p(apart), early)
-    return np.min([choice_missing(view, c, pair, room) for c in target.choices], axis=0)
+    missing: Floats = np.min([choice_missing(view, c, pair, room) for c in target.choices], axis=0)
+    return missing
 
 
 def unwanted(view: View, target: Target, pair: tuple[str, str]) -> Floats:
@@ -226,9 +232,7 @@ def finishing(view: View) -> tuple[Floats, Floats]:
     return missing, duration
 
 
-def lateral_limits(
-    view: View, friction: float, everyday_mps2: float = 4.0
-) -> dict[str, float]:
+def lateral_limits(view: View, friction: float, everyday_mps2: float = 4.0) -> dict[str, float]:
     """How hard each drive may go through bends: as first made, within what the tyres hold."""
     limits = {}
     for participant in view.concrete.participants:
@@ -237,5 +241,3 @@ def lateral_limits(
             most = 0.9 * friction * 9.81
             limits[participant.id] = min(max(first, everyday_mps2) * LATERAL_ROOM, most)
     return limits
-
-

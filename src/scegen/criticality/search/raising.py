@@ -19,6 +19,7 @@ from scegen.criticality.search.rebuild import rebuilt
 from scegen.criticality.search.refusing import measurable, never_meet, too_fast, too_slow
 from scegen.criticality.search.variables import Place, stands_at_s
 from scegen.criticality.target import HEADWAY, NEAR_MISS, Target, parse_target
+from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.batch.compilation import compile_program
 from scegen.motion.batch.simulation import simulate_batch
 from scegen.road import build_network
@@ -38,8 +39,10 @@ _LONGER_S = 1.0
 
 @dataclass(frozen=True, slots=True)
 class Raised:
-    """The scenario found (or the one given, if none was) and its proof; ``others`` are different
-    solutions of the same demands."""
+    """The scenario found (or the one given, if none was) and its proof.
+
+    ``others`` are different solutions of the same demands.
+    """
 
     concrete: ConcreteScenario
     proof: Proof
@@ -76,7 +79,9 @@ def raise_criticality(
     stage = _Stage(functional, concrete, network, wanted)
     reason = too_fast(functional) or stage.blocked or too_slow(concrete, stage.pair)
     before = examine(concrete, network, stage.focus, stage.friction)
-    if reason is not None or (before.all_happen and before.meets(stage.target, stage.pair)):
+    # Concretization knows no slippery roads: on those the numbers have to be brought in bounds.
+    good = before.all_happen and before.meets(stage.target, stage.pair) and stage.friction >= 1.0
+    if reason is not None or good:
         proof = stage.proof(before, before, 1, reason)
         return Raised(concrete, proof)
     problem = stage.problem()
@@ -84,7 +89,7 @@ def raise_criticality(
     found: list[tuple[ConcreteScenario, Proof]] = []
     blocked = None
     for _ in range(solutions):
-        made, blocked = _solve(stage, problem, before, rng)
+        made, blocked = _solve(stage, problem, rng)
         if made is None:
             break
         found.append((made.concrete, stage.proof(before, made, problem.evaluations, None)))
@@ -95,7 +100,7 @@ def raise_criticality(
 
 
 def _solve(
-    stage: _Stage, problem: Problem, before: Evidence, rng: np.random.Generator
+    stage: _Stage, problem: Problem, rng: np.random.Generator
 ) -> tuple[Evidence | None, str | None]:
     """Search until a candidate stands up to the proof; otherwise the reason why none does."""
     reason = None
@@ -103,7 +108,7 @@ def _solve(
         problem.room = room
         best = search(problem, rng)
         if not best.found:
-            return None, reason or _blocking(stage.concrete, best)
+            return None, reason or _blocking(stage.concrete, best, stage.target)
         outcome = problem.evaluate(best.x[None, :])
         fresh = rebuilt(
             stage.concrete,
@@ -117,6 +122,8 @@ def _solve(
         if evidence.all_happen and evidence.meets(stage.target, stage.pair):
             problem.known.append(best.x)
             return evidence, None
+        # What comes after the end of what was found must not count the next time.
+        problem.duration_s = min(problem.duration_s, fresh.duration_s)
         reason = "what was found does not stand up to the proof in steps of 0.01 s"
     return None, reason
 
@@ -191,9 +198,7 @@ class _Stage:
         involved = {*self.pair}
         for hazard in self.concrete.hazards:
             involved |= {*culprits(self.concrete, hazard), *hazard.to}
-        space = build_space(
-            self.full, self.ways, base, involved=involved, friction=self.friction
-        )
+        space = build_space(self.full, self.ways, base, involved=involved, friction=self.friction)
         for recipe in space.recipes:
             if recipe.place is Place.WAITED:
                 begun = stands_at_s(base, traces, recipe.owner, recipe.phase - 1)[0]
@@ -212,13 +217,13 @@ class _Stage:
             lateral_mps2=lateral_limits(view, self.friction),
         )
 
-    def _look_at_touching(
-        self, contact_s: np.ndarray[tuple[int], np.dtype[np.float64]], pairs: np.ndarray[tuple[int, int], np.dtype[np.int64]]
-    ) -> None:
+    def _look_at_touching(self, contact_s: Floats, pairs: Ints) -> None:
         """Those who touch at first get all measures: PET leads a search out of a contact."""
         people = [p.id for p in self.concrete.participants]
         touching = [
-            (people[a], people[b]) for (a, b), t in zip(pairs, contact_s, strict=True) if t == t
+            (people[int(a)], people[int(b)])
+            for (a, b), t in zip(pairs, contact_s, strict=True)
+            if not np.isnan(t)
         ]
         fresh = [p for p in touching if p not in self.focus and p[::-1] not in self.focus]
         if fresh:
@@ -255,14 +260,14 @@ def _from_outer_ends(concrete: ConcreteScenario) -> ConcreteScenario:
     return concrete.model_copy(update={"participants": people})
 
 
-def _blocking(concrete: ConcreteScenario, best: Best) -> str:
+def _blocking(concrete: ConcreteScenario, best: Best, target: Target) -> str:
     """Which demands the best candidate misses, and whether any candidate met them at all."""
     hazards = judged(concrete)
     words = []
     for name, missed in sorted(best.missing.items(), key=lambda item: -item[1]):
         if missed <= 0.0:
             continue
-        shown = name
+        shown = target.text if name == "target" else name
         if name.startswith("hazard "):
             hazard = hazards[int(name.split()[1])]
             shown = f"{hazard.kind} by {', '.join(culprits(concrete, hazard)) or 'nobody'}"

@@ -75,7 +75,10 @@ def _participant(
 def _phase(phase: SpeedPhase, made: Candidates, row: int, k: int) -> SpeedPhase:
     trigger = phase.trigger
     field = "time_s" if isinstance(trigger, AtTime) else "distance_m"
-    value = _settled(getattr(trigger, field), float(made.trigger[row, k]))
+    before = getattr(trigger, field)
+    value = _settled(before, float(made.trigger[row, k]))
+    if isinstance(trigger, AtTime) and value != before:
+        value = off_the_steps(value)
     return phase.model_copy(
         update={
             "trigger": trigger.model_copy(update={field: value}),
@@ -87,14 +90,18 @@ def _phase(phase: SpeedPhase, made: Candidates, row: int, k: int) -> SpeedPhase:
     )
 
 
+def off_the_steps(time_s: float) -> float:
+    """A time between the steps of 0.01 s, on which rounding would decide in every simulator."""
+    beside = round(time_s * 1000) % 10
+    return round(time_s + (0.003 if beside < 2 or beside > 8 else 0.0), DECIMALS)
+
+
 def _settled(before: float, after: float) -> float:
     """The new value as written to files; the old one if nothing but rounding changed."""
     return before if abs(before - after) <= _NOTICED else round(after, DECIMALS)
 
 
-def _changes(
-    before: ConcreteParticipant, after: ConcreteParticipant, why: str
-) -> list[Change]:
+def _changes(before: ConcreteParticipant, after: ConcreteParticipant, why: str) -> list[Change]:
     """What differs between two versions of one participant."""
     name = before.id
     values: list[tuple[str, float, float]] = [

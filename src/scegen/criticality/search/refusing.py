@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from scegen.criticality.scene import Scene
 from scegen.criticality.search.bounds import speed_range
 from scegen.criticality.search.pairs import Pair, follows, has_areas
-from scegen.criticality.scene import Scene
 from scegen.criticality.target import Target
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion

@@ -109,7 +109,8 @@ class Space:
             return np.zeros(x.shape[0])
         base = np.array([v.base for v in self.variables])
         scale = np.array([v.scale for v in self.variables])
-        return np.mean(((x - base) / scale) ** 2, axis=1)
+        away: Floats = np.mean(((x - base) / scale) ** 2, axis=1)
+        return away
 
     def candidates(self, x: Floats) -> Candidates:
         """The candidates of these values; waits end when they did at first."""

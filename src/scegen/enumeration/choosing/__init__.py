@@ -1,0 +1,1 @@
+"""Choosing among logical scenarios: by expression, by richness, by variety, by coverage."""

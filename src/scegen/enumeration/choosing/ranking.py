@@ -1,0 +1,33 @@
+"""Ranking by conflict richness."""
+
+from __future__ import annotations
+
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.logical import ConflictKind, LogicalScenario
+from scegen.scenario.vocabulary import Maneuver
+
+_WEIGHT = {
+    ConflictKind.CROSSING: 3,
+    ConflictKind.MERGING: 2,
+    ConflictKind.FOLLOWING: 1,
+    ConflictKind.DIVERGING: 1,
+    ConflictKind.NONE: 0,
+}
+
+
+def richness(scenario: LogicalScenario, functional: FunctionalScenario) -> int:
+    """Conflicts count by kind, and twice where the ego or somebody in a hazard takes part."""
+    centre = {functional.ego.id}
+    for hazard in functional.hazards:
+        centre.update(hazard.by, hazard.to)
+    return sum(
+        _WEIGHT[c.kind] * (1 + len(centre & {c.first, c.second})) for c in scenario.conflicts
+    )
+
+
+def richest_first(
+    scenario: LogicalScenario, functional: FunctionalScenario
+) -> tuple[int, int, int]:
+    """A key to sort by: rich before poor, of equally rich ones the plainest first."""
+    turns = sum(drive.turn is not Maneuver.STRAIGHT for drive in scenario.drives)
+    return -richness(scenario, functional), turns, scenario.index

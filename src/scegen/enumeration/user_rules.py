@@ -1,0 +1,168 @@
+"""A user's own rules in ASP: what they may say, and errors that name the line.
+
+Rules forbid scenarios; they do not make any. So a rule has an atom of the user's own as its head,
+or none at all (a constraint); choices, scripts, and heads that redefine the vocabulary are refused.
+"""
+
+# mypy does not follow clorm and clingo.
+# mypy: allow-subclassing-any
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterator
+from functools import lru_cache
+from pathlib import Path
+
+from clingo import ast
+from clorm import Predicate
+from clorm.clingo import Control
+
+from scegen.enumeration import predicates as p
+from scegen.enumeration.problem import Problem
+from scegen.enumeration.programs import ENCODINGS, Part, grounded
+from scegen.enumeration.reading import Solution, read_solutions
+from scegen.enumeration.solving import Space
+from scegen.errors import InputError
+
+VOCABULARY: dict[str, int] = {
+    "arms": 1,
+    "arm": 1,
+    "vehicle": 1,
+    "crosser": 1,
+    "ego": 1,
+    "kind": 2,
+    "enters": 2,
+    "leaves": 2,
+    "turns": 2,
+    "does": 2,
+    "crosses": 3,
+    "comes_from": 3,
+    "conflict": 3,
+}
+"""Predicates that rules may use, with their number of arguments; docs/rules.md explains them."""
+
+_HARMLESS = {ast.ASTType.Program, ast.ASTType.Comment, ast.ASTType.Definition}
+
+
+def ruled_solutions(space: Space, path: Path) -> Iterator[Solution]:
+    """Every assignment that the rules in a file allow, once, in the usual order.
+
+    Raises:
+        InputError: the file cannot be read or is not a set of rules; names the line.
+    """
+    _check(path)
+    said: list[str] = []
+    try:
+        control = _program(space, path, said)
+    except RuntimeError as error:
+        message = "; ".join(" ".join(text.split()) for text in said) or str(error)
+        raise InputError(message, where="--rules") from error
+    seen: set[Solution] = set()  # rules of the user's may have several answers of their own
+    for solution in read_solutions(space.problem, control):
+        if solution not in seen:
+            seen.add(solution)
+            yield solution
+
+
+def _program(space: Space, path: Path, said: list[str]) -> Control:
+    problem = space.problem
+    facts: list[Predicate] = [*space.facts, *(p.Decides(v.id) for v in problem.vehicles)]
+    facts += _kinds(problem)
+    parts = (*space.parts, Part.ORDER, Part.RULES)
+    return grounded(facts, parts, "--heuristic=Domain", files=(path,), said=said)
+
+
+def _kinds(problem: Problem) -> list[Predicate]:
+    return [p.Kind(m.id, m.kind.value) for m in problem.functional.participants]
+
+
+def _check(path: Path) -> None:
+    """Refuse what is not a rule over the vocabulary."""
+    try:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError("cannot be read as text", where=str(path)) from error
+    statements: list[ast.AST] = []
+    said: list[str] = []
+    try:
+        ast.parse_string(text, statements.append, logger=lambda _, message: said.append(message))
+    except RuntimeError as error:
+        message = "; ".join(" ".join(part.split()) for part in said) or str(error)
+        raise InputError(message.replace("<string>", str(path)), where="--rules") from error
+    own = set[str]()
+    for statement in statements:
+        own |= _head(statement, path)
+    for statement in statements:
+        if statement.ast_type is ast.ASTType.Rule:
+            _Bodies(path, own).visit_sequence(statement.body)
+
+
+def _head(statement: ast.AST, path: Path) -> set[str]:
+    """The predicate that a rule defines, none for a constraint."""
+    if statement.ast_type in _HARMLESS:
+        return set()
+    if statement.ast_type is not ast.ASTType.Rule:
+        raise _refused(path, statement, "only rules and constraints may stand here")
+    head = statement.head
+    if head.ast_type is not ast.ASTType.Literal:
+        raise _refused(path, head, "a rule's head is one atom, or nothing; choices are not rules")
+    if head.atom.ast_type is not ast.ASTType.SymbolicAtom:
+        return set()
+    name, _ = _signature(head.atom)
+    if name in VOCABULARY:
+        raise _refused(path, head, f"{name} is given; a rule may ask for it, not define it")
+    if name in _names_taken():
+        raise _refused(path, head, f"{name} is taken by the program", "Choose another name.")
+    return {name}
+
+
+@lru_cache(maxsize=1)
+def _names_taken() -> frozenset[str]:
+    """The predicates of all encodings: a rule of the user's must not add to them by accident."""
+    names = set[str]()
+
+    class Names(ast.Transformer):
+        def visit_SymbolicAtom(self, atom: ast.AST) -> ast.AST:  # noqa: N802 - named by clingo
+            names.add(_signature(atom)[0])
+            return atom
+
+    ast.parse_files([str(ENCODINGS / f"{part}.lp") for part in Part], Names().visit)
+    return frozenset(names)
+
+
+class _Bodies(ast.Transformer):
+    """Visits the atoms of rule bodies."""
+
+    def __init__(self, path: Path, own: set[str]) -> None:
+        self._path = path
+        self._own = own
+
+    def visit_SymbolicAtom(self, atom: ast.AST) -> ast.AST:  # noqa: N802 - named by clingo
+        """Check that the predicate is known."""
+        name, arity = _signature(atom)
+        if name in self._own:
+            return atom
+        if name not in VOCABULARY:
+            close = difflib.get_close_matches(name, [*VOCABULARY, *self._own], n=2)
+            hint = f"Did you mean {' or '.join(close)}?" if close else "See docs/rules.md."
+            raise _refused(self._path, atom, f"unknown predicate {name}/{arity}", hint)
+        if arity != VOCABULARY[name]:
+            raise _refused(
+                self._path, atom, f"{name} takes {VOCABULARY[name]} arguments, not {arity}"
+            )
+        return atom
+
+
+def _signature(atom: ast.AST) -> tuple[str, int]:
+    term = atom.symbol
+    if term.ast_type is ast.ASTType.UnaryOperation:
+        term = term.argument
+    if term.ast_type is ast.ASTType.Pool:
+        term = term.arguments[0]
+    return term.name, len(term.arguments)
+
+
+def _refused(path: Path, node: ast.AST, message: str, hint: str | None = None) -> InputError:
+    place = node.location.begin if "location" in node.keys() else node.symbol.location.begin  # noqa: SIM118
+    return InputError(message, where=f"{path}, line {place.line}, column {place.column}", hint=hint)
