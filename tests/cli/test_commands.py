@@ -2,10 +2,16 @@
 
 import json
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 import yaml
+
+from scegen.pipeline.generate import generate
+from scegen.pipeline.options import Options
+from scegen.pipeline.source import resolve_source
 
 SENTENCE = (
     "The ego car turns left at a four-way intersection while an oncoming truck goes straight "
@@ -22,10 +28,6 @@ def files(folder: Path) -> dict[str, bytes]:
 @pytest.fixture(scope="module")
 def made(tmp_path_factory):
     """The folder that generate makes from the sentence."""
-    from scegen.pipeline.generate import generate
-    from scegen.pipeline.options import Options
-    from scegen.pipeline.source import resolve_source
-
     folder = tmp_path_factory.mktemp("made") / "out"
     generate(resolve_source(SENTENCE), folder, Options())
     return folder
@@ -196,12 +198,10 @@ def test_doctor_names_every_tool(scegen):
 
 def test_help_is_quick_to_load():
     """--help loads no solver, no XML and no plotting library."""
-    import subprocess
-    import sys
-
     code = (
         "import sys, scegen.cli; "
-        "print([m for m in ('clingo', 'scenariogeneration', 'matplotlib', 'lxml') if m in sys.modules])"
+        "heavy = {'clingo', 'scenariogeneration', 'matplotlib', 'lxml', 'numba'}; "
+        "print(sorted(heavy & set(sys.modules)))"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"

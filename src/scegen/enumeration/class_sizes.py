@@ -33,27 +33,25 @@ class ClassSizes:
 
     def of(self, chosen: list[list[Choice]]) -> int:
         """The size of the class of a scenario, given what each group's members chose."""
-        size = 1
-        for group, members in enumerate(chosen):
-            size *= self._known(group, members)[0]
-        return size * (self._copies or len(self._turned(chosen)))
+        size, codes = 1, []
+        for key in enumerate(map(tuple, chosen)):
+            ways, code = self._kept.get(key) or self._known(key)
+            size *= ways
+            codes.append(code)
+        if self._copies is not None:
+            return size * self._copies
+        return size * len(set(map(sum, zip(*codes, strict=True))))
 
     def key(self, chosen: list[list[Choice]]) -> int:
         """A number that exactly the assignments of one class share."""
-        return min(self._turned(chosen))
+        codes = [self._known(key)[1] for key in enumerate(map(tuple, chosen))]
+        return min(map(sum, zip(*codes, strict=True)))
 
-    def _turned(self, chosen: list[list[Choice]]) -> set[int]:
-        codes = [self._known(group, members)[1] for group, members in enumerate(chosen)]
-        return {sum(turned) for turned in zip(*codes, strict=True)}
-
-    def _known(self, group: int, members: list[Choice]) -> tuple[int, tuple[int, ...]]:
+    def _known(self, key: tuple[int, tuple[Choice, ...]]) -> tuple[int, tuple[int, ...]]:
         """What depends on one group alone: its arrangements, and its part of every copy."""
-        key = (group, tuple(members))
-        found = self._kept.get(key)
-        if found is None:
-            if len(self._kept) >= MOST_KEPT:
-                self._kept.clear()
-            found = self._kept[key] = arrangements(key[1]), self._codes(*key)
+        if len(self._kept) >= MOST_KEPT:
+            self._kept.clear()
+        found = self._kept[key] = arrangements(key[1]), self._codes(*key)
         return found
 
     def _codes(self, group: int, members: tuple[Choice, ...]) -> tuple[int, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from clorm import Predicate, unify
 from clorm.clingo import Control, Symbol
@@ -21,8 +21,7 @@ _SHOWN = (a.Drive, a.Two, a.Enters, a.Crosses, a.Place)
 _UNSET: Way = (-1, COUNTED, "")
 
 
-@dataclass(frozen=True, slots=True, order=True)
-class Solution:
+class Solution(NamedTuple):
     """One assignment, in listing order of the participants.
 
     ``drives`` holds (entry, move, manner); in a state, of which only the entries are chosen,
@@ -64,6 +63,8 @@ class Reader:
             else:
                 for slot, way in found:
                     drives[slot] = way
+        if not others:
+            return Solution(tuple(drives), (), ())
         crossings: list[tuple[int, str]] = [(0, "")] * len(self._crossers)
         places: list[tuple[str, str, str]] = []
         for symbol in others:
