@@ -8,9 +8,8 @@ from scegen.scenario.model import Interval
 from scegen.understanding.lexicon import load
 from scegen.understanding.numbers import number_at
 from scegen.understanding.tokens import Token
-from scegen.units import speed_mps
+from scegen.units import SPEED_UNITS_MPS, speed_mps
 
-_SPEED_UNITS = frozenset({"km/h", "mph", "m/s", "knot", "ft/s"})
 _RANGE_WORDS = frozenset({"to", "and", "or"})
 _ABOVE = frozenset({"over", "above", "exceeding", "than", "least"})
 _BELOW = frozenset({"under", "below", "to", "most"})
@@ -97,7 +96,7 @@ def _second_number(tokens: list[Token], j: int) -> tuple[float, str, int] | None
 
 
 def _build(tokens: list[Token], i: int, j: int, numbers: list[float], unit: str) -> Quantity:
-    if unit not in _SPEED_UNITS:
+    if unit not in SPEED_UNITS_MPS:
         low, high = min(numbers), max(numbers)
         return Quantity("other", Interval(low=low, high=high), i, j)
     values = [speed_mps(value, unit) for value in numbers]

@@ -50,7 +50,7 @@ class Lexicon:
         root: the trie of phrases.
         words: every single word that occurs in a phrase.
         irregular: word -> (base form, form).
-        units: spelled unit, as a tuple of words -> pint's name.
+        units: spelled unit, as a tuple of words -> its name.
     """
 
     root: Node
