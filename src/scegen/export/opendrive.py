@@ -10,8 +10,7 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterable
 from copy import deepcopy
 
-from scenariogeneration import xodr
-
+from scegen.export.library import xodr
 from scegen.export.road_marks import road_mark
 from scegen.export.signs import entry_sign
 from scegen.road.fillet import wrapped

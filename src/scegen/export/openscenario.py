@@ -13,10 +13,8 @@ from datetime import datetime
 from threading import Lock
 from typing import Literal
 
-from scenariogeneration import xosc
-from scenariogeneration.xosc.enumerations import VersionBase
-
 from scegen.errors import InputError
+from scegen.export.library import VersionBase, xosc
 from scegen.export.openscenario_entities import entities
 from scegen.export.openscenario_storyboard import storyboard
 from scegen.export.openscenario_text import header_description, xml_text

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from scenariogeneration import xosc
-
+from scegen.export.library import xosc
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
 from scegen.scenario.vocabulary import ParticipantKind, Role

@@ -9,8 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import radians
 
-from scenariogeneration import xosc
-
+from scegen.export.library import xosc
 from scegen.scenario.functional import Environment
 from scegen.scenario.vocabulary import RoadSurface, TimeOfDay, Visibility, Weather
 

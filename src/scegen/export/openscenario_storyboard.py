@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from math import pi
 
-from scenariogeneration import xosc
-
+from scegen.export.library import xosc
 from scegen.export.openscenario_environment import environment_action
 from scegen.export.openscenario_triggers import (
     at_end,

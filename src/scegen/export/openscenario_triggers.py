@@ -6,8 +6,7 @@ beside the phase's own condition.
 
 from __future__ import annotations
 
-from scenariogeneration import xosc
-
+from scegen.export.library import xosc
 from scegen.scenario.concrete import (
     AtTime,
     ConcreteParticipant,

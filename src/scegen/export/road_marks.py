@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from scenariogeneration import xodr
-
+from scegen.export.library import xodr
 from scegen.road.model import LaneType, Road
 
 _WIDTH_M = 0.12

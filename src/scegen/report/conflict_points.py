@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import lru_cache
 from itertools import pairwise
 from math import hypot
 
 from scegen.report.plan import Point
 from scegen.scenario.logical import Conflict, ConflictKind
 
+_Line = tuple[Point, ...]
 _NEAR = 5.0
 """Marks closer than this (px) would hide each other: one is drawn."""
 _MERGED = 6.0
@@ -24,18 +26,22 @@ def conflict_points(
         first, second = lines.get(conflict.first), lines.get(conflict.second)
         if first is None or second is None:
             continue
-        if conflict.kind is ConflictKind.CROSSING:
-            point = _crossing(first, second) or _merging(first, second)
-        elif conflict.kind is ConflictKind.MERGING:
-            point = _merging(first, second)
-        else:
+        if conflict.kind not in {ConflictKind.CROSSING, ConflictKind.MERGING}:
             continue
+        point = _meeting(conflict.kind, tuple(first), tuple(second))
         if not any(_apart(point, other) < _NEAR for _, other in marks):
             marks.append((conflict.kind, point))
     return marks
 
 
-def _crossing(first: list[Point], second: list[Point]) -> Point | None:
+@lru_cache(maxsize=4096)
+def _meeting(kind: ConflictKind, first: _Line, second: _Line) -> Point:
+    """Where the two ways meet; the tiles of a gallery ask for the same few again and again."""
+    crossing = _crossing(first, second) if kind is ConflictKind.CROSSING else None
+    return crossing or _merging(first, second)
+
+
+def _crossing(first: _Line, second: _Line) -> Point | None:
     """The first point on ``first`` at which the two cross."""
     for a, b in pairwise(first):
         for c, d in pairwise(second):
@@ -55,7 +61,7 @@ def _intersection(a: Point, b: Point, c: Point, d: Point) -> Point | None:
     return (a[0] + s * ux, a[1] + s * uy) if 0 <= s <= 1 and 0 <= t <= 1 else None
 
 
-def _merging(first: list[Point], second: list[Point]) -> Point:
+def _merging(first: _Line, second: _Line) -> Point:
     """Where ``first`` comes close to ``second``, or else closest."""
     gaps = [(min(_apart(p, q) for q in second), p) for p in first]
     joined = next((p for gap, p in gaps if gap < _MERGED), None)

@@ -11,7 +11,7 @@ from functools import lru_cache
 from importlib.resources import files
 from typing import Any
 
-import yaml
+from scegen.scenario.files import parse
 
 _ENTRY_FILES = (
     "participants",
@@ -61,7 +61,7 @@ class Lexicon:
 
 def _read(name: str) -> Any:  # noqa: ANN401 - the shape differs from file to file
     text = files(__package__).joinpath(f"{name}.yaml").read_text(encoding="utf-8")
-    return yaml.safe_load(text)
+    return parse(text, where=f"{name}.yaml")
 
 
 def _insert(root: Node, phrase: str, entry: Entry) -> None:
