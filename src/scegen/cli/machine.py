@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 import subprocess
 from pathlib import Path
 from typing import Annotated
@@ -14,11 +13,6 @@ from scegen.cli.console import result, result_json, say
 from scegen.cli.llm import ModelOption, UrlOption
 from scegen.errors import InputError, MissingToolError
 
-ESMINI_HINT = (
-    "esmini is a free player for OpenSCENARIO: get a release from github.com/esmini/esmini, "
-    "unpack it and put its bin folder on PATH"
-)
-
 
 def play(
     folder: Annotated[Path, typer.Argument(help="A scenario folder, or one made by generate.")],
@@ -28,17 +22,17 @@ def play(
     headless: Annotated[bool, typer.Option("--headless", help="Play without a window.")] = False,
 ) -> None:
     """Play a scenario in esmini."""
+    from scegen.checking.environment import ESMINI_HINT, esmini
+
     file = _scenario_file(folder, scenario)
-    program = shutil.which("esmini")
+    program = esmini()
     if program is None:
         raise MissingToolError("esmini is not on PATH", hint=ESMINI_HINT)
     if not headless and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
         say("no screen here: playing without a window")
         headless = True
-    view = (
-        ["--headless", "--fixed_timestep", "0.05"] if headless else ["--window", "60 60 1200 700"]
-    )
-    arguments = [program, "--osc", file.name, *" ".join(view).split(), "--logfile_path", os.devnull]
+    view = "--headless --fixed_timestep 0.05" if headless else "--window 60 60 1200 700"
+    arguments = [str(program), "--osc", file.name, *view.split(), "--logfile_path", os.devnull]
     code = subprocess.run(arguments, cwd=file.parent, check=False).returncode
     if code:
         say(f"esmini ended with exit code {code}")

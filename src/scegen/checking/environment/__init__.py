@@ -18,7 +18,10 @@ ASAM_VARIABLE = "SCEGEN_ASAM_PYTHON"
 INTEROP_VARIABLE = "SCEGEN_INTEROP_PYTHON"
 ASAM_HINT = "run: make asam (or: python -m scegen.checking.environment asam)"
 INTEROP_HINT = "run: make interop (or: python -m scegen.checking.environment interop)"
-ESMINI_HINT = "put esmini (3.6 or newer) on PATH; its releases are on its GitHub page"
+ESMINI_HINT = (
+    "get a release of esmini (3.6 or newer) from github.com/esmini/esmini, "
+    "unpack it and put its bin folder on PATH"
+)
 
 
 class Tool(NamedTuple):
