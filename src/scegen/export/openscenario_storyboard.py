@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import pi
 
 from scegen.export.library import xosc
 from scegen.export.openscenario_environment import environment_action
+from scegen.export.openscenario_position import vertex_position
 from scegen.export.openscenario_triggers import (
     at_end,
     at_once,
@@ -38,9 +38,7 @@ def storyboard(
         at_end("act_over", concrete.duration_s, minor),
     )
     for participant in moving:
-        act.add_maneuver_group(
-            _maneuver_group(participant, paths[participant.id], concrete.duration_s, minor)
-        )
+        act.add_maneuver_group(_maneuver_group(participant, paths, concrete.duration_s, minor))
     if not moving:  # the standard wants a story all the same
         act.add_maneuver_group(xosc.ManeuverGroup("nobody_moves").add_actor(concrete.ego.id))
     story = xosc.Story("story")
@@ -58,14 +56,14 @@ def _init(concrete: ConcreteScenario, paths: Mapping[str, Path], minor: int) -> 
     init.add_global_action(environment_action(concrete.environment, minor))
     for participant in concrete.participants:
         path = paths[participant.id]
-        init.add_init_action(participant.id, xosc.TeleportAction(_position(path, 0)))
+        init.add_init_action(participant.id, xosc.TeleportAction(vertex_position(path, 0)))
         speed = participant.speed_mps if _moves(path) else 0.0
         init.add_init_action(participant.id, _step_to(speed))
     return init
 
 
 def _maneuver_group(
-    participant: ConcreteParticipant, path: Path, duration_s: float, minor: int
+    participant: ConcreteParticipant, paths: Mapping[str, Path], duration_s: float, minor: int
 ) -> xosc.ManeuverGroup:
     group = xosc.ManeuverGroup(f"{participant.id}_group")
     group.add_actor(participant.id)
@@ -84,7 +82,9 @@ def _maneuver_group(
         event.add_action(
             f"{name}_action", xosc.AbsoluteSpeedAction(phase.target_speed_mps, dynamics)
         )
-        event.add_trigger(phase_trigger(participant, index, duration_s=duration_s, minor=minor))
+        event.add_trigger(
+            phase_trigger(participant, index, paths, duration_s=duration_s, minor=minor)
+        )
         speed.add_event(event)
     # At the end of its path a participant stops; without this, players drive on along the road.
     arrived = xosc.Event(f"{participant.id}_arrives", overwrite)
@@ -93,7 +93,7 @@ def _maneuver_group(
     speed.add_event(arrived)
     group.add_maneuver(speed)
     way = xosc.Maneuver(f"{participant.id}_way")
-    way.add_event(_follow_event(participant, path, follow, duration_s))
+    way.add_event(_follow_event(participant, paths[participant.id], follow, duration_s))
     group.add_maneuver(way)
     return group
 
@@ -110,7 +110,7 @@ def _follow_event(
     trajectory.add_shape(
         xosc.Polyline(
             [round(float(s) / nominal_mps, 4) for s in path.s_m],
-            [_position(path, i) for i in range(len(path.s_m))],
+            [vertex_position(path, i) for i in range(len(path.s_m))],
         )
     )
     event = xosc.Event(f"{participant.id}_sets_out", xosc.Priority.parallel)
@@ -122,14 +122,3 @@ def _follow_event(
 def _step_to(speed_mps: float) -> xosc.AbsoluteSpeedAction:
     step = xosc.TransitionDynamics(xosc.DynamicsShapes.step, xosc.DynamicsDimension.time, 0.0)
     return xosc.AbsoluteSpeedAction(speed_mps, step)
-
-
-def _position(path: Path, index: int) -> xosc.WorldPosition:
-    """A vertex, to 0.1 mm; adding zero turns -0.0 into 0.0."""
-    heading = (float(path.heading_rad[index]) + pi) % (2 * pi) - pi
-    return xosc.WorldPosition(
-        round(float(path.x_m[index]), 4) + 0.0,
-        round(float(path.y_m[index]), 4) + 0.0,
-        0.0,
-        round(heading, 6) + 0.0,
-    )

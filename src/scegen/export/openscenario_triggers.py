@@ -6,11 +6,17 @@ beside the phase's own condition.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from scegen.export.library import xosc
+from scegen.export.openscenario_position import world_position
+from scegen.motion.model import Path
 from scegen.scenario.concrete import (
+    ArrivalBelow,
     AtTime,
     ConcreteParticipant,
     SpeedPhase,
+    StoodStill,
     Travelled,
 )
 
@@ -26,7 +32,12 @@ def phase_event_name(participant: ConcreteParticipant, index: int) -> str:
 
 
 def phase_trigger(
-    participant: ConcreteParticipant, index: int, *, duration_s: float, minor: int
+    participant: ConcreteParticipant,
+    index: int,
+    paths: Mapping[str, Path],
+    *,
+    duration_s: float,
+    minor: int,
 ) -> xosc.Trigger:
     """The start trigger of phase ``index`` of a participant's speed program.
 
@@ -42,7 +53,7 @@ def phase_trigger(
         group = xosc.ConditionGroup()
         # Names must differ between groups: scenario_runner keeps what came true by name.
         name = f"{event}_when_{number}"
-        group.add_condition(_condition(name, participant, phase, duration_s, minor))
+        group.add_condition(_condition(name, participant, phase, paths, duration_s, minor))
         if state:
             before = phase_event_name(participant, index - 1)
             group.add_condition(_state_condition(f"{event}_after_{number}", "event", before, state))
@@ -78,7 +89,12 @@ def _reached(time_s: float, minor: int) -> xosc.SimulationTimeCondition:
 
 
 def _condition(
-    name: str, owner: ConcreteParticipant, phase: SpeedPhase, duration_s: float, minor: int
+    name: str,
+    owner: ConcreteParticipant,
+    phase: SpeedPhase,
+    paths: Mapping[str, Path],
+    duration_s: float,
+    minor: int,
 ) -> xosc.ValueTrigger | xosc.EntityTrigger:
     trigger = phase.trigger
     if isinstance(trigger, AtTime):
@@ -89,6 +105,12 @@ def _condition(
         # Players add up rounded steps: a distance that a step reaches exactly may be missed by one.
         distance = max(0.0, round(trigger.distance_m - _SLACK_M, 6))
         return _entity(name, xosc.TraveledDistanceCondition(distance), trigger.participant)
+    if isinstance(trigger, StoodStill):
+        # Players ask for longer than the duration.
+        stood = max(0.0, round(trigger.duration_s - _SLACK_S, 6))
+        return _entity(name, xosc.StandStillCondition(stood), trigger.participant)
+    if isinstance(trigger, ArrivalBelow):
+        return _entity(name, _arrival(trigger, paths), trigger.participant)
     kind = xosc.RelativeDistanceType
     condition = xosc.RelativeDistanceCondition(
         trigger.distance_m,
@@ -98,6 +120,19 @@ def _condition(
         freespace=False,
     )
     return _entity(name, condition, owner.id)
+
+
+def _arrival(trigger: ArrivalBelow, paths: Mapping[str, Path]) -> xosc.TimeToCollisionCondition:
+    """Time to a place, in a straight line; the 1.0 reading of "not along the route" is the same."""
+    return xosc.TimeToCollisionCondition(
+        trigger.time_s,
+        xosc.Rule.lessThan,
+        alongroute=False,
+        freespace=False,
+        position=world_position(paths[trigger.participant].pose(trigger.place_m)),
+        distance_type=xosc.RelativeDistanceType.euclidianDistance,
+        coordinate_system=xosc.CoordinateSystem.entity,
+    )
 
 
 def _value(name: str, condition: object) -> xosc.ValueTrigger:

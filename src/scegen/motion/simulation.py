@@ -10,21 +10,27 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from math import hypot
+from math import cos, hypot, inf, sin
 
 import numpy as np
 
 from scegen.motion.model import Array, Path, Trace
 from scegen.scenario.concrete import (
+    ArrivalBelow,
     AtTime,
     ConcreteParticipant,
     ConcreteScenario,
     SpeedPhase,
+    StoodStill,
     Travelled,
     Trigger,
 )
 
 _ROUNDING = 1e-9
+NEGLIGIBLE = 1e-6
+"""esmini's SMALL_NUMBER: below this distance (m) or speed (m/s) no time to arrival exists."""
+STANDING_MPS = 1e-3
+"""esmini's STAND_STILL_THRESHOLD."""
 
 
 @dataclass
@@ -36,6 +42,7 @@ class _Mover:
     speed_mps: float
     s_m: float = 0.0
     fired: int = 0
+    stands_since_s: float = inf
     active: SpeedPhase | None = None
     s_log: list[float] = field(default_factory=list)
     v_log: list[float] = field(default_factory=list)
@@ -49,9 +56,11 @@ class _Mover:
         if self.length_m == 0.0:
             self.speed_mps = 0.0
 
-    def record(self) -> None:
+    def record(self, time_s: float) -> None:
         self.s_log.append(self.s_m)
         self.v_log.append(self.speed_mps)
+        standing = self.speed_mps < STANDING_MPS
+        self.stands_since_s = min(self.stands_since_s, time_s) if standing else inf
 
     def move(self, dt_s: float) -> None:
         """Change speed, then position; stop for good at the end of the path."""
@@ -93,7 +102,8 @@ def simulate(
             for mover in movers.values():
                 mover.move(dt_s)
         for mover in movers.values():
-            mover.record()
+            mover.record(step * dt_s)
+        for mover in movers.values():
             program = mover.participant.speed_program
             if mover.fired < len(program):
                 phase = program[mover.fired]
@@ -111,9 +121,24 @@ def _holds(trigger: Trigger, owner: _Mover, movers: Mapping[str, _Mover], time_s
     other = movers[trigger.participant]
     if isinstance(trigger, Travelled):
         return other.s_m >= trigger.distance_m - _ROUNDING
+    if isinstance(trigger, StoodStill):
+        return time_s - other.stands_since_s >= trigger.duration_s - _ROUNDING
+    if isinstance(trigger, ArrivalBelow):
+        return _arrival_s(other, trigger.place_m) < trigger.time_s
     ax, ay = owner.position_m
     bx, by = other.position_m
     return hypot(ax - bx, ay - by) < trigger.distance_m
+
+
+def _arrival_s(mover: _Mover, place_m: float) -> float:
+    """When a mover is at a place of its way if it goes straight there at its speed; inf: never."""
+    place, here = mover.path.pose(place_m), mover.path.pose(mover.s_m)
+    dx, dy = place.x_m - here.x_m, place.y_m - here.y_m
+    ahead = dx * cos(here.heading_rad) + dy * sin(here.heading_rad) > 0.0
+    away = hypot(dx, dy)
+    if not ahead or away < NEGLIGIBLE or mover.speed_mps < NEGLIGIBLE:
+        return inf
+    return away / mover.speed_mps
 
 
 def _trace(mover: _Mover, times: Array) -> Trace:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from scegen.scenario.concrete import (
+    ArrivalBelow,
     AtTime,
     ConcreteParticipant,
     CrossingMotion,
     DriveMotion,
     LaneChange,
     SpeedPhase,
+    StoodStill,
     Travelled,
 )
 from scegen.scenario.functional import Hazard
@@ -75,6 +77,13 @@ def phase_words(phase: SpeedPhase) -> str:
         when = f"at {trigger.time_s:.2f} s"
     elif isinstance(trigger, Travelled):
         when = f"once {trigger.participant} has travelled {trigger.distance_m:.1f} m"
+    elif isinstance(trigger, StoodStill):
+        when = f"once {trigger.participant} has stood for {trigger.duration_s:.1f} s"
+    elif isinstance(trigger, ArrivalBelow):
+        when = (
+            f"once {trigger.participant} is {trigger.time_s:.2f} s short of the place "
+            f"{trigger.place_m:.1f} m on its way"
+        )
     else:
         when = f"once {trigger.participant} is nearer than {trigger.distance_m:.1f} m"
     text = f"{when}: to {speed_words(phase.target_speed_mps)} at {phase.rate_mps2:.2f} m/s²"

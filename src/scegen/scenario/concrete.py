@@ -6,7 +6,7 @@ along a drive are metres travelled from the outer end of the entry arm.
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
@@ -68,6 +68,7 @@ class RoadParameters(FrozenModel):
 class AtTime(FrozenModel):
     """Fires when the simulation time reaches ``time_s``."""
 
+    measured: ClassVar = "time_s"
     type: Literal["time"] = "time"
     time_s: float = Field(ge=0)
 
@@ -75,6 +76,7 @@ class AtTime(FrozenModel):
 class Travelled(FrozenModel):
     """Fires when ``participant`` has travelled ``distance_m`` since its start."""
 
+    measured: ClassVar = "distance_m"
     type: Literal["travelled"] = "travelled"
     participant: Identifier
     distance_m: float = Field(ge=0)
@@ -86,12 +88,40 @@ class DistanceBelow(FrozenModel):
     Measured between the entities' reference points (freespace off).
     """
 
+    measured: ClassVar = "distance_m"
     type: Literal["distance_below"] = "distance_below"
     participant: Identifier
     distance_m: float = Field(gt=0)
 
 
-Trigger = Annotated[AtTime | Travelled | DistanceBelow, Field(discriminator="type")]
+class ArrivalBelow(FrozenModel):
+    """Fires when ``participant`` would reach a place within less than ``time_s``.
+
+    The place is where it is after ``place_m`` of its way from its start. Time to arrival is the
+    straight distance of its reference point from there, divided by its speed; it is undefined
+    while it stands, and once the place lies behind it.
+    """
+
+    measured: ClassVar = "time_s"
+    type: Literal["arrival_below"] = "arrival_below"
+    participant: Identifier
+    place_m: float = Field(ge=0)
+    time_s: float = Field(gt=0)
+
+
+class StoodStill(FrozenModel):
+    """Fires when ``participant`` has stood still for ``duration_s`` without a break."""
+
+    measured: ClassVar = "duration_s"
+    type: Literal["stood_still"] = "stood_still"
+    participant: Identifier
+    duration_s: float = Field(gt=0)
+
+
+Trigger = Annotated[
+    AtTime | Travelled | DistanceBelow | ArrivalBelow | StoodStill, Field(discriminator="type")
+]
+"""``measured`` names the field whose value decides when a trigger fires."""
 
 
 class SpeedPhase(FrozenModel):

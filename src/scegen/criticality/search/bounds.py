@@ -21,12 +21,14 @@ from scegen.criticality.search.variables import (
 from scegen.motion.batch.arrays import Candidates
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
+    ArrivalBelow,
     AtTime,
     ConcreteParticipant,
     ConcreteScenario,
     DistanceBelow,
     DriveMotion,
     SpeedPhase,
+    StoodStill,
     Travelled,
 )
 from scegen.scenario.vocabulary import HazardKind
@@ -208,13 +210,12 @@ def _recipe(
     rate = maker.quantity(f"{name}.rate_mps2", item.rate_mps2, bounds, 0.15 * item.rate_mps2)
     subject, length = owner, ways[participant.id].path.length_m
     shift = Quantity(0.0)
-    if isinstance(trigger, AtTime):
-        place, value = (Place.WAITED if n else Place.AS_IS), trigger.time_s
-    elif isinstance(trigger, DistanceBelow):
-        place, value = Place.AS_IS, trigger.distance_m
-        if full:
-            wide = min(_NEAR_M, 0.4 * value)
-            shift = maker.quantity(f"{name}.distance_m", 0.0, (-wide, wide), 1.0)
+    if isinstance(trigger, AtTime | DistanceBelow | ArrivalBelow | StoodStill):
+        place, value = Place.AS_IS, getattr(trigger, trigger.measured)
+        if full and not isinstance(trigger, AtTime):
+            near, scale = (_NEAR_M, 1.0) if isinstance(trigger, DistanceBelow) else (_SHIFT_S, 0.3)
+            wide = min(near, 0.4 * value)
+            shift = maker.quantity(f"{name}.{trigger.measured}", 0.0, (-wide, wide), scale)
     elif trigger.participant != participant.id:
         place, value = Place.OTHER, trigger.distance_m
         subject = index[trigger.participant]

@@ -8,8 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from scegen.criticality.evaluation import Summary, measure
-from scegen.criticality.hazards.judging import relative_margins
-from scegen.criticality.hazards.table import INEXPRESSIBLE
+from scegen.criticality.hazards.judging import hazard_pairs, relative_margins
 from scegen.criticality.hazards.view import View
 from scegen.criticality.hazards.ways import Way
 from scegen.criticality.scene import Scene
@@ -93,10 +92,6 @@ class Problem:
         """Everything about candidates with these values of the variables (c, n)."""
         made = self.space.candidates(x)
         traces = simulate_batch(self.program, made, duration_s=self.duration_s)
-        for _ in range(2):
-            if not self.space.waits_s or not self.space.with_waits(made, traces):
-                break
-            traces = simulate_batch(self.program, made, duration_s=self.duration_s)
         self.evaluations += x.shape[0]
         view = view_of(self.concrete, self.ways, self.scene, traces, self.friction)
         missing: dict[str, Floats] = {}
@@ -133,8 +128,8 @@ class Problem:
 
 
 def judged(concrete: ConcreteScenario) -> list[Hazard]:
-    """The dangers that movements can show."""
-    return [hazard for hazard in concrete.hazards if hazard.kind not in INEXPRESSIBLE]
+    """The dangers that movements of those who are there can show."""
+    return [hazard for hazard in concrete.hazards if hazard_pairs(concrete, hazard)]
 
 
 def view_of(

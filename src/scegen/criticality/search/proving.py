@@ -37,8 +37,8 @@ class Evidence:
 
     @property
     def all_happen(self) -> bool:
-        """Whether every danger asked for happens."""
-        return all(hazard.happened for hazard in self.hazards)
+        """Whether every danger asked for happens that somebody here can cause."""
+        return all(hazard.happened or hazard.note is not None for hazard in self.hazards)
 
     def unwanted(self, target: Target, pair: Pair) -> tuple[Pair, ...]:
         """Pairs that touch although they should not."""

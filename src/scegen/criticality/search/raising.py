@@ -17,7 +17,6 @@ from scegen.criticality.search.problem import Problem, judged, lateral_limits, v
 from scegen.criticality.search.proving import Evidence, examine, proof_of
 from scegen.criticality.search.rebuild import rebuilt
 from scegen.criticality.search.refusing import measurable, never_meet, too_fast, too_slow
-from scegen.criticality.search.variables import Place, stands_at_s
 from scegen.criticality.target import HEADWAY, NEAR_MISS, Target, parse_target
 from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.batch.compilation import compile_program
@@ -187,6 +186,9 @@ class _Stage:
     def problem(self) -> Problem:
         """The search problem."""
         program, base = compile_program(self.full, paths_of(self.ways))
+        # Triggers look at places counted from where everybody really starts.
+        own, _ = compile_program(self.concrete, paths_of(ways_of(self.concrete, self.network)))
+        program = program._replace(phases=own.phases)
         for i, participant in enumerate(self.concrete.participants):
             laid = self.ways[participant.id].laid
             if isinstance(participant.motion, DriveMotion) and laid is not None:
@@ -199,11 +201,6 @@ class _Stage:
         for hazard in self.concrete.hazards:
             involved |= {*culprits(self.concrete, hazard), *hazard.to}
         space = build_space(self.full, self.ways, base, involved=involved, friction=self.friction)
-        for recipe in space.recipes:
-            if recipe.place is Place.WAITED:
-                begun = stands_at_s(base, traces, recipe.owner, recipe.phase - 1)[0]
-                if np.isfinite(begun):
-                    space.waits_s[recipe.phase] = recipe.trigger - float(begun)
         return Problem(
             concrete=self.full,
             ways=self.ways,

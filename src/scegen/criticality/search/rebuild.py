@@ -7,12 +7,14 @@ from collections.abc import Mapping
 from scegen.criticality.hazards.ways import Way
 from scegen.motion.batch.arrays import Candidates
 from scegen.scenario.concrete import (
+    ArrivalBelow,
     AtTime,
     Change,
     ConcreteParticipant,
     ConcreteScenario,
     DriveMotion,
     SpeedPhase,
+    StoodStill,
 )
 
 _NOTICED = 1.5e-3
@@ -39,8 +41,12 @@ def rebuilt(
     """
     changes: list[Change] = []
     people, first = [], 0
+    moved_m = {
+        participant.id: _moved_m(participant, ways[participant.id], float(made.start_m[row, i]))
+        for i, participant in enumerate(concrete.participants)
+    }
     for i, participant in enumerate(concrete.participants):
-        fresh = _participant(participant, ways[participant.id], made, row, i, first)
+        fresh = _participant(participant, ways[participant.id], made, row, i, first, moved_m)
         first += len(participant.speed_program)
         changes += _changes(participant, fresh, why)
         people.append(fresh)
@@ -55,8 +61,21 @@ def rebuilt(
     )
 
 
+def _moved_m(participant: ConcreteParticipant, way: Way, start_m: float) -> float:
+    """How much later on its way somebody starts than before."""
+    if isinstance(participant.motion, DriveMotion) and way.laid is not None:
+        return start_m - way.laid.path_s_m(participant.motion.start_m)
+    return 0.0
+
+
 def _participant(
-    participant: ConcreteParticipant, way: Way, made: Candidates, row: int, i: int, first: int
+    participant: ConcreteParticipant,
+    way: Way,
+    made: Candidates,
+    row: int,
+    i: int,
+    first: int,
+    moved_m: Mapping[str, float],
 ) -> ConcreteParticipant:
     motion = participant.motion
     if isinstance(motion, DriveMotion) and way.laid is not None:
@@ -64,7 +83,8 @@ def _participant(
         if abs(station - motion.start_m) > _NOTICED:
             motion = motion.model_copy(update={"start_m": round(station, DECIMALS)})
     program = tuple(
-        _phase(phase, made, row, first + n) for n, phase in enumerate(participant.speed_program)
+        _phase(phase, made, row, first + n, moved_m)
+        for n, phase in enumerate(participant.speed_program)
     )
     speed = _settled(participant.speed_mps, float(made.speed_mps[row, i]))
     return participant.model_copy(
@@ -72,16 +92,21 @@ def _participant(
     )
 
 
-def _phase(phase: SpeedPhase, made: Candidates, row: int, k: int) -> SpeedPhase:
+def _phase(
+    phase: SpeedPhase, made: Candidates, row: int, k: int, moved_m: Mapping[str, float]
+) -> SpeedPhase:
     trigger = phase.trigger
-    field = "time_s" if isinstance(trigger, AtTime) else "distance_m"
-    before = getattr(trigger, field)
+    before = getattr(trigger, trigger.measured)
     value = _settled(before, float(made.trigger[row, k]))
-    if isinstance(trigger, AtTime) and value != before:
+    if isinstance(trigger, AtTime | StoodStill) and value != before:
         value = off_the_steps(value)
+    update: dict[str, float] = {trigger.measured: value}
+    if isinstance(trigger, ArrivalBelow):
+        place = max(0.0, trigger.place_m - moved_m[trigger.participant])
+        update["place_m"] = _settled(trigger.place_m, place)
     return phase.model_copy(
         update={
-            "trigger": trigger.model_copy(update={field: value}),
+            "trigger": trigger.model_copy(update=update),
             "target_speed_mps": _settled(
                 phase.target_speed_mps, float(made.target_speed_mps[row, k])
             ),
@@ -112,7 +137,7 @@ def _changes(before: ConcreteParticipant, after: ConcreteParticipant, why: str) 
     pairs = zip(before.speed_program, after.speed_program, strict=True)
     for n, (old, new) in enumerate(pairs):
         place = f"{name}.speed_program.{n}"
-        field = "time_s" if isinstance(old.trigger, AtTime) else "distance_m"
+        field = old.trigger.measured
         values += [
             (
                 f"{place}.trigger.{field}",

@@ -2,18 +2,18 @@
 
 Variables are meant as a driver would mean them: "starts there", "cruises at", "comes to rest
 there". Triggers follow from them: whoever is to have slowed down at a place begins earlier if it
-is faster, and waits as long as before wherever it stops.
+is faster.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from enum import Enum, auto
 
 import numpy as np
 
-from scegen.motion.batch.arrays import SPEED, BatchTraces, Candidates, Floats
+from scegen.motion.batch.arrays import Candidates, Floats
 from scegen.motion.batch.compilation import repeat
 
 LEAD_IN_S = 1.0
@@ -54,8 +54,6 @@ class Place(Enum):
     """A fixed place on another's way."""
     FAR_SIDE = auto()
     """The place from which one who walks can still stop before the end of its way."""
-    WAITED = auto()
-    """The end of a wait, as long as it was, after the phase before it."""
     AS_IS = auto()
     """A time or a distance of its own."""
 
@@ -86,7 +84,6 @@ class Space:
     starts: Sequence[Quantity]
     speeds: Sequence[Quantity]
     recipes: Sequence[PhaseRecipe]
-    waits_s: dict[int, float] = field(default_factory=dict)
 
     @property
     def low(self) -> Floats:
@@ -113,7 +110,7 @@ class Space:
         return away
 
     def candidates(self, x: Floats) -> Candidates:
-        """The candidates of these values; waits end when they did at first."""
+        """The candidates of these values."""
         made = repeat(self.base, x.shape[0])
         for i, (start, speed) in enumerate(zip(self.starts, self.speeds, strict=True)):
             made.start_m[:, i] = start.of(x)
@@ -125,29 +122,6 @@ class Space:
             made.rate_mps2[:, k] = recipe.rate.of(x)
             made.trigger[:, k] = _trigger(recipe, x, moved, made)
         return made
-
-    def with_waits(self, made: Candidates, traces: BatchTraces) -> bool:
-        """Let waits begin when those who wait have stopped; whether anything changed.
-
-        ``traces`` are the movements of ``made``, whose triggers are changed in place.
-        """
-        changed = False
-        for k, wait_s in self.waits_s.items():
-            owner = next(r.owner for r in self.recipes if r.phase == k)
-            begun = stands_at_s(made, traces, owner, k - 1)
-            fresh = np.where(np.isfinite(begun), begun + wait_s, made.trigger[:, k])
-            changed |= bool((np.abs(fresh - made.trigger[:, k]) > 1e-6).any())
-            made.trigger[:, k] = fresh
-        return changed
-
-
-def stands_at_s(made: Candidates, traces: BatchTraces, owner: int, phase: int) -> Floats:
-    """When the target speed of a phase is reached; inf if the phase never fires (c,)."""
-    fired = traces.fired_step[:, phase]
-    rows = np.arange(len(fired))
-    speed = traces.tracks[rows, owner, SPEED, np.maximum(fired, 0)]
-    change = np.abs(speed - made.target_speed_mps[:, phase]) / made.rate_mps2[:, phase]
-    return np.where(fired >= 0, fired * traces.dt_s + change, np.inf)
 
 
 def _trigger(recipe: PhaseRecipe, x: Floats, moved: Floats, made: Candidates) -> Floats:

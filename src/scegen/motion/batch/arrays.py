@@ -28,12 +28,14 @@ class TriggerKind(IntEnum):
         < value s (TimeToCollisionCondition with a position as target, freespace off). esmini and
         scenario_runner both use the straight distance, not the one along the road; esmini's is
         undefined once the point lies behind, and below 1e-6 m or m/s.
+    STOOD_STILL: the subject has stood for >= value s (StandStillCondition).
     """
 
     TIME = 0
     TRAVELLED = 1
     DISTANCE_BELOW = 2
     ARRIVAL_BELOW = 3
+    STOOD_STILL = 4
 
 
 class PathTable(NamedTuple):

@@ -19,7 +19,24 @@ from scegen.motion.batch.arrays import (
     empty_traces,
 )
 from scegen.motion.model import Path, Trace
-from scegen.scenario.concrete import AtTime, ConcreteScenario, SpeedPhase, Travelled
+from scegen.scenario.concrete import (
+    ArrivalBelow,
+    AtTime,
+    ConcreteScenario,
+    DistanceBelow,
+    SpeedPhase,
+    StoodStill,
+    Travelled,
+    Trigger,
+)
+
+_KINDS: dict[type[Trigger], TriggerKind] = {
+    AtTime: TriggerKind.TIME,
+    Travelled: TriggerKind.TRAVELLED,
+    DistanceBelow: TriggerKind.DISTANCE_BELOW,
+    ArrivalBelow: TriggerKind.ARRIVAL_BELOW,
+    StoodStill: TriggerKind.STOOD_STILL,
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,14 +140,14 @@ def stack_traces(traces: Sequence[Trace]) -> BatchTraces:
 def _phase(phase: SpeedPhase, index: Mapping[str, int]) -> Phase:
     """A contract phase in numbers."""
     trigger = phase.trigger
-    if isinstance(trigger, AtTime):
-        kind, subject, value = TriggerKind.TIME, 0, trigger.time_s
-    elif isinstance(trigger, Travelled):
-        kind, subject, value = TriggerKind.TRAVELLED, index[trigger.participant], trigger.distance_m
-    else:
-        kind, subject = TriggerKind.DISTANCE_BELOW, index[trigger.participant]
-        value = trigger.distance_m
-    return Phase(kind, subject, value, phase.target_speed_mps, phase.rate_mps2)
+    return Phase(
+        kind=_KINDS[type(trigger)],
+        subject=0 if isinstance(trigger, AtTime) else index[trigger.participant],
+        value=getattr(trigger, trigger.measured),
+        target_speed_mps=phase.target_speed_mps,
+        rate_mps2=phase.rate_mps2,
+        position_m=trigger.place_m if isinstance(trigger, ArrivalBelow) else 0.0,
+    )
 
 
 def _offsets(lengths: Sequence[int]) -> np.ndarray[tuple[int], np.dtype[np.int64]]:

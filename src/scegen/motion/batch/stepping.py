@@ -26,15 +26,15 @@ from scegen.motion.batch.arrays import (
     Y,
 )
 from scegen.motion.batch.kernels import inner_kernel, kernel
+from scegen.motion.simulation import NEGLIGIBLE, STANDING_MPS
 
 _ROUNDING = 1e-9
 """A time or distance that misses its value by less counts as reached (as in the reference)."""
-_NEGLIGIBLE = 1e-6
-"""esmini's SMALL_NUMBER: below this distance (m) or speed (m/s) no time to arrival exists."""
 _COS = (-1 / 2, 1 / 24, -1 / 720, 1 / 40320)
 _SIN = (-1 / 6, 1 / 120, -1 / 5040, 1 / 362880)
 """Taylor coefficients; up to 0.1 rad the terms left out are below 1e-16."""
-_TIME, _TRAVELLED, _DISTANCE_BELOW = 0, 1, 2  # TriggerKind; the last kind is the else branch
+_TIME, _TRAVELLED, _DISTANCE_BELOW, _STOOD_STILL = 0, 1, 2, 4
+"""Of TriggerKind; ARRIVAL_BELOW is the else branch."""
 
 
 @kernel
@@ -53,8 +53,9 @@ def run_candidate(
     """
     paths, phases = program
     participants = paths.first.shape[0] - 1
-    # Travelled distance, speed, target speed, rate (0: no phase active), length left at start.
-    state = np.zeros((participants, 5))
+    # Travelled distance, speed, target speed, rate (0: no phase active), length left at start,
+    # first step of standing (-1: moves).
+    state = np.zeros((participants, 6))
     # Vertex at or behind the position, next phase to fire.
     marks = np.zeros((participants, 2), dtype=np.int64)
     for i in range(participants):
@@ -63,6 +64,7 @@ def run_candidate(
         state[i, 1] = candidates.speed_mps[c, i] if state[i, 4] > 0.0 else 0.0
         marks[i, 0] = paths.first[i]
         marks[i, 1] = phases.first[i]
+        state[i, 5] = -1.0
     fired_step[:] = -1
     for t in range(tracks.shape[2]):
         for i in range(participants):
@@ -72,6 +74,10 @@ def run_candidate(
                     state[i, 0], state[i, 1], state[i, 3] = state[i, 4], 0.0, 0.0
                     marks[i, 1] = phases.first[i + 1]
             tracks[i, SPEED, t] = state[i, 1]
+            if state[i, 1] >= STANDING_MPS:
+                state[i, 5] = -1.0
+            elif state[i, 5] < 0.0:
+                state[i, 5] = t
             if t > 0 and state[i, 1] == 0.0 and tracks[i, SPEED, t - 1] == 0.0:
                 _stay(tracks, i, t)
             else:
@@ -172,6 +178,8 @@ def _holds(
         return bool(t * dt_s >= value - _ROUNDING)
     if kind == _TRAVELLED:
         return bool(state[j, 0] >= value - _ROUNDING)
+    if kind == _STOOD_STILL:
+        return bool(state[j, 5] >= 0.0 and (t - state[j, 5]) * dt_s >= value - _ROUNDING)
     x, y = tracks[j, X, t], tracks[j, Y, t]
     if kind == _DISTANCE_BELOW:
         dx, dy = tracks[i, X, t] - x, tracks[i, Y, t] - y
@@ -179,4 +187,4 @@ def _holds(
     dx, dy = phases.point_x_m[k] - x, phases.point_y_m[k] - y
     ahead = dx * tracks[j, COS, t] + dy * tracks[j, SIN, t] > 0.0
     away, speed = sqrt(dx * dx + dy * dy), state[j, 1]
-    return bool(ahead and away >= _NEGLIGIBLE and speed >= _NEGLIGIBLE and away / speed < value)
+    return bool(ahead and away >= NEGLIGIBLE and speed >= NEGLIGIBLE and away / speed < value)

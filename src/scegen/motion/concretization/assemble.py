@@ -117,10 +117,10 @@ def _program(draft: DriveDraft) -> tuple[float, tuple[SpeedPhase, ...]]:
 
 def _rounded(phase: SpeedPhase) -> SpeedPhase:
     trigger = phase.trigger
-    field = "time_s" if trigger.type == "time" else "distance_m"
+    value = round(getattr(trigger, trigger.measured), 3)
     return phase.model_copy(
         update={
-            "trigger": trigger.model_copy(update={field: round(getattr(trigger, field), 3)}),
+            "trigger": trigger.model_copy(update={trigger.measured: value}),
             "target_speed_mps": round(phase.target_speed_mps, 3),
             "rate_mps2": round(phase.rate_mps2, 3),
         }

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from scegen.motion.model import Array
-from scegen.scenario.concrete import AtTime, SpeedPhase, Travelled
+from scegen.scenario.concrete import SpeedPhase, StoodStill, Travelled
 from scegen.scenario.vocabulary import HazardKind
 
 STEP_S = 0.05
@@ -113,7 +113,6 @@ def compile_marks(
 ) -> tuple[float, tuple[SpeedPhase, ...]]:
     """Initial speed and phases of a vehicle that starts at ``start_m`` of its course."""
     speed = course.speed_at(start_m)
-    start_s = course.time_at(start_m)
     phases: list[SpeedPhase] = []
     begun = [i for i, mark in enumerate(marks) if mark.s_m <= start_m]
     for index, mark in enumerate(marks):
@@ -129,10 +128,14 @@ def compile_marks(
                 hazard=mark.hazard,
             )
         )
-        if index in course.resumes_s:
+        if index in course.resumes_s and mark.hold_s is not None:
+            trigger: StoodStill | Travelled = StoodStill(participant=who, duration_s=mark.hold_s)
+            if mark.target_mps > 0.0:
+                resumes_m = course.s_at(course.resumes_s[index]) - start_m
+                trigger = Travelled(participant=who, distance_m=max(0.0, resumes_m))
             phases.append(
                 SpeedPhase(
-                    trigger=AtTime(time_s=max(0.0, course.resumes_s[index] - start_s)),
+                    trigger=trigger,
                     target_speed_mps=mark.resume_mps,
                     rate_mps2=mark.resume_rate_mps2,
                 )

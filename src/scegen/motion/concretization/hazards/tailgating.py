@@ -8,7 +8,7 @@ from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.hazards.rule import Rule, pairs, same_arm
 from scegen.motion.concretization.limits import HARD_BRAKING_MPS2, TAILGATING_HEADWAY_S
 from scegen.motion.concretization.meetings import STRUCTURAL, Meeting
-from scegen.scenario.concrete import AtTime, DistanceBelow, SpeedPhase
+from scegen.scenario.concrete import DistanceBelow, SpeedPhase, StoodStill
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
 
@@ -70,7 +70,7 @@ def _react(scene: Scene, hazard: Hazard) -> None:
         brake_s = leader.course.time_at(marks[stops[0]].s_m) - leader.course.time_at(leader.start_m)
         apart = _distance_m(follower, leader, brake_s)
         bodies = leader.body.rear_m + follower.body.front_m
-        resumes = leader.course.resumes_s[stops[0]] - leader.course.time_at(leader.start_m)
+        stands = marks[stops[0]].hold_s or 0.0
         follower.reactions += [
             SpeedPhase(
                 trigger=DistanceBelow(
@@ -81,7 +81,7 @@ def _react(scene: Scene, hazard: Hazard) -> None:
                 hazard=HazardKind.TAILGATING,
             ),
             SpeedPhase(
-                trigger=AtTime(time_s=max(0.0, resumes + _SLOWER_START_S)),
+                trigger=StoodStill(participant=follower.id, duration_s=stands + _SLOWER_START_S),
                 target_speed_mps=marks[stops[0]].resume_mps,
                 rate_mps2=marks[stops[0]].resume_rate_mps2,
             ),
