@@ -16,6 +16,7 @@ from scegen.motion.model import Path
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
     ArmRoad,
+    ArrivalBelow,
     AtTime,
     ConcreteParticipant,
     ConcreteScenario,
@@ -25,6 +26,7 @@ from scegen.scenario.concrete import (
     RoadParameters,
     SpeedPhase,
     StandingMotion,
+    StoodStill,
     Travelled,
 )
 from scegen.scenario.functional import Environment
@@ -200,6 +202,27 @@ def test_triggers_say_what_the_program_says():
     assert 70.0 - 1e-4 < float(far.get("value")) < 70.0  # a tie counts as reached
     dynamics = root.find(".//Event[@name='ego_phase_2']//SpeedActionDynamics")
     assert (dynamics.get("dynamicsDimension"), dynamics.get("value")) == ("rate", "6.0")
+
+
+@pytest.mark.parametrize("version", ["1.0", "1.2"])
+def test_waits_and_arrivals_say_what_the_program_says(version):
+    ego = scenario().participants[0]
+    wait = StoodStill(participant="ped", duration_s=2.5)
+    meet = ArrivalBelow(participant="ego", place_m=40.0, time_s=3.2)
+    program = tuple(
+        SpeedPhase(trigger=trigger, target_speed_mps=5, rate_mps2=2) for trigger in (wait, meet)
+    )
+    ego = ego.model_copy(update={"speed_program": program})
+    root = written(version, participants=(ego, *scenario().participants[1:]))
+    stands = root.find(".//Event[@name='ego_phase_1']//StandStillCondition")
+    assert 2.5 - 1e-4 < float(stands.get("duration")) < 2.5  # players ask for longer
+    arrives = root.find(".//Event[@name='ego_phase_2']//TimeToCollisionCondition")
+    assert (arrives.get("value"), arrives.get("rule")) == ("3.2", "lessThan")
+    assert arrives.get("freespace") == "false"
+    place = arrives.find(".//WorldPosition")
+    assert (place.get("x"), place.get("y")) == ("-10.0", "-1.75")
+    owner = root.find(".//Event[@name='ego_phase_1']//TriggeringEntities/EntityRef")
+    assert owner.get("entityRef") == "ped"
 
 
 def test_names_of_elements_and_conditions_are_unique():

@@ -13,6 +13,7 @@ from scegen.motion.model import Path
 from scegen.motion.simulation import simulate
 from scegen.scenario.concrete import (
     ArmRoad,
+    ArrivalBelow,
     AtTime,
     ConcreteParticipant,
     ConcreteScenario,
@@ -22,6 +23,7 @@ from scegen.scenario.concrete import (
     RoadParameters,
     SpeedPhase,
     StandingMotion,
+    StoodStill,
     Travelled,
     Trigger,
 )
@@ -123,6 +125,7 @@ def scenario(duration_s: float = 10.0) -> ConcreteScenario:
         speed_program=(
             phase(AtTime(time_s=2), 12, 3),
             phase(Travelled(participant="oncoming", distance_m=60), 0, 6),
+            phase(StoodStill(participant="oncoming", duration_s=1.5), 9, 3),
         ),
     )
     walker = ConcreteParticipant(
@@ -142,6 +145,7 @@ def scenario(duration_s: float = 10.0) -> ConcreteScenario:
             phase(AtTime(time_s=1.3), 14, 2),
             phase(AtTime(time_s=1.3), 5, 4),  # same instant: fires one step later
             phase(DistanceBelow(participant="ego", distance_m=300), 12, 3),
+            phase(ArrivalBelow(participant="ego", place_m=120, time_s=8.4), 8, 2),
             phase(Travelled(participant="ego", distance_m=70), 8, 1),
         ),
     )

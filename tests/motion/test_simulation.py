@@ -6,10 +6,12 @@ import pytest
 from scegen.motion import concretize, simulate
 from scegen.motion.model import Path
 from scegen.scenario.concrete import (
+    ArrivalBelow,
     AtTime,
     ConcreteScenario,
     DistanceBelow,
     SpeedPhase,
+    StoodStill,
     Travelled,
 )
 
@@ -79,6 +81,42 @@ def test_distance_is_that_of_the_reference_points(cases):
     # 100 - 20 t < 40 where sqrt(40^2 + 30^2) = 50
     first = int(np.argmax(trace.speed_mps < 10.0))
     assert trace.time_s[first] == pytest.approx(3.0 + 2 * DT, abs=DT + 1e-9)
+
+
+def test_arrival_is_straight_distance_over_speed(cases):
+    phase = SpeedPhase(
+        trigger=ArrivalBelow(participant="car_1", place_m=100.0, time_s=4.0),
+        target_speed_mps=0,
+        rate_mps2=5,
+    )
+    trace = run(cases, [phase], speeds=(10.0, 20.0))["ego"]
+    first = int(np.argmax(trace.speed_mps < 10.0))
+    # 100 - 20 t < 4 * 20 from t = 1 s on; the step that reaches it exactly does not count.
+    assert trace.time_s[first] == pytest.approx(1.0 + 2 * DT)
+
+
+def test_who_stands_or_has_passed_never_arrives(cases):
+    trigger = ArrivalBelow(participant="car_1", place_m=0.0, time_s=100.0)
+    phase = SpeedPhase(trigger=trigger, target_speed_mps=0, rate_mps2=5)
+    assert run(cases, [phase])["ego"].speed_mps.min() == 10.0
+    ahead = phase.model_copy(update={"trigger": trigger.model_copy(update={"place_m": 50.0})})
+    assert run(cases, [ahead], speeds=(10.0, 0.0))["ego"].speed_mps.min() == 10.0
+
+
+def test_standing_counts_from_coming_to_rest_and_anew_after_every_move(cases):
+    stop = SpeedPhase(trigger=AtTime(time_s=1.0), target_speed_mps=0, rate_mps2=10)
+    go = SpeedPhase(
+        trigger=StoodStill(participant="ego", duration_s=2.0), target_speed_mps=5, rate_mps2=10
+    )
+    trace = run(cases, [stop, go, stop, go])["ego"]
+    rests = np.flatnonzero(trace.speed_mps == 0.0)
+    assert trace.time_s[rests[0]] == pytest.approx(2.0)
+    # It stands from 2.0 s to 4.0 s; the next stop is under way a step after it goes again.
+    moves = rests[0] + int(np.argmax(trace.speed_mps[rests[0] :] > 0))
+    assert trace.time_s[moves] == pytest.approx(4.0 + DT)
+    again = moves + int(np.argmax(trace.speed_mps[moves:] == 0.0))
+    third = again + int(np.argmax(trace.speed_mps[again:] > 0))
+    assert trace.time_s[third] - trace.time_s[again] == pytest.approx(2.0 + DT)
 
 
 def test_phases_fire_in_order_and_one_per_step(cases):

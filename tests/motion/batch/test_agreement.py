@@ -17,12 +17,14 @@ from scegen.motion.batch import (
 from scegen.motion.model import Path
 from scegen.motion.simulation import simulate
 from scegen.scenario.concrete import (
+    ArrivalBelow,
     AtTime,
     ConcreteParticipant,
     ConcreteScenario,
     DistanceBelow,
     SpeedPhase,
     StandingMotion,
+    StoodStill,
     Travelled,
 )
 from scegen.scenario.vocabulary import ParticipantKind, Role
@@ -60,6 +62,13 @@ triggers = st.one_of(
     st.builds(AtTime, time_s=number(0, 6)),
     st.builds(Travelled, participant=st.sampled_from(NAMES), distance_m=number(0, 60)),
     st.builds(DistanceBelow, participant=st.sampled_from(NAMES), distance_m=number(1, 40)),
+    st.builds(
+        ArrivalBelow,
+        participant=st.sampled_from(NAMES),
+        place_m=number(0, 60),
+        time_s=number(1, 6),
+    ),
+    st.builds(StoodStill, participant=st.sampled_from(NAMES), duration_s=number(1, 4)),
 )
 programs = st.lists(
     st.builds(
