@@ -102,7 +102,7 @@ def ego_start_sensitivity(
     scene = build_scene(
         [paths[p.id] for p in people], [p.kind for p in people], pairs=[(ego, other)]
     )
-    found = evaluate(program, candidates, scene, duration_s=concrete.duration_s, dt_s=dt_s)
+    found = evaluate(program, candidates, scene, duration_s=concrete.latest_end_s, dt_s=dt_s)
     own, slower, faster = (_start(found, c, factor) for c, factor in enumerate(factors))
     return Sensitivity(partner, own, slower, faster)
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+import numpy as np
+
 from scegen.export.library import xosc
 from scegen.export.openscenario_environment import environment_action
 from scegen.export.openscenario_position import vertex_position
@@ -15,7 +17,10 @@ from scegen.export.openscenario_triggers import (
     when_complete,
 )
 from scegen.motion.model import Path
+from scegen.motion.simulation import simulate
 from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
+
+_BEFORE_END_S = 1.0
 
 
 def storyboard(
@@ -25,7 +30,8 @@ def storyboard(
 
     An ego that somebody else drives has none: it is placed, and keeps its speed until then.
     """
-    stop = at_end("scenario_over", concrete.duration_s, minor)
+    duration, goes_m = concrete.duration_s, _ego_goes_m(concrete, paths)
+    stop = at_end("scenario_over", concrete, goes_m, minor)
     board = xosc.StoryBoard(_init(concrete, paths, minor), stop)
     moving = [
         p
@@ -34,17 +40,24 @@ def storyboard(
     ]
     act = xosc.Act(
         "act",
-        at_once("act_starts", concrete.duration_s),
-        at_end("act_over", concrete.duration_s, minor),
+        at_once("act_starts", duration),
+        at_end("act_over", concrete, goes_m, minor),
     )
     for participant in moving:
-        act.add_maneuver_group(_maneuver_group(participant, paths, concrete.duration_s, minor))
+        act.add_maneuver_group(_maneuver_group(participant, paths, duration, minor))
     if not moving:  # the standard wants a story all the same
         act.add_maneuver_group(xosc.ManeuverGroup("nobody_moves").add_actor(concrete.ego.id))
     story = xosc.Story("story")
     story.add_act(act)
     board.add_story(story)
     return board
+
+
+def _ego_goes_m(concrete: ConcreteScenario, paths: Mapping[str, Path]) -> float:
+    """How far the ego has come shortly before the end."""
+    trace = simulate(concrete, paths)[concrete.ego.id]
+    before = max(0.0, concrete.duration_s - _BEFORE_END_S)
+    return float(np.interp(before, trace.time_s, trace.s_m))
 
 
 def _moves(path: Path) -> bool:

@@ -15,6 +15,7 @@ from scegen.scenario.concrete import (
     ArrivalBelow,
     AtTime,
     ConcreteParticipant,
+    ConcreteScenario,
     SpeedPhase,
     StoodStill,
     Travelled,
@@ -71,15 +72,19 @@ def at_once(name: str, duration_s: float) -> xosc.ValueTrigger:
     return _value(name, xosc.SimulationTimeCondition(duration_s, xosc.Rule.lessThan))
 
 
-def at_end(name: str, duration_s: float, minor: int) -> xosc.ValueTrigger:
-    """True when the scenario is over, as a stop trigger."""
-    return xosc.ValueTrigger(
-        name,
-        0,
-        xosc.ConditionEdge.none,
-        _reached(duration_s, minor),
-        triggeringpoint="stop",
-    )
+def at_end(name: str, concrete: ConcreteScenario, ego_goes_m: float, minor: int) -> xosc.Trigger:
+    """True when the scenario is over, as a stop trigger: an ego that is late is waited for."""
+    trigger = xosc.Trigger("stop")
+    in_time = xosc.ConditionGroup("stop")
+    in_time.add_condition(_value(f"{name}_in_time", _reached(concrete.duration_s, minor)))
+    gone = xosc.TraveledDistanceCondition(round(ego_goes_m, 3))
+    in_time.add_condition(_entity(f"{name}_ego_has_passed", gone, concrete.ego.id))
+    at_last = xosc.ConditionGroup("stop")
+    latest = _reached(concrete.latest_end_s, minor)
+    at_last.add_condition(_value(f"{name}_at_last", latest))
+    trigger.add_conditiongroup(in_time)
+    trigger.add_conditiongroup(at_last)
+    return trigger
 
 
 def _reached(time_s: float, minor: int) -> xosc.SimulationTimeCondition:

@@ -22,6 +22,8 @@ from scegen.scenario.vocabulary import (
     Role,
 )
 
+_LATEST = 1.5
+
 
 class ArmRoad(FrozenModel):
     """One arm of the junction.
@@ -253,6 +255,11 @@ class ConcreteScenario(FrozenModel):
                     msg = f"a trigger of {participant.id} names the unknown {reference!r}"
                     raise ValueError(msg)
         return self
+
+    @property
+    def latest_end_s(self) -> float:
+        """When the scenario ends if the ego has not come as far as planned by ``duration_s``."""
+        return _LATEST * self.duration_s
 
     @property
     def ego(self) -> ConcreteParticipant:
