@@ -8,7 +8,7 @@ from lxml import etree, html
 
 from scegen.criticality.careful_driver import Outcome, Verdict
 from scegen.criticality.course import Course, ego_course
-from scegen.criticality.sensitivity import Sensitivity, Start
+from scegen.criticality.reactivity.sensitivity import Sensitivity, Start
 from scegen.motion.model import Path
 from scegen.report.html import ConcreteEntry, ReportInput, report_html
 from scegen.report.judgement import judgement_tables, verdict_words

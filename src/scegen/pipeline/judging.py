@@ -8,7 +8,7 @@ from typing import Any
 
 from scegen.criticality.careful_driver import Verdict, careful_driver_verdict
 from scegen.criticality.course import ego_course
-from scegen.criticality.sensitivity import Sensitivity, ego_start_sensitivity
+from scegen.criticality.reactivity.sensitivity import Sensitivity, ego_start_sensitivity
 from scegen.motion import build_paths
 from scegen.report.plots import plots_svg
 from scegen.road import build_network

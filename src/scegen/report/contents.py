@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from scegen.criticality.careful_driver import Verdict
-from scegen.criticality.sensitivity import Sensitivity
+from scegen.criticality.reactivity.sensitivity import Sensitivity
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet

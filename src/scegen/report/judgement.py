@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.criticality.careful_driver import DELAY_S, RISK_EVALUATION_S, Outcome, Verdict
-from scegen.criticality.sensitivity import Sensitivity, Start
+from scegen.criticality.reactivity.sensitivity import Sensitivity, Start
 from scegen.report.tables import Row, Table
 
 _MODEL = "careful and competent driver of UN R157; its use here, beyond motorways, is our extension"

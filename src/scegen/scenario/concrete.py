@@ -22,7 +22,7 @@ from scegen.scenario.vocabulary import (
     Role,
 )
 
-_LATEST = 1.5
+_LATEST = 1.3
 
 
 class ArmRoad(FrozenModel):

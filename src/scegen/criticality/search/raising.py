@@ -8,8 +8,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from scegen.criticality.friction import friction_of
+from scegen.criticality.hazards.judging import number
 from scegen.criticality.hazards.roles import culprits
 from scegen.criticality.hazards.ways import Way, paths_of, ways_of
+from scegen.criticality.reactivity.binding import bind_to_ego
 from scegen.criticality.search.bounds import build_space
 from scegen.criticality.search.optimize import Best, search
 from scegen.criticality.search.pairs import Pair, candidate_pairs, judged_pairs, scene_of
@@ -79,10 +81,12 @@ def raise_criticality(
     reason = too_fast(functional) or stage.blocked or too_slow(concrete, stage.pair)
     before = examine(concrete, network, stage.focus, stage.friction)
     # Concretization knows no slippery roads: on those the numbers have to be brought in bounds.
-    good = before.all_happen and before.meets(stage.target, stage.pair) and stage.friction >= 1.0
-    if reason is not None or good:
-        proof = stage.proof(before, before, 1, reason)
-        return Raised(concrete, proof)
+    good = stage.reached_by(before) and stage.friction >= 1.0
+    if reason is not None:
+        return Raised(concrete, stage.proof(before, before, 1, reason))
+    if good:
+        bound = stage.bound(before)
+        return Raised(bound.concrete, stage.proof(before, bound, 1, None))
     problem = stage.problem()
     rng = np.random.Generator(np.random.PCG64(seed))
     found: list[tuple[ConcreteScenario, Proof]] = []
@@ -91,6 +95,7 @@ def raise_criticality(
         made, blocked = _solve(stage, problem, rng)
         if made is None:
             break
+        made = stage.bound(made)
         found.append((made.concrete, stage.proof(before, made, problem.evaluations, None)))
     if not found:
         proof = stage.proof(before, before, problem.evaluations, blocked)
@@ -118,7 +123,7 @@ def _solve(
             f"search for {stage.target.text}",
         )
         evidence = examine(fresh, stage.network, stage.focus, stage.friction)
-        if evidence.all_happen and evidence.meets(stage.target, stage.pair):
+        if stage.reached_by(evidence):
             problem.known.append(best.x)
             return evidence, None
         # What comes after the end of what was found must not count the next time.
@@ -226,6 +231,34 @@ class _Stage:
         if fresh:
             self.focus += fresh[:_MOST_TOUCHING]
             self._rescene()
+
+    def bound(self, found: Evidence) -> Evidence:
+        """What was found, with those in danger bound to the ego where that is possible."""
+
+        def stands(tried: ConcreteScenario) -> bool:
+            return self.reached_by(examine(tried, self.network, self.focus, self.friction))
+
+        made = bind_to_ego(found.concrete, self.network, self.meetings_s(found), stands)
+        if made is found.concrete:
+            return found
+        return examine(made, self.network, self.focus, self.friction)
+
+    def meetings_s(self, found: Evidence) -> dict[str, list[float]]:
+        """Whose danger with the ego it is, the target's partner first, and when it happens."""
+        ego = self.concrete.ego.id
+        pairs = [self.pair, *judged_pairs(self.concrete)]
+        met = {frozenset(pair): pair for pair in pairs if ego in pair}
+        meetings: dict[str, list[float]] = {}
+        for people, pair in met.items():
+            (name,) = people - {ego}
+            times = [h.time_s for h in found.hazards if people <= {*h.by, *h.to}]
+            times.append(number(found.view.of_pair("closest_s", *pair)[0]))
+            meetings[name] = list(dict.fromkeys(time for time in times if time))
+        return meetings
+
+    def reached_by(self, evidence: Evidence) -> bool:
+        """Whether all that is wanted holds."""
+        return evidence.all_happen and evidence.meets(self.target, self.pair)
 
     def proof(
         self, before: Evidence, after: Evidence, evaluations: int, blocked_by: str | None

@@ -7,7 +7,7 @@ from criticality_geometry import line
 from criticality_scenarios import participant, phase, scenario
 
 from scegen.criticality.course import ego_course
-from scegen.criticality.sensitivity import Start, ego_start_sensitivity
+from scegen.criticality.reactivity.sensitivity import Start, ego_start_sensitivity
 from scegen.scenario.concrete import AtTime, DistanceBelow
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
@@ -43,12 +43,12 @@ def test_critical_by_contact_distance_or_pet():
     def start(**values):
         return Start(**({"factor": 1.0, "contact": False, "distance_m": 9.0} | values))
 
-    assert not start(pet_s=2.01, ttc_s=0.1).critical
-    assert start(pet_s=1.99, ttc_s=None).critical
-    assert start(distance_m=3.9, pet_s=None, ttc_s=2.9).critical
-    assert not start(distance_m=3.9, pet_s=None, ttc_s=3.1).critical
-    assert start(distance_m=1.59, pet_s=None, ttc_s=None).critical
-    assert not start(distance_m=1.61, pet_s=None, ttc_s=None).critical
+    assert not start(pet_s=1.51, ttc_s=0.1).critical
+    assert start(pet_s=1.49, ttc_s=None).critical
+    assert start(distance_m=2.9, pet_s=None, ttc_s=2.2).critical
+    assert not start(distance_m=2.9, pet_s=None, ttc_s=2.3).critical
+    assert start(distance_m=1.19, pet_s=None, ttc_s=None).critical
+    assert not start(distance_m=1.21, pet_s=None, ttc_s=None).critical
     assert start(contact=True, pet_s=None, ttc_s=None).critical
 
 

@@ -1,0 +1,1 @@
+"""Bound to the ego, not to the clock: dangers that wait for whoever drives it."""

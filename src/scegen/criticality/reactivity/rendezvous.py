@@ -1,0 +1,191 @@
+"""Hold somebody back until the ego is near, so that both still arrive together.
+
+Who is to meet the ego approaches more slowly than planned, from a place nearer to the meeting.
+Once the ego is so many seconds short of it (time to arrival, by its own speed), it speeds up and
+is from then on exactly where it was planned to be. An ego that comes earlier or later is thus
+met all the same; what is left over is what the other rolls while it waits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from scegen.criticality.bodies import GRAVITY_MPS2
+from scegen.criticality.hazards.ways import Way
+from scegen.motion.batch.arrays import Bools, Floats
+from scegen.motion.model import Path, Trace
+from scegen.motion.simulation import NEGLIGIBLE
+from scegen.scenario.bodies import BODIES
+from scegen.scenario.concrete import (
+    ArrivalBelow,
+    Change,
+    ConcreteParticipant,
+    ConcreteScenario,
+    DriveMotion,
+    SpeedPhase,
+    Travelled,
+)
+
+_LONG_ENOUGH_S = 0.5
+_EARLIER_S = 0.1
+_LEAD_IN_S = 1.0
+_BEFORE_CHANGE_M = 0.5
+_SPEEDING_UP_MPS2 = 2.5
+_DECIMALS = 3
+
+
+@dataclass(frozen=True, slots=True)
+class Join:
+    """Back on the plan: at ``time_s``, at a steady ``speed_mps``, ``s_m`` from the start.
+
+    Phases from number ``phase`` on are still to come.
+    """
+
+    time_s: float
+    s_m: float
+    speed_mps: float
+    phase: int
+
+
+def joins(
+    participant: ConcreteParticipant, trace: Trace, fired_s: Floats, until_s: float
+) -> list[Join]:
+    """Where somebody drives steadily before ``until_s``, the earliest first.
+
+    Nothing after a phase that serves a danger: that must not be left out.
+
+    Args:
+        participant: who.
+        trace: its movement.
+        fired_s: when its phases fire, inf for never (phases,).
+        until_s: when it must be on its plan, s.
+    """
+    found: list[Join] = []
+    begins, program = 0.0, participant.speed_program
+    for n in range(len(program) + 1):
+        ends = min(float(fired_s[n]) if n < len(program) else np.inf, until_s)
+        if ends - begins >= _LONG_ENOUGH_S:
+            at = ends - _EARLIER_S
+            speed = float(np.interp(at, trace.time_s, trace.speed_mps))
+            if speed > NEGLIGIBLE:
+                s = float(np.interp(at, trace.time_s, trace.s_m))
+                found.append(Join(at, s, speed, n))
+        if n == len(program) or ends >= until_s or program[n].hazard is not None:
+            break
+        change = abs(program[n].target_speed_mps - np.interp(ends, trace.time_s, trace.speed_mps))
+        begins = ends + float(change) / program[n].rate_mps2
+    return found
+
+
+def held_back(
+    concrete: ConcreteScenario,
+    ways: Mapping[str, Way],
+    ego: Trace,
+    who: str,
+    join: Join,
+    *,
+    share: float,
+    meeting_s: float,
+    friction: float,
+) -> ConcreteScenario | None:
+    """The scenario with ``who`` held back at ``share`` of its speed; None where there is no room.
+
+    Args:
+        concrete: the scenario.
+        ways: its ways, from where everybody starts.
+        ego: the ego's movement.
+        who: who is to wait for it; must drive.
+        join: when it is back on its plan.
+        share: its speed while it waits, as a share of that at the join, below 1.
+        meeting_s: when the two meet as planned; where the ego is then, it is waited for.
+        friction: coefficient between tyre and road.
+    """
+    participant, way = concrete.participant(who), ways[who]
+    motion = participant.motion
+    if not isinstance(motion, DriveMotion) or way.laid is None:
+        return None
+    slow = round(share * join.speed_mps, _DECIMALS)
+    most = BODIES[participant.kind].max_acceleration_mps2
+    rate = round(min(_SPEEDING_UP_MPS2, most, friction * GRAVITY_MPS2), _DECIMALS)
+    speeding_up_s = (join.speed_mps - slow) / rate
+    go_s = join.time_s - speeding_up_s
+    if go_s < _LEAD_IN_S:
+        return None
+    rolls_m = slow * go_s + (slow + join.speed_mps) / 2 * speeding_up_s
+    nearer_m = join.s_m - rolls_m
+    latest_m = min([way.turn_start_m, *(c.start_m for c in way.changes)]) - _BEFORE_CHANGE_M
+    if not 0.0 <= nearer_m <= latest_m:
+        return None
+    waits = _waits_until(ego, ways[concrete.ego.id].path, go_s, meeting_s)
+    if waits is None:
+        return None
+    go = SpeedPhase(
+        trigger=ArrivalBelow(participant=concrete.ego.id, place_m=waits[0], time_s=waits[1]),
+        target_speed_mps=round(join.speed_mps, _DECIMALS),
+        rate_mps2=rate,
+    )
+    station = round(way.laid.station_m(nearer_m), _DECIMALS)
+    waiting = participant.model_copy(
+        update={
+            "speed_mps": slow,
+            "motion": motion.model_copy(update={"start_m": station}),
+            "speed_program": (go, *participant.speed_program[join.phase :]),
+        }
+    )
+    people = [_since(waiting if p.id == who else p, who, nearer_m) for p in concrete.participants]
+    if any(p is None for p in people):
+        return None
+    reason = f"waits for the ego: goes when it is {waits[1]:.2f} s short of where they meet"
+    noted = (
+        (f"{who}.start_m", motion.start_m, station),
+        (f"{who}.speed_mps", participant.speed_mps, slow),
+        (f"{who}.speed_program.0.trigger.time_s", None, waits[1]),
+    )
+    changes = (
+        Change(parameter=name, by="reactivity", before=before, after=after, reason=reason)
+        for name, before, after in noted
+    )
+    return concrete.model_copy(
+        update={"participants": tuple(people), "provenance": (*concrete.provenance, *changes)}
+    )
+
+
+def _waits_until(
+    ego: Trace, path: Path, go_s: float, meeting_s: float
+) -> tuple[float, float] | None:
+    """(place on the ego's way, time to arrival there) that come true at ``go_s`` and not before."""
+    place_m = round(float(np.interp(meeting_s, ego.time_s, ego.s_m)), _DECIMALS)
+    step = int(np.searchsorted(ego.time_s, go_s))
+    place = path.pose(place_m)
+    dx, dy = place.x_m - ego.x_m, place.y_m - ego.y_m
+    ahead: Bools = dx * np.cos(ego.heading_rad) + dy * np.sin(ego.heading_rad) > 0.0
+    moves = ahead & (ego.speed_mps > NEGLIGIBLE)
+    away = np.hypot(dx, dy)
+    arrival = np.where(moves, away / np.maximum(ego.speed_mps, NEGLIGIBLE), np.inf)
+    if step < 1 or not np.isfinite(arrival[step - 1 : step + 1]).all():
+        return None
+    # Between two steps, so that rounding decides nothing.
+    time_s = round(float(arrival[step - 1 : step + 1].mean()), _DECIMALS)
+    if time_s <= 0.0 or (arrival[:step] < time_s).any() or arrival[step] >= time_s:
+        return None
+    return place_m, time_s
+
+
+def _since(
+    participant: ConcreteParticipant, who: str, nearer_m: float
+) -> ConcreteParticipant | None:
+    """Triggers that look at how far ``who`` has come, from its new start; None if that is over."""
+    phases = []
+    for phase in participant.speed_program:
+        trigger = phase.trigger
+        if isinstance(trigger, Travelled | ArrivalBelow) and trigger.participant == who:
+            field = "distance_m" if isinstance(trigger, Travelled) else "place_m"
+            left = round(getattr(trigger, field) - nearer_m, _DECIMALS)
+            if left < 0.0:
+                return None
+            trigger = trigger.model_copy(update={field: left})
+        phases.append(phase.model_copy(update={"trigger": trigger}))
+    return participant.model_copy(update={"speed_program": tuple(phases)})
