@@ -49,5 +49,9 @@ def test_every_danger_happens_and_every_target_is_reached(rows):
         assert data["evaluations"] >= 1
 
 
+def test_most_dangers_survive_a_slower_and_a_faster_ego(rows):
+    assert sum(bool(row.to_data()["reactive"]) for row in rows) >= 9
+
+
 def test_searches_take_less_than_a_second(rows):
     assert sorted(row.search_s for row in rows)[len(rows) // 2] < 1.0

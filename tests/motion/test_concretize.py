@@ -275,6 +275,19 @@ def test_sudden_acceleration_raises_the_speed_at_three_or_more(scenario):
     assert 3.0 <= phase.rate_mps2 <= 4.0
 
 
+def test_a_sudden_turn_without_a_bend_leaves_the_lane_and_comes_back(scenario):
+    shape, arms, drives = LAYOUTS["opposed"]
+    made = scenario(shape, arms, drives, [("sudden_turn", ["car_1"], ["ego"])])
+    car = concretize(*made).participant("car_1")
+    out, back = car.motion.lane_changes
+    assert (out.hazard, back.hazard) == (HazardKind.SUDDEN_TURN, HazardKind.SUDDEN_TURN)
+    assert out.lane_after != car.motion.entry_lane == back.lane_after
+    # At a junction where it turns, the bend itself is the sudden turn.
+    turns = [{"entry": 0, "move": 2}, {"entry": 2, "move": 3}]
+    bend = concretize(*scenario("four_way", 4, turns, [("sudden_turn", ["car_1"], ["ego"])]))
+    assert bend.participant("car_1").motion.lane_changes == ()
+
+
 def test_who_drives_slowly_holds_up_the_ego(scenario):
     drives = [{"entry": 0, "move": 2, "rank": 1}, {"entry": 0, "move": 2}]
     concrete = concretize(*scenario("four_way", 4, drives, [("slow_driving", ["car_1"], ["ego"])]))

@@ -29,7 +29,8 @@ Progress = Callable[[str], None]
 class Row:
     """One case. ``checks`` is by checker; ``problem`` is why no files were made, if so.
 
-    ``proof`` is what the search for danger reached in ``search_s`` seconds.
+    ``proof`` is what the search for danger reached in ``search_s`` seconds, ``reactive`` whether
+    that survives an ego that starts 20 % slower or faster (None where the ego is alone).
     """
 
     case: str
@@ -43,6 +44,7 @@ class Row:
     proof: Proof | None = None
     search_s: float | None = None
     verdict: str | None = None
+    reactive: bool | None = None
     esmini_agrees: bool | None = None
 
     @property
@@ -91,6 +93,7 @@ class Row:
             "evaluations": self.proof.evaluations if self.proof else None,
             "search_s": None if self.search_s is None else round(self.search_s, 3),
             "verdict": self.verdict,
+            "reactive": self.reactive,
             "esmini_agrees": self.esmini_agrees,
         }
 
@@ -124,6 +127,7 @@ def _made(
         return Row(case, not wrong, wrong, count, 0, 0, {}, error.render())
     scenarios = result.logical.certificate.count if result.logical else 0
     name = next(iter(result.checks))
+    sensitivity = result.judged[name].sensitivity
     return Row(
         case,
         not wrong,
@@ -135,6 +139,7 @@ def _made(
         proof=result.proofs.get(name),
         search_s=result.search_s.get(name),
         verdict=result.judged[name].verdict.outcome.value,
+        reactive=None if sensitivity is None else sensitivity.reactive,
         esmini_agrees=_agrees(folder / "scenarios" / name),
     )
 

@@ -11,6 +11,7 @@ from scegen.cli.console import result_json, working
 
 if TYPE_CHECKING:
     from scegen.benchmark.paper import Row
+    from scegen.scenario.proof import HazardProof, Proof
 
 app = typer.Typer(help="Repeat measured claims.", no_args_is_help=True, rich_markup_mode=None)
 
@@ -105,34 +106,41 @@ def _print_danger(rows: list[Row], caption: str) -> None:
     from rich.table import Table
 
     table = Table(caption=caption, caption_justify="left")
-    table.add_column("case", no_wrap=True)
-    for name in ("dangers", "margins", "measure", "before", "after", "in band"):
-        table.add_column(name, justify="center")
-    for name in ("careful driver", "esmini agrees"):
-        table.add_column(name, justify="center")
-    for name in ("evalua-\ntions", "search"):
-        table.add_column(name, justify="right")
+    for name in ("case", "dangers, by which margin", "criticality"):
+        table.add_column(name, overflow="fold")
+    for name in ("in\nband", "avoid-\nable", "other\negos", "esmini\nagrees"):
+        table.add_column(name, justify="center", overflow="fold")
+    table.add_column("search", justify="right", overflow="fold")
     for row in rows:
         proof = row.proof
         if proof is None:
             table.add_row(row.case, "-")
             continue
-        measure = proof.of(proof.measure)
-        margins = [f"{h.margin:.2f} {h.unit}" for h in proof.hazards if h.margin is not None]
-        values = [
-            "-" if value is None else f"{value:.2f}"
-            for value in ((measure.before, measure.after) if measure else (None, None))
-        ]
         table.add_row(
-            row.case,
-            f"{proof.hazards_happened}/{len(proof.hazards)}",
-            "\n".join(margins) or "-",
-            f"{proof.measure} ({measure.unit if measure else '-'})",
-            *values,
+            row.case.removeprefix("paper-"),
+            "\n".join(_danger(hazard) for hazard in proof.hazards) or "none asked for",
+            _before_after(proof),
             "yes" if proof.in_band else "NO",
-            row.verdict or "-",
+            {"avoidable": "yes", "unavoidable": "no"}.get(row.verdict or "", "-"),
+            {True: "yes", False: "no", None: "-"}[row.reactive],
             {True: "yes", False: "NO", None: "not run"}[row.esmini_agrees],
-            str(proof.evaluations),
-            "-" if row.search_s is None else f"{row.search_s:.2f} s",
+            f"{proof.evaluations}" + ("" if row.search_s is None else f"\n{row.search_s:.2f} s"),
         )
     Console().print(table)
+
+
+def _danger(hazard: HazardProof) -> str:
+    name = str(hazard.kind).replace("_", " ")
+    if not hazard.happened:
+        return f"{name}: NO"
+    return name if hazard.margin is None else f"{name}: {hazard.margin:.2f} {hazard.unit}"
+
+
+def _before_after(proof: Proof) -> str:
+    measure = proof.of(proof.measure)
+    if measure is None:
+        return "-"
+    before, after = (
+        "-" if value is None else f"{value:.2f}" for value in (measure.before, measure.after)
+    )
+    return f"{measure.name} {before} → {after} {measure.unit}"

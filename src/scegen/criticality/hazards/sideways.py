@@ -115,7 +115,10 @@ def overtaking(view: View, by: str, to: str) -> list[Part]:
 
 
 def sudden_turn(view: View, by: str, _: str) -> list[Part]:
-    """Takes its bend faster than is comfortable."""
+    """Takes its bend faster than is comfortable, or leaves its lane quickly where there is none."""
+    aside = [c for c in view.ways[by].changes if c.change.hazard is HazardKind.SUDDEN_TURN]
+    if aside:
+        return [_lateral_part(view, by, aside)]
     way, place = view.ways[by], view.place_m(by)
     inside = (place >= way.turn_start_m - 1.0) & (place <= way.turn_end_m + 1.0)
     lateral = np.where(inside, view.lateral_mps2(by), 0.0)

@@ -1,11 +1,19 @@
-"""Sudden turn: no slowing down until the last moment, and a fast bend."""
+"""Sudden turn: no slowing down until the last moment, and a fast bend.
+
+One whose way has no bend turns the wheel all the same: into the lane beside, and back.
+"""
 
 from __future__ import annotations
 
-from scegen.motion.concretization.drafts import Scene
+from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.hazards.rule import Rule, culprits
+from scegen.motion.concretization.hazards.swerving import swerve
 from scegen.motion.concretization.limits import FAST_LATERAL_MPS2
+from scegen.motion.concretization.meetings import Meeting
 from scegen.scenario.functional import Hazard
+from scegen.scenario.vocabulary import HazardKind
+
+_BEND_RAD = 0.35
 
 
 def _prepare(scene: Scene, hazard: Hazard) -> None:
@@ -15,4 +23,16 @@ def _prepare(scene: Scene, hazard: Hazard) -> None:
         draft.stops_at_line = False
 
 
-SUDDEN_TURN = Rule(prepare=_prepare)
+def _shape(scene: Scene, hazard: Hazard) -> list[Meeting]:
+    for draft in culprits(scene, hazard):
+        if not _bends(draft) and not draft.lane_changes:
+            swerve(scene, draft, HazardKind.SUDDEN_TURN)
+    return []
+
+
+def _bends(draft: DriveDraft) -> bool:
+    heading = draft.laid.path.heading_rad
+    return bool(abs(heading - heading[0]).max() > _BEND_RAD)
+
+
+SUDDEN_TURN = Rule(prepare=_prepare, shape=_shape)

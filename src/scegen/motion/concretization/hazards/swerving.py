@@ -17,7 +17,7 @@ from scegen.scenario.vocabulary import HazardKind, JunctionKind
 _STAYS_M = 1.0
 
 
-def _swerve(scene: Scene, draft: DriveDraft, kind: HazardKind) -> None:
+def swerve(scene: Scene, draft: DriveDraft, kind: HazardKind) -> None:
     """Out of the lane and back before the junction, or around the middle of a plain road."""
     length = change_length_m(draft.cruise_mps, ABRUPT_LANE_CHANGE_S)
     whole = 2 * length + _STAYS_M
@@ -37,13 +37,13 @@ def _swerve(scene: Scene, draft: DriveDraft, kind: HazardKind) -> None:
 
 def _swerving(scene: Scene, hazard: Hazard) -> list[Meeting]:
     for draft in culprits(scene, hazard):
-        _swerve(scene, draft, HazardKind.SWERVING)
+        swerve(scene, draft, HazardKind.SWERVING)
     return []
 
 
 def _losing(scene: Scene, hazard: Hazard) -> list[Meeting]:
     for draft in culprits(scene, hazard):
-        _swerve(scene, draft, HazardKind.LOSS_OF_CONTROL)
+        swerve(scene, draft, HazardKind.LOSS_OF_CONTROL)
     return []
 
 
