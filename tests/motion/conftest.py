@@ -155,7 +155,7 @@ def made(request: pytest.FixtureRequest) -> Made:
     return CASES[request.param]
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def cases() -> dict[str, Made]:
     return CASES
 

@@ -15,6 +15,7 @@ from math import cos, hypot, inf, sin
 import numpy as np
 
 from scegen.motion.model import Array, Path, Trace
+from scegen.road.geometry import Pose
 from scegen.scenario.concrete import (
     ArrivalBelow,
     AtTime,
@@ -139,6 +140,15 @@ def _arrival_s(mover: _Mover, place_m: float) -> float:
     if not ahead or away < NEGLIGIBLE or mover.speed_mps < NEGLIGIBLE:
         return inf
     return away / mover.speed_mps
+
+
+def arrivals_s(trace: Trace, place: Pose) -> Array:
+    """Time to arrival at a place in every step (steps,): the vector form of the trigger."""
+    dx, dy = place.x_m - trace.x_m, place.y_m - trace.y_m
+    away = np.hypot(dx, dy)
+    ahead = dx * np.cos(trace.heading_rad) + dy * np.sin(trace.heading_rad) > 0.0
+    defined = ahead & (away >= NEGLIGIBLE) & (trace.speed_mps >= NEGLIGIBLE)
+    return np.where(defined, away / np.maximum(trace.speed_mps, NEGLIGIBLE), np.inf)
 
 
 def _trace(mover: _Mover, times: Array) -> Trace:

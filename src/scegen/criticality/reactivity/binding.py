@@ -14,6 +14,7 @@ from scegen.motion.batch.arrays import BatchTraces
 from scegen.motion.batch.compilation import compile_program
 from scegen.motion.batch.simulation import simulate_batch
 from scegen.motion.model import Trace
+from scegen.motion.ties import clear_of_ties
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 
@@ -108,7 +109,7 @@ def _waiting(
                     friction=friction_of(concrete.environment),
                 )
                 if tried is not None:
-                    yield tried
+                    yield clear_of_ties(tried, paths_of(ways_of(tried, network)))
 
 
 def _trace(batch: BatchTraces, concrete: ConcreteScenario, who: str) -> Trace:

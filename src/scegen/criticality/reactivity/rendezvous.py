@@ -15,9 +15,9 @@ import numpy as np
 
 from scegen.criticality.bodies import GRAVITY_MPS2
 from scegen.criticality.hazards.ways import Way
-from scegen.motion.batch.arrays import Bools, Floats
+from scegen.motion.batch.arrays import Floats
 from scegen.motion.model import Path, Trace
-from scegen.motion.simulation import NEGLIGIBLE
+from scegen.motion.simulation import NEGLIGIBLE, arrivals_s
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
     ArrivalBelow,
@@ -159,12 +159,7 @@ def _waits_until(
     """(place on the ego's way, time to arrival there) that come true at ``go_s`` and not before."""
     place_m = round(float(np.interp(meeting_s, ego.time_s, ego.s_m)), _DECIMALS)
     step = int(np.searchsorted(ego.time_s, go_s))
-    place = path.pose(place_m)
-    dx, dy = place.x_m - ego.x_m, place.y_m - ego.y_m
-    ahead: Bools = dx * np.cos(ego.heading_rad) + dy * np.sin(ego.heading_rad) > 0.0
-    moves = ahead & (ego.speed_mps > NEGLIGIBLE)
-    away = np.hypot(dx, dy)
-    arrival = np.where(moves, away / np.maximum(ego.speed_mps, NEGLIGIBLE), np.inf)
+    arrival = arrivals_s(ego, path.pose(place_m))
     if step < 1 or not np.isfinite(arrival[step - 1 : step + 1]).all():
         return None
     # Between two steps, so that rounding decides nothing.

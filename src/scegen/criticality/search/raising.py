@@ -23,6 +23,7 @@ from scegen.criticality.target import HEADWAY, NEAR_MISS, Target, parse_target
 from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.batch.compilation import compile_program
 from scegen.motion.batch.simulation import simulate_batch
+from scegen.motion.ties import clear_of_ties
 from scegen.road import build_network
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
@@ -122,6 +123,7 @@ def _solve(
             float(outcome.duration_s[0]),
             f"search for {stage.target.text}",
         )
+        fresh = clear_of_ties(fresh, paths_of(ways_of(fresh, stage.network)))
         evidence = examine(fresh, stage.network, stage.focus, stage.friction)
         if stage.reached_by(evidence):
             problem.known.append(best.x)

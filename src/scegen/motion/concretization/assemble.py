@@ -15,6 +15,7 @@ from scegen.motion.concretization.room import NeedsLongerArms
 from scegen.motion.model import Path
 from scegen.motion.paths import build_path
 from scegen.motion.simulation import simulate
+from scegen.motion.ties import clear_of_ties
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
     ConcreteParticipant,
@@ -60,7 +61,7 @@ def assemble(scene: Scene, seed: int) -> ConcreteScenario:
             f"somebody has not left after {LONGEST_DURATION_S:.0f} s",
             hint="Raise the speeds or take a smaller junction.",
         )
-    return concrete.model_copy(update={"duration_s": duration})
+    return clear_of_ties(concrete.model_copy(update={"duration_s": duration}), paths)
 
 
 def _name(scene: Scene) -> str:

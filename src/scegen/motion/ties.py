@@ -1,0 +1,118 @@
+"""Keep triggers clear of ties: no player's rounding shall decide in which step a phase fires.
+
+Players add up how far somebody has come from rounded positions, across the corners of its
+polyline; after a bend that is some millimetres short. A trigger that a step only just reaches
+then fires a step later in one of two simulators, and a step at 5 m/s is a quarter of a metre.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from scegen.motion.model import Array, Path, Trace
+from scegen.motion.simulation import STANDING_MPS, arrivals_s, simulate
+from scegen.scenario.concrete import (
+    ArrivalBelow,
+    AtTime,
+    Change,
+    ConcreteParticipant,
+    ConcreteScenario,
+    SpeedPhase,
+    StoodStill,
+    Travelled,
+    Trigger,
+)
+
+STEP_S = 0.05
+"""The step that files are played with."""
+_CLEAR = 0.02
+"""Nearer than this (m or s) to what a step reaches is a tie."""
+_DECIMALS = 3
+_ROUNDING = 1e-9
+_REASON = "clear of a tie between two steps"
+
+
+def clear_of_ties(concrete: ConcreteScenario, paths: Mapping[str, Path]) -> ConcreteScenario:
+    """The scenario with triggers moved to between two steps of 0.05 s where they tie with one.
+
+    Every phase fires in the same step as before.
+
+    Args:
+        concrete: the scenario.
+        paths: its paths by participant.
+    """
+    traces = simulate(concrete, paths, dt_s=STEP_S)
+    changes: list[Change] = []
+    people = [_clear(p, traces, paths, changes) for p in concrete.participants]
+    if not changes:
+        return concrete
+    return concrete.model_copy(
+        update={"participants": tuple(people), "provenance": (*concrete.provenance, *changes)}
+    )
+
+
+def _clear(
+    participant: ConcreteParticipant,
+    traces: Mapping[str, Trace],
+    paths: Mapping[str, Path],
+    changes: list[Change],
+) -> ConcreteParticipant:
+    program: list[SpeedPhase] = []
+    after = -1
+    for n, phase in enumerate(participant.speed_program):
+        trigger, limit = phase.trigger, _limit(phase.trigger)
+        values = _values(trigger, participant.id, traces, paths)
+        rises = isinstance(trigger, AtTime | Travelled | StoodStill)
+        holds = values >= limit - _ROUNDING if rises else values < limit
+        holds[: after + 1] = False
+        if not holds.any():
+            program += participant.speed_program[n:]
+            break
+        step = int(holds.argmax())
+        here = values[max(0, step - 1) : step + 1]
+        if step > after + 1 and not isinstance(trigger, AtTime | StoodStill) and _ties(here, limit):
+            middle = round(float(here.mean()), _DECIMALS)
+            name = f"{participant.id}.speed_program.{n}.trigger.{trigger.measured}"
+            changes.append(
+                Change(parameter=name, by="rounding", before=limit, after=middle, reason=_REASON)
+            )
+            trigger = trigger.model_copy(update={trigger.measured: middle})
+        program.append(phase.model_copy(update={"trigger": trigger}))
+        after = step
+    return participant.model_copy(update={"speed_program": tuple(program)})
+
+
+def _ties(here: Array, limit: float) -> bool:
+    """Whether a limit is next to one of two steps that are far enough apart to do better."""
+    near = bool(np.abs(here - limit).min() < _CLEAR)
+    return near and bool(np.isfinite(here).all()) and bool(abs(np.diff(here)).max() > 2 * _CLEAR)
+
+
+def _limit(trigger: Trigger) -> float:
+    return float(getattr(trigger, trigger.measured))
+
+
+def _values(
+    trigger: Trigger, owner: str, traces: Mapping[str, Trace], paths: Mapping[str, Path]
+) -> Array:
+    """What the trigger looks at, by step (steps,)."""
+    if isinstance(trigger, AtTime):
+        return traces[owner].time_s
+    subject = traces[trigger.participant]
+    if isinstance(trigger, Travelled):
+        return subject.s_m
+    if isinstance(trigger, ArrivalBelow):
+        return arrivals_s(subject, paths[trigger.participant].pose(trigger.place_m))
+    if isinstance(trigger, StoodStill):
+        return _stands_s(subject)
+    return np.hypot(traces[owner].x_m - subject.x_m, traces[owner].y_m - subject.y_m)
+
+
+def _stands_s(trace: Trace) -> Array:
+    """How long somebody has stood, -1 while it moves (steps,)."""
+    moves = trace.speed_mps >= STANDING_MPS
+    steps = np.arange(len(moves))
+    last = np.maximum.accumulate(np.where(moves, steps, -1))
+    return np.where(moves, -1.0, (steps - last - 1) * STEP_S)
