@@ -13,8 +13,14 @@ from scegen.criticality.hazards.ways import Way, paths_of, ways_of
 from scegen.criticality.search.bounds import build_space
 from scegen.criticality.search.optimize import Best, search
 from scegen.criticality.search.pairs import Pair, candidate_pairs, judged_pairs, scene_of
-from scegen.criticality.search.problem import Problem, judged, lateral_limits, view_of
-from scegen.criticality.search.proving import Evidence, examine, proof_of
+from scegen.criticality.search.problem import (
+    SEARCH_DT_S,
+    Problem,
+    judged,
+    lateral_limits,
+    view_of,
+)
+from scegen.criticality.search.proving import PROOF_DT_S, Evidence, examine, proof_of
 from scegen.criticality.search.rebuild import rebuilt
 from scegen.criticality.search.refusing import measurable, never_meet, too_fast, too_slow
 from scegen.criticality.search.variables import Place, stands_at_s
@@ -32,8 +38,9 @@ from scegen.scenario.vocabulary import HazardKind
 _FOCUS = 3
 """Pairs that are looked at for the target at first; more only where none of them will do."""
 _MOST_TOUCHING = 6
-_ROOMS = (1.0, 2.5, 5.0)
-"""How far inside of the demands a search aims, if the proof in fine steps fails."""
+_ATTEMPTS = ((1.0, SEARCH_DT_S), (2.5, SEARCH_DT_S), (1.0, PROOF_DT_S), (2.5, PROOF_DT_S))
+"""How far inside of the demands a search aims, and its steps, one after the other while the proof
+in fine steps fails: one who creeps over a line passes it 0.3 s later in coarse steps."""
 _LONGER_S = 1.0
 
 
@@ -104,8 +111,7 @@ def _solve(
 ) -> tuple[Evidence | None, str | None]:
     """Search until a candidate stands up to the proof; otherwise the reason why none does."""
     reason = None
-    for room in _ROOMS:
-        problem.room = room
+    for problem.room, problem.dt_s in _ATTEMPTS:
         best = search(problem, rng)
         if not best.found:
             return None, reason or _blocking(stage.concrete, best, stage.target)
