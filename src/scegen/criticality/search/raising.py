@@ -87,8 +87,9 @@ def raise_criticality(
     reason = too_fast(functional) or stage.blocked or too_slow(concrete, stage.pair)
     before = examine(concrete, network, stage.focus, stage.friction)
     # Concretization knows no slippery roads: on those the numbers have to be brought in bounds.
-    good = before.all_happen and before.meets(stage.target, stage.pair) and stage.friction >= 1.0
-    if reason is not None or good:
+    if reason is not None or (
+        stage.friction >= 1.0 and before.all_happen and before.meets(stage.target, stage.pair)
+    ):
         proof = stage.proof(before, before, 1, reason)
         return Raised(concrete, proof)
     problem = stage.problem()
@@ -114,7 +115,7 @@ def _solve(
     for problem.room, problem.dt_s in _ATTEMPTS:
         best = search(problem, rng)
         if not best.found:
-            return None, reason or _blocking(stage.concrete, best, stage.target)
+            return None, reason or _blocking(problem, best)
         outcome = problem.evaluate(best.x[None, :])
         fresh = rebuilt(
             stage.concrete,
@@ -173,7 +174,7 @@ class _Stage:
             if rest:
                 self.focus += rest[:_FOCUS]
                 self._rescene()
-        self.blocked = never_meet(target, pairs)
+        self.blocked = never_meet(target, pairs, self.concrete)
         if pairs:
             self.pair = pairs[0]
 
@@ -266,17 +267,28 @@ def _from_outer_ends(concrete: ConcreteScenario) -> ConcreteScenario:
     return concrete.model_copy(update={"participants": people})
 
 
-def _blocking(concrete: ConcreteScenario, best: Best, target: Target) -> str:
+_MISSED = {
+    "contacts": "nobody else touching",
+    "finish": "everybody leaving in time",
+    "lateral acceleration": "bends within the tyres' grip",
+    "sameness": "being unlike the solutions known",
+}
+"""Demands in words that are not a danger or the target."""
+
+
+def _blocking(problem: Problem, best: Best) -> str:
     """Which demands the best candidate misses, and whether any candidate met them at all."""
-    hazards = judged(concrete)
+    hazards = judged(problem.concrete)
     words = []
     for name, missed in sorted(best.missing.items(), key=lambda item: -item[1]):
         if missed <= 0.0:
             continue
-        shown = target.text if name == "target" else name
+        shown = problem.target.text if name == "target" else _MISSED.get(name, name)
         if name.startswith("hazard "):
             hazard = hazards[int(name.split()[1])]
-            shown = f"{hazard.kind} by {', '.join(culprits(concrete, hazard)) or 'nobody'}"
+            by = ", ".join(culprits(problem.concrete, hazard)) or "nobody"
+            shown = f"{hazard.kind} by {by}"
         never = best.least.get(name, 0.0) > 0.0
         words.append(f"{shown} ({'never reached' if never else 'not together with the rest'})")
-    return "blocked by " + ", ".join(words)
+    tried = f"{problem.evaluations:,} candidates within what is realistic"
+    return f"blocked by {', '.join(words)} in {tried}"
