@@ -54,8 +54,11 @@ def _has_whom_to_overtake(drive: Assignment) -> bool:
 
 def _functional(kind: JunctionKind, rng: np.random.Generator) -> FunctionalScenario:
     fewest, most = ARM_COUNTS[kind]
-    arms = int(rng.integers(max(fewest, 5 if kind is JunctionKind.MULTI_WAY else 0),
-                            min(most, _MOST_ARMS) + 1))
+    arms = int(
+        rng.integers(
+            max(fewest, 5 if kind is JunctionKind.MULTI_WAY else 0), min(most, _MOST_ARMS) + 1
+        )
+    )
     ring = int(rng.integers(1, 3)) if kind is JunctionKind.ROUNDABOUT else None
     lanes = int(rng.integers(1, 3))
     junction = Junction(

@@ -3,11 +3,12 @@
     python benchmarks/search.py [--json] [--each N] [--seeds N]
 
 The problems are the source paper's eleven sentences and N random scenarios of every junction kind,
-each with a near-miss, a collision and a narrow range of PET as target, where the first guess is no success already. All
-methods get the same problem object: bounds, measures, test of success and cap. "random" draws
-uniformly within the bounds; "quasi-random" is the search without CMA-ES, started over until the
-cap; "CMA-ES" starts from the first guess with nothing before it. A run that fails counts as
-longer than the cap in medians. The proof in finer steps is left out: it is the same for all.
+each with a near-miss, a collision and a narrow range of PET as target, where the first guess is
+no success already. All methods get the same problem object: bounds, measures, test of success and
+cap. "random" draws uniformly within the bounds; "quasi-random" is the search without CMA-ES,
+started over until the cap; "CMA-ES" starts from the first guess with nothing before it. A run that
+fails counts as longer than the cap in medians. The proof in finer steps is left out: it is the
+same for all.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ import argparse
 import json
 import sys
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import fields
 from itertools import islice
 from time import perf_counter
@@ -44,7 +46,7 @@ NARROW = "pet=0.45..0.5"
 BATCH = 48
 
 
-class _Over(Exception):
+class _OverError(Exception):
     """Success, or the cap."""
 
 
@@ -59,7 +61,7 @@ class Watched(Problem):
         if outcome.found.any():
             self.successes_at = before + int(outcome.found.argmax()) + 1
         if self.successes_at is not None or self.evaluations >= CAP:
-            raise _Over
+            raise _OverError
         return outcome
 
 
@@ -136,7 +138,7 @@ def problem_of(
     watched = Watched(**{field.name: getattr(made, field.name) for field in fields(Problem)})
     try:
         watched.evaluate(watched.space.origin[None, :])
-    except _Over:
+    except _OverError:
         return None
     return watched
 
@@ -145,10 +147,8 @@ def tried(problem: Watched, method: Method, seed: int) -> tuple[float, float]:
     """Evaluations to the first success (inf: none) and seconds, of one run."""
     problem.evaluations, problem.successes_at = 0, None
     begin = perf_counter()
-    try:
+    with suppress(_OverError):
         method(problem, np.random.Generator(np.random.PCG64(seed)))
-    except _Over:
-        pass
     found = problem.successes_at
     return (np.inf if found is None else float(found)), perf_counter() - begin
 
@@ -166,7 +166,9 @@ def compared(problems: list[Watched], seeds: int) -> list[dict[str, object]]:
                 "successes": int(np.isfinite(counts).sum()),
                 "problems_solved": int(np.isfinite(counts).any(axis=1).sum()),
                 "median": _or_none(float(np.median(counts))),
-                "hardest_quarter_median": _or_none(float(np.quantile(medians, 0.75, method="lower"))),
+                "hardest_quarter_median": _or_none(
+                    float(np.quantile(medians, 0.75, method="lower"))
+                ),
                 "p90": _or_none(float(np.quantile(counts, 0.9, method="lower"))),
                 "mean_s": float(np.mean([seconds for _, seconds in runs])),
             }
@@ -213,7 +215,9 @@ def show(report: dict[str, object]) -> None:
     for name, part in report["sets"].items():  # type: ignore[attr-defined]
         spread = "-".join(str(n) for n in part["variables"])
         print(f"\n{name}: {part['problems']} of {part['scenarios']} to search, {spread} variables")
-        print(f"{'':14}{'successes':>12}{'solved':>8}{'median':>8}{'p75*':>8}{'p90':>8}{'s/run':>8}")
+        print(
+            f"{'':14}{'successes':>12}{'solved':>8}{'median':>8}{'p75*':>8}{'p90':>8}{'s/run':>8}"
+        )
         for row in part["methods"]:
             counts = "".join(
                 f"{'> cap' if row[key] is None else format(row[key], '.0f'):>8}"

@@ -139,12 +139,16 @@ def main() -> int:
         print(json.dumps({"rows": rows}, indent=2))
     else:
         show(rows)
-    short = any(r[f"{t}_solved"] < GOAL * asked.each for r in rows for t in ("near_miss", COLLISION))
+    short = any(
+        r[f"{t}_solved"] < GOAL * asked.each for r in rows for t in ("near_miss", COLLISION)
+    )
     return int(short or any(f.get("refuted") for r in rows for f in r["failures"]))
 
 
 def show(rows: list[dict[str, Any]]) -> None:
-    print(f"{'':12}{'drawn':>6}{'near-miss':>11}{'at once':>9}{'collision':>11}{'at once':>9}", end="")
+    print(
+        f"{'':12}{'drawn':>6}{'near-miss':>11}{'at once':>9}{'collision':>11}{'at once':>9}", end=""
+    )
     print(f"{'evaluations':>13}{'median s':>10}{'slowest s':>11}")
     for r in rows:
         print(
