@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 DEMO_TEXT := A vehicle tailgating another car at a four-way stop, leading to a sudden braking event as a pedestrian steps into the crosswalk.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test lint types layers asam interop benchmark schemas lock clean
+.PHONY: help demo test lint types layers asam interop benchmark bench schemas lock clean
 
 help: ## what there is to make
 	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## /  \1\t/' | expand -t 14
@@ -44,6 +44,17 @@ interop: $(VENV)/asam/.installed ## independent validators: ASAM, carla.Map, net
 
 benchmark: $(VENV)/asam/.installed ## the source paper's eleven sentences
 	$(BIN)/scegen benchmark paper
+
+$(VENV)/crime/.installed: $(VENV)/.installed benchmarks/crime-constraints.txt
+	@echo "installing commonroad-crime into $(VENV)/crime (once)"
+	@$(BIN)/python -m venv $(VENV)/crime
+	@$(VENV)/crime/bin/python -m pip install --quiet --disable-pip-version-check -c benchmarks/crime-constraints.txt commonroad-crime
+	@touch $@
+
+bench: $(VENV)/.installed ## the danger's benchmarks, beside esmini and commonroad-crime
+	@$(MAKE) --no-print-directory $(VENV)/crime/.installed || echo "going on without commonroad-crime" >&2
+	@status=0; for tool in batch scaling players search solved; do \
+	  echo "== $$tool"; $(BIN)/python benchmarks/$$tool.py || status=1; done; exit $$status
 
 lock: ## pin what is installed now
 	@{ sed -n '1p' constraints.txt; $(BIN)/python -m pip freeze --exclude-editable | grep -vE '^(pip|setuptools)=='; } > constraints.new

@@ -217,7 +217,7 @@ def test_a_target_that_is_none_is_refused(scegen, tmp_path):
 def test_a_failed_search_is_said_loudly_and_keeps_the_scenario(scegen, tmp_path):
     text = "Two cars go straight on a four-way intersection."
     done = scegen("generate", text, "-o", "out", "--target", "headway=0.01..0.02")
-    assert done.returncode == 0, done.stderr
+    assert done.returncode == 1, done.stderr
     assert "TARGET NOT REACHED" in done.stderr
     assert scegen("generate", text, "-o", "plain", "--target", "none").returncode == 0
     (kept,) = (tmp_path / "out").glob("scenarios/*/concrete.yaml")
@@ -227,6 +227,59 @@ def test_a_failed_search_is_said_loudly_and_keeps_the_scenario(scegen, tmp_path)
     danger = json.loads((tmp_path / "out" / "summary.json").read_text())["scenarios"][0]["danger"]
     assert danger["in_band"] is False
     assert danger["blocked_by"]
+
+
+IMPOSSIBLE = {
+    "paths that never meet": (
+        "Two cars drive on a straight road, one from each end.",
+        "collision",
+        1,
+        "the paths of car_1 and car_2 never meet",
+    ),
+    "walking pace": (
+        "Two cars meet at a four-way intersection with a speed limit of 1 m/s.",
+        "pet=-0.1..0.1",
+        1,
+        "neither car_1 nor car_2 may go faster than 1 m/s here",
+    ),
+    "one value": (
+        "Two cars meet at a four-way intersection with a speed limit of 1 m/s.",
+        "pet=0..0",
+        2,
+        "a range needs a lower and a higher end",
+    ),
+    "500 m/s": (
+        "A car drives at 500 m/s through a four-way intersection while another car crosses.",
+        "near-miss",
+        2,
+        "car_1 is to go 500 m/s; a car reaches 60 m/s",
+    ),
+    "alone": (
+        "The ego drives alone at a four-way intersection.",
+        "collision",
+        1,
+        "nobody else is on the road",
+    ),
+}
+
+
+@pytest.mark.parametrize(
+    ("text", "target", "code", "reason"), IMPOSSIBLE.values(), ids=IMPOSSIBLE.keys()
+)
+def test_impossible_demands_are_refused_with_the_reason(
+    scegen, tmp_path, text, target, code, reason
+):
+    done = scegen("generate", text, "-o", "out", "--target", target, "--check", "none")
+    assert done.returncode == code, done.stderr
+    assert reason in " ".join(done.stderr.split())
+    assert (tmp_path / "out").exists() == (code == 1)
+
+
+def test_a_lone_ego_needs_no_danger(scegen):
+    text = "The ego drives alone at a four-way intersection."
+    done = scegen("generate", text, "-o", "out", "--check", "none")
+    assert done.returncode == 0, done.stderr
+    assert "nobody else is on the road" in " ".join(done.stderr.split())
 
 
 def test_numbers_given_are_searched_only_on_request(scegen, tmp_path):

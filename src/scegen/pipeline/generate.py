@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from scegen.checking import CHECKERS, QUICK_CHECKERS, CheckReport, check_files
+from scegen.criticality.search.refusing import too_fast
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import InfeasibleError, InputError, NoScenarioError
 from scegen.motion import concretize
@@ -50,11 +51,13 @@ class Result:
     proofs: dict[str, Proof] = field(default_factory=dict)
     search_s: dict[str, float] = field(default_factory=dict)
     judged: dict[str, Judged] = field(default_factory=dict)
+    target_asked: bool = False
 
     @property
     def ok(self) -> bool:
-        """Whether no check failed."""
-        return all(report.ok for report in self.checks.values())
+        """Whether no check failed, and every scenario reaches the target if one was asked for."""
+        reached = not self.target_asked or all(proof.in_band for proof in self.proofs.values())
+        return reached and all(report.ok for report in self.checks.values())
 
 
 def generate(
@@ -78,6 +81,8 @@ def generate(
     target = chosen_target(options, numbers_given=isinstance(source, ConcreteScenario))
     functional = source if isinstance(source, FunctionalScenario) else None
     logical = source if isinstance(source, LogicalSet) else None
+    if impossible := too_fast(functional if logical is None else logical.functional):
+        raise InfeasibleError(impossible, where="functional scenario", hint="Give a lower speed.")
     if functional is not None:
         progress("enumerating logical scenarios")
         logical = enumerate_scenarios(
@@ -120,7 +125,10 @@ def generate(
             staged, folder_files(functional, logical, made, skipped, options.seed, understanding)
         )
         replace_content(folder, staged)
-    return Result(folder, functional, logical, checks, skipped, proofs, raised.search_s, judged)
+    asked = options.target is not None
+    return Result(
+        folder, functional, logical, checks, skipped, proofs, raised.search_s, judged, asked
+    )
 
 
 def _concretes(

@@ -1,4 +1,4 @@
-"""The search itself: a quasi-random batch, closer looks, then CMA-ES with restarts.
+"""The search itself: quasi-random batches with closer looks, then CMA-ES with restarts.
 
 Every batch runs through the compiled simulator at once. What is found is then brought back
 towards the scenario as it was concretized, as far as the demands allow.
@@ -17,6 +17,7 @@ from scegen.motion.batch.arrays import Floats
 FIRST_BATCH = 96
 CLOSER_BATCH = 48
 CLOSER_SPANS = (0.5, 0.3, 0.15, 0.08)
+ROUNDS = 3
 RESTARTS = 2
 GENERATIONS = 40
 _SIGMA = 0.2
@@ -51,6 +52,11 @@ class Best:
             return True
         return False
 
+    def keep(self, other: Best) -> None:
+        """Take over what another search found, if it is better; solutions before others."""
+        if (not other.found, other.loss) < (not self.found, self.loss):
+            self.x, self.loss, self.missing = other.x, other.loss, other.missing
+
 
 def search(problem: Problem, rng: np.random.Generator) -> Best:
     """Look until something is found or the effort is spent; the same rng gives the same result."""
@@ -64,14 +70,20 @@ def search(problem: Problem, rng: np.random.Generator) -> Best:
     if best.found or not len(span):
         return best
     u0 = (origin - low) / span
-    points = halton(FIRST_BATCH, len(span), rng.random(len(span)))
-    reach = np.repeat([0.4, 1.0, 2.0], FIRST_BATCH // 3)[:, None]
-    _look(problem, best, low, span, u0 + (points - 0.5) * reach)
-    for width in CLOSER_SPANS:
+    for _ in range(ROUNDS):
+        # A fresh look is not drawn to what looked best before and led nowhere.
+        fresh = Best(origin, np.inf, {"all": np.inf}, best.least)
+        points = halton(FIRST_BATCH, len(span), rng.random(len(span)))
+        reach = np.repeat([0.4, 1.0, 2.0], FIRST_BATCH // 3)[:, None]
+        _look(problem, fresh, low, span, u0 + (points - 0.5) * reach)
+        for width in CLOSER_SPANS:
+            if fresh.found:
+                break
+            points = halton(CLOSER_BATCH, len(span), rng.random(len(span)))
+            _look(problem, fresh, low, span, (fresh.x - low) / span + (points - 0.5) * width)
+        best.keep(fresh)
         if best.found:
             break
-        points = halton(CLOSER_BATCH, len(span), rng.random(len(span)))
-        _look(problem, best, low, span, (best.x - low) / span + (points - 0.5) * width)
     for restart in range(RESTARTS):
         if best.found:
             break

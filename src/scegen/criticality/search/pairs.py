@@ -18,7 +18,7 @@ from scegen.scenario.vocabulary import HazardKind
 
 Pair = tuple[str, str]
 _MOST_CONFLICTS = 3
-_MEETS = (ConflictKind.CROSSING, ConflictKind.MERGING)
+MEETS = (ConflictKind.CROSSING, ConflictKind.MERGING)
 
 
 def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
@@ -40,7 +40,7 @@ def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
         ]
         found += sorted(dict.fromkeys(pairs), key=lambda pair: ego not in pair)
     conflicts = [c for c in concrete.logical.conflicts if c.kind is not ConflictKind.NONE]
-    conflicts.sort(key=lambda c: (ego not in {c.first, c.second}, c.kind not in _MEETS))
+    conflicts.sort(key=lambda c: (ego not in {c.first, c.second}, c.kind not in MEETS))
     found += [(c.first, c.second) for c in conflicts]
     movers = [p.id for p in concrete.participants if not p.parked]
     found += sorted(combinations(movers, 2), key=lambda pair: ego not in pair)

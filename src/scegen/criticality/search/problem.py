@@ -30,6 +30,7 @@ MEASURE_FIELDS = {
 }
 """Measures of pairs that a proof shows: field of the summary, unit."""
 
+SEARCH_DT_S = 0.05
 HAZARD_ROOM = 0.08
 BAND_ROOM = 0.08
 """A search aims inside of what it must prove, by this share, so that finer steps do not undo it."""
@@ -85,13 +86,14 @@ class Problem:
     duration_s: float
     lateral_mps2: Mapping[str, float]
     room: float = 1.0
+    dt_s: float = SEARCH_DT_S
     evaluations: int = 0
     known: list[Floats] = field(default_factory=list)
 
     def evaluate(self, x: Floats) -> Outcome:
         """Everything about candidates with these values of the variables (c, n)."""
         made = self.space.candidates(x)
-        traces = simulate_batch(self.program, made, duration_s=self.duration_s)
+        traces = self._movements(made)
         self.evaluations += x.shape[0]
         view = view_of(self.concrete, self.ways, self.scene, traces, self.friction)
         missing: dict[str, Floats] = {}
@@ -109,6 +111,9 @@ class Problem:
         missing["finish"] = finish
         missing["sameness"] = self._sameness(x)
         return Outcome(missing, self.space.strangeness(x), made, duration)
+
+    def _movements(self, made: Candidates) -> BatchTraces:
+        return simulate_batch(self.program, made, duration_s=self.duration_s, dt_s=self.dt_s)
 
     def _lateral(self, view: View) -> Floats:
         """How far bends and lane changes are taken too fast, in shares of the limit."""

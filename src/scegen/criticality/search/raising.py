@@ -15,8 +15,14 @@ from scegen.criticality.reactivity.binding import bind_to_ego
 from scegen.criticality.search.bounds import build_space
 from scegen.criticality.search.optimize import Best, search
 from scegen.criticality.search.pairs import Pair, candidate_pairs, judged_pairs, scene_of
-from scegen.criticality.search.problem import Problem, judged, lateral_limits, view_of
-from scegen.criticality.search.proving import Evidence, examine, proof_of
+from scegen.criticality.search.problem import (
+    SEARCH_DT_S,
+    Problem,
+    judged,
+    lateral_limits,
+    view_of,
+)
+from scegen.criticality.search.proving import PROOF_DT_S, Evidence, examine, proof_of
 from scegen.criticality.search.rebuild import rebuilt
 from scegen.criticality.search.refusing import measurable, never_meet, too_fast, too_slow
 from scegen.criticality.target import HEADWAY, NEAR_MISS, Target, parse_target
@@ -34,8 +40,9 @@ from scegen.scenario.vocabulary import HazardKind
 _FOCUS = 3
 """Pairs that are looked at for the target at first; more only where none of them will do."""
 _MOST_TOUCHING = 6
-_ROOMS = (1.0, 2.5, 5.0)
-"""How far inside of the demands a search aims, if the proof in fine steps fails."""
+_ATTEMPTS = ((1.0, SEARCH_DT_S), (2.5, SEARCH_DT_S), (1.0, PROOF_DT_S), (2.5, PROOF_DT_S))
+"""How far inside of the demands a search aims, and its steps, one after the other while the proof
+in fine steps fails: one who creeps over a line passes it 0.3 s later in coarse steps."""
 _LONGER_S = 1.0
 
 
@@ -81,11 +88,10 @@ def raise_criticality(
     stage = _Stage(functional, concrete, network, wanted)
     reason = too_fast(functional) or stage.blocked or too_slow(concrete, stage.pair)
     before = examine(concrete, network, stage.focus, stage.friction)
-    # Concretization knows no slippery roads: on those the numbers have to be brought in bounds.
-    good = stage.reached_by(before) and stage.friction >= 1.0
     if reason is not None:
         return Raised(concrete, stage.proof(before, before, 1, reason))
-    if good:
+    # Concretization knows no slippery roads: on those the numbers have to be brought in bounds.
+    if stage.friction >= 1.0 and stage.reached_by(before):
         bound = stage.bound(before)
         return Raised(bound.concrete, stage.proof(before, bound, 1, None))
     problem = stage.problem()
@@ -109,11 +115,10 @@ def _solve(
 ) -> tuple[Evidence | None, str | None]:
     """Search until a candidate stands up to the proof; otherwise the reason why none does."""
     reason = None
-    for room in _ROOMS:
-        problem.room = room
+    for problem.room, problem.dt_s in _ATTEMPTS:
         best = search(problem, rng)
         if not best.found:
-            return None, reason or _blocking(stage.concrete, best, stage.target)
+            return None, reason or _blocking(problem, best)
         outcome = problem.evaluate(best.x[None, :])
         fresh = rebuilt(
             stage.concrete,
@@ -173,7 +178,7 @@ class _Stage:
             if rest:
                 self.focus += rest[:_FOCUS]
                 self._rescene()
-        self.blocked = never_meet(target, pairs)
+        self.blocked = never_meet(target, pairs, self.concrete)
         if pairs:
             self.pair = pairs[0]
 
@@ -292,17 +297,28 @@ def _from_outer_ends(concrete: ConcreteScenario) -> ConcreteScenario:
     return concrete.model_copy(update={"participants": people})
 
 
-def _blocking(concrete: ConcreteScenario, best: Best, target: Target) -> str:
+_MISSED = {
+    "contacts": "nobody else touching",
+    "finish": "everybody leaving in time",
+    "lateral acceleration": "bends within the tyres' grip",
+    "sameness": "being unlike the solutions known",
+}
+"""Demands in words that are not a danger or the target."""
+
+
+def _blocking(problem: Problem, best: Best) -> str:
     """Which demands the best candidate misses, and whether any candidate met them at all."""
-    hazards = judged(concrete)
+    hazards = judged(problem.concrete)
     words = []
     for name, missed in sorted(best.missing.items(), key=lambda item: -item[1]):
         if missed <= 0.0:
             continue
-        shown = target.text if name == "target" else name
+        shown = problem.target.text if name == "target" else _MISSED.get(name, name)
         if name.startswith("hazard "):
             hazard = hazards[int(name.split()[1])]
-            shown = f"{hazard.kind} by {', '.join(culprits(concrete, hazard)) or 'nobody'}"
+            by = ", ".join(culprits(problem.concrete, hazard)) or "nobody"
+            shown = f"{hazard.kind} by {by}"
         never = best.least.get(name, 0.0) > 0.0
         words.append(f"{shown} ({'never reached' if never else 'not together with the rest'})")
-    return "blocked by " + ", ".join(words)
+    tried = f"{problem.evaluations:,} candidates within what is realistic"
+    return f"blocked by {', '.join(words)} in {tried}"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.criticality.scene import Scene
 from scegen.criticality.search.bounds import speed_range
-from scegen.criticality.search.pairs import Pair, follows, has_areas
+from scegen.criticality.search.pairs import MEETS, Pair, follows, has_areas
 from scegen.criticality.target import Target
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
@@ -58,7 +58,7 @@ def measurable(target: Target, scene: Scene, p: int) -> bool:
     return has_areas(scene, p) or follows(scene, p)
 
 
-def never_meet(target: Target, pairs: list[Pair]) -> str:
+def never_meet(target: Target, pairs: list[Pair], concrete: ConcreteScenario) -> str:
     """The reason where no pair can be measured."""
     if not pairs:
         return f"nobody else is on the road, so nothing can be a {target.text}"
@@ -69,4 +69,6 @@ def never_meet(target: Target, pairs: list[Pair]) -> str:
         return f"the paths of {shown}{more} neither cross nor merge, so they have no PET"
     if names <= {"headway", "drac"}:
         return f"of {shown}{more} none drives behind the other, so there is no {min(names)}"
-    return f"the paths of {shown}{more} never meet"
+    meet = [(c.first, c.second) for c in concrete.logical.conflicts if c.kind in MEETS]
+    lanes = ": where their ways meet, each has a lane of its own" if meet else ""
+    return f"the paths of {shown}{more} never meet{lanes}"
