@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import hashlib
-from collections.abc import Iterable
 from enum import StrEnum
 from functools import lru_cache
-from importlib.resources import files
 from string import Template
 
+from scegen.llm.prompting import listed, prompt_file, version_of
 from scegen.scenario.functional import ARM_COUNTS
 from scegen.scenario.vocabulary import (
     Approach,
@@ -50,14 +48,7 @@ def prompts() -> dict[str, str]:
 @lru_cache(maxsize=1)
 def prompts_version() -> str:
     """Changes whenever a prompt or the vocabulary does."""
-    joined = "\0".join(f"{name}\0{text}" for name, text in sorted(prompts().items()))
-    return hashlib.sha256(joined.encode()).hexdigest()[:12]
-
-
-def as_data(description: str) -> str:
-    """The description between marker lines that it cannot contain itself."""
-    marker = hashlib.sha256(description.encode("utf-8", "replace")).hexdigest()[:16]
-    return f"<<<description {marker}\n{description}\n{marker} end of description>>>"
+    return version_of(prompts())
 
 
 def _fill(name: str, words: dict[str, str]) -> str:
@@ -65,8 +56,7 @@ def _fill(name: str, words: dict[str, str]) -> str:
 
 
 def _file(name: str) -> Template:
-    text = files(__package__).joinpath(f"prompts/{name}.md").read_text(encoding="utf-8")
-    return Template(text)
+    return prompt_file(__package__, name)
 
 
 def _vocabulary() -> dict[str, str]:
@@ -83,13 +73,9 @@ def _vocabulary() -> dict[str, str]:
         "visibilities": Visibility,
         "parts": Part,
     }
-    words = {name: _listed(members) for name, members in lists.items()}
+    words = {name: listed(members) for name, members in lists.items()}
     words["arm_counts"] = ", ".join(
         f"`{kind}` {low}" if low == high else f"`{kind}` {low} to {high}"
         for kind, (low, high) in ARM_COUNTS.items()
     )
     return words
-
-
-def _listed(members: Iterable[StrEnum]) -> str:
-    return ", ".join(f"`{member}`" for member in members)
