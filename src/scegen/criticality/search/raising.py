@@ -10,8 +10,10 @@ import numpy as np
 from scegen.criticality.friction import friction_of
 from scegen.criticality.hazards.roles import culprits
 from scegen.criticality.hazards.ways import Way, paths_of, ways_of
+from scegen.criticality.proposals.advising import Advised, advised
+from scegen.criticality.proposals.proposal import Proposer
 from scegen.criticality.search.bounds import build_space
-from scegen.criticality.search.optimize import Best, search
+from scegen.criticality.search.optimize import Best, follow, search
 from scegen.criticality.search.pairs import Pair, candidate_pairs, judged_pairs, scene_of
 from scegen.criticality.search.problem import Problem, judged, lateral_limits, view_of
 from scegen.criticality.search.proving import Evidence, examine, proof_of
@@ -56,6 +58,7 @@ def raise_criticality(
     target: str = NEAR_MISS,
     seed: int = 0,
     solutions: int = 1,
+    proposer: Proposer | None = None,
 ) -> Raised:
     """Make every danger asked for happen at once, and bring the pair's measure into its band.
 
@@ -69,6 +72,7 @@ def raise_criticality(
         target: ``near-miss``, ``collision`` or a band such as ``pet=0.3..1.0``.
         seed: of the search; the same seed gives the same result.
         solutions: how many different ones to look for.
+        proposer: who proposes where to begin; None for a search without proposals.
 
     Raises:
         InputError: the target is none.
@@ -80,52 +84,85 @@ def raise_criticality(
     reason = too_fast(functional) or stage.blocked or too_slow(concrete, stage.pair)
     before = examine(concrete, network, stage.focus, stage.friction)
     # Concretization knows no slippery roads: on those the numbers have to be brought in bounds.
-    good = before.all_happen and before.meets(stage.target, stage.pair) and stage.friction >= 1.0
+    good = stage.stands(before) and stage.friction >= 1.0
     if reason is not None or good:
         proof = stage.proof(before, before, 1, reason)
         return Raised(concrete, proof)
     problem = stage.problem()
     rng = np.random.Generator(np.random.PCG64(seed))
+    advice = stage.ask(proposer, problem, before, seed) if proposer is not None else None
     found: list[tuple[ConcreteScenario, Proof]] = []
     blocked = None
-    for _ in range(solutions):
-        made, blocked = _solve(stage, problem, rng)
+    for n in range(solutions):
+        made, blocked = _solve(stage, problem, rng, advice if n == 0 else None)
         if made is None:
             break
-        found.append((made.concrete, stage.proof(before, made, problem.evaluations, None)))
+        proof = stage.proof(before, made.evidence, problem.evaluations, None)
+        found.append((made.evidence.concrete, _with_advice(proof, advice, led=made.led)))
     if not found:
         proof = stage.proof(before, before, problem.evaluations, blocked)
-        return Raised(concrete, proof)
+        return Raised(concrete, _with_advice(proof, advice, led=False))
     return Raised(*found[0], others=tuple(found[1:]))
 
 
+@dataclass(frozen=True, slots=True)
+class _Made:
+    """A scenario that stands up to the proof; ``led``: found from what was proposed."""
+
+    evidence: Evidence
+    led: bool
+
+
+def _with_advice(proof: Proof, advised: Advised | None, *, led: bool) -> Proof:
+    if advised is None:
+        return proof
+    advice = advised.advice.model_copy(update={"led": led})
+    return proof.model_copy(update={"advice": advice})
+
+
 def _solve(
-    stage: _Stage, problem: Problem, rng: np.random.Generator
-) -> tuple[Evidence | None, str | None]:
-    """Search until a candidate stands up to the proof; otherwise the reason why none does."""
+    stage: _Stage, problem: Problem, rng: np.random.Generator, advised: Advised | None
+) -> tuple[_Made | None, str | None]:
+    """Search until a candidate stands up to the proof; otherwise the reason why none does.
+
+    What was proposed is followed first, and forgotten if it leads nowhere: a scenario that is found
+    without proposals is found with any.
+    """
+    if advised is not None and advised.lead is not None:
+        problem.room = _ROOMS[0]
+        best = follow(problem, advised.lead)
+        made = _evidence(stage, problem, best, advised.concrete) if best.found else None
+        if made is not None and stage.stands(made):
+            problem.known.append(best.x)
+            return _Made(made, led=True), None
     reason = None
     for room in _ROOMS:
         problem.room = room
         best = search(problem, rng)
         if not best.found:
             return None, reason or _blocking(stage.concrete, best, stage.target)
-        outcome = problem.evaluate(best.x[None, :])
-        fresh = rebuilt(
-            stage.concrete,
-            stage.ways,
-            outcome.made,
-            0,
-            float(outcome.duration_s[0]),
-            f"search for {stage.target.text}",
-        )
-        evidence = examine(fresh, stage.network, stage.focus, stage.friction)
-        if evidence.all_happen and evidence.meets(stage.target, stage.pair):
+        evidence = _evidence(stage, problem, best, stage.concrete)
+        if stage.stands(evidence):
             problem.known.append(best.x)
-            return evidence, None
+            return _Made(evidence, led=False), None
         # What comes after the end of what was found must not count the next time.
-        problem.duration_s = min(problem.duration_s, fresh.duration_s)
+        problem.duration_s = min(problem.duration_s, evidence.concrete.duration_s)
         reason = "what was found does not stand up to the proof in steps of 0.01 s"
     return None, reason
+
+
+def _evidence(stage: _Stage, problem: Problem, best: Best, concrete: ConcreteScenario) -> Evidence:
+    """What the candidate found really shows; its changes are told from ``concrete`` on."""
+    outcome = problem.evaluate(best.x[None, :])
+    fresh = rebuilt(
+        concrete,
+        stage.ways,
+        outcome.made,
+        0,
+        float(outcome.duration_s[0]),
+        f"search for {stage.target.text}",
+    )
+    return examine(fresh, stage.network, stage.focus, stage.friction)
 
 
 class _Stage:
@@ -216,6 +253,14 @@ class _Stage:
             duration_s=duration,
             lateral_mps2=lateral_limits(view, self.friction),
         )
+
+    def ask(self, proposer: Proposer, problem: Problem, before: Evidence, seed: int) -> Advised:
+        """Ask for proposals to begin at."""
+        return advised(proposer, problem, self.concrete, self.ways, before.hazards, seed=seed)
+
+    def stands(self, evidence: Evidence) -> bool:
+        """Whether every danger happens and the target is met."""
+        return evidence.all_happen and evidence.meets(self.target, self.pair)
 
     def _look_at_touching(self, contact_s: Floats, pairs: Ints) -> None:
         """Those who touch at first get all measures: PET leads a search out of a contact."""
