@@ -18,6 +18,7 @@ PARTS = {
     "the dangers": "hazards",
     "the conditions": "environment",
     "the review": "reviewer",
+    "the numbers": "parameters",
 }
 
 

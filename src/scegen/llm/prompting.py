@@ -9,6 +9,11 @@ from importlib.resources import files
 from string import Template
 
 
+def data_rule() -> str:
+    """The rule that what :func:`as_data` shows is data, whatever it says."""
+    return prompt_file(__package__, "data").template
+
+
 def prompt_file(package: str, name: str) -> Template:
     """The file ``prompts/NAME.md`` of a package."""
     text = files(package).joinpath(f"prompts/{name}.md").read_text(encoding="utf-8")

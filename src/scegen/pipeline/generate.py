@@ -10,6 +10,7 @@ from pathlib import Path
 from scegen.checking import CHECKERS, QUICK_CHECKERS, CheckReport, check_files
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import InfeasibleError, InputError, NoScenarioError
+from scegen.llm import Session
 from scegen.motion import concretize
 from scegen.pipeline.contents import Made, folder_files
 from scegen.pipeline.export import export_scenario
@@ -63,10 +64,12 @@ def generate(
     options: Options,
     progress: Progress = lambda _: None,
     understanding: Understanding | None = None,
+    session: Session | None = None,
 ) -> Result:
     """Make the folder ``folder`` from ``source``; it is written whole or not at all.
 
-    ``understanding`` says how language models came to the source, if they did.
+    ``understanding`` says how language models came to the source, if they did; those of ``session``
+    propose numbers.
 
     Raises:
         InputError: the source, the options or the folder cannot be used.
@@ -94,7 +97,7 @@ def generate(
     if logical is not None:
         functional = logical.functional
     concretes, skipped = _concretes(source, logical, options, progress)
-    raised = raise_all(functional, concretes, target, options.seed, progress)
+    raised = raise_all(functional, concretes, target, options.seed, progress, session)
     concretes, proofs = raised.concretes, raised.proofs
 
     with tempfile.TemporaryDirectory(prefix="scegen-") as staging:
@@ -117,7 +120,16 @@ def generate(
         ]
         progress("drawing the report")
         _write(
-            staged, folder_files(functional, logical, made, skipped, options.seed, understanding)
+            staged,
+            folder_files(
+                functional,
+                logical,
+                made,
+                skipped,
+                options.seed,
+                understanding,
+                session.usage if session is not None else None,
+            ),
         )
         replace_content(folder, staged)
     return Result(folder, functional, logical, checks, skipped, proofs, raised.search_s, judged)

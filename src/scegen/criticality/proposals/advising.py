@@ -53,7 +53,7 @@ def advised(
     situation = situation_of(problem, hazards)
     origin = problem.space.origin
     validator = Validator(situation.parameters, origin, lambda x: hindrances(problem, x))
-    proposed = proposer.propose(situation, validator.objections)
+    proposed = proposer.propose(situation, validator.judge)
     verdicts = validator.validate(proposed.proposals, proposed.speaker, _stream(seed, _DRAWS))
     advice = Advice(
         speaker=proposed.speaker,

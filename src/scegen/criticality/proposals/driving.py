@@ -10,7 +10,7 @@ from scegen.motion.concretization.boxes import overlap
 from scegen.scenario.bodies import BODIES
 
 _TYRES = "somebody takes a bend faster than the tyres hold"
-_TIME = "somebody does not get through in time"
+_TIME = "somebody is late, or at the end of its road before everybody has left"
 
 
 def hindrances(problem: Problem, x: Floats) -> frozenset[str]:

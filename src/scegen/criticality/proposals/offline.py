@@ -36,12 +36,14 @@ _MORE = {
 class OfflineProposer:
     """Proposes by rules; the same situation gives the same proposals."""
 
-    def propose(self, situation: Situation, check: Check) -> Proposed:  # noqa: ARG002 - all valid
-        """Changes that should bring the dangers about."""
+    def propose(self, situation: Situation, check: Check) -> Proposed:
+        """Changes that should bring the dangers about; those that cannot be driven are left out."""
         strengthened = list(_strengthened(situation))
         taken = {proposal.parameter for proposal in strengthened}
         timed = [p for p in _timed(situation) if p.parameter not in taken]
-        return Proposed(OFFLINE, (*timed, *strengthened))
+        wanted = [*strengthened, *timed]
+        judged = zip(wanted, check(wanted), strict=True)
+        return Proposed(OFFLINE, tuple(proposal for proposal, why in judged if why is None))
 
 
 def _strengthened(situation: Situation) -> Iterator[Proposal]:
@@ -88,7 +90,9 @@ def _timed(situation: Situation) -> Iterator[Proposal]:
         value = _inside(parameter, parameter.value - delay * speeds[name])
         if abs(value - parameter.value) > _WORTH_S * speeds[name]:
             moved = "later" if delay > 0 else "earlier"
-            reason = f"comes {abs(delay):.2f} s {moved}: {why.get(name, 'so that the gaps stay')}"
+            reason = (
+                f"comes {abs(delay):.2f} s {moved}: {why.get(name, 'so that the other gaps stay')}"
+            )
             yield Proposal(parameter=parameter.name, value=value, reason=reason)
 
 
@@ -115,8 +119,11 @@ def _delays(
             if mover not in starts:
                 continue
             later[mover] += sign * (wanted - now)
-            about = "as the target asks" if exact else "out of the other's way"
-            why[mover] = f"{second} enters {wanted:.2f} s after {first} has left, {about}"
+            about = "as the target wants" if exact else "out of the other's way"
+            aim = f"so that {second} enters {wanted:.2f} s after {first} has left, {about}"
+            why[mover] = aim
+            if exact:
+                why[first] = why[second] = aim
             settled = False
         if settled:
             break

@@ -74,8 +74,8 @@ class Proposed:
     notes: tuple[str, ...] = ()
 
 
-Check = Callable[[Sequence[Proposal]], list[str]]
-"""What is wrong with proposals, a line each; nothing: they are valid."""
+Check = Callable[[Sequence[Proposal]], list[str | None]]
+"""What is wrong with each of some proposals; None: it is valid."""
 
 
 class Proposer(Protocol):

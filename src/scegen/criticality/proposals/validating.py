@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from math import isfinite
 
 import numpy as np
@@ -58,12 +59,11 @@ class Validator:
         self._parameters = {p.name: p for p in parameters}
         self._origin = origin
         self._hindrances = hindrances
-        self._known = hindrances(origin)
 
-    def objections(self, proposals: Sequence[Proposal]) -> list[str]:
-        """What is wrong with proposals, a line each."""
-        judged = zip(proposals, self._judge(proposals), strict=True)
-        return [f"{one_line(p.parameter)} = {shown(p.value)}: {why}" for p, why in judged if why]
+    @cached_property
+    def _known(self) -> frozenset[str]:
+        """Hindrances that the scenario has already."""
+        return self._hindrances(self._origin)
 
     def validate(
         self, proposals: Sequence[Proposal], by: str, rng: np.random.Generator
@@ -76,7 +76,7 @@ class Validator:
             by: who proposes.
             rng: for values that replace invalid ones.
         """
-        why_not = self._judge(proposals)
+        why_not = self.judge(proposals)
         x = self._origin.copy()
         for proposal, why in zip(proposals, why_not, strict=True):
             if why is None:
@@ -131,8 +131,8 @@ class Validator:
             )
         return verdicts
 
-    def _judge(self, proposals: Sequence[Proposal]) -> list[str | None]:
-        """Why each cannot stand; None if it can."""
+    def judge(self, proposals: Sequence[Proposal]) -> list[str | None]:
+        """Why each of some proposals cannot stand; None if it can."""
         why = self._alone(proposals)
         x = self._origin.copy()
         sound = [
@@ -142,7 +142,7 @@ class Validator:
         ]
         for _, column, value in sound:
             x[column] = value
-        if not self._fresh(x):
+        if not sound or not self._fresh(x):
             return why
         # Together they do not work: take them one by one, and leave out what spoils it.
         x = self._origin.copy()

@@ -6,7 +6,7 @@ from enum import StrEnum
 from functools import lru_cache
 from string import Template
 
-from scegen.llm.prompting import listed, prompt_file, version_of
+from scegen.llm.prompting import data_rule, listed, prompt_file, version_of
 from scegen.scenario.functional import ARM_COUNTS
 from scegen.scenario.vocabulary import (
     Approach,
@@ -36,10 +36,9 @@ def prompts() -> dict[str, str]:
     """Every agent's instructions by its name."""
     words = _vocabulary()
     texts = {
-        str(part): _file("common").substitute(part=name, path=path) + _fill(part, words)
-        for part, (name, path) in _PARTS.items()
+        str(part): _common(name, path) + _fill(part, words) for part, (name, path) in _PARTS.items()
     }
-    rules = _file("common").substitute(part="the review", path="junction.kind")
+    rules = _common("the review", "junction.kind")
     # of the common rules, the reviewer needs all but those on how to fill fields
     texts[REVIEWER] = rules.split("\n- `basis`")[0] + "\n" + _fill(REVIEWER, words)
     return texts
@@ -49,6 +48,10 @@ def prompts() -> dict[str, str]:
 def prompts_version() -> str:
     """Changes whenever a prompt or the vocabulary does."""
     return version_of(prompts())
+
+
+def _common(part: str, path: str) -> str:
+    return _file("common").substitute(part=part, path=path, data_rule=data_rule())
 
 
 def _fill(name: str, words: dict[str, str]) -> str:
