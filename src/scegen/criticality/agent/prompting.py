@@ -42,8 +42,9 @@ def question(situation: Situation) -> str:
             _listing(
                 "Who meets whom",
                 [
-                    f"{e.second} enters their common ground {e.gap_s:.2f} s after {e.first} has "
-                    f"left it, at {e.at_s:.2f} s"
+                    f"{e.second} enters their common ground {abs(e.gap_s):.2f} s "
+                    f"{'before' if e.gap_s < 0 else 'after'} {e.first} has left it, "
+                    f"at {e.at_s:.2f} s"
                     for e in situation.encounters
                 ],
             ),

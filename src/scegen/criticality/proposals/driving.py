@@ -10,7 +10,6 @@ from scegen.motion.concretization.boxes import overlap
 from scegen.scenario.bodies import BODIES
 
 _TYRES = "somebody takes a bend faster than the tyres hold"
-_TIME = "somebody is late, or at the end of its road before everybody has left"
 
 
 def hindrances(problem: Problem, x: Floats) -> frozenset[str]:
@@ -20,7 +19,10 @@ def hindrances(problem: Problem, x: Floats) -> frozenset[str]:
     if outcome.missing["lateral acceleration"][0] > 0.0:
         found.add(_TYRES)
     if outcome.missing["finish"][0] > 0.0:
-        found.add(_TIME)
+        found.add(
+            f"somebody is still under way after {problem.duration_s:.0f} s, or waits at the end of "
+            "its road"
+        )
     return frozenset(found)
 
 

@@ -151,7 +151,7 @@ class Validator:
             tried[column] = value
             if fresh := self._fresh(tried):
                 others = " with the values before it" if (x != self._origin).any() else ""
-                why[n] = f"cannot be driven{others}: {'; '.join(sorted(fresh))}"
+                why[n] = f"does not work{others}: {'; '.join(sorted(fresh))}"
             else:
                 x = tried
         return why
