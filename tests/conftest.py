@@ -12,12 +12,20 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
 import pytest
 
+from scegen.llm import LlmSettings, parse_models
+from scegen.llm.settings import Limits
+
+KEY = "sk-secret-0123456789"
+QUICK = Limits(
+    request_s=0.5, run_s=5.0, attempts=3, first_wait_s=0.01, longest_wait_s=0.2, answer_bytes=50_000
+)
 PARTS = {
     "the road": "road",
     "the participants": "participants",
     "the dangers": "hazards",
     "the conditions": "environment",
     "the review": "reviewer",
+    "the numbers": "parameters",
 }
 
 
@@ -224,6 +232,23 @@ def chat_server(monkeypatch):
     server.shutdown()
     server.server_close()
     thread.join()
+
+
+@pytest.fixture
+def environment():
+    return {"OPENAI_API_KEY": KEY, "DEEPSEEK_API_KEY": KEY}
+
+
+@pytest.fixture
+def settings_for(chat_server):
+    """Settings for the scripted model, with short times."""
+
+    def make(models="openai:scripted", **changes):
+        url = changes.pop("url", chat_server.url)
+        changes.setdefault("limits", QUICK)
+        return LlmSettings(models=parse_models(models, url=url), url=url, **changes)
+
+    return make
 
 
 STORY = (

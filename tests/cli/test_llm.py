@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -35,21 +36,61 @@ def llm(chat_server):
     return ("--llm", "openai:scripted", "--llm-url", chat_server.url)
 
 
+NUMBERS = {
+    "changes": [
+        {"parameter": "car_3.speed_mps", "value": 500, "reason": "quick <b>as</b> lightning"},
+        {"parameter": "car_2.warp", "value": 9, "reason": "there is such a drive"},
+    ]
+}
+
+
+@pytest.fixture
+def all_answers(good_answers):
+    """Answers for both stages."""
+    return {**good_answers, "parameters": NUMBERS}
+
+
 def generate(scegen, story, out, *options):
     return scegen("generate", story, "-o", out, "--check", "none", *options)
 
 
-def test_generate_says_who_spoke(scegen, chat_server, good_answers, story, tmp_path):
-    chat_server.answers = good_answers
+def test_generate_says_who_spoke(scegen, chat_server, all_answers, story, tmp_path):
+    chat_server.answers = all_answers
     done = generate(scegen, story, "out", *llm(chat_server))
     assert done.returncode == 0, done.stderr
     assert "understood by openai:scripted" in done.stderr
+    assert "numbers proposed by openai:scripted: 0 taken, 1 replaced, 1 dropped" in done.stderr
     summary = json.loads((tmp_path / "out" / "summary.json").read_text())
     assert summary["llm"]["speaker"] == "openai:scripted"
-    assert (summary["llm"]["input_tokens"], summary["llm"]["output_tokens"]) == (500, 100)
+    # five agents, and twice the sixth, to whom somebody objected
+    assert [len(chat_server.asked(a)) for a in ("road", "parameters")] == [1, 2]
+    assert summary["llm"]["requests"] == 7
+    assert (summary["llm"]["input_tokens"], summary["llm"]["output_tokens"]) == (700, 140)
+    (scenario,) = summary["scenarios"]
+    proposals = scenario["danger"]["proposals"]
+    assert (proposals["by"], proposals["replaced"]) == ("openai:scripted", 1)
     report = (tmp_path / "out" / "report.html").read_text()
     assert "Who understood it" in report
-    assert "openai:scripted" in report
+    assert "Numbers proposed by openai:scripted" in report
+    assert "quick &lt;b&gt;as&lt;/b&gt; lightning" in report
+    assert "500: lies outside" in report
+    assert "9: there is no such parameter" in report
+    concrete = next((tmp_path / "out" / "scenarios").glob("*/concrete.yaml"))
+    assert scegen("generate", str(concrete), "-o", "again", "--check", "none").returncode == 0
+
+
+def test_one_budget_bounds_both_stages(scegen, chat_server, all_answers, story, tmp_path):
+    chat_server.answers = all_answers
+    limit = ("--llm-budget", "19k")
+    done = generate(scegen, story, "out", *llm(chat_server), *limit)
+    assert done.returncode == 0, done.stderr
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text())
+    assert summary["llm"]["speaker"] == "openai:scripted"
+    assert summary["scenarios"][0]["danger"]["proposals"]["by"] == "openai:scripted"
+    held = generate(scegen, story, "more", *llm(chat_server), *limit, "--count", "9")
+    assert held.returncode == 0, held.stderr
+    summary = json.loads((tmp_path / "more" / "summary.json").read_text())
+    assert summary["llm"]["input_tokens"] + summary["llm"]["output_tokens"] <= 19_000
 
 
 def test_without_a_model_nothing_is_said_of_one(scegen, story, tmp_path):
@@ -58,20 +99,28 @@ def test_without_a_model_nothing_is_said_of_one(scegen, story, tmp_path):
     assert "Who understood it" not in (tmp_path / "out" / "report.html").read_text()
 
 
-def test_a_replay_writes_the_same_files(scegen, chat_server, good_answers, story, tmp_path):
-    good_answers["road"] = {"junction": {"kind": "four_way", "arms": 4}}  # a disagreement
-    chat_server.answers = good_answers
-    first = generate(scegen, story, "one", *llm(chat_server), "--llm-record", "talk")
+def test_a_replay_writes_the_same_files(scegen, chat_server, all_answers, story, tmp_path):
+    all_answers["road"] = {"junction": {"kind": "four_way", "arms": 4}}  # a disagreement
+    chat_server.answers = all_answers
+    options = ("--count", "2")
+    first = generate(scegen, story, "one", *llm(chat_server), "--llm-record", "talk", *options)
     assert first.returncode == 0, first.stderr
+    assert len(chat_server.asked("parameters")) == 4  # both scenarios, each objected to
     chat_server.stop()
-    again = generate(scegen, story, "two", "--llm-replay", "talk")
+    again = generate(scegen, story, "two", "--llm-replay", "talk", *options)
     assert again.returncode == 0, again.stderr
-    for name in FILES:
-        one, two = (tmp_path / folder / name for folder in ("one", "two"))
-        assert one.read_bytes() == two.read_bytes(), name
+    one, two = (
+        {p.relative_to(folder): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
+        for folder in (tmp_path / "one", tmp_path / "two")
+    )
+    assert {Path(name) for name in FILES} < one.keys()
+    assert one == two
     report = (tmp_path / "one" / "report.html").read_text()
     assert "Read in two ways" in report
     assert all(KEY not in p.read_text("latin-1") for p in tmp_path.rglob("*") if p.is_file())
+    other = generate(scegen, story, "three", "--llm-replay", "talk", *options, "--seed", "1")
+    assert other.returncode == 2
+    assert "answers another question: other options" in other.stderr
 
 
 def test_a_failing_model_is_said_loudly(scegen, chat_server, story, tmp_path):
@@ -83,6 +132,9 @@ def test_a_failing_model_is_said_loudly(scegen, chat_server, story, tmp_path):
     summary = json.loads((tmp_path / "out" / "summary.json").read_text())
     assert summary["llm"]["speaker"] == "offline reader"
     assert summary["llm"]["faults"][0]["kind"] == "authentication"
+    (note,) = summary["scenarios"][0]["danger"]["proposals"]["notes"]
+    assert "not asked again: answered with HTTP status 401" in note
+    assert "numbers proposed by offline rules" in done.stderr
     assert "offline reader" in (tmp_path / "out" / "report.html").read_text()
 
 
@@ -159,9 +211,23 @@ def test_doctor_tests_a_connection(scegen, chat_server):
     assert not probe["serves"]
 
 
-def test_a_scenario_file_needs_no_model(scegen, chat_server, story, tmp_path):
+def test_a_scenario_file_needs_no_model_to_be_understood(
+    scegen, chat_server, all_answers, story, tmp_path
+):
     (tmp_path / "in.yaml").write_text(scegen("understand", story).stdout)
+    chat_server.answers = all_answers
     done = generate(scegen, "in.yaml", "out", *llm(chat_server))
     assert done.returncode == 0, done.stderr
-    assert "no language model was asked" in done.stderr
-    assert chat_server.requests == []
+    assert "no language model was asked to understand it" in done.stderr
+    assert {agent for agent, _, _ in chat_server.requests} == {"parameters"}
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text())
+    assert summary["llm"]["requests"] == len(chat_server.requests)
+    assert "speaker" not in summary["llm"]
+    assert "Who understood it" not in (tmp_path / "out" / "report.html").read_text()
+
+
+def test_without_a_search_no_numbers_are_asked_for(scegen, chat_server, all_answers, story):
+    chat_server.answers = all_answers
+    done = generate(scegen, story, "out", *llm(chat_server), "--target", "none")
+    assert done.returncode == 0, done.stderr
+    assert chat_server.asked("parameters") == []

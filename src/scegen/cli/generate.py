@@ -19,6 +19,7 @@ from scegen.cli.llm import (
     UrlOption,
     llm_settings,
     tell,
+    tell_proposals,
 )
 from scegen.pipeline.options import CheckDepth, EgoMode, Options, OscVersion
 from scegen.scenario.vocabulary import ArmsMode, Reduction
@@ -95,7 +96,10 @@ def generate(
             listener = Listener(settings, progress)
             scenario = resolve_source(source, listener)
             tell(listener.understanding)
-            made = run(scenario, output, options, progress, listener.understanding)
+            made = run(
+                scenario, output, options, progress, listener.understanding, listener.session
+            )
+            tell_proposals(listener.session, made.proofs.values())
     if json:
         import json as json_module
 

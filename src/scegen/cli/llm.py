@@ -11,10 +11,11 @@ from scegen.cli.console import say, stderr
 from scegen.errors import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
 
-    from scegen.llm import LlmSettings
+    from scegen.llm import LlmSettings, Session
     from scegen.scenario.functional import FunctionalScenario
+    from scegen.scenario.proof import Proof
     from scegen.understanding.agents import Understanding
 
 ModelOption = Annotated[
@@ -22,8 +23,8 @@ ModelOption = Annotated[
     typer.Option(
         "--llm",
         metavar="MODEL",
-        help="Understand with a language model, such as deepseek:deepseek-chat; several with "
-        "commas are tried in order, then the offline reader.",
+        help="Understand (and in generate, choose numbers) with a language model, such as "
+        "deepseek:deepseek-chat; several with commas are tried in order, then the offline rules.",
     ),
 ]
 UrlOption = Annotated[str | None, typer.Option("--llm-url", help="Any OpenAI-compatible endpoint.")]
@@ -79,25 +80,30 @@ def llm_settings(
 
 
 class Listener:
-    """Understands descriptions with language models, and remembers the last understanding."""
+    """Understands descriptions with language models, and remembers the last understanding.
+
+    ``session`` goes on to the stages after it.
+    """
 
     def __init__(self, settings: LlmSettings, progress: Callable[[str], None]) -> None:
-        self._settings = settings
+        from scegen.llm import Session
+
+        self.session = Session(settings)
         self._progress = progress
         self.understanding: Understanding | None = None
 
     def __call__(self, text: str) -> FunctionalScenario:
         """The functional scenario of a description."""
-        from scegen.understanding.agents import understand
+        from scegen.understanding.agents import understand_in
 
-        self.understanding = understand(text, self._settings, progress=self._progress)
+        self.understanding = understand_in(self.session, text, self._progress)
         return self.understanding.functional
 
 
 def tell(understanding: Understanding | None) -> None:
     """Who spoke, what went wrong, what was not agreed on, and what it took."""
     if understanding is None:
-        say("the source is a scenario file: no language model was asked")
+        say("the source is a scenario file: no language model was asked to understand it")
         return
     for fault in understanding.faults:
         stderr.print("warning:", style="bold yellow", end=" ")
@@ -115,3 +121,20 @@ def tell(understanding: Understanding | None) -> None:
     for note in understanding.notes:
         say(note)
     say(f"understood by {understanding.speaker}: {understanding.usage.in_words()}")
+
+
+def tell_proposals(session: Session, proofs: Iterable[Proof]) -> None:
+    """Who proposed numbers, what kept others from it, and what the run took in all."""
+    advices = [proof.advice for proof in proofs if proof.advice is not None]
+    for note in dict.fromkeys(note for advice in advices for note in advice.notes):
+        stderr.print("warning:", style="bold yellow", end=" ")
+        say(note)
+    for speaker in dict.fromkeys(advice.speaker for advice in advices):
+        own = [advice for advice in advices if advice.speaker == speaker]
+        say(
+            f"numbers proposed by {speaker}: {sum(a.accepted for a in own)} taken, "
+            f"{sum(a.replaced for a in own)} replaced, {sum(a.dropped for a in own)} dropped"
+        )
+    if not advices:
+        say("no numbers had to be proposed: everything happens already, or nothing would help")
+    say(f"language models in all: {session.usage.in_words()}")

@@ -7,6 +7,8 @@ prepares what depends on paths and bodies only; ``evaluate`` simulates and measu
 
 from scegen.criticality.evaluation import Summary, evaluate, measure
 from scegen.criticality.measures.registry import MEASURES, Measure, Subject, Worse, measure_named
+from scegen.criticality.proposals.offline import OfflineProposer
+from scegen.criticality.proposals.proposal import Proposal, Proposed, Proposer, Situation
 from scegen.criticality.scene import Scene, build_scene
 from scegen.criticality.search.raising import Raised, raise_criticality
 from scegen.criticality.warming import warm_kernels
@@ -14,8 +16,13 @@ from scegen.criticality.warming import warm_kernels
 __all__ = [
     "MEASURES",
     "Measure",
+    "OfflineProposer",
+    "Proposal",
+    "Proposed",
+    "Proposer",
     "Raised",
     "Scene",
+    "Situation",
     "Subject",
     "Summary",
     "Worse",

@@ -7,6 +7,7 @@ from scegen.llm.budget import Budget
 from scegen.llm.extra import INSTALL_LLM, require_llm
 from scegen.llm.faults import Fault, FaultKind, LlmError
 from scegen.llm.naming import PROVIDERS, ModelName, parse_models
+from scegen.llm.session import Session
 from scegen.llm.settings import Limits, LlmSettings
 from scegen.llm.usage import Usage
 
@@ -20,6 +21,7 @@ __all__ = [
     "LlmError",
     "LlmSettings",
     "ModelName",
+    "Session",
     "Usage",
     "parse_models",
     "require_llm",

@@ -25,7 +25,7 @@ from scegen.llm.prices import cost_usd
 from scegen.llm.providers import build_model
 from scegen.llm.retrying import ask_until
 from scegen.llm.settings import Limits
-from scegen.llm.transcript import Exchange, Recorder, Recording
+from scegen.llm.transcript import Exchange, Recorder, Recording, words_of
 from scegen.llm.troubles import Trouble
 from scegen.llm.usage import Usage
 
@@ -81,10 +81,9 @@ class Line:
         inner = build_model(self.name, url=url, key=self.key, http_client=self._client)
         return _AgentModel(inner, self, agent)
 
-    @property
-    def usage(self) -> Usage:
-        """Everything used on this line, summed in an order that no race changes."""
-        ordered = sorted(self.exchanges, key=lambda e: (e.agent, e.number))
+    def usage(self, first: int = 0) -> Usage:
+        """What was used from the exchange ``first`` on, summed in an order that no race changes."""
+        ordered = sorted(self.exchanges[first:], key=lambda e: (e.agent, e.number))
         return sum((e.usage for e in ordered), Usage())
 
     async def ask(
@@ -98,14 +97,14 @@ class Line:
 
         Raises:
             LlmError: there is none.
-            InputError: the recording lacks it.
+            InputError: the recording lacks it, or has another.
         """
         self._numbers[agent] += 1
         number = self._numbers[agent]
+        request = ModelMessagesTypeAdapter.dump_python(messages, mode="json")
         if self.recording is not None:
-            exchange = self.recording.exchange(self.chain, agent, number)
+            exchange = self.recording.exchange(self.chain, agent, number, words_of(request))
         else:
-            request = ModelMessagesTypeAdapter.dump_python(messages, mode="json")
             exchange = await self._exchange(agent, number, request, schema_bytes, send)
             if self.recorder is not None:
                 self.recorder.keep(self.chain, exchange)

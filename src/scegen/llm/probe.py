@@ -7,18 +7,14 @@ import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from pydantic_ai import Agent, ToolOutput
-from pydantic_ai.settings import ModelSettings
-
-from scegen.errors import ScegenError
+from scegen.llm.asking import ask
 from scegen.llm.budget import Budget, Ledger
-from scegen.llm.faults import Fault
+from scegen.llm.faults import Fault, LlmError
 from scegen.llm.keys import key_for
 from scegen.llm.line import Line
 from scegen.llm.naming import ModelName
 from scegen.llm.providers import endpoint
 from scegen.llm.settings import Limits
-from scegen.llm.troubles import fault_of_run
 from scegen.llm.usage import Usage
 from scegen.scenario.model import FrozenModel
 
@@ -60,22 +56,19 @@ def probe(
     fault = asyncio.run(_ask(line))
     seconds = time.perf_counter() - began
     address = endpoint(name, url) or f"{name.provider}'s own address"
-    return Probe(str(name), address, fault, line.usage, seconds)
+    return Probe(str(name), address, fault, line.usage(), seconds)
 
 
 async def _ask(line: Line) -> Fault | None:
     async with line:
-        agent: Agent[object, Answer] = Agent(
-            line.model("probe"),
-            output_type=ToolOutput(Answer, name="answer", description="Give the answer."),
-            instructions="Answer the question by calling the tool.",
-            retries={"output": line.limits.corrections},
-            model_settings=ModelSettings(temperature=0.0),
-        )
         try:
-            await agent.run("How many arms has a four-way intersection?")
-        except ScegenError:
-            raise
-        except Exception as error:  # noqa: BLE001 - every fault is a finding
-            return fault_of_run(error, line.key)
+            await ask(
+                line,
+                "probe",
+                Answer,
+                "How many arms has a four-way intersection?",
+                instructions="Answer the question by calling the tool.",
+            )
+        except LlmError as error:
+            return error.fault
     return None

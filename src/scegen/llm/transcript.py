@@ -8,6 +8,7 @@ No header is ever written, so no key is.
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Literal, TypeVar
 
@@ -104,14 +105,29 @@ class Recording:
                     f"was recorded with {what}", where=f"--llm-replay {self._folder}", hint=_HINT
                 )
 
-    def exchange(self, chain: int, agent: str, number: int) -> Exchange:
+    def exchange(self, chain: int, agent: str, number: int, words: object) -> Exchange:
         """One exchange.
 
+        Args:
+            chain: place of the model among the models asked, from 1.
+            agent: who asks.
+            number: of the agent's requests, from 1.
+            words: what is asked now, as :func:`words_of` gives it.
+
         Raises:
-            InputError: it was not recorded, or cannot be read.
+            InputError: it was not recorded, was about something else, or cannot be read.
         """
         name = _name(chain, agent, number)
-        return self._read(name, Exchange, f"lacks {name}: the run was cut short, or scegen changed")
+        found = self._read(
+            name, Exchange, f"lacks {name}: other options, the run was cut short, or scegen changed"
+        )
+        if words_of(found.request) != words:
+            raise InputError(
+                f"{name} answers another question: other options were given, or scegen changed",
+                where=f"--llm-replay {self._folder}",
+                hint=_HINT,
+            )
+        return found
 
     def _read(self, name: str, kind: type[M], missing: str) -> M:
         where = f"--llm-replay {self._folder}"
@@ -123,6 +139,18 @@ class Recording:
             return kind.model_validate_json(content)
         except ValidationError as error:
             raise InputError(f"{name} is damaged", where=where, hint=_HINT) from error
+
+
+def words_of(request: Sequence[Any]) -> list[Any]:
+    """What a request says, without the times and chance names that differ from run to run."""
+    said = []
+    for message in request:
+        said.append(message.get("instructions"))
+        said += [
+            [part.get("part_kind"), part.get("content"), part.get("args")]
+            for part in message.get("parts", ())
+        ]
+    return said
 
 
 def _name(chain: int, agent: str, number: int) -> str:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from scegen import __version__
 from scegen.checking import CheckReport, CheckResult
+from scegen.llm import Usage
 from scegen.pipeline.export import PREVIEW_FILE
 from scegen.pipeline.folder import digest
 from scegen.pipeline.judging import Judged
@@ -40,8 +41,12 @@ def folder_files(
     skipped: dict[str, str],
     seed: int,
     understanding: Understanding | None = None,
+    usage: Usage | None = None,
 ) -> dict[str, bytes]:
-    """The files at the top of the output folder by name, the summary last."""
+    """The files at the top of the output folder by name, the summary last.
+
+    ``usage`` is what all stages took of language models together.
+    """
     files: dict[str, bytes] = {}
     if functional is not None:
         files["functional.yaml"] = to_yaml(functional).encode()
@@ -50,7 +55,9 @@ def folder_files(
         files["gallery.svg"] = gallery_svg(logical).encode()
     report = _report_input(functional, logical, made, skipped, understanding)
     files["report.html"] = report_html(report).encode()
-    files["summary.json"] = _summary(logical, made, skipped, seed, files, understanding)
+    files["summary.json"] = _summary(
+        logical, made, skipped, seed, files, _models(understanding, usage)
+    )
     return files
 
 
@@ -96,6 +103,14 @@ def _voice(understanding: Understanding) -> Voice:
     )
 
 
+def _models(understanding: Understanding | None, usage: Usage | None) -> dict[str, object]:
+    """What ``summary.json`` says of language models; nothing where none were to be asked."""
+    if understanding is None and usage is None:
+        return {}
+    said = {} if understanding is None else understanding.to_data()
+    return {"llm": {**said, **(usage.to_data() if usage is not None else {})}}
+
+
 def _findings(result: CheckResult) -> str:
     """What the checker says, in a line each."""
     lines = [result.detail] if result.detail else []
@@ -109,7 +124,7 @@ def _summary(
     skipped: dict[str, str],
     seed: int,
     top: dict[str, bytes],
-    understanding: Understanding | None,
+    models: dict[str, object],
 ) -> bytes:
     """No times and no paths: the same run gives the same bytes."""
     hashes = {name: digest(content) for name, content in top.items()}
@@ -120,7 +135,7 @@ def _summary(
         "scegen": __version__,
         "seed": seed,
         "description": made[0].concrete.description,
-        **({"llm": understanding.to_data()} if understanding else {}),
+        **models,
         "enumeration": logical
         and {
             "reduction": logical.reduction,

@@ -11,6 +11,7 @@ from scegen.checking import CHECKERS, QUICK_CHECKERS, CheckReport, check_files
 from scegen.criticality.search.refusing import too_fast
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import InfeasibleError, InputError, NoScenarioError
+from scegen.llm import Session
 from scegen.motion import concretize
 from scegen.pipeline.contents import Made, folder_files
 from scegen.pipeline.export import export_scenario
@@ -66,10 +67,12 @@ def generate(
     options: Options,
     progress: Progress = lambda _: None,
     understanding: Understanding | None = None,
+    session: Session | None = None,
 ) -> Result:
     """Make the folder ``folder`` from ``source``; it is written whole or not at all.
 
-    ``understanding`` says how language models came to the source, if they did.
+    ``understanding`` says how language models came to the source, if they did; those of ``session``
+    propose numbers.
 
     Raises:
         InputError: the source, the options or the folder cannot be used.
@@ -99,7 +102,7 @@ def generate(
     if logical is not None:
         functional = logical.functional
     concretes, skipped = _concretes(source, logical, options, progress)
-    raised = raise_all(functional, concretes, target, options.seed, progress)
+    raised = raise_all(functional, concretes, target, options.seed, progress, session)
     concretes, proofs = raised.concretes, raised.proofs
 
     with tempfile.TemporaryDirectory(prefix="scegen-") as staging:
@@ -122,7 +125,16 @@ def generate(
         ]
         progress("drawing the report")
         _write(
-            staged, folder_files(functional, logical, made, skipped, options.seed, understanding)
+            staged,
+            folder_files(
+                functional,
+                logical,
+                made,
+                skipped,
+                options.seed,
+                understanding,
+                session.usage if session is not None else None,
+            ),
         )
         replace_content(folder, staged)
     asked = options.target is not None

@@ -6,12 +6,14 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from time import perf_counter
 
-from scegen.criticality import raise_criticality
+from scegen.criticality import OfflineProposer, raise_criticality
+from scegen.criticality.agent import ParameterAgent
 from scegen.criticality.target import NEAR_MISS, parse_target
+from scegen.llm import Session
 from scegen.pipeline.options import Options
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.proof import Proof
+from scegen.scenario.proof import Advice, Proof
 
 NO_SEARCH = "none"
 PROOF_FILE = "proof.json"
@@ -47,15 +49,22 @@ def raise_all(
     target: str | None,
     seed: int,
     progress: Callable[[str], None],
+    session: Session | None = None,
 ) -> Raising:
-    """Raise the danger of some scenarios; without a target they stay as they are."""
+    """Raise the danger of some scenarios; without a target they stay as they are.
+
+    The models of ``session`` propose where the search begins, or the offline rules.
+    """
     if target is None:
         return Raising(concretes)
+    proposer = OfflineProposer() if session is None else ParameterAgent(session, progress)
     raising = Raising([])
     for concrete in concretes:
         progress(f"searching for a {target} in {concrete.name}")
         begin = perf_counter()
-        result = raise_criticality(functional, concrete, target=target, seed=seed)
+        result = raise_criticality(
+            functional, concrete, target=target, seed=seed, proposer=proposer
+        )
         raising.search_s[concrete.name] = perf_counter() - begin
         raising.concretes.append(result.concrete)
         raising.proofs[concrete.name] = result.proof
@@ -81,5 +90,20 @@ def proof_summary(proof: Proof | None) -> dict[str, object]:
                 "missing": [str(h.kind) for h in proof.hazards if not h.happened],
             },
             "blocked_by": proof.blocked_by,
+            "proposals": _advice_summary(proof.advice),
         }
+    }
+
+
+def _advice_summary(advice: Advice | None) -> dict[str, object] | None:
+    """Who proposed the numbers that the search began at, and what became of them."""
+    if advice is None:
+        return None
+    return {
+        "by": advice.speaker,
+        "accepted": advice.accepted,
+        "replaced": advice.replaced,
+        "dropped": advice.dropped,
+        "led": advice.led,
+        "notes": list(advice.notes),
     }

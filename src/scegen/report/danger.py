@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.report.tables import Row, Table
 from scegen.report.words import plain
-from scegen.scenario.proof import HazardProof, Proof
+from scegen.scenario.proof import Advice, HazardProof, Proof
 
 _MEASURES = {
     "pet": "post-encroachment time",
@@ -29,6 +29,8 @@ def danger_tables(proof: Proof | None) -> list[Table]:
     if rows:
         heads = ("Danger", "By", "To", "Before", "Now", "Margin", "At", "Conditions")
         tables.append(Table("Does the danger happen?", heads, rows))
+    if proof.advice is not None:
+        tables.append(_advice(proof.advice))
     return tables
 
 
@@ -51,6 +53,34 @@ def _target(proof: Proof) -> Table:
     ]
     title = f"Target {proof.target} between {pair}: {outcome}"
     return Table(title, ("Measure", "Before", "Now", "Band"), tuple(rows))
+
+
+def _advice(advice: Advice) -> Table:
+    """What was proposed before the search, and what became of it."""
+    fate = (
+        "the search went on from there"
+        if advice.led
+        else "the search went its own way, since these led nowhere"
+    )
+    rows = [
+        (
+            change.parameter,
+            _plain(change.before),
+            _plain(change.after),
+            change.by,
+            change.reason,
+            f"{change.rejected.value}: {change.rejected.why}" if change.rejected else "",
+        )
+        for change in advice.changes
+    ]
+    rows += [("–", "–", "–", "–", note, "") for note in advice.notes]
+    rows = rows or [("–", "–", "–", advice.speaker, "no change proposed", "")]
+    heads = ("Parameter", "Before", "Proposed", "By", "Why", "Rejected")
+    return Table(f"Numbers proposed by {advice.speaker}: {fate}", heads, tuple(rows))
+
+
+def _plain(value: float | None) -> str:
+    return "–" if value is None else f"{value:g}"
 
 
 def _hazard(after: HazardProof, before: HazardProof) -> Row:

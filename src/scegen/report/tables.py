@@ -198,7 +198,7 @@ def _environment(environment: Environment) -> Table:
 
 
 def _parameters(concrete: ConcreteScenario) -> Table:
-    chosen = {change.parameter: change.after for change in concrete.provenance}
+    chosen = {c.parameter: c.after for c in concrete.provenance if c.after is not None}
 
     def row(item: ParameterRange) -> Row:
         value = chosen.get(item.name, item.default)
@@ -214,10 +214,12 @@ def _provenance(concrete: ConcreteScenario) -> Table:
         (
             change.parameter,
             "–" if change.before is None else f"{change.before:g}",
-            f"{change.after:g}",
+            "–" if change.after is None else f"{change.after:g}",
             change.by,
             change.reason,
+            f"{change.rejected.value}: {change.rejected.why}" if change.rejected else "",
         )
         for change in concrete.provenance
     )
-    return Table("Who set what", ("Parameter", "Before", "After", "By", "Why"), rows)
+    heads = ("Parameter", "Before", "After", "By", "Why", "Rejected")
+    return Table("Who set what", heads, rows)

@@ -213,14 +213,26 @@ class ConcreteParticipant(FrozenModel):
     speed_program: tuple[SpeedPhase, ...] = ()
 
 
+class Rejected(FrozenModel):
+    """A value that somebody proposed and that was not taken: whose, which, why not."""
+
+    by: str
+    value: str
+    why: str
+
+
 class Change(FrozenModel):
-    """Provenance: who set a parameter, from what, to what, and why."""
+    """Provenance: who set a parameter, from what, to what, and why.
+
+    ``rejected`` is a value that was proposed instead; ``after`` is None if nothing took its place.
+    """
 
     parameter: str
     by: str
     before: float | None = None
-    after: float
+    after: float | None = None
     reason: str
+    rejected: Rejected | None = None
 
 
 class ConcreteScenario(FrozenModel):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
+from scegen.scenario.concrete import Change
 from scegen.scenario.model import FrozenModel, Identifier
 from scegen.scenario.vocabulary import HazardKind
 
@@ -46,12 +47,41 @@ class MeasureProof(FrozenModel):
     after: float | None
 
 
+class Advice(FrozenModel):
+    """Changes that were proposed before the search, and what the validator made of them.
+
+    ``speaker`` proposed them; ``led`` says whether what was found began at them. ``notes`` say why
+    others, who were asked before, did not speak.
+    """
+
+    speaker: str
+    led: bool = False
+    changes: tuple[Change, ...] = ()
+    notes: tuple[str, ...] = ()
+
+    @property
+    def accepted(self) -> int:
+        """How many proposals were taken as they were."""
+        return sum(change.rejected is None for change in self.changes)
+
+    @property
+    def replaced(self) -> int:
+        """How many were replaced by a random value."""
+        return sum(c.rejected is not None and c.after is not None for c in self.changes)
+
+    @property
+    def dropped(self) -> int:
+        """How many were rejected and not replaced."""
+        return len(self.changes) - self.accepted - self.replaced
+
+
 class Proof(FrozenModel):
     """The result of one search.
 
     ``pair`` is whom the target is about, ``measure`` what decided (or comes nearest), ``band`` its
     range. ``unwanted_contacts`` are pairs that touch although the target does not ask for it.
     ``dt_s`` is the time step of the proof. ``blocked_by`` says what kept the search from its aim.
+    ``advice`` is None where nobody was asked, since nothing had to change or nothing would help.
     """
 
     level: Literal["proof"] = "proof"
@@ -69,6 +99,7 @@ class Proof(FrozenModel):
     dt_s: float = 0.01
     changed: bool = False
     blocked_by: str | None = None
+    advice: Advice | None = None
 
     @property
     def hazards_happened(self) -> int:

@@ -4,8 +4,9 @@ import re
 
 import pytest
 
+from scegen.llm.prompting import as_data
 from scegen.scenario import vocabulary
-from scegen.understanding.agents.prompting import as_data, prompts, prompts_version
+from scegen.understanding.agents.prompting import prompts, prompts_version
 from scegen.understanding.agents.quoting import find_quote
 
 TEXT = "The  lorry (a big one) turns left;\nit doesn't stop. Café, carpark."

@@ -16,6 +16,7 @@ from scegen.motion.batch.arrays import Floats
 
 FIRST_BATCH = 96
 CLOSER_BATCH = 48
+LEAD_BATCH = 24
 CLOSER_SPANS = (0.5, 0.3, 0.15, 0.08)
 ROUNDS = 3
 RESTARTS = 2
@@ -24,6 +25,14 @@ _SIGMA = 0.2
 _BACK_STEPS = 6
 _BACK_ROUNDS = 3
 _PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79)
+
+
+@dataclass(frozen=True, slots=True)
+class Lead:
+    """Where somebody proposes to begin: ``x`` (n,), and draws of its own to look around it."""
+
+    x: Floats
+    rng: np.random.Generator
 
 
 @dataclass
@@ -91,6 +100,27 @@ def search(problem: Problem, rng: np.random.Generator) -> Best:
         _evolve(problem, best, low, span, start, rng)
     if best.found:
         _come_back(problem, best, origin)
+    return best
+
+
+def follow(problem: Problem, lead: Lead) -> Best:
+    """Look at the lead, at a part of it, and then around the best of these; stay near the lead."""
+    space = problem.space
+    low, span, origin = space.low, space.high - space.low, space.origin
+    best = Best(lead.x, np.inf, {"all": np.inf}, {})
+    first = np.array([lead.x, *_nearer(lead.x, origin)])
+    problem.home = lead.x
+    try:
+        best.take(first, problem.evaluate(first))
+        for width in CLOSER_SPANS[1:]:
+            if best.found:
+                break
+            points = halton(LEAD_BATCH, len(span), lead.rng.random(len(span)))
+            _look(problem, best, low, span, (best.x - low) / span + (points - 0.5) * width)
+        if best.found and (best.x != lead.x).any():
+            _come_back(problem, best, lead.x)
+    finally:
+        problem.home = None
     return best
 
 

@@ -73,7 +73,10 @@ class Outcome:
 
 @dataclass
 class Problem:
-    """One search: what is wanted of whom, and what it runs on."""
+    """One search: what is wanted of whom, and what it runs on.
+
+    The search stays near ``home`` (n,), or near the scenario as it was concretized.
+    """
 
     concrete: ConcreteScenario
     ways: Mapping[str, Way]
@@ -89,6 +92,7 @@ class Problem:
     dt_s: float = SEARCH_DT_S
     evaluations: int = 0
     known: list[Floats] = field(default_factory=list)
+    home: Floats | None = None
 
     def evaluate(self, x: Floats) -> Outcome:
         """Everything about candidates with these values of the variables (c, n)."""
@@ -110,7 +114,7 @@ class Problem:
         missing["target"] = missing["target"] + np.where(late > 0.0, 0.2 + late / 4.0, 0.0)
         missing["finish"] = finish
         missing["sameness"] = self._sameness(x)
-        return Outcome(missing, self.space.strangeness(x), made, duration)
+        return Outcome(missing, self.space.strangeness(x, self.home), made, duration)
 
     def _movements(self, made: Candidates) -> BatchTraces:
         return simulate_batch(self.program, made, duration_s=self.duration_s, dt_s=self.dt_s)

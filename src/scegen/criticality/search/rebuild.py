@@ -28,6 +28,8 @@ def rebuilt(
     row: int,
     duration_s: float,
     why: str,
+    *,
+    by: str = "search",
 ) -> ConcreteScenario:
     """The scenario with a candidate's numbers.
 
@@ -38,6 +40,7 @@ def rebuilt(
         row: which of them.
         duration_s: how long it takes.
         why: the reason noted for every change.
+        by: who makes them.
     """
     changes: list[Change] = []
     people, first = [], 0
@@ -48,7 +51,7 @@ def rebuilt(
     for i, participant in enumerate(concrete.participants):
         fresh = _participant(participant, ways[participant.id], made, row, i, first, moved_m)
         first += len(participant.speed_program)
-        changes += _changes(participant, fresh, why)
+        changes += _changes(participant, fresh, why, by)
         people.append(fresh)
     if not changes:
         return concrete
@@ -126,7 +129,9 @@ def _settled(before: float, after: float) -> float:
     return before if abs(before - after) <= _NOTICED else round(after, DECIMALS)
 
 
-def _changes(before: ConcreteParticipant, after: ConcreteParticipant, why: str) -> list[Change]:
+def _changes(
+    before: ConcreteParticipant, after: ConcreteParticipant, why: str, by: str
+) -> list[Change]:
     """What differs between two versions of one participant."""
     name = before.id
     values: list[tuple[str, float, float]] = [
@@ -148,7 +153,7 @@ def _changes(before: ConcreteParticipant, after: ConcreteParticipant, why: str) 
             (f"{place}.rate_mps2", old.rate_mps2, new.rate_mps2),
         ]
     return [
-        Change(parameter=parameter, by="search", before=old, after=new, reason=why)
+        Change(parameter=parameter, by=by, before=old, after=new, reason=why)
         for parameter, old, new in values
         if old != new
     ]

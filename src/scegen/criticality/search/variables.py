@@ -100,11 +100,11 @@ class Space:
         """The scenario as it was concretized, inside the bounds (n,)."""
         return np.array([min(max(v.base, v.low), v.high) for v in self.variables])
 
-    def strangeness(self, x: Floats) -> Floats:
-        """Mean squared distance from the concretized scenario, in small changes (c,)."""
+    def strangeness(self, x: Floats, home: Floats | None = None) -> Floats:
+        """Mean squared distance from ``home`` (the concretized scenario), in small changes (c,)."""
         if not self.variables:
             return np.zeros(x.shape[0])
-        base = np.array([v.base for v in self.variables])
+        base = np.array([v.base for v in self.variables]) if home is None else home
         scale = np.array([v.scale for v in self.variables])
         away: Floats = np.mean(((x - base) / scale) ** 2, axis=1)
         return away

@@ -11,7 +11,7 @@ from scegen.understanding.agents.result import (
     Part,
     Understanding,
 )
-from scegen.understanding.agents.understand import understand
+from scegen.understanding.agents.understand import understand, understand_in
 
 __all__ = [
     "READER",
@@ -21,4 +21,5 @@ __all__ = [
     "Part",
     "Understanding",
     "understand",
+    "understand_in",
 ]

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import hashlib
-from collections.abc import Iterable
 from enum import StrEnum
 from functools import lru_cache
-from importlib.resources import files
 from string import Template
 
+from scegen.llm.prompting import data_rule, listed, prompt_file, version_of
 from scegen.scenario.functional import ARM_COUNTS
 from scegen.scenario.vocabulary import (
     Approach,
@@ -38,10 +36,9 @@ def prompts() -> dict[str, str]:
     """Every agent's instructions by its name."""
     words = _vocabulary()
     texts = {
-        str(part): _file("common").substitute(part=name, path=path) + _fill(part, words)
-        for part, (name, path) in _PARTS.items()
+        str(part): _common(name, path) + _fill(part, words) for part, (name, path) in _PARTS.items()
     }
-    rules = _file("common").substitute(part="the review", path="junction.kind")
+    rules = _common("the review", "junction.kind")
     # of the common rules, the reviewer needs all but those on how to fill fields
     texts[REVIEWER] = rules.split("\n- `basis`")[0] + "\n" + _fill(REVIEWER, words)
     return texts
@@ -50,14 +47,11 @@ def prompts() -> dict[str, str]:
 @lru_cache(maxsize=1)
 def prompts_version() -> str:
     """Changes whenever a prompt or the vocabulary does."""
-    joined = "\0".join(f"{name}\0{text}" for name, text in sorted(prompts().items()))
-    return hashlib.sha256(joined.encode()).hexdigest()[:12]
+    return version_of(prompts())
 
 
-def as_data(description: str) -> str:
-    """The description between marker lines that it cannot contain itself."""
-    marker = hashlib.sha256(description.encode("utf-8", "replace")).hexdigest()[:16]
-    return f"<<<description {marker}\n{description}\n{marker} end of description>>>"
+def _common(part: str, path: str) -> str:
+    return _file("common").substitute(part=part, path=path, data_rule=data_rule())
 
 
 def _fill(name: str, words: dict[str, str]) -> str:
@@ -65,8 +59,7 @@ def _fill(name: str, words: dict[str, str]) -> str:
 
 
 def _file(name: str) -> Template:
-    text = files(__package__).joinpath(f"prompts/{name}.md").read_text(encoding="utf-8")
-    return Template(text)
+    return prompt_file(__package__, name)
 
 
 def _vocabulary() -> dict[str, str]:
@@ -83,13 +76,9 @@ def _vocabulary() -> dict[str, str]:
         "visibilities": Visibility,
         "parts": Part,
     }
-    words = {name: _listed(members) for name, members in lists.items()}
+    words = {name: listed(members) for name, members in lists.items()}
     words["arm_counts"] = ", ".join(
         f"`{kind}` {low}" if low == high else f"`{kind}` {low} to {high}"
         for kind, (low, high) in ARM_COUNTS.items()
     )
     return words
-
-
-def _listed(members: Iterable[StrEnum]) -> str:
-    return ", ".join(f"`{member}`" for member in members)

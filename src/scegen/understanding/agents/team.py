@@ -8,13 +8,14 @@ from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
 from scegen.llm import Fault, FaultKind, LlmError
+from scegen.llm.asking import ask
 from scegen.llm.line import Line
+from scegen.llm.prompting import as_data
 from scegen.scenario.files import to_json
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.model import FrozenModel
-from scegen.understanding.agents.asking import ask
 from scegen.understanding.agents.assembling import Draft, Parts, assemble
-from scegen.understanding.agents.prompting import REVIEWER, as_data
+from scegen.understanding.agents.prompting import REVIEWER, prompts
 from scegen.understanding.agents.quoting import find_quote
 from scegen.understanding.agents.replies import (
     EnvironmentReply,
@@ -26,6 +27,7 @@ from scegen.understanding.agents.replies import (
 from scegen.understanding.agents.result import Objection, Part
 
 R = TypeVar("R")
+M = TypeVar("M", bound=FrozenModel)
 Checks = Callable[[FunctionalScenario], tuple[Objection, ...]]
 
 
@@ -118,7 +120,7 @@ class Team:
         shown = to_json(draft.scenario.model_copy(update={"description": "", "evidence": ()}))
         question = f"{as_data(self._description)}\n\nThe scenario to review:\n{shown}"
         try:
-            review = await ask(self._line, REVIEWER, Review, question)
+            review = await self._ask(REVIEWER, Review, question)
         except LlmError as error:
             return (), error.fault
         # an objection that rests on words which the text does not have is none
@@ -131,13 +133,13 @@ class Team:
     async def _road(
         self, before: RoadReply | None = None, objections: Iterable[Objection] = ()
     ) -> RoadReply:
-        return await ask(self._line, Part.ROAD, RoadReply, self._question(before, objections))
+        return await self._ask(Part.ROAD, RoadReply, self._question(before, objections))
 
     async def _participants(
         self, before: ParticipantsReply | None = None, objections: Iterable[Objection] = ()
     ) -> ParticipantsReply:
         question = self._question(before, objections)
-        reply = await ask(self._line, Part.PARTICIPANTS, ParticipantsReply, question)
+        reply = await self._ask(Part.PARTICIPANTS, ParticipantsReply, question)
         if reply.not_traffic is not None:
             raise LlmError(
                 Fault(
@@ -153,7 +155,7 @@ class Team:
         self, before: EnvironmentReply | None = None, objections: Iterable[Objection] = ()
     ) -> EnvironmentReply:
         question = self._question(before, objections)
-        return await ask(self._line, Part.ENVIRONMENT, EnvironmentReply, question)
+        return await self._ask(Part.ENVIRONMENT, EnvironmentReply, question)
 
     async def _hazards(
         self,
@@ -174,7 +176,18 @@ class Team:
                 return f"hazards names the unknown participant {unknown[0]!r}; there are {ids}"
             return None
 
-        return await ask(self._line, Part.HAZARDS, HazardsReply, question, complain=complain)
+        return await self._ask(Part.HAZARDS, HazardsReply, question, complain)
+
+    async def _ask(
+        self,
+        name: str,
+        kind: type[M],
+        question: str,
+        complain: Callable[[M], str | None] = lambda _: None,
+    ) -> M:
+        return await ask(
+            self._line, name, kind, question, instructions=prompts()[name], complain=complain
+        )
 
     def _question(self, before: FrozenModel | None, objections: Iterable[Objection]) -> str:
         text = as_data(self._description)

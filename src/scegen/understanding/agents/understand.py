@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-import asyncio
 import os
-from collections.abc import Callable, Mapping
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from scegen.errors import InfeasibleError, InputError, NotTrafficError
-from scegen.llm import Fault, FaultKind, LlmError, LlmSettings, ModelName, Usage, require_llm
-from scegen.llm.budget import Ledger
-from scegen.llm.keys import NO_KEY, key_for
-from scegen.llm.naming import parse_models
-from scegen.llm.transcript import Recorder, Recording, Run
+from scegen.llm import Fault, FaultKind, LlmSettings
+from scegen.llm.session import Heard, Progress, Session
 from scegen.scenario.functional import FunctionalScenario
 from scegen.understanding.agents.combining import Combiner
 from scegen.understanding.agents.prompting import prompts_version
@@ -24,8 +19,6 @@ from scegen.understanding.reader import read
 if TYPE_CHECKING:
     from scegen.llm.line import Line
     from scegen.understanding.agents.team import Consulted
-
-Progress = Callable[[str], None]
 
 
 def understand(
@@ -51,15 +44,29 @@ def understand(
         NotTrafficError, InfeasibleError: no model gave a usable answer, and the offline reader
             cannot use the text.
     """
-    require_llm()
+    return understand_in(Session(settings, environment), text, progress)
+
+
+def understand_in(
+    session: Session, text: str, progress: Progress = lambda _: None
+) -> Understanding:
+    """The same in a session, which goes on afterwards."""
     reading, refusal = _offline(text)
-    run = _Run(text, settings, environment, reading)
-    for chain, name in enumerate(run.models, start=1):
-        progress(f"asking {name}")
-        consulted = run.ask(chain, name)
-        if consulted is not None:
-            return _combined(run, name, consulted, reading, refusal)
-    return _fallen_back(run, reading, refusal)
+    session.open(description=text, prompts=prompts_version())
+
+    def checks(scenario: FunctionalScenario) -> tuple[Objection, ...]:
+        return () if reading is None else miscounted(reading, scenario)
+
+    async def consult(line: Line) -> Consulted:
+        # the extra is there by now; without it this module must import all the same
+        from scegen.understanding.agents.team import Team  # noqa: PLC0415
+
+        return await Team(line, text, checks).consult()
+
+    heard = session.ask(consult, progress)
+    if heard.answer is None:
+        return _fallen_back(heard, reading, refusal)
+    return _combined(heard, heard.answer, reading, refusal)
 
 
 def _offline(text: str) -> tuple[FunctionalScenario | None, InputError | None]:
@@ -70,94 +77,14 @@ def _offline(text: str) -> tuple[FunctionalScenario | None, InputError | None]:
         return None, error
 
 
-class _Run:
-    """One pass through the chain: what all its models share."""
-
-    def __init__(
-        self,
-        text: str,
-        settings: LlmSettings,
-        environment: Mapping[str, str],
-        reading: FunctionalScenario | None,
-    ) -> None:
-        self.models, self.url = settings.models, settings.url
-        self.usage = Usage()
-        self.faults: list[Fault] = []
-        self.asked: list[str] = []
-        self._text, self._settings, self._reading = text, settings, reading
-        self._ledger = Ledger(settings.budget)
-        self._recorder: Recorder | None = None
-        self._recording: Recording | None = None
-        names = tuple(str(name) for name in settings.models)
-        version = prompts_version()
-        if settings.replay is not None:
-            self._recording = Recording(settings.replay)
-            self._recording.require_same(description=text, prompts=version, models=names)
-            self.url = self._recording.run.url
-            self.models = parse_models(",".join(self._recording.run.models), url=self.url)
-            self._keys = dict.fromkeys(self.models, NO_KEY)
-            return
-        # a missing key is said before anything is spent
-        self._keys = {n: key_for(n, environment, url=self.url) for n in self.models}
-        if settings.record is not None:
-            run = Run(prompts=version, description=text, models=names, url=self.url)
-            self._recorder = Recorder(settings.record, run)
-
-    def ask(self, chain: int, name: ModelName) -> Consulted | None:
-        """What a team of this model agreed on; None, and a fault more, if it gave no answer."""
-        # the extra is there by now; without it this module must import all the same
-        from scegen.llm.line import Line  # noqa: PLC0415
-
-        self.asked.append(str(name))
-        line = Line(
-            name=name,
-            chain=chain,
-            url=self.url,
-            key=self._keys[name],
-            limits=self._settings.limits,
-            ledger=self._ledger,
-            recorder=self._recorder,
-            recording=self._recording,
-        )
-        try:
-            return _in_a_loop(line, self._text, self._checks)
-        except LlmError as error:
-            self.faults.append(error.fault)
-            return None
-        finally:
-            self.usage += line.usage
-
-    def _checks(self, scenario: FunctionalScenario) -> tuple[Objection, ...]:
-        return () if self._reading is None else miscounted(self._reading, scenario)
-
-
-def _in_a_loop(
-    line: Line, text: str, checks: Callable[[FunctionalScenario], tuple[Objection, ...]]
-) -> Consulted:
-    """Run the team to its end, also where a loop is running already (a notebook, a server)."""
-    from scegen.understanding.agents.team import Team  # noqa: PLC0415 - needs the extra
-
-    async def consult() -> Consulted:
-        async with line:
-            return await Team(line, text, checks).consult()
-
-    try:
-        asyncio.get_running_loop()
-    except RuntimeError:
-        return asyncio.run(consult())
-    with ThreadPoolExecutor(max_workers=1) as pool:
-        return pool.submit(asyncio.run, consult()).result()
-
-
 def _combined(
-    run: _Run,
-    name: ModelName,
+    heard: Heard[Consulted],
     consulted: Consulted,
     reading: FunctionalScenario | None,
     refusal: InputError | None,
 ) -> Understanding:
     notes = list(consulted.notes)
-    faults = [*run.faults, *([consulted.review_fault] if consulted.review_fault else [])]
+    faults = [*heard.faults, *([consulted.review_fault] if consulted.review_fault else [])]
     scenario, disagreements = consulted.scenario, []
     if reading is not None:
         combiner = Combiner(scenario, reading)
@@ -166,9 +93,9 @@ def _combined(
         notes.append(f"the {READER} could not use the text: {refusal.message}")
     return Understanding(
         functional=scenario,
-        speaker=str(name),
-        asked=tuple(run.asked),
-        usage=run.usage,
+        speaker=str(heard.speaker),
+        asked=heard.asked,
+        usage=heard.usage,
         faults=tuple(faults),
         disagreements=tuple(disagreements),
         objections=consulted.objections,
@@ -177,24 +104,25 @@ def _combined(
 
 
 def _fallen_back(
-    run: _Run, reading: FunctionalScenario | None, refusal: InputError | None
+    heard: Heard[Consulted], reading: FunctionalScenario | None, refusal: InputError | None
 ) -> Understanding:
     if reading is None:
-        why = "; ".join(fault.in_words() for fault in run.faults)
-        raise _worse(refusal, why, run.faults)
+        why = "; ".join(fault.in_words() for fault in heard.faults)
+        raise _worse(refusal, why, heard.faults)
     return Understanding(
         functional=reading,
         speaker=READER,
-        asked=tuple(run.asked),
-        usage=run.usage,
-        faults=tuple(run.faults),
+        asked=heard.asked,
+        usage=heard.usage,
+        faults=heard.faults,
     )
 
 
-def _worse(refusal: InputError | None, why: str, faults: list[Fault]) -> InputError:
+def _worse(refusal: InputError | None, why: str, faults: Iterable[Fault]) -> InputError:
     """The reader's error, which is about the text, with the models' faults."""
     kind = type(refusal) if refusal is not None else InputError
     message = refusal.message if refusal is not None else "the text could not be understood"
+    faults = tuple(faults)
     if faults and all(fault.kind is FaultKind.NOT_TRAFFIC for fault in faults):
         kind = NotTrafficError
     return kind(

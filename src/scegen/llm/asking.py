@@ -9,11 +9,10 @@ from pydantic_ai import Agent, ModelRetry, ToolOutput
 from pydantic_ai.settings import ModelSettings
 
 from scegen.errors import ScegenError
-from scegen.llm import LlmError
+from scegen.llm.faults import LlmError
 from scegen.llm.line import Line
 from scegen.llm.troubles import fault_of_run
 from scegen.scenario.model import FrozenModel
-from scegen.understanding.agents.prompting import prompts
 
 R = TypeVar("R", bound=FrozenModel)
 
@@ -24,15 +23,17 @@ async def ask(
     kind: type[R],
     question: str,
     *,
+    instructions: str,
     complain: Callable[[R], str | None] = lambda _: None,
 ) -> R:
     """The answer of the agent ``name``.
 
     Args:
         line: to the model.
-        name: the agent's name, and its prompt's.
+        name: the agent's name.
         kind: type of the answer; what does not validate goes back with the errors.
         question: the user's message.
+        instructions: the agent's prompt.
         complain: what is wrong with a valid answer, if anything; goes back likewise.
 
     Raises:
@@ -42,7 +43,7 @@ async def ask(
     agent: Agent[object, R] = Agent(
         line.model(name),
         output_type=ToolOutput(kind, name="answer", description="Give the answer."),
-        instructions=prompts()[name],
+        instructions=instructions,
         retries={"output": line.limits.corrections},
         # the same question should get the same answer
         model_settings=ModelSettings(temperature=0.0),

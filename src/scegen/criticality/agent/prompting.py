@@ -1,0 +1,102 @@
+"""The agent's instructions and its question, generated from what the code knows."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from math import ceil, floor
+
+from scegen.criticality.proposals.proposal import Situation
+from scegen.criticality.search.problem import MEASURE_FIELDS
+from scegen.criticality.target import BANDS, Target
+from scegen.llm.prompting import as_data, data_rule, prompt_file, version_of
+from scegen.scenario.concrete import ConcreteParticipant, DriveMotion
+from scegen.scenario.proof import HazardProof
+
+AGENT = "parameters"
+
+
+@lru_cache(maxsize=1)
+def instructions() -> str:
+    """What the agent is told before any question."""
+    measures = ", ".join(f"`{name}` ({MEASURE_FIELDS[name][1]})" for name in BANDS)
+    return prompt_file(__package__, AGENT).substitute(data_rule=data_rule(), measures=measures)
+
+
+@lru_cache(maxsize=1)
+def instructions_version() -> str:
+    """Changes whenever the instructions do."""
+    return version_of({AGENT: instructions()})
+
+
+def question(situation: Situation) -> str:
+    """Everything about one situation."""
+    first, second = situation.pair
+    now = [f"{n} {value:.3g} {unit}" for n, value, unit in situation.measures if value is not None]
+    return "\n".join(
+        [
+            as_data(situation.concrete.description),
+            "",
+            f"Target, between {first} and {second}: {_target(situation.target)}",
+            f"As it is now: {', '.join(now) or 'the two do not meet'}",
+            _listing("The dangers", [_danger(h) for h in situation.hazards]),
+            _listing(
+                "Who meets whom",
+                [
+                    f"{e.second} enters their common ground {abs(e.gap_s):.2f} s "
+                    f"{'before' if e.gap_s < 0 else 'after'} {e.first} has left it, "
+                    f"at {e.at_s:.2f} s"
+                    for e in situation.encounters
+                ],
+            ),
+            _listing("Who touches whom", [f"{a} and {b}" for a, b in situation.contacts]),
+            _listing("The participants", [_who(p) for p in situation.concrete.participants]),
+            _listing(
+                "The parameters",
+                [
+                    # bounds rounded inwards, so that a value at a bound is inside
+                    f"`{p.name}` = {p.value:.3f} {p.unit}, {ceil(p.low * 1000) / 1000:.3f} to "
+                    f"{floor(p.high * 1000) / 1000:.3f}: {p.meaning}"
+                    for p in situation.parameters
+                ],
+            ),
+        ]
+    )
+
+
+def _listing(title: str, lines: list[str]) -> str:
+    return "\n".join([f"{title}:", *(f"- {line}" for line in lines or ["none"])])
+
+
+def _target(target: Target) -> str:
+    if target.contact:
+        return f"{target.text}, the two touch"
+    choices = [
+        " and ".join(f"{b.measure} {b.low:g} to {b.high:g} {_unit(b.measure)}" for b in choice)
+        for choice in target.choices
+    ]
+    apart = "without touching, " if target.contact is False else ""
+    return f"{target.text}, {apart}{', or '.join(choices)}"
+
+
+def _unit(measure: str) -> str:
+    return MEASURE_FIELDS[measure][1]
+
+
+def _danger(hazard: HazardProof) -> str:
+    who = f"{hazard.kind} by {' and '.join(hazard.by) or 'somebody'}"
+    who += f" to {' and '.join(hazard.to)}" if hazard.to else ""
+    margin = "" if hazard.margin is None else f" (margin {hazard.margin:.2f} {hazard.unit})"
+    return f"{who}: {'happens' if hazard.happened else 'does not happen yet'}{margin}"
+
+
+def _who(participant: ConcreteParticipant) -> str:
+    motion = participant.motion
+    way = (
+        f"drives from arm {motion.entry} to arm {motion.exit}"
+        if isinstance(motion, DriveMotion)
+        else f"{motion.type} at arm {motion.arm}"
+    )
+    return (
+        f"{participant.id}: {participant.kind}, {participant.role}, {participant.speed_mps:.1f} "
+        f"m/s, {way}"
+    )

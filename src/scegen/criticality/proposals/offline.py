@@ -1,0 +1,174 @@
+"""The offline default: proposals by rules, without a model and without chance.
+
+Concretization brings those in conflict to one place at one time. So the rules are mostly about
+time: the pair that the danger is about meets as far apart as the target asks, all others keep out
+of each other's way; and what a danger still lacks gets more (or less) of what makes it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from scegen.criticality.hazards.roles import culprits
+from scegen.criticality.proposals.parameters import Parameter
+from scegen.criticality.proposals.proposal import Check, Encounter, Proposal, Proposed, Situation
+from scegen.criticality.target import Target
+from scegen.scenario.functional import Hazard
+from scegen.scenario.vocabulary import HazardKind
+
+OFFLINE = "offline rules"
+_CLEAR_S = 1.0
+"""Those whom the danger is not about keep this far apart in time."""
+_TOUCHES_S = -0.5
+_WORTH_S = 0.02
+_SHARE = 0.5
+_MORE = {
+    HazardKind.SPEEDING: ("speed_mps", 1),
+    HazardKind.SLOW_DRIVING: ("speed_mps", -1),
+    HazardKind.SUDDEN_ACCELERATION: ("rate_mps2", 1),
+    HazardKind.HARD_BRAKING: ("rate_mps2", 1),
+    HazardKind.DELAYED_BRAKING: ("rate_mps2", 1),
+    HazardKind.TAILGATING: ("start_m", 1),
+}
+"""What makes a danger: the quantity of whoever causes it, and whether more or less of it does."""
+
+
+class OfflineProposer:
+    """Proposes by rules; the same situation gives the same proposals."""
+
+    def propose(self, situation: Situation, check: Check) -> Proposed:
+        """Changes that should bring the dangers about; those that cannot be driven are left out."""
+        strengthened = list(_strengthened(situation))
+        taken = {proposal.parameter for proposal in strengthened}
+        timed = [p for p in _timed(situation) if p.parameter not in taken]
+        wanted = [*strengthened, *timed]
+        judged = zip(wanted, check(wanted), strict=True)
+        return Proposed(OFFLINE, tuple(proposal for proposal, why in judged if why is None))
+
+
+def _strengthened(situation: Situation) -> Iterator[Proposal]:
+    """More of what makes a danger that does not happen yet."""
+    for proof in situation.hazards:
+        if proof.happened or proof.kind not in _MORE:
+            continue
+        quantity, sign = _MORE[proof.kind]
+        hazard = Hazard(kind=proof.kind, by=proof.by, to=proof.to)
+        for who in culprits(situation.concrete, hazard):
+            parameter = _of_hazard(situation, who, proof.kind, quantity)
+            if parameter is None:
+                continue
+            end = parameter.high if sign > 0 else parameter.low
+            value = _inside(parameter, parameter.value + _SHARE * (end - parameter.value))
+            if value == parameter.value:
+                continue
+            short = "" if proof.margin is None else f" is {-proof.margin:.2f} {proof.unit} short"
+            reason = f"{proof.kind.replace('_', ' ')} by {who}{short or ' does not happen'}"
+            yield Proposal(parameter=parameter.name, value=value, reason=reason)
+
+
+def _of_hazard(situation: Situation, who: str, kind: HazardKind, quantity: str) -> Parameter | None:
+    """The parameter by which somebody makes a danger, its own before the general one."""
+    own = [p for p in situation.parameters if p.name.startswith(f"{who}.{kind}_")]
+    for parameter in own:
+        if parameter.name.endswith(quantity):
+            return parameter
+    return situation.parameter(f"{who}.{quantity}")
+
+
+def _timed(situation: Situation) -> Iterator[Proposal]:
+    """Starts at which those in conflict meet as far apart in time as they should."""
+    starts = {
+        p.name.removesuffix(".start_m"): p
+        for p in situation.parameters
+        if p.name.endswith(".start_m")
+    }
+    later, why = _delays(situation, starts)
+    speeds = {name: max(situation.concrete.participant(name).speed_mps, 1.0) for name in starts}
+    shift = _common_shift(later, starts, speeds, later.get(situation.concrete.ego.id, 0.0))
+    for name, parameter in starts.items():
+        delay = later[name] - shift
+        value = _inside(parameter, parameter.value - delay * speeds[name])
+        if abs(value - parameter.value) > _WORTH_S * speeds[name]:
+            moved = "later" if delay > 0 else "earlier"
+            reason = (
+                f"comes {abs(delay):.2f} s {moved}: {why.get(name, 'so that the other gaps stay')}"
+            )
+            yield Proposal(parameter=parameter.name, value=value, reason=reason)
+
+
+def _delays(
+    situation: Situation, starts: dict[str, Parameter]
+) -> tuple[dict[str, float], dict[str, str]]:
+    """How much later everybody should come, s, and why.
+
+    Gap after gap in the order of time, as often as there are people: a delay moves on to those
+    behind.
+    """
+    later, why = dict.fromkeys(starts, 0.0), {}
+    for _ in starts:
+        settled = True
+        for encounter in situation.encounters:
+            first, second = encounter.first, encounter.second
+            now = encounter.gap_s + later.get(second, 0.0) - later.get(first, 0.0)
+            wanted, exact = _wanted(situation, encounter)
+            if wanted is None or (now >= wanted - _WORTH_S and not exact):
+                continue
+            if abs(wanted - now) <= _WORTH_S:
+                continue
+            mover, sign = (second, 1) if second in starts else (first, -1)
+            if mover not in starts:
+                continue
+            later[mover] += sign * (wanted - now)
+            about = "as the target wants" if exact else "out of the other's way"
+            aim = f"so that {second} enters {wanted:.2f} s after {first} has left, {about}"
+            why[mover] = aim
+            if exact:
+                why[first] = why[second] = aim
+            settled = False
+        if settled:
+            break
+    return later, why
+
+
+def _wanted(situation: Situation, encounter: Encounter) -> tuple[float | None, bool]:
+    """The gap that two should have, s, and whether it is exact; None: whatever it is."""
+    if {encounter.first, encounter.second} == set(situation.pair):
+        return _target_gap(situation, encounter), True
+    return _CLEAR_S, False
+
+
+def _target_gap(situation: Situation, encounter: Encounter) -> float | None:
+    target: Target = situation.target
+    if target.contact:
+        return None if encounter.gap_s < 0.0 else _TOUCHES_S
+    for choice in target.choices:
+        for band in choice:
+            middle = (band.low + band.high) / 2
+            if band.measure == "pet":
+                return middle
+            if band.measure == "distance":
+                second = situation.concrete.participant(encounter.second)
+                return middle / max(second.speed_mps, 1.0)
+    return None
+
+
+def _common_shift(
+    later: dict[str, float],
+    starts: dict[str, Parameter],
+    speeds: dict[str, float],
+    wish: float,
+) -> float:
+    """What is taken off every delay, s: it keeps the gaps, and everybody within its bounds.
+
+    As near to ``wish`` as the bounds allow.
+    """
+    least, most = -float("inf"), float("inf")
+    for name, p in starts.items():
+        least = max(least, later[name] - (p.value - p.low) / speeds[name])
+        most = min(most, later[name] + (p.high - p.value) / speeds[name])
+    return min(max(wish, least), most) if least <= most else (least + most) / 2
+
+
+def _inside(parameter: Parameter, value: float) -> float:
+    """The value as files show it, within the bounds."""
+    return min(max(round(value, 3), parameter.low), parameter.high)
