@@ -69,6 +69,9 @@ def generate(
             "unless this is given."
         ),
     ] = None,
+    solutions: Annotated[
+        int, typer.Option(min=1, help="How many different ways to reach the target.")
+    ] = 1,
     where: WhereOption = None,
     rules: RulesOption = None,
     json: Annotated[bool, typer.Option("--json", help="Print summary.json.")] = False,
@@ -87,7 +90,19 @@ def generate(
     with working() as progress:
         progress("understanding")
         options = Options(
-            pick, count, seed, reduction, arms, osc, check, force, ego, target, where, rules
+            pick=pick,
+            count=count,
+            seed=seed,
+            reduction=reduction,
+            arms=arms,
+            osc=osc,
+            depth=check,
+            force=force,
+            ego=ego,
+            target=target,
+            solutions=solutions,
+            where=where,
+            rules=rules,
         )
         if settings is None:
             made = run(resolve_source(source), output, options, progress)

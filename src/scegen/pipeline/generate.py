@@ -81,6 +81,8 @@ def generate(
     require_usable(folder, force=options.force)
     if options.count < 1:
         raise InputError(f"must be at least 1, not {options.count}", where="--count")
+    if options.solutions < 1:
+        raise InputError(f"must be at least 1, not {options.solutions}", where="--solutions")
     target = chosen_target(options, numbers_given=isinstance(source, ConcreteScenario))
     functional = source if isinstance(source, FunctionalScenario) else None
     logical = source if isinstance(source, LogicalSet) else None
@@ -102,8 +104,16 @@ def generate(
     if logical is not None:
         functional = logical.functional
     concretes, skipped = _concretes(source, logical, options, progress)
-    raised = raise_all(functional, concretes, target, options.seed, progress, session)
-    concretes, proofs = raised.concretes, raised.proofs
+    raised = raise_all(
+        functional,
+        concretes,
+        target,
+        options.seed,
+        progress,
+        session,
+        solutions=options.solutions,
+    )
+    concretes, proofs, skipped = raised.concretes, raised.proofs, skipped | raised.skipped
 
     with tempfile.TemporaryDirectory(prefix="scegen-") as staging:
         staged = Path(staging)

@@ -38,7 +38,8 @@ class Options:
     ``pick`` names logical scenarios (see :mod:`scegen.pipeline.picking`), and all that it names
     are made; without it, the ``count`` richest are. ``target`` is what the search is to
     reach, ``none`` for no search; None stands for a near-miss, and for no search where concrete
-    numbers are given. ``where`` and ``rules`` narrow the list of logical scenarios.
+    numbers are given; ``solutions`` how many different ways to reach it are looked for in each
+    logical scenario. ``where`` and ``rules`` narrow the list of logical scenarios.
     """
 
     pick: str | None = None
@@ -51,5 +52,6 @@ class Options:
     force: bool = False
     ego: EgoMode = EgoMode.SCRIPTED
     target: str | None = None
+    solutions: int = 1
     where: str | None = None
     rules: Path | None = None

@@ -21,11 +21,15 @@ PROOF_FILE = "proof.json"
 
 @dataclass(frozen=True, slots=True)
 class Raising:
-    """The scenarios with their danger raised, and proofs and seconds taken, by name."""
+    """The scenarios with their danger raised, and proofs and seconds taken, by name.
+
+    ``skipped`` are solutions asked for that were not found, and why.
+    """
 
     concretes: list[ConcreteScenario]
     proofs: dict[str, Proof] = field(default_factory=dict)
     search_s: dict[str, float] = field(default_factory=dict)
+    skipped: dict[str, str] = field(default_factory=dict)
 
 
 def chosen_target(options: Options, *, numbers_given: bool) -> str | None:
@@ -50,10 +54,13 @@ def raise_all(
     seed: int,
     progress: Callable[[str], None],
     session: Session | None = None,
+    *,
+    solutions: int = 1,
 ) -> Raising:
     """Raise the danger of some scenarios; without a target they stay as they are.
 
-    The models of ``session`` propose where the search begins, or the offline rules.
+    Different solutions of one scenario are told apart by a number at the end of their names. The
+    models of ``session`` propose where the search begins, or the offline rules.
     """
     if target is None:
         return Raising(concretes)
@@ -63,11 +70,17 @@ def raise_all(
         progress(f"searching for a {target} in {concrete.name}")
         begin = perf_counter()
         result = raise_criticality(
-            functional, concrete, target=target, seed=seed, proposer=proposer
+            functional, concrete, target=target, seed=seed, solutions=solutions, proposer=proposer
         )
         raising.search_s[concrete.name] = perf_counter() - begin
-        raising.concretes.append(result.concrete)
-        raising.proofs[concrete.name] = result.proof
+        found = [(result.concrete, result.proof), *result.others]
+        if result.proof.in_band and len(found) < solutions:
+            name = f"{concrete.name}, solution {len(found) + 1}"
+            raising.skipped[name] = f"no more than {len(found)} that differ were found"
+        for number, (made, proof) in enumerate(found, start=1):
+            name = concrete.name if number == 1 else f"{concrete.name[:96]}-{number}"
+            raising.concretes.append(made.model_copy(update={"name": name}))
+            raising.proofs[name] = proof
     return raising
 
 

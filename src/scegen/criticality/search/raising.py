@@ -78,16 +78,21 @@ def raise_criticality(
     if reason is not None:
         return Raised(concrete, stage.proof(before, before, 1, reason))
     # Concretization knows no slippery roads: on those the numbers have to be brought in bounds.
+    found: list[tuple[ConcreteScenario, Proof]] = []
     if stage.friction >= 1.0 and stage.stands(before):
         bound = stage.bound(before)
-        return Raised(bound.concrete, stage.proof(before, bound, 1, None))
+        found.append((bound.concrete, stage.proof(before, bound, 1, None)))
+        if solutions == 1:
+            return Raised(*found[0])
     problem = stage.problem()
     rng = np.random.Generator(np.random.PCG64(seed))
-    advice = stage.ask(proposer, problem, before, seed) if proposer is not None else None
-    found: list[tuple[ConcreteScenario, Proof]] = []
-    blocked = None
-    for n in range(solutions):
-        made, blocked = _solve(stage, problem, rng, advice if n == 0 else None)
+    advice, blocked = None, None
+    if found:
+        problem.known.append(problem.space.origin)
+    elif proposer is not None:
+        advice = stage.ask(proposer, problem, before, seed)
+    while len(found) < solutions:
+        made, blocked = _solve(stage, problem, rng, None if found else advice)
         if made is None:
             break
         evidence = stage.bound(made.evidence)
