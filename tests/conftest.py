@@ -257,7 +257,10 @@ GOOD_ANSWERS = {
         "unsupported": [{"words": "in front of it", "instead": "left to the choice of numbers"}],
     },
     "hazards": {
-        "hazards": [{"kind": "speeding", "by": ["car_1"], "to": ["truck_1"]}],
+        "hazards": [
+            {"kind": "speeding", "by": ["car_1"], "to": ["truck_1"]},
+            {"kind": "unprotected_left_turn", "by": ["truck_1"], "to": ["car_1"]},
+        ],
         "basis": [{"field": "speeding", "words": "speeds at  72 KM/H"}],
     },
     "environment": {

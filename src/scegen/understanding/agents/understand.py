@@ -15,7 +15,7 @@ from scegen.llm.keys import NO_KEY, key_for
 from scegen.llm.naming import parse_models
 from scegen.llm.transcript import Recorder, Recording, Run
 from scegen.scenario.functional import FunctionalScenario
-from scegen.understanding.agents.combining import Combiner
+from scegen.understanding.agents.combining import combine
 from scegen.understanding.agents.prompting import prompts_version
 from scegen.understanding.agents.result import READER, Objection, Understanding
 from scegen.understanding.agents.stated import miscounted
@@ -160,8 +160,7 @@ def _combined(
     faults = [*run.faults, *([consulted.review_fault] if consulted.review_fault else [])]
     scenario, disagreements = consulted.scenario, []
     if reading is not None:
-        combiner = Combiner(scenario, reading)
-        scenario, disagreements = combiner.run(), combiner.disagreements
+        scenario, disagreements = combine(scenario, reading)
     elif refusal is not None:
         notes.append(f"the {READER} could not use the text: {refusal.message}")
     return Understanding(
