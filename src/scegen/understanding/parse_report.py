@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass
 from enum import StrEnum
 from typing import Any
@@ -12,6 +12,7 @@ from scegen.errors import InfeasibleError
 from scegen.scenario.functional import Evidence, FunctionalScenario
 from scegen.scenario.vocabulary import EvidenceSource
 from scegen.understanding.coverage import CONTRADICTS
+from scegen.understanding.disagreement import Disagreement, Kept
 from scegen.understanding.reader import read
 
 _QUOTED = re.compile(r"'([^']+)'")
@@ -79,17 +80,21 @@ class ParseReport:
         return {"text": self.text, "counts": counts, "findings": findings}
 
 
-def report_on(scenario: FunctionalScenario) -> ParseReport:
+def report_on(
+    scenario: FunctionalScenario, disagreements: Iterable[Disagreement] = ()
+) -> ParseReport:
     """The report on a scenario, whoever understood it.
 
     Args:
         scenario: a scenario with evidence.
+        disagreements: what was read in two ways; contradictions, each with its words.
     """
     found = [_from_evidence(item, scenario) for item in scenario.evidence]
     for left in scenario.unsupported:
         contradicts = left.instead.startswith(CONTRADICTS)
         standing = Standing.CONTRADICTED if contradicts else Standing.UNSUPPORTED
         found.append(Finding(standing, None, "", left.text, left.start, left.end, left.instead))
+    found += [_from_disagreement(item, scenario) for item in disagreements]
     return ParseReport(scenario.description, _sorted(found))
 
 
@@ -147,6 +152,13 @@ def _from_evidence(item: Evidence, scenario: FunctionalScenario) -> Finding:
         item.end,
         item.reason,
     )
+
+
+def _from_disagreement(item: Disagreement, scenario: FunctionalScenario) -> Finding:
+    said = f"the offline reader says {item.reader}, the agents say {item.agents}; "
+    said += f"the {item.kept} stand{'s' if item.kept is Kept.READER else ''}: {item.reason}"
+    value = _value(scenario, item.field)
+    return Finding(Standing.CONTRADICTED, item.field, value, item.words, item.start, item.end, said)
 
 
 def _value(scenario: FunctionalScenario, path: str) -> str:

@@ -131,9 +131,7 @@ def _missing(decider: Decider, theirs: Participant, told: set[Words]) -> None:
         return
     told.add(words)
     reason = "no number is stated, and no participant of the agents rests on these words"
-    decider.note(
-        "participants", words, f"{named} {theirs.kind}", f"{there}", Kept.AGENTS, reason
-    )
+    decider.note("participants", words, f"{named} {theirs.kind}", f"{there}", Kept.AGENTS, reason)
 
 
 def _speed(decider: Decider, theirs: Participant, ours: str | None) -> None:

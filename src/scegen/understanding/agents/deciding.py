@@ -144,7 +144,7 @@ def close(one: Interval, other: Interval) -> bool:
 
 def shown(value: object) -> str:
     """A value in words."""
-    if value is None or value == () or value == frozenset():
+    if value is None or value in ((), frozenset()):
         return "not said"
     if isinstance(value, bool):
         return "yes" if value else "no"

@@ -6,6 +6,7 @@ import asyncio
 import os
 from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from scegen.errors import InfeasibleError, InputError, NotTrafficError
@@ -16,8 +17,9 @@ from scegen.llm.naming import parse_models
 from scegen.llm.transcript import Recorder, Recording, Run
 from scegen.scenario.functional import FunctionalScenario
 from scegen.understanding.agents.combining import combine
+from scegen.understanding.agents.contradicting import Contradiction, contradiction_in
 from scegen.understanding.agents.prompting import prompts_version
-from scegen.understanding.agents.result import READER, Objection, Understanding
+from scegen.understanding.agents.result import READER, Disagreement, Objection, Understanding
 from scegen.understanding.agents.stated import miscounted
 from scegen.understanding.reader import read
 
@@ -26,6 +28,7 @@ if TYPE_CHECKING:
     from scegen.understanding.agents.team import Consulted
 
 Progress = Callable[[str], None]
+Checks = Callable[[FunctionalScenario], tuple[Objection, ...]]
 
 
 def understand(
@@ -34,6 +37,7 @@ def understand(
     *,
     environment: Mapping[str, str] = os.environ,
     progress: Progress = lambda _: None,
+    ledger: Ledger | None = None,
 ) -> Understanding:
     """Understand a description with language models, checked against the offline reader.
 
@@ -44,30 +48,47 @@ def understand(
         settings: which models, where, within which bounds.
         environment: holds the keys.
         progress: told each step.
+        ledger: what was used is written here, and its budget holds instead of the settings';
+            for descriptions that share one budget.
 
     Raises:
         MissingToolError: the extra ``llm`` is not installed.
         InputError: the text, the settings or a recording cannot be used, or a key is missing.
-        NotTrafficError, InfeasibleError: no model gave a usable answer, and the offline reader
-            cannot use the text.
+        NotTrafficError: no model gave a usable answer, and the offline reader finds no traffic.
+        InfeasibleError: the text contradicts itself, and no model said how to read it.
     """
     require_llm()
-    reading, refusal = _offline(text)
-    run = _Run(text, settings, environment, reading)
+    offline = _offline(text)
+    run = _Run(text, settings, environment, ledger, offline.objections)
     for chain, name in enumerate(run.models, start=1):
         progress(f"asking {name}")
         consulted = run.ask(chain, name)
         if consulted is not None:
-            return _combined(run, name, consulted, reading, refusal)
-    return _fallen_back(run, reading, refusal)
+            return _combined(run, name, consulted, offline)
+    return _fallen_back(run, offline)
 
 
-def _offline(text: str) -> tuple[FunctionalScenario | None, InputError | None]:
-    """The reader's scenario, or why it has none; an empty or endless text is refused at once."""
+@dataclass(frozen=True, slots=True)
+class _Offline:
+    """The reader's scenario, or why it has none; and the contradiction, if that is why."""
+
+    reading: FunctionalScenario | None
+    refusal: InputError | None = None
+    contradiction: Contradiction | None = None
+
+    def objections(self, scenario: FunctionalScenario) -> tuple[Objection, ...]:
+        """What speaks against a scenario, in the eyes of the reader."""
+        if self.reading is not None:
+            return miscounted(self.reading, scenario)
+        return () if self.contradiction is None else self.contradiction.objections(scenario)
+
+
+def _offline(text: str) -> _Offline:
+    """What the reader makes of the text; an empty or endless one is refused at once."""
     try:
-        return read(text), None
+        return _Offline(read(text))
     except (NotTrafficError, InfeasibleError) as error:
-        return None, error
+        return _Offline(None, error, contradiction_in(text, error))
 
 
 class _Run:
@@ -78,14 +99,15 @@ class _Run:
         text: str,
         settings: LlmSettings,
         environment: Mapping[str, str],
-        reading: FunctionalScenario | None,
+        ledger: Ledger | None,
+        checks: Checks,
     ) -> None:
         self.models, self.url = settings.models, settings.url
         self.usage = Usage()
         self.faults: list[Fault] = []
         self.asked: list[str] = []
-        self._text, self._settings, self._reading = text, settings, reading
-        self._ledger = Ledger(settings.budget)
+        self._text, self._settings, self._checks = text, settings, checks
+        self._ledger = ledger or Ledger(settings.budget)
         self._recorder: Recorder | None = None
         self._recording: Recording | None = None
         names = tuple(str(name) for name in settings.models)
@@ -127,13 +149,8 @@ class _Run:
         finally:
             self.usage += line.usage
 
-    def _checks(self, scenario: FunctionalScenario) -> tuple[Objection, ...]:
-        return () if self._reading is None else miscounted(self._reading, scenario)
 
-
-def _in_a_loop(
-    line: Line, text: str, checks: Callable[[FunctionalScenario], tuple[Objection, ...]]
-) -> Consulted:
+def _in_a_loop(line: Line, text: str, checks: Checks) -> Consulted:
     """Run the team to its end, also where a loop is running already (a notebook, a server)."""
     from scegen.understanding.agents.team import Team  # noqa: PLC0415 - needs the extra
 
@@ -149,40 +166,33 @@ def _in_a_loop(
         return pool.submit(asyncio.run, consult()).result()
 
 
-def _combined(
-    run: _Run,
-    name: ModelName,
-    consulted: Consulted,
-    reading: FunctionalScenario | None,
-    refusal: InputError | None,
-) -> Understanding:
-    notes = list(consulted.notes)
-    faults = [*run.faults, *([consulted.review_fault] if consulted.review_fault else [])]
-    scenario, disagreements = consulted.scenario, []
-    if reading is not None:
-        scenario, disagreements = combine(scenario, reading)
-    elif refusal is not None:
-        notes.append(f"the {READER} could not use the text: {refusal.message}")
+def _combined(run: _Run, name: ModelName, consulted: Consulted, offline: _Offline) -> Understanding:
+    scenario, notes = consulted.scenario, list(consulted.notes)
+    disagreements: list[Disagreement] = []
+    if offline.reading is not None:
+        scenario, disagreements = combine(scenario, offline.reading)
+    elif offline.contradiction is not None:
+        disagreements = offline.contradiction.resolved_by(scenario, str(name))
+    elif offline.refusal is not None:
+        notes.append(f"the {READER} could not use the text: {offline.refusal.message}")
     return Understanding(
         functional=scenario,
         speaker=str(name),
         asked=tuple(run.asked),
         usage=run.usage,
-        faults=tuple(faults),
+        faults=(*run.faults, *([consulted.review_fault] if consulted.review_fault else [])),
         disagreements=tuple(disagreements),
         objections=consulted.objections,
         notes=tuple(notes),
     )
 
 
-def _fallen_back(
-    run: _Run, reading: FunctionalScenario | None, refusal: InputError | None
-) -> Understanding:
-    if reading is None:
+def _fallen_back(run: _Run, offline: _Offline) -> Understanding:
+    if offline.reading is None:
         why = "; ".join(fault.in_words() for fault in run.faults)
-        raise _worse(refusal, why, run.faults)
+        raise _worse(offline.refusal, why, run.faults)
     return Understanding(
-        functional=reading,
+        functional=offline.reading,
         speaker=READER,
         asked=tuple(run.asked),
         usage=run.usage,
