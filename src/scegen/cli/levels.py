@@ -14,6 +14,7 @@ from scegen.cli.llm import (
     ModelOption,
     RecordOption,
     ReplayOption,
+    TimeoutOption,
     UrlOption,
     llm_settings,
     tell,
@@ -40,13 +41,14 @@ def understand(
     llm: ModelOption = None,
     llm_url: UrlOption = None,
     llm_budget: BudgetOption = None,
+    llm_timeout: TimeoutOption = None,
     llm_record: RecordOption = None,
     llm_replay: ReplayOption = None,
 ) -> None:
     """Understand a description: text to functional scenario, with the words it rests on."""
     from scegen.scenario.files import to_json, to_yaml
 
-    settings = llm_settings(llm, llm_url, llm_budget, llm_record, llm_replay)
+    settings = llm_settings(llm, llm_url, llm_budget, llm_timeout, llm_record, llm_replay)
     if settings is None:
         try:
             functional = functional_of(text)

@@ -104,6 +104,7 @@ class Line:
         number = self._numbers[agent]
         if self.recording is not None:
             exchange = self.recording.exchange(self.chain, agent, number)
+            self.ledger.settle(Usage(), exchange.usage)
         else:
             request = ModelMessagesTypeAdapter.dump_python(messages, mode="json")
             exchange = await self._exchange(agent, number, request, schema_bytes, send)

@@ -22,7 +22,7 @@ from scegen.llm.troubles import fault_of_run
 from scegen.llm.usage import Usage
 from scegen.scenario.model import FrozenModel
 
-_PATIENCE = Limits(request_s=30.0, run_s=60.0, attempts=2, corrections=1)
+PATIENCE = Limits(request_s=30.0, run_s=60.0, attempts=2, corrections=1)
 
 
 class Answer(FrozenModel):
@@ -47,7 +47,7 @@ def probe(
     environment: Mapping[str, str],
     *,
     url: str | None = None,
-    limits: Limits = _PATIENCE,
+    limits: Limits = PATIENCE,
 ) -> Probe:
     """Ask a model something small, in the way in which agents ask.
 

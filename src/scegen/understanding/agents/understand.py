@@ -107,7 +107,7 @@ class _Run:
         self.faults: list[Fault] = []
         self.asked: list[str] = []
         self._text, self._settings, self._checks = text, settings, checks
-        self._ledger = ledger or Ledger(settings.budget)
+        self._ledger = Ledger(settings.budget) if ledger is None else ledger
         self._recorder: Recorder | None = None
         self._recording: Recording | None = None
         names = tuple(str(name) for name in settings.models)
