@@ -12,8 +12,8 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from scegen.benchmark.understand import Result, StoppedError
-from scegen.errors import InfeasibleError, InputError, NotTrafficError
+from scegen.benchmark.understand import Result, StoppedError, about_the_text
+from scegen.errors import InputError
 from scegen.llm import FaultKind, LlmSettings
 from scegen.llm.budget import Ledger
 from scegen.llm.usage import Usage
@@ -158,11 +158,11 @@ class AgentReader:
                 progress=lambda step: self._progress(f"{case.id}, run {run}: {step}"),
                 ledger=self._ledger,
             )
-        except (NotTrafficError, InfeasibleError):
-            self._time(settings, time.perf_counter() - began)
-            raise
         except InputError as error:
-            if error.where == "description" or not self.measured.speakers:
+            if about_the_text(error):
+                self._time(settings, time.perf_counter() - began)
+                raise
+            if not self.measured.speakers:
                 raise
             raise StoppedError(error.render()) from error
         finally:
@@ -203,6 +203,7 @@ class AgentReader:
         if settings.record is not None:
             path = settings.record / _LATENCY_FILE
             try:
+                path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_text(json.dumps({"seconds": round(seconds, 3)}) + "\n", encoding="utf-8")
             except OSError as error:
                 raise StoppedError(f"--llm-record: {path} cannot be written") from error

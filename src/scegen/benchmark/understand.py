@@ -8,7 +8,7 @@ from typing import Any
 
 from scegen.benchmark.stability import Stability, facts
 from scegen.benchmark.tallies import Tally, count_hazards, count_participants, table
-from scegen.errors import ScegenError
+from scegen.errors import InfeasibleError, InputError, NotTrafficError
 from scegen.scenario.functional import FunctionalScenario
 from scegen.understanding import Case, read, score
 
@@ -136,6 +136,15 @@ def run(
     return result
 
 
+def about_the_text(error: InputError) -> bool:
+    """Whether it is the description that cannot be used, and not a setting or a recording.
+
+    Args:
+        error: raised by whoever reads it.
+    """
+    return isinstance(error, NotTrafficError | InfeasibleError) or error.where == "description"
+
+
 @dataclass(frozen=True, slots=True)
 class _Reading:
     """What came of reading a description once; the scenario is None where it was refused."""
@@ -148,7 +157,9 @@ class _Reading:
 def _reading(case: Case, number: int, understand: Understand) -> _Reading:
     try:
         scenario = understand(case, number)
-    except ScegenError as error:
+    except InputError as error:
+        if not about_the_text(error):
+            raise
         # every judged field of a description that was refused is wrong
         return _Reading(None, dict.fromkeys(case.expect, False), (error.render(),))
     judged = score(case.expect, scenario)

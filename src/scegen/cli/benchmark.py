@@ -87,7 +87,7 @@ def understand(
 
     cases = load_cases(file)
     settings = llm_settings(
-        llm, llm_url, llm_budget, llm_timeout, llm_record, llm_replay, runs="*/1"
+        llm, llm_url, llm_budget, llm_timeout, llm_record, llm_replay, runs="*/1/run.json"
     )
     if settings is None:
         outcome, measured = run(cases, repeat=repeat), None

@@ -53,7 +53,7 @@ def llm_settings(
     record: Path | None,
     replay: Path | None,
     *,
-    runs: str = ".",
+    runs: str = "run.json",
 ) -> LlmSettings | None:
     """The options as settings; None if no language model is asked for.
 
@@ -64,7 +64,7 @@ def llm_settings(
         timeout: the same, in seconds.
         record: the same.
         replay: the same.
-        runs: where the recorded runs lie in the folder to replay, as a pattern.
+        runs: which files of the folder to replay tell what was recorded, as a pattern.
     """
     given = {
         "--llm-url": url,
@@ -91,7 +91,8 @@ def llm_settings(
     require_llm()
     address = require_url(url) if url is not None else None
     if replay is not None:
-        address = Recording(next(iter(sorted(replay.glob(runs))), replay)).run.url
+        recorded = sorted(file.parent for file in replay.glob(runs))
+        address = Recording((recorded or [replay])[0]).run.url
     return LlmSettings(
         models=parse_models(model, url=address) if model is not None else (),
         url=address,
