@@ -19,8 +19,8 @@ from scegen.cli.llm import (
     llm_settings,
     tell,
 )
-from scegen.cli.parse_report import show_contradiction, show_report
-from scegen.errors import InfeasibleError, InputError
+from scegen.cli.parse_report import show_refusal, show_report
+from scegen.errors import InputError
 
 if TYPE_CHECKING:
     from scegen.scenario.functional import FunctionalScenario
@@ -49,20 +49,22 @@ def understand(
     from scegen.scenario.files import to_json, to_yaml
 
     settings = llm_settings(llm, llm_url, llm_budget, llm_timeout, llm_record, llm_replay)
-    if settings is None:
-        try:
+    listener = None
+    try:
+        if settings is None:
             functional = functional_of(text)
-        except InfeasibleError as error:
-            if report:
-                show_contradiction(text, error, as_json=json)
-            raise
-    else:
-        with working() as progress:
-            listener = Listener(settings, progress)
-            functional = functional_of(text, listener)
-        tell(listener.understanding)
+        else:
+            with working() as progress:
+                listener = Listener(settings, progress)
+                functional = functional_of(text, listener)
+            tell(listener.understanding)
+    except InputError as error:
+        if report:
+            show_refusal(text, error, as_json=json)
+        raise
     if report:
-        show_report(functional, as_json=json)
+        understood = listener and listener.understanding
+        show_report(functional, understood.disagreements if understood else (), as_json=json)
         return
     for phrase in functional.unsupported:
         say(f'not expressed: "{phrase.text}" ({phrase.instead})')

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from enum import StrEnum
 from typing import Any
 
@@ -60,10 +60,17 @@ class Finding:
 
 @dataclass(frozen=True, slots=True)
 class ParseReport:
-    """The description and all findings, by standing and then by place in the text."""
+    """The description and all findings, by standing and then by place in the text.
+
+    Attributes:
+        text: the description.
+        findings: what became of it.
+        traffic: whether it is about traffic at all; if not, there are no findings.
+    """
 
     text: str
     findings: tuple[Finding, ...]
+    traffic: bool = True
 
     def of(self, standing: Standing) -> tuple[Finding, ...]:
         """The findings of one standing.
@@ -77,7 +84,12 @@ class ParseReport:
         """The report as data that JSON can hold."""
         findings = [asdict(f) | {"standing": f.standing.value} for f in self.findings]
         counts = {s.value: len(self.of(s)) for s in Standing}
-        return {"text": self.text, "counts": counts, "findings": findings}
+        return {
+            "text": self.text,
+            "traffic": self.traffic,
+            "counts": counts,
+            "findings": findings,
+        }
 
 
 def report_on(
@@ -108,12 +120,12 @@ def report_on_contradiction(text: str, error: InfeasibleError) -> ParseReport:
     found = []
     where = None if error.where == "description" else error.where
     for words in dict.fromkeys(_QUOTED.findall(error.message)):
-        start = text.find(words)
-        if start >= 0:
-            end = start + len(words)
-            found.append(
-                Finding(Standing.CONTRADICTED, where, "", words, start, end, error.message)
-            )
+        # hyphens and white space are not quoted as they stand
+        loose = r"\W+".join(re.escape(word) for word in re.findall(r"\w+", words))
+        place = re.search(rf"\b{loose}\b", text, re.IGNORECASE) if loose else None
+        if place is not None:
+            finding = Finding(Standing.CONTRADICTED, where, "", place.group(), *place.span())
+            found.append(replace(finding, reason=error.message))
     if not found:
         found.append(Finding(Standing.CONTRADICTED, where, reason=error.message))
     return ParseReport(text, _sorted(found))
@@ -170,7 +182,7 @@ def _value(scenario: FunctionalScenario, path: str) -> str:
         return "; ".join(", ".join(h.to if part == "to" else h.by) for h in alike)
     if head == "relations" and rest.isdigit() and int(rest) < len(scenario.relations):
         relation = scenario.relations[int(rest)]
-        return f"{relation.participant} {_words(relation.approaches)} of {relation.reference}"
+        return f"{relation.participant} {_words(relation.approaches)}, seen by {relation.reference}"
     here: object = scenario
     if head == "participants":
         name, _, rest = rest.partition(".")
@@ -179,7 +191,7 @@ def _value(scenario: FunctionalScenario, path: str) -> str:
         here = getattr(scenario, head, None)
     for part in rest.split("."):
         here = getattr(here, part, None)
-    return _words(here)
+    return _words(here) + (" m/s" if isinstance(here, float) and path.endswith("_mps") else "")
 
 
 def _words(value: object) -> str:
