@@ -3,6 +3,7 @@
 from scegen.understanding.cases import Case, load_cases, paper_cases
 from scegen.understanding.explain import Stretch, stretches
 from scegen.understanding.parse_report import (
+    STANDINGS,
     Finding,
     ParseReport,
     Standing,
@@ -15,6 +16,7 @@ from scegen.understanding.scoring import Score, score
 
 __all__ = [
     "MAX_CHARACTERS",
+    "STANDINGS",
     "Case",
     "Finding",
     "ParseReport",

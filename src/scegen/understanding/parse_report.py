@@ -28,11 +28,12 @@ class Standing(StrEnum):
     UNSUPPORTED = "unsupported"
 
 
-_STANDINGS = {
+STANDINGS = {
     EvidenceSource.STATED: Standing.UNDERSTOOD,
     EvidenceSource.INFERRED: Standing.INFERRED,
     EvidenceSource.DEFAULT: Standing.ASSUMED,
 }
+"""How far evidence makes a field rest on the text."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,7 +157,7 @@ def _sorted(found: list[Finding]) -> tuple[Finding, ...]:
 
 def _from_evidence(item: Evidence, scenario: FunctionalScenario) -> Finding:
     return Finding(
-        _STANDINGS[item.source],
+        STANDINGS[item.source],
         item.field,
         _value(scenario, item.field),
         item.text,

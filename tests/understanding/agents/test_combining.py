@@ -149,6 +149,23 @@ def test_a_stated_speed_wins(differ):
     assert result.functional.participant("truck_1").speed_mps.low == pytest.approx(10.0)
 
 
+def test_a_stated_speed_of_all_wins_for_all(differ):
+    people = [{"id": f"bus_{k}", "kind": "bus", "role": "other" if k else "ego"} for k in range(3)]
+    text = "Three buses at 36 km/h meet at a four-way intersection."
+    result = differ(text, participants={"participants": people})
+    assert [p.speed_mps.low for p in result.functional.participants] == pytest.approx([10] * 3)
+    assert {d.kept for d in result.disagreements} == {Kept.READER}
+
+
+def test_a_stated_speed_of_one_of_several_is_shown(differ):
+    people = [{"id": f"bus_{k}", "kind": "bus", "role": "other" if k else "ego"} for k in range(3)]
+    people[2]["speed_mps"] = {"low": 5, "high": 5}
+    text = "Three buses meet at a four-way intersection. One bus drives at 36 km/h."
+    item = only(differ(text, participants={"participants": people}))
+    assert (item.reader, item.agents, item.kept) == ("10.0 m/s", "5.0 m/s", "agents")
+    assert "not clear whose" in item.reason
+
+
 def test_a_value_that_does_not_fit_is_shown_and_left(differ):
     # the agents send somebody in at arm 4, which the reader's T has not
     people = [{"id": "car_1", "role": "ego"}, {"id": "car_2", "entries": [3]}]

@@ -6,8 +6,8 @@ from collections import Counter
 from typing import Any
 
 from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
-from scegen.scenario.vocabulary import Role
-from scegen.understanding.agents.deciding import Decider, close
+from scegen.scenario.vocabulary import ParticipantKind, Role
+from scegen.understanding.agents.deciding import Decider, close, shown
 from scegen.understanding.agents.stated import Words, words_of
 from scegen.understanding.disagreement import Kept
 
@@ -81,7 +81,7 @@ def compare_people(decider: Decider) -> None:
                 # positions are seen by the ego: with another ego they are others
                 if name != "approaches" or paired.get(reader.ego.id) == decider.scenario.ego.id:
                     _said(decider, theirs, ours, name)
-        _speed(decider, theirs, ours)
+    _speeds(decider, paired)
     _ego(decider, paired.get(reader.ego.id))
 
 
@@ -130,27 +130,48 @@ def _missing(decider: Decider, theirs: Participant, told: set[Words]) -> None:
     if there >= named or any(q is not None and q.overlaps(words) for q in quoted):
         return
     told.add(words)
-    reason = "no number is stated, and no participant of the agents rests on these words"
+    reason = "nobody of the agents' rests on these words, nor are fewer listed than are counted"
     decider.note("participants", words, f"{named} {theirs.kind}", f"{there}", Kept.AGENTS, reason)
 
 
-def _speed(decider: Decider, theirs: Participant, ours: str | None) -> None:
-    """A speed in numbers, of the one participant whom both must mean."""
-    speed, path = theirs.speed_mps, f"participants.{theirs.id}.speed_mps"
-    words = words_of(decider.reader, path)
-    if speed is None or words is None or not words.numbers:
+def _speeds(decider: Decider, paired: dict[str, str]) -> None:
+    """Speeds in numbers, of those whom the text gives them to."""
+    groups: dict[tuple[Words, ParticipantKind], list[Participant]] = {}
+    for theirs in decider.reader.participants:
+        words = words_of(decider.reader, f"participants.{theirs.id}.speed_mps")
+        if words is not None and words.numbers:
+            groups.setdefault((words, theirs.kind), []).append(theirs)
+    for (words, kind), group in groups.items():
+        alike = [p for p in decider.scenario.participants if p.kind is kind]
+        peers = [p for p in decider.reader.participants if p.kind is kind]
+        known = [(p.id, paired[p.id]) for p in group if p.id in paired]
+        if group == peers and len(group) == len(alike):
+            # all of a kind are as fast: it does not matter who is who
+            known = [(p.id, q.id) for p, q in zip(group, alike, strict=True)]
+        for one, ours in known:
+            _speed(decider, one, ours, words)
+        if not known:
+            _somebodys(decider, group[0], alike, words)
+
+
+def _speed(decider: Decider, theirs: str, ours: str, words: Words) -> None:
+    speed = decider.reader.participant(theirs).speed_mps
+    held = decider.scenario.participant(ours).speed_mps
+    if speed is not None and (held is None or not close(held, speed)):
+        _take(decider, theirs, ours, "speed_mps", words, speed, held, number=True)
+
+
+def _somebodys(
+    decider: Decider, theirs: Participant, alike: list[Participant], words: Words
+) -> None:
+    """A speed of one of several of a kind: shown, unless one of the agents' has it."""
+    speed, held = theirs.speed_mps, [p.speed_mps for p in alike if p.speed_mps is not None]
+    if speed is None or any(close(one, speed) for one in held):
         return
-    if ours is not None:
-        held = decider.scenario.participant(ours).speed_mps
-        if held is None or not close(held, speed):
-            _take(decider, theirs.id, ours, "speed_mps", words, speed, held, number=True)
-        return
-    alike = [p.speed_mps for p in decider.scenario.participants if p.kind is theirs.kind]
-    if any(held is not None and close(held, speed) for held in alike):
-        return
-    known = frozenset(str(held) for held in alike if held is not None)
+    said = tuple(dict.fromkeys(shown(one) for one in held))
     reason = "it is not clear whose speed it is"
-    decider.note(path, words, speed, known, Kept.AGENTS, reason)
+    path = f"participants.{theirs.id}.speed_mps"
+    decider.note(path, words, speed, said, Kept.AGENTS, reason)
 
 
 def _ego(decider: Decider, ours: str | None) -> None:
