@@ -36,6 +36,7 @@ class Raw:
 
     body: bytes
     content_type: str = "application/json"
+    headers: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -149,7 +150,7 @@ class Handler(BaseHTTPRequestHandler):
                 content = json.dumps({"error": {"message": answer.message}}).encode()
                 self.send(content, status=answer.code, headers=answer.headers)
             case Raw():
-                self.send(answer.body, content_type=answer.content_type)
+                self.send(answer.body, content_type=answer.content_type, headers=answer.headers)
             case Text():
                 message = {"role": "assistant", "content": answer.content}
                 self.send(completion(message, answer.finish))

@@ -129,6 +129,8 @@ def test_nothing_is_spent_on_a_folder_in_the_way(scegen, chat_server, story, tmp
         (("--llm-record", "talk"), "--llm-record: needs --llm"),
         (("--llm", "openai:x", "--llm-budget", "much"), "--llm-budget"),
         (("--llm", "openai:x", "--llm-url", "nowhere"), "--llm-url"),
+        (("--llm", "openai:x", "--llm-url", f"http://a:{KEY}@x/v1"), "SCEGEN_LLM_KEY"),
+        (("--llm", "openai:x", "--llm-url", f"http://x/v1?key={KEY}"), "SCEGEN_LLM_KEY"),
         (("--llm-replay", "nowhere"), "run.json"),
         (("--llm-replay", "talk", "--llm-budget", "5"), "has no meaning"),
         (("--llm-replay", "talk", "--llm-timeout", "5"), "has no meaning"),
@@ -226,6 +228,36 @@ def test_doctor_tests_a_connection(scegen, chat_server):
     (probe,) = json.loads(done.stdout)
     assert probe["fault"]["kind"] == "authentication"
     assert not probe["serves"]
+
+
+def test_doctor_tests_every_model_of_a_chain(scegen, chat_server):
+    chat_server.answers = {"probe": [chat_server.kinds["Status"](404), {"arms": 4}]}
+    options = ("--llm", "openai:gone,openai:there", "--llm-url", chat_server.url)
+    done = scegen("doctor", *options, "--llm-timeout", "20")
+    assert done.returncode == 1
+    assert "no use   openai:gone" in done.stdout
+    assert "serves   openai:there" in done.stdout
+
+
+def test_doctor_without_a_key_says_which(scegen):
+    done = scegen("doctor", "--llm", "deepseek:deepseek-chat", DEEPSEEK_API_KEY="")
+    assert done.returncode == 2
+    assert "DEEPSEEK_API_KEY" in done.stderr
+
+
+def test_an_address_in_the_environment_is_not_shown_with_its_key(scegen):
+    address = f"http://user:{KEY}@127.0.0.1:9/v1"
+    done = scegen("doctor", "--llm", "openai:x", OPENAI_BASE_URL=address)
+    assert done.returncode == 2  # the fixture looks for the key everywhere
+    assert "OPENAI_BASE_URL" in done.stderr
+
+
+def test_the_libraries_own_logs_do_not_hold_the_key(scegen, chat_server, good_answers, story):
+    chat_server.answers = good_answers
+    loud = {"OPENAI_LOG": "debug", "code": "import logging; logging.basicConfig(level=1)"}
+    done = scegen("understand", story, *llm(chat_server), **loud)
+    assert done.returncode == 0, done.stderr
+    assert "chat/completions" in done.stderr  # they did speak
 
 
 def test_a_scenario_file_needs_no_model(scegen, chat_server, story, tmp_path):

@@ -20,6 +20,7 @@ from scegen.errors import InputError
 from scegen.llm.budget import Ledger
 from scegen.llm.client import ClosedTransport, GuardedTransport
 from scegen.llm.faults import Fault, LlmError
+from scegen.llm.keys import blot
 from scegen.llm.naming import ModelName
 from scegen.llm.prices import cost_usd
 from scegen.llm.providers import build_model
@@ -150,7 +151,9 @@ class Line:
                 return done.model_copy(
                     update={"fault": self._named(agent, answer.fault), "usage": used}
                 )
-            response = ModelMessagesTypeAdapter.dump_python([answer], mode="json")[0]
+            # once more, now that no escape of JSON can hide the key
+            dumped = ModelMessagesTypeAdapter.dump_python([answer], mode="json")[0]
+            response = json.loads(blot(json.dumps(dumped), self.key))
             used = self._used(answer, expected, len(json.dumps(response["parts"])), attempts)
             return done.model_copy(update={"response": response, "usage": used})
         finally:
