@@ -29,6 +29,12 @@ def test_both_sides_of_a_contradiction_are_shown_as_the_text_has_them():
     ]
 
 
+def test_all_that_rests_on_the_same_words_is_told_together():
+    report = parse_report("A van turns left at a T-junction.")
+    (junction,) = (s for s in stretches(report) if report.text[s.start : s.end] == "T-junction")
+    assert {"junction.kind", "junction.arms"} <= {f.field for f in junction.findings}
+
+
 PLACES = st.tuples(st.sampled_from(Standing), st.integers(-3, 90), st.integers(-3, 90))
 
 
