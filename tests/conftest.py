@@ -44,6 +44,7 @@ class Raw:
 
     body: bytes
     content_type: str = "application/json"
+    headers: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -157,7 +158,7 @@ class Handler(BaseHTTPRequestHandler):
                 content = json.dumps({"error": {"message": answer.message}}).encode()
                 self.send(content, status=answer.code, headers=answer.headers)
             case Raw():
-                self.send(answer.body, content_type=answer.content_type)
+                self.send(answer.body, content_type=answer.content_type, headers=answer.headers)
             case Text():
                 message = {"role": "assistant", "content": answer.content}
                 self.send(completion(message, answer.finish))
@@ -282,7 +283,10 @@ GOOD_ANSWERS = {
         "unsupported": [{"words": "in front of it", "instead": "left to the choice of numbers"}],
     },
     "hazards": {
-        "hazards": [{"kind": "speeding", "by": ["car_1"], "to": ["truck_1"]}],
+        "hazards": [
+            {"kind": "speeding", "by": ["car_1"], "to": ["truck_1"]},
+            {"kind": "unprotected_left_turn", "by": ["truck_1"], "to": ["car_1"]},
+        ],
         "basis": [{"field": "speeding", "words": "speeds at  72 KM/H"}],
     },
     "environment": {

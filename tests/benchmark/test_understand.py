@@ -2,7 +2,8 @@
 
 import pytest
 
-from scegen.benchmark.understand import Tally, run, total
+from scegen.benchmark.tallies import Tally, total
+from scegen.benchmark.understand import run
 from scegen.understanding import Case, paper_cases
 
 RIGHT = Case(

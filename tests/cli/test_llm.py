@@ -9,6 +9,12 @@ from pathlib import Path
 import pytest
 
 KEY = "sk-secret-0123456789"
+NO_SOCKETS = """
+import socket
+def refuse(*_):
+    raise AssertionError("a replay opened a connection")
+socket.socket.connect = socket.socket.connect_ex = socket.getaddrinfo = refuse
+"""
 FILES = ("functional.yaml", "logical.json", "report.html", "summary.json")
 
 
@@ -50,8 +56,8 @@ def all_answers(good_answers):
     return {**good_answers, "parameters": NUMBERS}
 
 
-def generate(scegen, story, out, *options):
-    return scegen("generate", story, "-o", out, "--check", "none", *options)
+def generate(scegen, story, out, *options, **more):
+    return scegen("generate", story, "-o", out, "--check", "none", *options, **more)
 
 
 def test_generate_says_who_spoke(scegen, chat_server, all_answers, story, tmp_path):
@@ -107,7 +113,8 @@ def test_a_replay_writes_the_same_files(scegen, chat_server, all_answers, story,
     assert first.returncode == 0, first.stderr
     assert len(chat_server.asked("parameters")) == 4  # both scenarios, each objected to
     chat_server.stop()
-    again = generate(scegen, story, "two", "--llm-replay", "talk", *options)
+    blocked = {"OPENAI_API_KEY": "", "code": NO_SOCKETS}
+    again = generate(scegen, story, "two", "--llm-replay", "talk", *options, **blocked)
     assert again.returncode == 0, again.stderr
     one, two = (
         {p.relative_to(folder): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
@@ -174,8 +181,12 @@ def test_nothing_is_spent_on_a_folder_in_the_way(scegen, chat_server, story, tmp
         (("--llm-record", "talk"), "--llm-record: needs --llm"),
         (("--llm", "openai:x", "--llm-budget", "much"), "--llm-budget"),
         (("--llm", "openai:x", "--llm-url", "nowhere"), "--llm-url"),
+        (("--llm", "openai:x", "--llm-url", f"http://a:{KEY}@x/v1"), "SCEGEN_LLM_KEY"),
+        (("--llm", "openai:x", "--llm-url", f"http://x/v1?key={KEY}"), "SCEGEN_LLM_KEY"),
         (("--llm-replay", "nowhere"), "run.json"),
         (("--llm-replay", "talk", "--llm-budget", "5"), "has no meaning"),
+        (("--llm-replay", "talk", "--llm-timeout", "5"), "has no meaning"),
+        (("--llm-timeout", "5"), "--llm-timeout: needs --llm"),
     ],
 )
 def test_options_that_make_no_sense(scegen, story, options, words):
@@ -198,6 +209,66 @@ def test_a_missing_extra(scegen, story):
     assert scegen("understand", story, code=blocked).returncode == 0
 
 
+@pytest.fixture
+def labelled(story, tmp_path):
+    expect = {
+        "junction": ["t"],
+        "hazards": {"must": ["speeding"], "may": ["unprotected_left_turn"]},
+    }
+    lines = [{"id": f"story {k}", "text": story, "expect": expect} for k in range(3)]
+    (tmp_path / "cases.jsonl").write_text("\n".join(map(json.dumps, lines)))
+    return "cases.jsonl"
+
+
+def benchmark(scegen, labelled, *options, **more):
+    return scegen("benchmark", "understand", labelled, *options, **more)
+
+
+def test_benchmark_of_a_model(scegen, chat_server, good_answers, labelled):
+    chat_server.answers = good_answers
+    options = ("--repeat", "2", "--llm-timeout", "30", "--llm-budget", "400k")
+    done = benchmark(scegen, labelled, *llm(chat_server), *options)
+    assert done.returncode == 0, done.stderr
+    for words in (
+        "understood  6/6",
+        "spoke         openai:scripted: 6 times",
+        "latency       median",
+        "30 requests, 3000 tokens in, 600 out, cost not known",
+        "per reading   600 tokens",
+        "stability over 2 runs",
+    ):
+        assert words in done.stdout
+    assert "2/3 story 1, run 2: understood" in done.stderr
+
+
+def test_benchmark_of_a_model_that_breaks(scegen, chat_server, good_answers, labelled):
+    good = good_answers["road"]
+    good_answers["road"] = [good, chat_server.kinds["Status"](401, f"no such key {KEY}")]
+    chat_server.answers = good_answers
+    done = benchmark(scegen, labelled, *llm(chat_server), "--repeat", "2", "--json")
+    assert done.returncode == 1
+    data = json.loads(done.stdout)
+    assert (data["cases"], data["readings"], data["left"]) == (2, 4, 1)
+    assert data["llm"]["speakers"]["openai:scripted"] == {"readings": 1, "understood": 1}
+    assert "no such key [key]" in data["stopped"]
+    assert "stopped: no model answered" in done.stderr
+
+
+def test_benchmark_again_from_its_transcripts(
+    scegen, chat_server, good_answers, labelled, tmp_path
+):
+    chat_server.answers = good_answers
+    options = ("--llm", "my-model", "--llm-url", chat_server.url, "--llm-record", "talk")
+    first = benchmark(scegen, labelled, *options, "--json", SCEGEN_LLM_KEY="another-secret-key")
+    assert first.returncode == 0, first.stderr
+    chat_server.stop()
+    again = benchmark(scegen, labelled, "--llm-replay", "talk", "--json", code=NO_SOCKETS)
+    assert again.stdout == first.stdout
+    written = "".join(p.read_text() for p in tmp_path.rglob("*.json"))
+    assert "my-model" in written
+    assert "another-secret-key" not in written + first.stdout + first.stderr
+
+
 def test_doctor_tests_a_connection(scegen, chat_server):
     chat_server.answers = {"probe": {"arms": 4}}
     done = scegen("doctor", *llm(chat_server))
@@ -209,6 +280,36 @@ def test_doctor_tests_a_connection(scegen, chat_server):
     (probe,) = json.loads(done.stdout)
     assert probe["fault"]["kind"] == "authentication"
     assert not probe["serves"]
+
+
+def test_doctor_tests_every_model_of_a_chain(scegen, chat_server):
+    chat_server.answers = {"probe": [chat_server.kinds["Status"](404), {"arms": 4}]}
+    options = ("--llm", "openai:gone,openai:there", "--llm-url", chat_server.url)
+    done = scegen("doctor", *options, "--llm-timeout", "20")
+    assert done.returncode == 1
+    assert "no use   openai:gone" in done.stdout
+    assert "serves   openai:there" in done.stdout
+
+
+def test_doctor_without_a_key_says_which(scegen):
+    done = scegen("doctor", "--llm", "deepseek:deepseek-chat", DEEPSEEK_API_KEY="")
+    assert done.returncode == 2
+    assert "DEEPSEEK_API_KEY" in done.stderr
+
+
+def test_an_address_in_the_environment_is_not_shown_with_its_key(scegen):
+    address = f"http://user:{KEY}@127.0.0.1:9/v1"
+    done = scegen("doctor", "--llm", "openai:x", OPENAI_BASE_URL=address)
+    assert done.returncode == 2  # the fixture looks for the key everywhere
+    assert "OPENAI_BASE_URL" in done.stderr
+
+
+def test_the_libraries_own_logs_do_not_hold_the_key(scegen, chat_server, good_answers, story):
+    chat_server.answers = good_answers
+    loud = {"OPENAI_LOG": "debug", "code": "import logging; logging.basicConfig(level=1)"}
+    done = scegen("understand", story, *llm(chat_server), **loud)
+    assert done.returncode == 0, done.stderr
+    assert "chat/completions" in done.stderr  # they did speak
 
 
 def test_a_scenario_file_needs_no_model_to_be_understood(

@@ -37,6 +37,14 @@ def test_a_contradiction_is_shown_and_fails(scegen):
     assert "contradictory maneuvers" in done.stderr
 
 
+def test_what_is_not_about_traffic_is_said_to_be_so(scegen):
+    for options, words in (((), "not about traffic"), (("--json",), '"traffic": false')):
+        done = scegen("understand", "The cat sleeps on the sofa.", "--report", *options)
+        assert done.returncode == 2
+        assert words in done.stdout
+        assert "does not describe a traffic situation" in done.stderr
+
+
 def test_scores_of_a_labelled_file(scegen, tmp_path):
     path = tmp_path / "cases.jsonl"
     path.write_text(json.dumps(LABELLED) + "\n")

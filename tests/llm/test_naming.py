@@ -51,7 +51,10 @@ def test_what_is_no_address(url):
         require_url(url)
 
 
-@pytest.mark.parametrize("url", [f"http://user:{KEY}@x/v1", f"http://x/v1?key={KEY}"])
+@pytest.mark.parametrize(
+    "url",
+    [f"http://user:{KEY}@x/v1", f"http://{KEY}@x/v1", f"http://x/v1?key={KEY}", f"http://x/#{KEY}"],
+)
 def test_an_address_with_a_key_is_refused_without_showing_it(url):
     with pytest.raises(InputError) as refused:
         require_url(url)

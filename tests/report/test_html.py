@@ -211,9 +211,9 @@ def test_the_description_is_shown_whole_and_marked():
     assert marks == [
         ("unsupported", "red"),
         ("inferred", " "),
-        ("stated", "car"),
-        ("stated", " "),
-        ("stated", "overtakes"),
+        ("understood", "car"),
+        ("understood", " "),
+        ("understood", "overtakes"),
     ]
     title = page.xpath("//p[@class='text']/mark[2]/@title")
     assert "speed" in title[0]

@@ -1,6 +1,7 @@
 """Random texts: a scenario or a clear error, always, and soon."""
 
 import random
+import sys
 from time import process_time
 
 import pytest
@@ -38,6 +39,14 @@ def test_any_characters(seed):
     rng = random.Random(seed)  # noqa: S311 - test texts
     for _ in range(40):
         outcome("".join(rng.choices(STRANGE, k=rng.randint(1, 300))))
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_every_script(seed):
+    rng = random.Random(seed)  # noqa: S311 - test texts
+    for _ in range(40):
+        letters = (chr(rng.randrange(sys.maxunicode + 1)) for _ in range(rng.randint(1, 300)))
+        outcome("A car " + "".join(letters))
 
 
 @pytest.mark.parametrize(

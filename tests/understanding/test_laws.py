@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from scegen.errors import ScegenError
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.vocabulary import Approach, EvidenceSource, Maneuver
-from scegen.understanding import marks, read
+from scegen.understanding import read, report_on, stretches
 from scegen.understanding.tokens import tokenize
 
 WORDS = tuple(
@@ -48,8 +48,8 @@ def test_any_text_gives_a_scenario_or_a_clear_error(text):
         assert item.source is EvidenceSource.STATED or item.reason
     for left in scenario.unsupported:
         assert text[left.start : left.end] == left.text
-    spans = [(mark.start, mark.end) for mark in marks(scenario)]
-    assert spans == sorted(set(spans))
+    cut = stretches(report_on(scenario))
+    assert "".join(text[one.start : one.end] for one in cut) == text
 
 
 @settings(max_examples=100, deadline=None)

@@ -1,7 +1,7 @@
 import pytest
 
 from scegen.errors import InputError
-from scegen.understanding import load_cases, marks, read
+from scegen.understanding import load_cases
 from scegen.understanding.chunking import Chunker
 from scegen.understanding.clauses import ClauseReader
 from scegen.understanding.lemmas import lemmas
@@ -86,15 +86,6 @@ def test_subjects(text, expected):
     assert events(text) == expected
 
 
-def test_marks_are_sorted_and_merged():
-    text = "A van turns left at a T-junction."
-    found = marks(read(text))
-    assert text[found[0].start : found[0].end] == "A van"
-    junction = next(m for m in found if "junction.kind" in m.fields)
-    assert text[junction.start : junction.end] == "T-junction"
-    assert {"junction.kind", "junction.arms"} <= set(junction.fields)
-
-
 def test_broken_label_files_name_the_line(tmp_path):
     path = tmp_path / "cases.jsonl"
     path.write_text('{"id": "x", "text": "y", "expect": {}}\nnonsense\n')
@@ -102,3 +93,6 @@ def test_broken_label_files_name_the_line(tmp_path):
         load_cases(path)
     with pytest.raises(InputError, match="cannot be read"):
         load_cases(tmp_path / "missing.jsonl")
+    path.write_text('{"id": "x", "text": "y", "expect": {}}\n' * 2)
+    with pytest.raises(InputError, match=r"cases\.jsonl:2: another line has the id 'x'"):
+        load_cases(path)

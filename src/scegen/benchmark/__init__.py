@@ -1,1 +1,1 @@
-"""Measured claims: the source paper's own experiment, repeated."""
+"""Measured claims: the source paper's own experiment, and understanding by labelled files."""

@@ -2,60 +2,41 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import asdict, dataclass, field
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
-from scegen.errors import ScegenError
+from scegen.benchmark.stability import Stability, facts
+from scegen.benchmark.tallies import Tally, count_hazards, count_participants, table
+from scegen.errors import InfeasibleError, InputError, NotTrafficError
 from scegen.scenario.functional import FunctionalScenario
 from scegen.understanding import Case, read, score
 
-Understand = Callable[[str], FunctionalScenario]
+Understand = Callable[[Case, int], FunctionalScenario]
+"""Reads a description; the number counts the runs over it, from 1."""
 
 
-@dataclass(slots=True)
-class Tally:
-    """Right finds, wrong finds and misses of one kind.
-
-    What a label allows without asking for it counts neither way.
-    """
-
-    right: int = 0
-    wrong: int = 0
-    missed: int = 0
-
-    @property
-    def precision(self) -> float:
-        """Share of the finds that are right; 1 if there are none."""
-        found = self.right + self.wrong
-        return self.right / found if found else 1.0
-
-    @property
-    def recall(self) -> float:
-        """Share of what is there that was found; 1 if nothing is there."""
-        there = self.right + self.missed
-        return self.right / there if there else 1.0
-
-    @property
-    def f1(self) -> float:
-        """Harmonic mean of precision and recall."""
-        both = 2 * self.right + self.wrong + self.missed
-        return 2 * self.right / both if both else 1.0
-
-    def to_data(self) -> dict[str, float]:
-        """Counts and shares as data that JSON can hold."""
-        shares = {"precision": self.precision, "recall": self.recall, "f1": self.f1}
-        return asdict(self) | {name: round(share, 4) for name, share in shares.items()}
+class StoppedError(Exception):
+    """Nobody can be asked any more; what is scored so far stands."""
 
 
 @dataclass(frozen=True, slots=True)
 class Failure:
-    """A description that is not understood as a whole, with what is wrong."""
+    """A description that is not understood as a whole in some runs, with what is wrong."""
 
     case: str
     text: str
     problems: tuple[str, ...]
+    runs: tuple[int, ...] = (1,)
+
+    def to_data(self) -> dict[str, Any]:
+        """As data that JSON can hold."""
+        return {
+            "case": self.case,
+            "text": self.text,
+            "problems": list(self.problems),
+            "runs": list(self.runs),
+        }
 
 
 @dataclass(slots=True)
@@ -63,123 +44,141 @@ class Result:
     """The score of a file.
 
     Attributes:
-        cases: number of descriptions.
-        understood: how many of them hold as a whole.
+        cases: number of descriptions of which there is a reading.
+        readings: number of readings; more than ``cases`` where each is read again.
+        understood: how many readings hold as a whole.
         fields: field -> (how often it holds, how often it is judged).
         kinds: participant kind -> its tally.
         hazards: hazard kind -> its tally.
         failures: the descriptions that do not hold.
+        stability: how far the runs over a description agree.
+        held: (description, run) -> whether that reading holds as a whole.
+        stopped: why the rest was not read; None if nothing is left.
+        left: number of descriptions without any reading.
     """
 
     cases: int = 0
+    readings: int = 0
     understood: int = 0
     fields: dict[str, tuple[int, int]] = field(default_factory=dict)
     kinds: dict[str, Tally] = field(default_factory=dict)
     hazards: dict[str, Tally] = field(default_factory=dict)
     failures: list[Failure] = field(default_factory=list)
+    stability: Stability = field(default_factory=Stability)
+    held: dict[tuple[str, int], bool] = field(default_factory=dict)
+    stopped: str | None = None
+    left: int = 0
 
     @property
     def all_fields(self) -> tuple[int, int]:
         """How many judged fields hold, and how many there are."""
         return sum(h for h, _ in self.fields.values()), sum(n for _, n in self.fields.values())
 
+    @property
+    def perfect(self) -> bool:
+        """Whether everything was read and understood."""
+        return self.stopped is None and self.understood == self.readings
+
     def to_data(self) -> dict[str, Any]:
         """The result as data that JSON can hold."""
         held, judged = self.all_fields
         return {
             "cases": self.cases,
+            "readings": self.readings,
             "understood": self.understood,
             "fields_held": held,
             "fields_judged": judged,
             "fields": {k: {"held": h, "judged": n} for k, (h, n) in sorted(self.fields.items())},
-            "participants": _table(self.kinds),
-            "hazards": _table(self.hazards),
-            "failures": [asdict(f) for f in self.failures],
+            "participants": table(self.kinds),
+            "hazards": table(self.hazards),
+            "failures": [f.to_data() for f in self.failures],
+            "stability": self.stability.to_data(),
+            "stopped": self.stopped,
+            "left": self.left,
         }
 
 
-def total(tallies: Mapping[str, Tally]) -> Tally:
-    """All tallies added up.
-
-    Args:
-        tallies: kind -> tally.
-    """
-    added = Tally()
-    for tally in tallies.values():
-        added.right += tally.right
-        added.wrong += tally.wrong
-        added.missed += tally.missed
-    return added
-
-
-def run(cases: Iterable[Case], understand: Understand = read) -> Result:
+def run(
+    cases: Sequence[Case],
+    understand: Understand = lambda case, _: read(case.text),
+    *,
+    repeat: int = 1,
+    told: Callable[[str], None] = lambda _: None,
+) -> Result:
     """Scores labelled descriptions.
 
     Args:
         cases: descriptions with labels.
-        understand: who reads them, the offline reader unless said otherwise.
+        understand: who reads them, the offline reader unless said otherwise; raises
+            :class:`StoppedError` where it cannot go on.
+        repeat: how often each is read.
+        told: told of each reading.
     """
-    result = Result()
-    for case in cases:
-        result.cases += 1
+    result = Result(stability=Stability(runs=repeat))
+    for number, case in enumerate(cases, start=1):
         try:
-            scenario = understand(case.text)
-        except ScegenError as error:
-            _not_read(result, case, error)
-            continue
-        judged = score(case.expect, scenario)
-        for name, holds in judged.fields.items():
-            _count(result, name, holds=holds)
-        _participants(result, case.expect, scenario)
-        _hazards(result, case.expect, {h.kind.value for h in scenario.hazards})
-        if judged.understood:
-            result.understood += 1
-        else:
-            result.failures.append(Failure(case.id, case.text, judged.problems))
+            readings = []
+            for k in range(1, repeat + 1):
+                readings.append(_reading(case, k, understand))
+                result.readings += 1
+                result.held[case.id, k] = not readings[-1].problems
+                again = f", run {k}" if repeat > 1 else ""
+                outcome = "; ".join(readings[-1].problems) or "understood"
+                told(f"{number}/{len(cases)} {case.id}{again}: {outcome}")
+        except StoppedError as stop:
+            result.stopped = str(stop)
+        except KeyboardInterrupt:
+            result.stopped = "interrupted"
+        _add(result, case, readings)
+        if result.stopped is not None:
+            break
+    result.left = len(cases) - result.cases
     return result
 
 
-def _not_read(result: Result, case: Case, error: ScegenError) -> None:
-    """Every judged field of a description that was refused is wrong."""
-    for name in case.expect:
-        _count(result, name, holds=False)
-    for kind, (fewest, _) in case.expect.get("actors", {}).items():
-        result.kinds.setdefault(kind, Tally()).missed += fewest
-    _hazards(result, case.expect, set())
-    result.failures.append(Failure(case.id, case.text, (error.render(),)))
+def about_the_text(error: InputError) -> bool:
+    """Whether it is the description that cannot be used, and not a setting or a recording.
+
+    Args:
+        error: raised by whoever reads it.
+    """
+    return isinstance(error, NotTrafficError | InfeasibleError) or error.where == "description"
 
 
-def _count(result: Result, name: str, *, holds: bool) -> None:
-    held, judged = result.fields.get(name, (0, 0))
-    result.fields[name] = (held + holds, judged + 1)
+@dataclass(frozen=True, slots=True)
+class _Reading:
+    """What came of reading a description once; the scenario is None where it was refused."""
+
+    scenario: FunctionalScenario | None
+    fields: dict[str, bool]
+    problems: tuple[str, ...]
 
 
-def _participants(result: Result, expect: Mapping[str, Any], scenario: FunctionalScenario) -> None:
-    if "actors" not in expect:
-        return
-    found = Counter(
-        f"parked_{p.kind.value}" if p.parked else p.kind.value for p in scenario.participants
-    )
-    wanted: Mapping[str, list[int]] = expect["actors"]
-    for kind in sorted({*found, *wanted}):
-        fewest, most = wanted.get(kind, (0, 0))
-        tally = result.kinds.setdefault(kind, Tally())
-        tally.right += min(found[kind], most)
-        tally.wrong += max(0, found[kind] - most)
-        tally.missed += max(0, fewest - found[kind])
+def _reading(case: Case, number: int, understand: Understand) -> _Reading:
+    try:
+        scenario = understand(case, number)
+    except InputError as error:
+        if not about_the_text(error):
+            raise
+        # every judged field of a description that was refused is wrong
+        return _Reading(None, dict.fromkeys(case.expect, False), (error.render(),))
+    judged = score(case.expect, scenario)
+    return _Reading(scenario, dict(judged.fields), judged.problems)
 
 
-def _hazards(result: Result, expect: Mapping[str, Any], found: set[str]) -> None:
-    if "hazards" not in expect:
-        return
-    must, may = set(expect["hazards"]["must"]), set(expect["hazards"]["may"])
-    for kind in sorted(must | (found - may)):
-        tally = result.hazards.setdefault(kind, Tally())
-        tally.right += kind in must and kind in found
-        tally.wrong += kind not in must
-        tally.missed += kind not in found
-
-
-def _table(tallies: Mapping[str, Tally]) -> dict[str, dict[str, float]]:
-    rows = {kind: tally.to_data() for kind, tally in sorted(tallies.items())}
-    return rows | {"all": total(tallies).to_data()}
+def _add(result: Result, case: Case, readings: list[_Reading]) -> None:
+    """The readings of one description."""
+    result.cases += bool(readings)
+    failed: dict[tuple[str, ...], list[int]] = {}
+    for number, reading in enumerate(readings, start=1):
+        result.understood += not reading.problems
+        for name, holds in reading.fields.items():
+            held, judged = result.fields.get(name, (0, 0))
+            result.fields[name] = (held + holds, judged + 1)
+        count_participants(result.kinds, case.expect, reading.scenario)
+        count_hazards(result.hazards, case.expect, reading.scenario)
+        if reading.problems:
+            failed.setdefault(reading.problems, []).append(number)
+    for problems, runs in failed.items():
+        result.failures.append(Failure(case.id, case.text, problems, tuple(runs)))
+    result.stability.add([(facts(r.scenario), r.fields) for r in readings])

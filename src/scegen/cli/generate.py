@@ -16,6 +16,7 @@ from scegen.cli.llm import (
     ModelOption,
     RecordOption,
     ReplayOption,
+    TimeoutOption,
     UrlOption,
     llm_settings,
     tell,
@@ -78,6 +79,7 @@ def generate(
     llm: ModelOption = None,
     llm_url: UrlOption = None,
     llm_budget: BudgetOption = None,
+    llm_timeout: TimeoutOption = None,
     llm_record: RecordOption = None,
     llm_replay: ReplayOption = None,
 ) -> None:
@@ -86,7 +88,7 @@ def generate(
     from scegen.pipeline.generate import generate as run
     from scegen.pipeline.source import resolve_source
 
-    settings = llm_settings(llm, llm_url, llm_budget, llm_record, llm_replay)
+    settings = llm_settings(llm, llm_url, llm_budget, llm_timeout, llm_record, llm_replay)
     with working() as progress:
         progress("understanding")
         options = Options(

@@ -14,12 +14,13 @@ from scegen.cli.llm import (
     ModelOption,
     RecordOption,
     ReplayOption,
+    TimeoutOption,
     UrlOption,
     llm_settings,
     tell,
 )
-from scegen.cli.parse_report import show_contradiction, show_report
-from scegen.errors import InfeasibleError, InputError
+from scegen.cli.parse_report import show_refusal, show_report
+from scegen.errors import InputError
 
 if TYPE_CHECKING:
     from scegen.scenario.functional import FunctionalScenario
@@ -40,27 +41,30 @@ def understand(
     llm: ModelOption = None,
     llm_url: UrlOption = None,
     llm_budget: BudgetOption = None,
+    llm_timeout: TimeoutOption = None,
     llm_record: RecordOption = None,
     llm_replay: ReplayOption = None,
 ) -> None:
     """Understand a description: text to functional scenario, with the words it rests on."""
     from scegen.scenario.files import to_json, to_yaml
 
-    settings = llm_settings(llm, llm_url, llm_budget, llm_record, llm_replay)
-    if settings is None:
-        try:
+    settings = llm_settings(llm, llm_url, llm_budget, llm_timeout, llm_record, llm_replay)
+    listener = None
+    try:
+        if settings is None:
             functional = functional_of(text)
-        except InfeasibleError as error:
-            if report:
-                show_contradiction(text, error, as_json=json)
-            raise
-    else:
-        with working() as progress:
-            listener = Listener(settings, progress)
-            functional = functional_of(text, listener)
-        tell(listener.understanding)
+        else:
+            with working() as progress:
+                listener = Listener(settings, progress)
+                functional = functional_of(text, listener)
+            tell(listener.understanding)
+    except InputError as error:
+        if report:
+            show_refusal(text, error, as_json=json)
+        raise
     if report:
-        show_report(functional, as_json=json)
+        understood = listener and listener.understanding
+        show_report(functional, understood.disagreements if understood else (), as_json=json)
         return
     for phrase in functional.unsupported:
         say(f'not expressed: "{phrase.text}" ({phrase.instead})')

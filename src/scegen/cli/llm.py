@@ -32,6 +32,10 @@ BudgetOption = Annotated[
     str | None,
     typer.Option("--llm-budget", help="The most to use: 20000 (tokens), 0.10usd, or 20k,0.10usd."),
 ]
+TimeoutOption = Annotated[
+    float | None,
+    typer.Option("--llm-timeout", min=0.1, help="Seconds to wait for one answer (default 90)."),
+]
 RecordOption = Annotated[
     Path | None,
     typer.Option("--llm-record", metavar="DIR", help="Write transcripts into this new folder."),
@@ -46,11 +50,29 @@ def llm_settings(
     model: str | None,
     url: str | None,
     budget: str | None,
+    timeout: float | None,
     record: Path | None,
     replay: Path | None,
+    *,
+    runs: str = "run.json",
 ) -> LlmSettings | None:
-    """The options as settings; None if no language model is asked for."""
-    given = {"--llm-url": url, "--llm-budget": budget, "--llm-record": record}
+    """The options as settings; None if no language model is asked for.
+
+    Args:
+        model: of ``--llm``, and so on.
+        url: the same.
+        budget: the same.
+        timeout: the same, in seconds.
+        record: the same.
+        replay: the same.
+        runs: which files of the folder to replay tell what was recorded, as a pattern.
+    """
+    given = {
+        "--llm-url": url,
+        "--llm-budget": budget,
+        "--llm-timeout": timeout,
+        "--llm-record": record,
+    }
     if model is None and replay is None:
         for option, value in given.items():
             if value is not None:
@@ -64,18 +86,21 @@ def llm_settings(
     from scegen.llm import Budget, LlmSettings, parse_models, require_llm
     from scegen.llm.budget import parse_budget
     from scegen.llm.naming import require_url
+    from scegen.llm.settings import Limits
     from scegen.llm.transcript import Recording
 
     require_llm()
     address = require_url(url) if url is not None else None
     if replay is not None:
-        address = Recording(replay).run.url
+        recorded = sorted(file.parent for file in replay.glob(runs))
+        address = Recording((recorded or [replay])[0]).run.url
     return LlmSettings(
         models=parse_models(model, url=address) if model is not None else (),
         url=address,
         budget=parse_budget(budget) if budget is not None else Budget(),
         record=record,
         replay=replay,
+        limits=Limits() if timeout is None else Limits().patient(timeout),
     )
 
 

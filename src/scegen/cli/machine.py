@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 
 from scegen.cli.console import result, result_json, say
-from scegen.cli.llm import ModelOption, UrlOption
+from scegen.cli.llm import ModelOption, TimeoutOption, UrlOption
 from scegen.errors import InputError, MissingToolError
 
 
@@ -67,10 +67,11 @@ def doctor(
     json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
     llm: ModelOption = None,
     llm_url: UrlOption = None,
+    llm_timeout: TimeoutOption = None,
 ) -> None:
     """Say what is installed, what is missing and how to get it; --llm tests a connection."""
     if llm is not None:
-        _test_connection(llm, llm_url, as_json=json)
+        _test_connection(llm, llm_url, llm_timeout, as_json=json)
         return
     from scegen.checking.environment import Tool, installed_tools
     from scegen.llm import INSTALL_LLM, require_llm
@@ -89,15 +90,17 @@ def doctor(
         result(f"{mark}  {tool.name:<22} {tool.found or tool.hint}")
 
 
-def _test_connection(llm: str, url: str | None, *, as_json: bool) -> None:
+def _test_connection(llm: str, url: str | None, timeout: float | None, *, as_json: bool) -> None:
     from scegen.llm import parse_models, require_llm
     from scegen.llm.naming import require_url
 
     require_llm()
-    from scegen.llm.probe import probe
+    from scegen.llm.probe import PATIENCE, probe
 
     address = require_url(url) if url is not None else None
-    probes = [probe(n, os.environ, url=address) for n in parse_models(llm, url=address)]
+    limits = PATIENCE if timeout is None else PATIENCE.patient(timeout)
+    names = parse_models(llm, url=address)
+    probes = [probe(name, os.environ, url=address, limits=limits) for name in names]
     if as_json:
         result_json(
             [

@@ -57,6 +57,11 @@ class Ledger:
         self._used = Usage()
         self._held = Usage()
 
+    @property
+    def used(self) -> Usage:
+        """What was used so far."""
+        return self._used
+
     def hold(self, most: Usage) -> None:
         """Set aside what a request may use at most.
 

@@ -20,6 +20,7 @@ from scegen.errors import InputError
 from scegen.llm.budget import Ledger
 from scegen.llm.client import ClosedTransport, GuardedTransport
 from scegen.llm.faults import Fault, LlmError
+from scegen.llm.keys import blot
 from scegen.llm.naming import ModelName
 from scegen.llm.prices import cost_usd
 from scegen.llm.providers import build_model
@@ -104,6 +105,7 @@ class Line:
         request = ModelMessagesTypeAdapter.dump_python(messages, mode="json")
         if self.recording is not None:
             exchange = self.recording.exchange(self.chain, agent, number, words_of(request))
+            self.ledger.settle(Usage(), exchange.usage)
         else:
             exchange = await self._exchange(agent, number, request, schema_bytes, send)
             if self.recorder is not None:
@@ -148,7 +150,9 @@ class Line:
                 return done.model_copy(
                     update={"fault": self._named(agent, answer.fault), "usage": used}
                 )
-            response = ModelMessagesTypeAdapter.dump_python([answer], mode="json")[0]
+            # once more, now that no escape of JSON can hide the key
+            dumped = ModelMessagesTypeAdapter.dump_python([answer], mode="json")[0]
+            response = json.loads(blot(json.dumps(dumped), self.key))
             used = self._used(answer, expected, len(json.dumps(response["parts"])), attempts)
             return done.model_copy(update={"response": response, "usage": used})
         finally:

@@ -84,11 +84,15 @@ def _parse(text: str, url: str | None) -> ModelName:
     )
 
 
-def require_url(url: str) -> str:
+def require_url(url: str, *, where: str = "--llm-url") -> str:
     """The address of an endpoint, if it is one and holds no secret.
 
+    Args:
+        url: the address.
+        where: the option or variable that it comes from.
+
     Raises:
-        InputError: it is no address, or carries a key.
+        InputError: it is no address, or carries a key; the message does not show it.
     """
     try:
         parts = urlsplit(url)
@@ -98,14 +102,14 @@ def require_url(url: str) -> str:
     if not usable:
         raise InputError(
             "is not the address of an endpoint",
-            where="--llm-url",
+            where=where,
             hint="such as http://127.0.0.1:8000/v1",
         )
-    if parts.username or parts.password or parts.query:
+    if parts.username or parts.password or parts.query or parts.fragment:
         # what stands in an address ends up in logs and transcripts
         raise InputError(
             "holds more than scheme, host, port and path; a key does not belong there",
-            where="--llm-url",
+            where=where,
             hint=f"put the key into the environment variable {KEY_VARIABLE}",
         )
     return url.rstrip("/")

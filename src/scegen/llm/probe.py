@@ -18,7 +18,7 @@ from scegen.llm.settings import Limits
 from scegen.llm.usage import Usage
 from scegen.scenario.model import FrozenModel
 
-_PATIENCE = Limits(request_s=30.0, run_s=60.0, attempts=2, corrections=1)
+PATIENCE = Limits(request_s=30.0, run_s=60.0, attempts=2, corrections=1)
 
 
 class Answer(FrozenModel):
@@ -43,7 +43,7 @@ def probe(
     environment: Mapping[str, str],
     *,
     url: str | None = None,
-    limits: Limits = _PATIENCE,
+    limits: Limits = PATIENCE,
 ) -> Probe:
     """Ask a model something small, in the way in which agents ask.
 

@@ -18,16 +18,22 @@ from pydantic_ai.providers.anthropic import AnthropicProvider
 from pydantic_ai.providers.openai_compatible import OpenAICompatibleProvider
 
 from scegen.errors import InputError
-from scegen.llm.naming import COMPATIBLE, PROVIDERS, ModelName
+from scegen.llm.naming import COMPATIBLE, PROVIDERS, ModelName, require_url
 
 
 def endpoint(name: ModelName, url: str | None) -> str | None:
-    """Where a model is asked; None = the provider's own address."""
+    """Where a model is asked; None = the provider's own address.
+
+    Raises:
+        InputError: the environment names an address that is none, or holds a key.
+    """
     provider = PROVIDERS.get(name.provider)
     if url is not None or provider is None:
         return url
     named = os.environ.get(provider.url_variable) if provider.url_variable else None
-    return named or provider.default_url
+    if not named or provider.url_variable is None:
+        return provider.default_url
+    return require_url(named, where=provider.url_variable)
 
 
 def build_model(

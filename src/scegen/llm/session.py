@@ -60,13 +60,20 @@ class Session:
     Args:
         settings: which models, where, within which bounds.
         environment: holds the keys.
+        ledger: of the budget; one of its own if None. Sessions that share one share its bounds.
 
     Raises:
         MissingToolError: the extra ``llm`` is not installed.
     """
 
-    def __init__(self, settings: LlmSettings, environment: Mapping[str, str] = os.environ) -> None:
+    def __init__(
+        self,
+        settings: LlmSettings,
+        environment: Mapping[str, str] = os.environ,
+        ledger: Ledger | None = None,
+    ) -> None:
         require_llm()
+        self._ledger = Ledger(settings.budget) if ledger is None else ledger
         self._settings = settings
         self._environment = environment
         self._lines: list[Line] | None = None
@@ -106,7 +113,6 @@ class Session:
             if settings.record is not None:
                 run = Run(prompts=prompts, description=description, models=names, url=url)
                 recorder = Recorder(settings.record, run)
-        ledger = Ledger(settings.budget)
         self._lines = [
             Line(
                 name=name,
@@ -114,7 +120,7 @@ class Session:
                 url=url,
                 key=keys[name],
                 limits=settings.limits,
-                ledger=ledger,
+                ledger=self._ledger,
                 recorder=recorder,
                 recording=recording,
             )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from scegen.llm.budget import Budget
@@ -27,6 +27,10 @@ class Limits:
     answer_tokens: int = 4096
     corrections: int = 2
     review_rounds: int = 2
+
+    def patient(self, request_s: float) -> Limits:
+        """The same with another bound on one attempt, and on all of them in proportion."""
+        return replace(self, request_s=request_s, run_s=self.run_s * request_s / self.request_s)
 
 
 @dataclass(frozen=True, slots=True)

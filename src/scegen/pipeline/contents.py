@@ -12,7 +12,7 @@ from scegen.pipeline.export import PREVIEW_FILE
 from scegen.pipeline.folder import digest
 from scegen.pipeline.judging import Judged
 from scegen.pipeline.raising import proof_summary
-from scegen.report.contents import DisagreementRow, Voice
+from scegen.report.contents import Voice
 from scegen.report.gallery import gallery_svg
 from scegen.report.html import CheckRow, ConcreteEntry, ReportInput, report_html
 from scegen.scenario.concrete import ConcreteScenario
@@ -96,10 +96,7 @@ def _voice(understanding: Understanding) -> Voice:
         faults=tuple(f.in_words() for f in understanding.faults),
         objections=tuple(f"{o.about}: {o.problem}" for o in understanding.objections),
         notes=understanding.notes,
-        disagreements=tuple(
-            DisagreementRow(d.field, d.words, d.reader, d.agents, d.kept, d.reason)
-            for d in understanding.disagreements
-        ),
+        disagreements=understanding.disagreements,
     )
 
 

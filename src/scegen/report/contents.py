@@ -10,6 +10,7 @@ from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
 from scegen.scenario.proof import Proof
+from scegen.understanding.disagreement import Disagreement
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,18 +41,6 @@ class ConcreteEntry:
 
 
 @dataclass(frozen=True, slots=True)
-class DisagreementRow:
-    """A fact that was read in two ways: the words, both values, which one stands and why."""
-
-    field: str
-    words: str
-    reader: str
-    agents: str
-    kept: str
-    reason: str
-
-
-@dataclass(frozen=True, slots=True)
 class Voice:
     """Who understood the description where language models were asked, and how it went."""
 
@@ -60,7 +49,7 @@ class Voice:
     faults: tuple[str, ...] = ()
     objections: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
-    disagreements: tuple[DisagreementRow, ...] = ()
+    disagreements: tuple[Disagreement, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from itertools import pairwise
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 
 from scegen.report.words import hazard_words, plain
 from scegen.scenario.functional import Evidence, FunctionalScenario
-from scegen.scenario.vocabulary import EvidenceSource
+from scegen.understanding import STANDINGS, Finding, report_on, stretches
+from scegen.understanding.disagreement import Disagreement
 
 LONGEST_SHOWN = 20_000
 """Characters of a description that are shown."""
-UNSUPPORTED = "unsupported"
 _UNITS = {"_mps": "m/s", "_deg": "°", "_m": "m"}
-_RANK = (UNSUPPORTED, *EvidenceSource)
 
 
 @dataclass(frozen=True, slots=True)
 class Span:
-    """Consecutive characters; ``kind`` is the strongest source that rests on them, or empty."""
+    """Consecutive characters; ``kind`` is the standing of what rests on them, or empty."""
 
     text: str
     kind: str = ""
@@ -35,27 +34,20 @@ class FieldRow:
     ground: str
 
 
-def spans(functional: FunctionalScenario) -> list[Span]:
-    """The description as spans; overlapping evidence is cut at every boundary."""
+def spans(functional: FunctionalScenario, disagreements: Iterable[Disagreement] = ()) -> list[Span]:
+    """The description as spans; overlapping evidence is cut at every boundary.
+
+    Args:
+        functional: the scenario with its evidence.
+        disagreements: what was read in two ways.
+    """
+    report = report_on(functional, disagreements)
     text = functional.description[:LONGEST_SHOWN]
-    claims = [
-        (item.start, item.end, str(item.source), _claim(item))
-        for item in functional.evidence
-        if item.start is not None and item.end is not None
-    ]
-    for phrase in functional.unsupported:
-        tip = f"not expressible; instead: {phrase.instead}"
-        claims.append((phrase.start, phrase.end, UNSUPPORTED, tip))
-    claims = [(max(a, 0), min(b, len(text)), kind, tip) for a, b, kind, tip in claims]
-    claims = [claim for claim in claims if claim[0] < claim[1]]
-    marks = sorted({0, len(text), *(c[0] for c in claims), *(c[1] for c in claims)})
     result = []
-    for a, b in pairwise(marks):
-        here = [c for c in claims if c[0] <= a and b <= c[1]]
-        kinds = {c[2] for c in here}
-        kind = next((k for k in _RANK if k in kinds), "")
-        tips = list(dict.fromkeys(c[3] for c in here))
-        result.append(Span(text[a:b], str(kind), "\n".join(tips)))
+    for stretch in stretches(replace(report, text=text)):
+        tips = dict.fromkeys(_claim(finding) for finding in stretch.findings)
+        shown = text[stretch.start : stretch.end]
+        result.append(Span(shown, stretch.standing or "", "\n".join(tips)))
     if len(functional.description) > LONGEST_SHOWN:
         hidden = len(functional.description) - LONGEST_SHOWN
         result.append(Span(f" … ({hidden:,} more characters)"))
@@ -66,13 +58,22 @@ def field_rows(functional: FunctionalScenario) -> list[FieldRow]:
     """The evidence as a table, one row for each field."""
     return [
         FieldRow(
-            _field_words(item.field),
+            field_words(item.field),
             _value(functional, item.field),
-            str(item.source),
+            STANDINGS[item.source].value,
             _ground(item),
         )
         for item in functional.evidence
     ]
+
+
+def left_out(functional: FunctionalScenario) -> list[Finding]:
+    """Words that fill no field, with what was done instead.
+
+    Args:
+        functional: the scenario.
+    """
+    return [finding for finding in report_on(functional).findings if finding.field is None]
 
 
 def _ground(item: Evidence) -> str:
@@ -80,12 +81,17 @@ def _ground(item: Evidence) -> str:
     return " — ".join(part for part in (quoted, item.reason) if part)
 
 
-def _claim(item: Evidence) -> str:
-    reason = f" ({item.reason})" if item.reason else ""
-    return f"{item.source}: {_field_words(item.field)}{reason}"
+def _claim(finding: Finding) -> str:
+    said = [finding.standing.value, field_words(finding.field or ""), finding.reason or ""]
+    return ": ".join(part for part in said if part)
 
 
-def _field_words(field: str) -> str:
+def field_words(field: str) -> str:
+    """The path of a field in words.
+
+    Args:
+        field: such as ``participants.car_1.speed_mps``.
+    """
     group, *rest = field.split(".")
     if group == "participants" and rest:
         return " › ".join([rest[0], *(_quantity_words(part) for part in rest[1:])])

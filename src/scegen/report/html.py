@@ -11,22 +11,23 @@ from markupsafe import Markup
 
 from scegen.report.contents import CheckRow, ConcreteEntry, ReportInput
 from scegen.report.danger import danger_tables
-from scegen.report.evidence import UNSUPPORTED, field_rows, spans
+from scegen.report.evidence import field_rows, field_words, left_out, spans
 from scegen.report.gallery import MOST_TILES, counted, summary
 from scegen.report.judgement import judgement_tables
 from scegen.report.tables import Table, tables
 from scegen.report.tile import tile_svg
 from scegen.report.words import hazard_words
 from scegen.scenario.logical import LogicalSet
-from scegen.scenario.vocabulary import EvidenceSource
+from scegen.understanding import Standing
 
 __all__ = ["CheckRow", "ConcreteEntry", "ReportInput", "report_html"]
 
 _LEGEND = {
-    EvidenceSource.STATED: "said in the text",
-    EvidenceSource.INFERRED: "concluded from the text",
-    EvidenceSource.DEFAULT: "not said: a default",
-    UNSUPPORTED: "understood, but not expressible",
+    Standing.UNDERSTOOD: "said in the text",
+    Standing.INFERRED: "concluded from the text",
+    Standing.ASSUMED: "not said: a default",
+    Standing.CONTRADICTED: "said or read in two ways",
+    Standing.UNSUPPORTED: "understood, but not expressible",
 }
 _GOOD, _BAD = frozenset({"passed", "ok"}), frozenset({"failed", "error"})
 
@@ -40,12 +41,15 @@ def report_html(report: ReportInput) -> str:
         trim_blocks=True,
         lstrip_blocks=True,
     )
+    environment.filters["field"] = field_words
     functional = report.functional
+    disagreements = report.voice.disagreements if report.voice else ()
     descriptions = [entry.concrete.description for entry in report.concretes]
     return environment.get_template("report.html.j2").render(
         functional=functional,
         description=functional.description if functional else (descriptions or [""])[0],
-        spans=spans(functional) if functional else [],
+        spans=spans(functional, disagreements) if functional else [],
+        left=left_out(functional) if functional else [],
         fields=field_rows(functional) if functional else [],
         legend={str(kind): words for kind, words in _LEGEND.items()},
         gallery=_gallery(report.logical_set) if report.logical_set else None,

@@ -1,8 +1,9 @@
 """From an English description to a functional scenario, by rules, offline."""
 
 from scegen.understanding.cases import Case, load_cases, paper_cases
-from scegen.understanding.explain import Mark, marks
+from scegen.understanding.explain import Stretch, stretches
 from scegen.understanding.parse_report import (
+    STANDINGS,
     Finding,
     ParseReport,
     Standing,
@@ -15,18 +16,19 @@ from scegen.understanding.scoring import Score, score
 
 __all__ = [
     "MAX_CHARACTERS",
+    "STANDINGS",
     "Case",
     "Finding",
-    "Mark",
     "ParseReport",
     "Score",
     "Standing",
+    "Stretch",
     "load_cases",
-    "marks",
     "paper_cases",
     "parse_report",
     "read",
     "report_on",
     "report_on_contradiction",
     "score",
+    "stretches",
 ]

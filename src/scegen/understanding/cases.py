@@ -29,7 +29,8 @@ class Case:
 
 
 def _parse(content: str, where: str) -> tuple[Case, ...]:
-    cases = []
+    cases: list[Case] = []
+    ids: set[str] = set()
     for number, line in enumerate(content.splitlines(), start=1):
         if not line.strip():
             continue
@@ -39,6 +40,10 @@ def _parse(content: str, where: str) -> tuple[Case, ...]:
         except (ValueError, KeyError, TypeError) as error:
             msg = "a line must be a JSON object with id, text and expect"
             raise InputError(msg, where=f"{where}:{number}") from error
+        if cases[-1].id in ids:
+            msg = f"another line has the id {cases[-1].id!r} too"
+            raise InputError(msg, where=f"{where}:{number}", hint="give each line its own")
+        ids.add(cases[-1].id)
     return tuple(cases)
 
 

@@ -1,51 +1,57 @@
-"""Which words of the description carry which fields, for a terminal or a page to mark."""
+"""The description cut into stretches, each with what rests on it, for terminals and pages."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
-from scegen.scenario.functional import FunctionalScenario
+from scegen.understanding.parse_report import Finding, ParseReport, Standing
+
+_RANK = (
+    Standing.CONTRADICTED,
+    Standing.UNSUPPORTED,
+    Standing.UNDERSTOOD,
+    Standing.INFERRED,
+    Standing.ASSUMED,
+)
+"""Trouble first; then the firmest ground: words inside a longer phrase keep their own standing."""
 
 
 @dataclass(frozen=True, slots=True)
-class Mark:
-    """A stretch of the description.
+class Stretch:
+    """Consecutive characters on which the same findings rest.
 
     Attributes:
         start: first character.
         end: offset after the last character.
-        fields: the fields that rest on exactly these words, in order.
-        source: ``stated``, ``inferred``, ``default`` or ``unsupported``; the strongest one.
+        standing: the one to show, None where nothing rests on the words.
+        findings: all that rests on them.
     """
 
     start: int
     end: int
-    fields: tuple[str, ...]
-    source: str
+    standing: Standing | None
+    findings: tuple[Finding, ...]
 
 
-_STRENGTH = {"stated": 0, "inferred": 1, "default": 2, "unsupported": 3}
-
-
-def marks(scenario: FunctionalScenario) -> tuple[Mark, ...]:
-    """The marked stretches, sorted by place, equal stretches merged.
+def stretches(report: ParseReport) -> tuple[Stretch, ...]:
+    """The whole text in stretches without gap or overlap, cut where any finding begins or ends.
 
     Args:
-        scenario: a scenario with evidence.
+        report: of the description.
     """
-    found: dict[tuple[int, int], list[tuple[str, str]]] = {}
-    for item in scenario.evidence:
-        if item.start is not None and item.end is not None:
-            entry = (item.source.value, item.field)
-            found.setdefault((item.start, item.end), []).append(entry)
-    for left in scenario.unsupported:
-        found.setdefault((left.start, left.end), []).append(("unsupported", "unsupported"))
-    return tuple(
-        Mark(
-            start,
-            end,
-            tuple(dict.fromkeys(name for _, name in entries)),
-            min((source for source, _ in entries), key=_STRENGTH.__getitem__),
-        )
-        for (start, end), entries in sorted(found.items())
+    size = len(report.text)
+    placed = [
+        (max(f.start, 0), min(f.end, size), f)
+        for f in report.findings
+        if f.start is not None and f.end is not None
+    ]
+    cuts = sorted(
+        {0, size, *(a for a, b, _ in placed if a < b), *(b for a, b, _ in placed if a < b)}
     )
+    found = []
+    for start, end in pairwise(cuts):
+        here = tuple(f for a, b, f in placed if a <= start and end <= b)
+        standing = min((f.standing for f in here), key=_RANK.index, default=None)
+        found.append(Stretch(start, end, standing, here))
+    return tuple(found)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Iterable
+from dataclasses import asdict, dataclass, replace
 from enum import StrEnum
 from typing import Any
 
@@ -12,6 +12,7 @@ from scegen.errors import InfeasibleError
 from scegen.scenario.functional import Evidence, FunctionalScenario
 from scegen.scenario.vocabulary import EvidenceSource
 from scegen.understanding.coverage import CONTRADICTS
+from scegen.understanding.disagreement import Disagreement, Kept
 from scegen.understanding.reader import read
 
 _QUOTED = re.compile(r"'([^']+)'")
@@ -27,11 +28,12 @@ class Standing(StrEnum):
     UNSUPPORTED = "unsupported"
 
 
-_STANDINGS = {
+STANDINGS = {
     EvidenceSource.STATED: Standing.UNDERSTOOD,
     EvidenceSource.INFERRED: Standing.INFERRED,
     EvidenceSource.DEFAULT: Standing.ASSUMED,
 }
+"""How far evidence makes a field rest on the text."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,10 +61,17 @@ class Finding:
 
 @dataclass(frozen=True, slots=True)
 class ParseReport:
-    """The description and all findings, by standing and then by place in the text."""
+    """The description and all findings, by standing and then by place in the text.
+
+    Attributes:
+        text: the description.
+        findings: what became of it.
+        traffic: whether it is about traffic at all; if not, there are no findings.
+    """
 
     text: str
     findings: tuple[Finding, ...]
+    traffic: bool = True
 
     def of(self, standing: Standing) -> tuple[Finding, ...]:
         """The findings of one standing.
@@ -76,20 +85,29 @@ class ParseReport:
         """The report as data that JSON can hold."""
         findings = [asdict(f) | {"standing": f.standing.value} for f in self.findings]
         counts = {s.value: len(self.of(s)) for s in Standing}
-        return {"text": self.text, "counts": counts, "findings": findings}
+        return {
+            "text": self.text,
+            "traffic": self.traffic,
+            "counts": counts,
+            "findings": findings,
+        }
 
 
-def report_on(scenario: FunctionalScenario) -> ParseReport:
+def report_on(
+    scenario: FunctionalScenario, disagreements: Iterable[Disagreement] = ()
+) -> ParseReport:
     """The report on a scenario, whoever understood it.
 
     Args:
         scenario: a scenario with evidence.
+        disagreements: what was read in two ways; contradictions, each with its words.
     """
     found = [_from_evidence(item, scenario) for item in scenario.evidence]
     for left in scenario.unsupported:
         contradicts = left.instead.startswith(CONTRADICTS)
         standing = Standing.CONTRADICTED if contradicts else Standing.UNSUPPORTED
         found.append(Finding(standing, None, "", left.text, left.start, left.end, left.instead))
+    found += [_from_disagreement(item, scenario) for item in disagreements]
     return ParseReport(scenario.description, _sorted(found))
 
 
@@ -103,12 +121,12 @@ def report_on_contradiction(text: str, error: InfeasibleError) -> ParseReport:
     found = []
     where = None if error.where == "description" else error.where
     for words in dict.fromkeys(_QUOTED.findall(error.message)):
-        start = text.find(words)
-        if start >= 0:
-            end = start + len(words)
-            found.append(
-                Finding(Standing.CONTRADICTED, where, "", words, start, end, error.message)
-            )
+        # hyphens and white space are not quoted as they stand
+        loose = r"\W+".join(re.escape(word) for word in re.findall(r"\w+", words))
+        place = re.search(rf"\b{loose}\b", text, re.IGNORECASE) if loose else None
+        if place is not None:
+            finding = Finding(Standing.CONTRADICTED, where, "", place.group(), *place.span())
+            found.append(replace(finding, reason=error.message))
     if not found:
         found.append(Finding(Standing.CONTRADICTED, where, reason=error.message))
     return ParseReport(text, _sorted(found))
@@ -139,7 +157,7 @@ def _sorted(found: list[Finding]) -> tuple[Finding, ...]:
 
 def _from_evidence(item: Evidence, scenario: FunctionalScenario) -> Finding:
     return Finding(
-        _STANDINGS[item.source],
+        STANDINGS[item.source],
         item.field,
         _value(scenario, item.field),
         item.text,
@@ -147,6 +165,13 @@ def _from_evidence(item: Evidence, scenario: FunctionalScenario) -> Finding:
         item.end,
         item.reason,
     )
+
+
+def _from_disagreement(item: Disagreement, scenario: FunctionalScenario) -> Finding:
+    said = f"the offline reader says {item.reader}, the agents say {item.agents}; "
+    said += f"the {item.kept} stand{'s' if item.kept is Kept.READER else ''}: {item.reason}"
+    value = _value(scenario, item.field)
+    return Finding(Standing.CONTRADICTED, item.field, value, item.words, item.start, item.end, said)
 
 
 def _value(scenario: FunctionalScenario, path: str) -> str:
@@ -158,7 +183,7 @@ def _value(scenario: FunctionalScenario, path: str) -> str:
         return "; ".join(", ".join(h.to if part == "to" else h.by) for h in alike)
     if head == "relations" and rest.isdigit() and int(rest) < len(scenario.relations):
         relation = scenario.relations[int(rest)]
-        return f"{relation.participant} {_words(relation.approaches)} of {relation.reference}"
+        return f"{relation.participant} {_words(relation.approaches)}, seen by {relation.reference}"
     here: object = scenario
     if head == "participants":
         name, _, rest = rest.partition(".")
@@ -167,7 +192,7 @@ def _value(scenario: FunctionalScenario, path: str) -> str:
         here = getattr(scenario, head, None)
     for part in rest.split("."):
         here = getattr(here, part, None)
-    return _words(here)
+    return _words(here) + (" m/s" if isinstance(here, float) and path.endswith("_mps") else "")
 
 
 def _words(value: object) -> str:

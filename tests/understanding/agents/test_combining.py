@@ -1,9 +1,15 @@
 """Where reader and agents differ on what the text states: shown with the words, numbers win."""
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
-from scegen.understanding import read
+from scegen.errors import InfeasibleError
+from scegen.scenario.files import from_data
+from scegen.scenario.functional import FunctionalScenario
+from scegen.understanding import Standing, paper_cases, read, report_on
 from scegen.understanding.agents import Kept
+from scegen.understanding.agents.combining import combine
 
 
 @pytest.fixture
@@ -143,6 +149,23 @@ def test_a_stated_speed_wins(differ):
     assert result.functional.participant("truck_1").speed_mps.low == pytest.approx(10.0)
 
 
+def test_a_stated_speed_of_all_wins_for_all(differ):
+    people = [{"id": f"bus_{k}", "kind": "bus", "role": "other" if k else "ego"} for k in range(3)]
+    text = "Three buses at 36 km/h meet at a four-way intersection."
+    result = differ(text, participants={"participants": people})
+    assert [p.speed_mps.low for p in result.functional.participants] == pytest.approx([10] * 3)
+    assert {d.kept for d in result.disagreements} == {Kept.READER}
+
+
+def test_a_stated_speed_of_one_of_several_is_shown(differ):
+    people = [{"id": f"bus_{k}", "kind": "bus", "role": "other" if k else "ego"} for k in range(3)]
+    people[2]["speed_mps"] = {"low": 5, "high": 5}
+    text = "Three buses meet at a four-way intersection. One bus drives at 36 km/h."
+    item = only(differ(text, participants={"participants": people}))
+    assert (item.reader, item.agents, item.kept) == ("10.0 m/s", "5.0 m/s", "agents")
+    assert "not clear whose" in item.reason
+
+
 def test_a_value_that_does_not_fit_is_shown_and_left(differ):
     # the agents send somebody in at arm 4, which the reader's T has not
     people = [{"id": "car_1", "role": "ego"}, {"id": "car_2", "entries": [3]}]
@@ -153,7 +176,158 @@ def test_a_value_that_does_not_fit_is_shown_and_left(differ):
     assert result.functional.junction.arms == 4
 
 
-def test_what_the_reader_refuses_is_noted(differ):
-    result = differ("Two cars meet at a roundabout with 1 exit.", ("car", "car"))
+def read_as(name, value):
+    return {
+        "junction": {"kind": "roundabout", "arms": 4},
+        "unsupported": [{"words": name, "instead": value}],
+    }
+
+
+CONTRADICTORY = "Two cars meet at a roundabout with 1 exit."
+
+
+def test_a_contradiction_wins_over_silence(differ, chat_server):
+    with pytest.raises(InfeasibleError, match="without a word on it") as refused:
+        differ(CONTRADICTORY, ("car", "car"), road=read_as("meet", "anything"))
+    assert "1 exit" in refused.value.message
+    # the agents were told, and had their chance
+    assert len(chat_server.asked("road")) == 3
+    assert "contradict itself" in str(chat_server.asked("road")[1]["messages"])
+
+
+def test_a_contradiction_that_the_agents_resolve_is_shown(differ, chat_server):
+    silent = {"junction": {"kind": "roundabout", "arms": 4}}
+    told = read_as("1 exit", "read as one exit to take, of four")
+    result = differ(CONTRADICTORY, ("car", "car"), road=[silent, told])
+    item = only(result)
+    assert item.kept is Kept.AGENTS
+    assert "cannot have 1 exits" in item.reader
+    assert item.agents == "read as one exit to take, of four"
+    assert result.functional.junction.arms == 4
+    report = report_on(result.functional, result.disagreements)
+    assert {f.words for f in report.of(Standing.CONTRADICTED)} == {item.words}
+
+
+def test_a_limit_of_the_reader_is_not_the_agents(differ):
+    text = "Sixty-five cars meet at a four-way intersection."
+    result = differ(text, ("car",) * 40)
+    assert result.disagreements == ()
+    assert any("more than" in note for note in result.notes)
+
+
+def test_what_is_not_traffic_to_the_reader_is_noted(differ):
+    result = differ("The cat sleeps on the sofa.", ("car", "car"))
     assert result.speaker == "openai:scripted"
-    assert any("1 exit" in note for note in result.notes)
+    assert any("does not describe a traffic situation" in note for note in result.notes)
+
+
+def person(name, kind="car", **more):
+    return {"id": name, "kind": kind, **more}
+
+
+def test_a_kind_of_the_same_words_gives_way(differ):
+    people = {
+        "participants": [person("car_1", role="ego"), person("two", "truck")],
+        "basis": [{"field": "two.kind", "words": "a bus"}],
+    }
+    people["basis"][0]["field"] = "participants.two.kind"
+    result = differ("A car and a bus meet at a four-way intersection.", participants=people)
+    item = only(result)
+    assert (item.field, item.reader, item.agents) == ("participants.two.kind", "bus", "truck")
+    assert result.functional.participant("two").kind == "bus"
+    (evidence,) = (e for e in result.functional.evidence if e.field == item.field)
+    assert "read in two ways, by the agents as: truck" in evidence.reason
+
+
+def test_somebody_missing_is_shown(differ):
+    text = "A car and a bus meet at a four-way intersection."
+    item = only(differ(text, ("car",)))
+    assert (item.field, item.words, item.reader) == ("participants", "a bus", "1 bus")
+    assert item.kept is Kept.AGENTS
+
+
+def test_what_one_does_is_compared(differ):
+    text = "A bus turns left at a four-way intersection while a car waits."
+    people = [person("bus_9", "bus", role="ego", maneuvers=["right"]), person("car_9")]
+    result = differ(text, participants={"participants": people})
+    item = next(d for d in result.disagreements if d.field == "participants.bus_9.maneuvers")
+    assert (item.words, item.reader, item.agents) == ("turns left", "left", "right")
+    assert {str(m) for m in result.functional.participant("bus_9").maneuvers} == {"left"}
+
+
+def test_where_one_comes_from_is_compared_only_with_the_same_ego(differ):
+    text = "The ego car drives straight at a crossroads; a truck comes from the left."
+    for ego, shown in (("car_1", True), ("truck_1", False)):
+        people = [person("car_1"), person("truck_1", "truck", approaches=["right"])]
+        for one in people:
+            one["role"] = "ego" if one["id"] == ego else "other"
+        result = differ(text, participants={"participants": people})
+        fields = {d.field for d in result.disagreements}
+        assert ("participants.truck_1.approaches" in fields) == shown
+        assert ("participants.car_1.role" in fields) == (not shown)
+        assert result.functional.ego.kind == "car"
+        truck = next(p for p in result.functional.participants if p.kind == "truck")
+        assert {str(a) for a in truck.approaches} == {"left"}
+
+
+BRAKES = "A van brakes hard at a four-way intersection; a car is there too."
+
+
+def test_a_stated_danger_wins_over_silence(differ):
+    people = [person("car_1", role="ego"), person("van_7", "van")]
+    result = differ(BRAKES, participants={"participants": people})
+    item = only(result)
+    assert (item.field, item.agents, item.kept) == ("hazards.hard_braking", "not said", "reader")
+    (hazard,) = result.functional.hazards
+    assert (hazard.kind, hazard.by) == ("hard_braking", ("van_7",))
+
+
+def test_another_reading_of_the_same_words_stands(differ):
+    people = [person("car_1", role="ego"), person("van_7", "van")]
+    hazards = {
+        "hazards": [{"kind": "stopping", "by": ["van_7"]}],
+        "basis": [{"field": "hazards.stopping", "words": "brakes hard"}],
+    }
+    result = differ(BRAKES, participants={"participants": people}, hazards=hazards)
+    item = only(result)
+    assert (item.field, item.agents, item.kept) == ("hazards.hard_braking", "stopping", "agents")
+    assert [h.kind for h in result.functional.hazards] == ["stopping"]
+
+
+def test_who_causes_a_danger_is_compared(differ):
+    people = [person("car_1", role="ego"), person("van_7", "van")]
+    hazards = {"hazards": [{"kind": "hard_braking", "by": ["car_1"], "to": ["van_7"]}]}
+    result = differ(BRAKES, participants={"participants": people}, hazards=hazards)
+    item = only(result)
+    assert (item.reader, item.agents) == ("hard_braking by van_7", "hard_braking by car_1")
+    assert result.functional.hazards[0].by == ("van_7",)
+
+
+def test_disagreements_are_contradictions_of_the_parse_report(differ):
+    result = differ("Two cars meet at a T-intersection.", ("car", "car"))
+    (finding,) = report_on(result.functional, result.disagreements).of(Standing.CONTRADICTED)
+    assert (finding.field, finding.words) == ("junction.kind", "T-intersection")
+    assert finding.value == "t"
+    assert "four_way" in finding.reason
+    assert "reader" in finding.reason
+
+
+SENTENCES = st.sampled_from([case.text for case in paper_cases()] + [BRAKES])
+
+
+@given(SENTENCES, SENTENCES)
+def test_any_two_readings_combine(one, other):
+    theirs = read(one)
+    ours = read(other).model_copy(update={"description": one, "evidence": (), "unsupported": ()})
+    combined, disagreements = combine(ours, theirs)
+    data = combined.model_dump(mode="json")
+    assert from_data(FunctionalScenario, data, where="x") == combined
+    assert all(one[d.start : d.end] == d.words for d in disagreements)
+    fields = [e.field for e in combined.evidence]
+    assert len(fields) == len(set(fields))
+
+
+@given(SENTENCES)
+def test_a_reading_agrees_with_itself(text):
+    scenario = read(text)
+    assert combine(scenario, scenario) == (scenario, [])

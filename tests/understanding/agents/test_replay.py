@@ -103,6 +103,26 @@ def test_a_key_in_an_answer_is_blotted_out(tmp_path, understood, good_answers, e
     assert all(key not in p.read_text() for p in (tmp_path / "t").iterdir())
 
 
+def test_a_key_that_the_server_disguises_is_blotted_out(
+    tmp_path, understood, good_answers, chat_server, environment
+):
+    key = environment["OPENAI_API_KEY"]
+    road = {**good_answers["road"], "basis": [{"field": "junction.kind", "reason": "KEY"}]}
+    function = {"name": "answer", "arguments": json.dumps(road)}
+    call = {"id": "c", "type": "function", "function": function}
+    message = {"role": "assistant", "content": None, "tool_calls": [call]}
+    choice = {"index": 0, "finish_reason": "tool_calls", "message": message}
+    body = {"id": "1", "object": "chat.completion", "created": 1, "model": "m", "choices": [choice]}
+    disguised = "".join(f"\\u{ord(c):04x}" for c in key)
+    raw = json.dumps(body).replace("KEY", disguised).encode()
+    assert key.encode() not in raw
+    good_answers["road"] = chat_server.kinds["Raw"](raw)
+    result = understood(good_answers, record=tmp_path / "t")
+    assert result.speaker == "openai:scripted"
+    assert key not in to_yaml(result.functional) + json.dumps(result.to_data())
+    assert all(key not in p.read_text() for p in (tmp_path / "t").iterdir())
+
+
 def replay(folder, text):
     return understand(text, LlmSettings(models=(), replay=folder), environment={})
 

@@ -23,7 +23,8 @@ def test_the_answers_become_a_scenario(understood, good_answers):
     assert result.faults == ()
     assert scenario.junction.kind is JunctionKind.T
     assert [p.id for p in scenario.participants] == ["car_1", "car_2", "car_3", "truck_1"]
-    assert [h.kind for h in scenario.hazards] == [HazardKind.SPEEDING]
+    kinds = [h.kind for h in scenario.hazards]
+    assert kinds == [HazardKind.SPEEDING, HazardKind.UNPROTECTED_LEFT_TURN]
     # valid by the types of the contract, not by luck
     assert from_data(FunctionalScenario, scenario.model_dump(mode="json"), where="x") == scenario
 

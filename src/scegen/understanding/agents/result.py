@@ -11,6 +11,9 @@ from pydantic import Field
 from scegen.llm import Fault, Usage
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.model import FrozenModel
+from scegen.understanding.disagreement import Disagreement, Kept
+
+__all__ = ["READER", "Disagreement", "Kept", "Objection", "Part", "Understanding"]
 
 READER = "offline reader"
 """The speaker where no model gave a usable answer."""
@@ -32,29 +35,6 @@ class Objection(FrozenModel):
     about: Part
     problem: str = Field(min_length=1, max_length=LONGEST_REMARK)
     words: str | None = Field(default=None, max_length=LONGEST_REMARK)
-
-
-class Kept(StrEnum):
-    """Whose value stands."""
-
-    READER = "reader"
-    AGENTS = "agents"
-
-
-class Disagreement(FrozenModel):
-    """A fact of the text that the offline reader and the agents read differently.
-
-    ``start`` and ``end`` are the place of ``words`` in the description.
-    """
-
-    field: str
-    words: str
-    start: int = Field(ge=0)
-    end: int = Field(ge=0)
-    reader: str
-    agents: str
-    kept: Kept
-    reason: str
 
 
 @dataclass(frozen=True, slots=True)

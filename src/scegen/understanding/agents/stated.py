@@ -31,6 +31,10 @@ class Words:
         """Whether these are the other words, or a part of them."""
         return other.start <= self.start and self.end <= other.end
 
+    def overlaps(self, other: Words) -> bool:
+        """Whether they share a character."""
+        return self.start < other.end and other.start < self.end
+
 
 @dataclass(frozen=True, slots=True)
 class Count:

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from scegen.errors import InfeasibleError, InputError, NotTrafficError
 from scegen.llm import Fault, FaultKind, LlmSettings
+from scegen.llm.budget import Ledger
 from scegen.llm.session import Heard, Progress, Session
 from scegen.scenario.functional import FunctionalScenario
-from scegen.understanding.agents.combining import Combiner
+from scegen.understanding.agents.combining import combine
+from scegen.understanding.agents.contradicting import Contradiction, contradiction_in
 from scegen.understanding.agents.prompting import prompts_version
-from scegen.understanding.agents.result import READER, Objection, Understanding
+from scegen.understanding.agents.result import READER, Disagreement, Objection, Understanding
 from scegen.understanding.agents.stated import miscounted
 from scegen.understanding.reader import read
 
@@ -27,6 +30,7 @@ def understand(
     *,
     environment: Mapping[str, str] = os.environ,
     progress: Progress = lambda _: None,
+    ledger: Ledger | None = None,
 ) -> Understanding:
     """Understand a description with language models, checked against the offline reader.
 
@@ -37,80 +41,87 @@ def understand(
         settings: which models, where, within which bounds.
         environment: holds the keys.
         progress: told each step.
+        ledger: what was used is written here, and its budget holds instead of the settings';
+            for descriptions that share one budget.
 
     Raises:
         MissingToolError: the extra ``llm`` is not installed.
         InputError: the text, the settings or a recording cannot be used, or a key is missing.
-        NotTrafficError, InfeasibleError: no model gave a usable answer, and the offline reader
-            cannot use the text.
+        NotTrafficError: no model gave a usable answer, and the offline reader finds no traffic.
+        InfeasibleError: the text contradicts itself, and no model said how to read it.
     """
-    return understand_in(Session(settings, environment), text, progress)
+    return understand_in(Session(settings, environment, ledger), text, progress)
 
 
 def understand_in(
     session: Session, text: str, progress: Progress = lambda _: None
 ) -> Understanding:
     """The same in a session, which goes on afterwards."""
-    reading, refusal = _offline(text)
+    offline = _offline(text)
     session.open(description=text, prompts=prompts_version())
-
-    def checks(scenario: FunctionalScenario) -> tuple[Objection, ...]:
-        return () if reading is None else miscounted(reading, scenario)
 
     async def consult(line: Line) -> Consulted:
         # the extra is there by now; without it this module must import all the same
         from scegen.understanding.agents.team import Team  # noqa: PLC0415
 
-        return await Team(line, text, checks).consult()
+        return await Team(line, text, offline.objections).consult()
 
     heard = session.ask(consult, progress)
     if heard.answer is None:
-        return _fallen_back(heard, reading, refusal)
-    return _combined(heard, heard.answer, reading, refusal)
+        return _fallen_back(heard, offline)
+    return _combined(heard, heard.answer, offline)
 
 
-def _offline(text: str) -> tuple[FunctionalScenario | None, InputError | None]:
-    """The reader's scenario, or why it has none; an empty or endless text is refused at once."""
+@dataclass(frozen=True, slots=True)
+class _Offline:
+    """The reader's scenario, or why it has none; and the contradiction, if that is why."""
+
+    reading: FunctionalScenario | None
+    refusal: InputError | None = None
+    contradiction: Contradiction | None = None
+
+    def objections(self, scenario: FunctionalScenario) -> tuple[Objection, ...]:
+        """What speaks against a scenario, in the eyes of the reader."""
+        if self.reading is not None:
+            return miscounted(self.reading, scenario)
+        return () if self.contradiction is None else self.contradiction.objections(scenario)
+
+
+def _offline(text: str) -> _Offline:
+    """What the reader makes of the text; an empty or endless one is refused at once."""
     try:
-        return read(text), None
+        return _Offline(read(text))
     except (NotTrafficError, InfeasibleError) as error:
-        return None, error
+        return _Offline(None, error, contradiction_in(text, error))
 
 
-def _combined(
-    heard: Heard[Consulted],
-    consulted: Consulted,
-    reading: FunctionalScenario | None,
-    refusal: InputError | None,
-) -> Understanding:
-    notes = list(consulted.notes)
-    faults = [*heard.faults, *([consulted.review_fault] if consulted.review_fault else [])]
-    scenario, disagreements = consulted.scenario, []
-    if reading is not None:
-        combiner = Combiner(scenario, reading)
-        scenario, disagreements = combiner.run(), combiner.disagreements
-    elif refusal is not None:
-        notes.append(f"the {READER} could not use the text: {refusal.message}")
+def _combined(heard: Heard[Consulted], consulted: Consulted, offline: _Offline) -> Understanding:
+    scenario, notes = consulted.scenario, list(consulted.notes)
+    disagreements: list[Disagreement] = []
+    if offline.reading is not None:
+        scenario, disagreements = combine(scenario, offline.reading)
+    elif offline.contradiction is not None:
+        disagreements = offline.contradiction.resolved_by(scenario, str(heard.speaker))
+    elif offline.refusal is not None:
+        notes.append(f"the {READER} could not use the text: {offline.refusal.message}")
     return Understanding(
         functional=scenario,
         speaker=str(heard.speaker),
         asked=heard.asked,
         usage=heard.usage,
-        faults=tuple(faults),
+        faults=(*heard.faults, *([consulted.review_fault] if consulted.review_fault else [])),
         disagreements=tuple(disagreements),
         objections=consulted.objections,
         notes=tuple(notes),
     )
 
 
-def _fallen_back(
-    heard: Heard[Consulted], reading: FunctionalScenario | None, refusal: InputError | None
-) -> Understanding:
-    if reading is None:
+def _fallen_back(heard: Heard[Consulted], offline: _Offline) -> Understanding:
+    if offline.reading is None:
         why = "; ".join(fault.in_words() for fault in heard.faults)
-        raise _worse(refusal, why, heard.faults)
+        raise _worse(offline.refusal, why, heard.faults)
     return Understanding(
-        functional=reading,
+        functional=offline.reading,
         speaker=READER,
         asked=heard.asked,
         usage=heard.usage,
