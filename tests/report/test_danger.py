@@ -1,7 +1,8 @@
 """The report says of every danger and every measure what was and what is."""
 
 from scegen.report.danger import danger_tables
-from scegen.scenario.proof import HazardProof, MeasureProof, PartProof, Proof
+from scegen.scenario.concrete import Change, Rejected
+from scegen.scenario.proof import Advice, HazardProof, MeasureProof, PartProof, Proof
 from scegen.scenario.vocabulary import HazardKind
 
 
@@ -62,3 +63,30 @@ def test_a_failure_is_loud_and_says_why():
     assert "NOT reached" in target.title
     assert "their paths never meet" in target.title
     assert "NOT" in dangers.rows[0][4]
+
+
+def advice(**more):
+    rejected = Rejected(by="openai:x", value="500", why="lies outside 0 to 60 m/s")
+    changes = (
+        Change(parameter="car_1.start_m", by="openai:x", before=10, after=12.5, reason="earlier"),
+        Change(parameter="car_1.speed_mps", by="validator", reason="left", rejected=rejected),
+    )
+    return Advice(**{"speaker": "openai:x", "led": True, "changes": changes, **more})
+
+
+def test_proposals_with_who_and_why_and_what_was_rejected():
+    *_, proposed = danger_tables(proof(advice=advice()))
+    assert proposed.title == "Numbers proposed by openai:x: the search went on from there"
+    assert proposed.rows == (
+        ("car_1.start_m", "10", "12.5", "openai:x", "earlier", ""),
+        ("car_1.speed_mps", "–", "–", "validator", "left", "500: lies outside 0 to 60 m/s"),
+    )
+
+
+def test_proposals_that_did_not_help_and_why_others_are_silent():
+    *_, proposed = danger_tables(proof(advice=advice(led=False)))
+    assert "its own way" in proposed.title
+    told = advice(led=False, changes=(), speaker="offline rules", notes=("openai:x: no answer",))
+    *_, proposed = danger_tables(proof(advice=told))
+    assert proposed.title == "Numbers proposed by offline rules: none"
+    assert proposed.rows[0][4] == "openai:x: no answer"

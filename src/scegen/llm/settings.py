@@ -14,8 +14,8 @@ class Limits:
     """Bounds on every request, so that no server can hold up a run for ever.
 
     ``request_s`` bounds one attempt from connecting to the last byte, ``run_s`` all requests of
-    a model together. ``attempts`` counts the first one too; a wait between them doubles from
-    ``first_wait_s``, follows Retry-After, and never exceeds ``longest_wait_s``.
+    one conversation with a model. ``attempts`` counts the first one too; a wait between them
+    doubles from ``first_wait_s``, follows Retry-After, and never exceeds ``longest_wait_s``.
     """
 
     request_s: float = 90.0

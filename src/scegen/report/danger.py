@@ -57,11 +57,12 @@ def _target(proof: Proof) -> Table:
 
 def _advice(advice: Advice) -> Table:
     """What was proposed before the search, and what became of it."""
-    fate = (
-        "the search went on from there"
-        if advice.led
-        else "the search went its own way, since these led nowhere"
-    )
+    if advice.led:
+        fate = "the search went on from there"
+    elif advice.changes:
+        fate = "the search went its own way, since these led nowhere"
+    else:
+        fate = "none"
     rows = [
         (
             change.parameter,

@@ -19,6 +19,8 @@ from scegen.scenario.vocabulary import HazardKind
 OFFLINE = "offline rules"
 _CLEAR_S = 1.0
 """Those whom the danger is not about keep this far apart in time."""
+_CLOSEST_S = 0.2
+"""Who catches up with somebody does not come closer than this, in time."""
 _TOUCHES_S = -0.5
 _WORTH_S = 0.02
 _SHARE = 0.5
@@ -109,18 +111,22 @@ def _delays(
         settled = True
         for encounter in situation.encounters:
             first, second = encounter.first, encounter.second
-            now = encounter.gap_s + later.get(second, 0.0) - later.get(first, 0.0)
+            shifted = later.get(second, 0.0) - later.get(first, 0.0)
             wanted, exact = _wanted(situation, encounter)
-            if wanted is None or (now >= wanted - _WORTH_S and not exact):
+            if wanted is None:
                 continue
-            if abs(wanted - now) <= _WORTH_S:
+            missing = wanted - encounter.gap_s - shifted
+            if not (exact and situation.target.contact):
+                missing = max(missing, _CLOSEST_S - encounter.least_s - shifted)
+            if abs(missing) <= _WORTH_S or (missing < 0.0 and not exact):
                 continue
             mover, sign = (second, 1) if second in starts else (first, -1)
             if mover not in starts:
                 continue
-            later[mover] += sign * (wanted - now)
+            later[mover] += sign * missing
             about = "as the target wants" if exact else "out of the other's way"
-            aim = f"so that {second} enters {wanted:.2f} s after {first} has left, {about}"
+            gap = encounter.gap_s + shifted + missing
+            aim = f"so that {second} enters {gap:.2f} s after {first} has left, {about}"
             why[mover] = aim
             if exact:
                 why[first] = why[second] = aim

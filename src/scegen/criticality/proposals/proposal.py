@@ -34,13 +34,15 @@ class Proposal(FrozenModel):
 class Encounter:
     """Two whose paths meet: ``second`` enters ``gap_s`` after ``first`` has left, or before (< 0).
 
-    ``at_s`` is when the second enters.
+    ``at_s`` is when the second enters. ``least_s`` is the smallest gap from there on: less, where
+    the second catches up with the first in a lane that they share.
     """
 
     first: str
     second: str
     gap_s: float
     at_s: float
+    least_s: float
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from math import inf
+
 import numpy as np
 
+from scegen.criticality.following import SPACING_M
 from scegen.criticality.hazards.judging import number
 from scegen.criticality.hazards.view import View
 from scegen.criticality.proposals.parameters import parameters_of
 from scegen.criticality.proposals.proposal import Encounter, Situation
 from scegen.criticality.search.problem import MEASURE_FIELDS, Problem, view_of
+from scegen.motion.batch.arrays import Floats
 from scegen.motion.batch.simulation import simulate_batch
 from scegen.scenario.proof import HazardProof
 
@@ -46,18 +50,44 @@ def _encounters(view: View, people: list[str]) -> list[Encounter]:
             left = [_time_s(view, people[i], areas.leave_m[n, k]) for k, i in enumerate((a, b))]
             first = int(entered[1] < entered[0])
             gap = entered[1 - first] - left[first]
-            if np.isfinite(gap):
+            if np.isfinite(gap) and min(left) > 0.0:  # else somebody starts beyond it
                 names = people[a], people[b]
-                met.append(Encounter(names[first], names[1 - first], gap, entered[1 - first]))
+                behind = _least_behind_s(view, leader=names[first], follower=names[1 - first])
+                at = entered[1 - first]
+                met.append(Encounter(names[first], names[1 - first], gap, at, min(gap, behind)))
         if met:
             found.append(min(met, key=lambda e: e.gap_s))
     return sorted(found, key=lambda e: (e.at_s, e.first, e.second))
 
 
+def _least_behind_s(view: View, *, leader: str, follower: str) -> float:
+    """The least time after which a follower's front is where the leader's rear was; inf: nowhere.
+
+    Over the places that the leader comes by in the lane that both share.
+    """
+    found = view.pair(follower, leader)
+    if found is None or view.scene.following.first[found] < 0:
+        return inf
+    first = view.scene.following.first[found]
+    begin, end = view.place_m(leader)[0, [0, -1]] / SPACING_M
+    n = np.arange(int(np.ceil(begin)), int(end) + 1)
+    rear: Floats = view.scene.following.rear_m[first + n]
+    front = view.scene.bodies[view.index[follower], 4]
+    behind = _times_s(view, follower, rear - front)
+    ahead = _times_s(view, leader, np.asarray(n * SPACING_M, dtype=np.float64))
+    gaps = np.subtract(behind, ahead)
+    return float(np.min(gaps[np.isfinite(gaps)], initial=inf))
+
+
 def _time_s(view: View, name: str, place_m: float) -> float:
-    """When somebody reaches a place on its path; inf if it never does."""
+    """When somebody reaches a place on its path; 0 if it starts beyond it, inf if it never does."""
+    return float(np.nan_to_num(_times_s(view, name, np.array([place_m])), posinf=inf)[0])
+
+
+def _times_s(view: View, name: str, at_m: Floats) -> Floats:
+    """When somebody reaches places on its path; inf where it never does, nan behind its start."""
     places = view.place_m(name)[0]
-    if not places[-1] >= place_m:
-        return float("inf")
     times = np.arange(len(places)) * view.dt_s
-    return float(np.interp(place_m, places, times))
+    reached = np.interp(at_m, places, times)
+    reached = np.where(at_m > places[-1], inf, reached)
+    return np.where(at_m < places[0], np.nan, reached)
