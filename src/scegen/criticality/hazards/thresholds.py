@@ -5,9 +5,9 @@ Design: 3.4 m/s2 is the deceleration for stopping sight distances; about nine in
 harder than that when something surprises them, most harder than 4.5 (Fambro et al. 1997).
 [ISO15622] ISO 15622:2018: adaptive cruise control keeps at least 0.8 s (*). [ASC] Allen, Shin,
 Cooper (1978) define PET; that below 1.5 s is a conflict is later practice, not agreed on:
-Songchitruksa and Tarko (2006) found crashes best explained by PET below 6.5 s. [TTC] 1.5 s bounds the conflicts
-that the FHWA's Surrogate Safety Assessment Model counts (FHWA-HRT-08-051); the measure is
-Hayward's (1972). [UN157] UN R157, 5.2.5.2: cut-ins are to be managed above a TTC of
+Songchitruksa and Tarko (2006) found crashes best explained by PET below 6.5 s. [TTC] 1.5 s
+bounds the conflicts that the FHWA's Surrogate Safety Assessment Model counts (FHWA-HRT-08-051);
+the measure is Hayward's (1972). [UN157] UN R157, 5.2.5.2: cut-ins are to be managed above a TTC of
 v_rel / (2 * 6 m/s2) + 0.35 s, which is 1 s at 28 km/h of difference; its careful driver takes
 0.4 s to evaluate a risk. [telematics] makers' thresholds of harsh acceleration for cars lie
 between 0.2 and 0.44 g. "own" marks this program's own choice, made so that the danger is plain to
