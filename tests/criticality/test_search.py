@@ -22,7 +22,14 @@ from scegen.scenario.functional import (
     Participant,
 )
 from scegen.scenario.model import Interval
-from scegen.scenario.vocabulary import HazardKind, JunctionKind, RoadSurface, Role
+from scegen.scenario.vocabulary import (
+    Control,
+    HazardKind,
+    JunctionKind,
+    Maneuver,
+    RoadSurface,
+    Role,
+)
 from scegen.understanding import read
 
 SENTENCES = {
@@ -226,6 +233,50 @@ def test_paths_that_never_meet_cannot_collide():
     assert "never meet" in reason
     assert "ego" in reason
     assert "other" in reason
+
+
+def test_those_who_keep_to_lanes_of_their_own_never_meet():
+    """Lanes lead to lanes: the outer lane turns right, the inner one left."""
+    functional = two_cars(JunctionKind.Y, 3)
+    people = (
+        Participant(
+            id="ego", role=Role.EGO, entries=frozenset({0}), maneuvers=frozenset({Maneuver.RIGHT})
+        ),
+        Participant(id="other", entries=frozenset({2}), maneuvers=frozenset({Maneuver.LEFT})),
+    )
+    junction = functional.junction.model_copy(update={"lanes": (2, 2, 2)})
+    update = {"participants": people, "junction": junction}
+    reason = refused(functional.model_copy(update=update), "collision")
+    assert "never meet: where their ways meet, each has a lane of its own" in reason
+
+
+def test_who_creeps_over_a_stop_line_is_searched_for_in_the_steps_of_the_proof():
+    """In steps of 0.05 s it passes 0.3 s later than in the proof's: what is found there is lost."""
+    people = (
+        Participant(id="ego", role=Role.EGO, entries=frozenset({0})),
+        Participant(id="car_1", entries=frozenset({1})),
+        Participant(id="car_2", entries=frozenset({2})),
+    )
+    junction = Junction(
+        kind=JunctionKind.FOUR_WAY, arms=4, control=Control.ALL_WAY_STOP, speed_limit_mps=25
+    )
+    functional = FunctionalScenario(description="by hand", junction=junction, participants=people)
+    (logical,) = (
+        scenario
+        for scenario in enumerate_scenarios(functional).scenarios
+        if scenario.slug == "0right-1straight-2right"
+    )
+    raised = raise_criticality(
+        functional, concretize(functional, logical, seed=0), target="collision"
+    )
+    assert raised.proof.reached, raised.proof.blocked_by
+    summary, n = independent(raised.concrete, raised.proof.pair)
+    assert np.flatnonzero(~np.isnan(summary.contact_s[0])).tolist() == [n]
+
+
+def test_nobody_is_in_danger_alone():
+    alone = two_cars().model_copy(update={"participants": (Participant(id="ego", role=Role.EGO),)})
+    assert "nobody else is on the road" in refused(alone, "collision")
 
 
 def test_nothing_is_dangerous_at_a_crawl():

@@ -6,7 +6,8 @@ for 0.4 s, needs 0.75 s more until the brakes act, and then brakes with up to 0.
 within 0.6 s. The figures were checked against two public implementations that cite the
 regulation, the JRC's (ec-jrc/JRC-FSM, ``CC_human_driver``) and esmini's (``ControllerALKS_R157SM``,
 ``ReferenceDriver``): 0.4 s, 0.75 s, 0.774 x 9.81 m/s², 12.65 m/s³, lateral wandering 0.375 m,
-critical time to collision 2.0 s.
+critical time to collision 2.0 s; the regulation's own text could not be consulted. For cut-ins both
+turn the 0.4 s into a lateral way of 0.72 m beyond the wandering.
 
 The regulation defines this driver for cut-in, cut-out and deceleration on motorways. **Using it at
 crossings, and for pedestrians, cyclists and oncoming traffic, is an extension of our own**: what is
@@ -15,7 +16,8 @@ perceivable is decided by the rule in :mod:`scegen.criticality.perception`, and 
 (arXiv:2406.09493) found this model rather late against real near-crashes.
 
 Simplifications: the driver keeps the scenario's path and speed program until the brakes act, never
-steers, brakes to a standstill and stays; it does not lift the foot while it reacts. The others
+steers, brakes to a standstill and stays; it does not lift the foot while it reacts (both
+implementations slow by 0.4 m/s² meanwhile, and say that they are not sure). The others
 keep their paths and programs; triggers that look at the ego are evaluated anew. Who never was a
 perceivable danger and touches the ego only because it braked (a follower that does not react) is
 named, but does not decide.

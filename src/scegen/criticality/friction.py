@@ -1,8 +1,9 @@
 """How well tyres hold, by road surface and weather.
 
-Typical coefficients of sliding friction after Treiber and Kesting, Traffic Flow Dynamics (2013),
-and Wong, Theory of Ground Vehicles (2008): dry 0.8-1.0, wet 0.5-0.7, snow 0.2-0.3, ice 0.1-0.2;
-the upper ends are taken.
+Upper ends of what is published for cars, because they bound what a search may ask of a driver, not
+what is typical: asphalt dry 0.65-1.0, wet 0.4-0.65, in heavy rain 0.4-0.55, snow 0.2-0.35, ice
+0.05-0.2 (Noon, Engineering Analysis of Vehicular Accidents, 1994, and tables of makers and
+teachers for about 50 km/h; all as quoted in secondary sources).
 """
 
 from __future__ import annotations
@@ -12,11 +13,11 @@ from scegen.scenario.vocabulary import RoadSurface, Weather
 
 _SURFACE = {
     RoadSurface.DRY: 1.0,
-    RoadSurface.WET: 0.7,
+    RoadSurface.WET: 0.65,
     RoadSurface.SNOWY: 0.3,
     RoadSurface.ICY: 0.2,
 }
-_WEATHER = {Weather.RAIN: 0.7, Weather.HEAVY_RAIN: 0.6, Weather.SNOW: 0.3}
+_WEATHER = {Weather.RAIN: 0.65, Weather.HEAVY_RAIN: 0.55, Weather.SNOW: 0.3}
 
 
 def friction_of(environment: Environment) -> float:

@@ -1,13 +1,17 @@
 """Thresholds of the hazard predicates, as data with their sources.
 
-[UN152] UN R152: emergency braking demands at least 5 m/s2. [AASHTO] A Policy on Geometric Design
-(2018): most drivers brake harder than 3.4 m/s2 only in emergencies; 4 m/s2 is the usual limit
-of lateral acceleration in curves. [ISO15622] ISO 15622:2018: adaptive cruise control keeps at
-least 0.8 s. [ASC] Allen, Shin, Cooper (1978) and later practice: PET below 1.5 s is a conflict.
-[TTC] Hayward (1972): TTC below 1.5 s. [UN157] UN R157 speaks of a cut-in with less than about
-1 s to spare, and its careful driver takes 0.4 s to evaluate a risk. [g/3]
-telematics practice: harsh acceleration begins near 0.3 g. "own" marks this program's own choice,
-made so that the danger is plain to see in the player.
+[UN152] UN R152: emergency braking demands at least 5 m/s2 (*). [AASHTO] A Policy on Geometric
+Design: 3.4 m/s2 is the deceleration for stopping sight distances; about nine in ten drivers brake
+harder than that when something surprises them, most harder than 4.5 (Fambro et al. 1997).
+[ISO15622] ISO 15622:2018: adaptive cruise control keeps at least 0.8 s (*). [ASC] Allen, Shin,
+Cooper (1978) define PET; that below 1.5 s is a conflict is later practice, not agreed on:
+Songchitruksa and Tarko (2006) found crashes best explained by PET below 6.5 s. [TTC] 1.5 s
+bounds the conflicts that the FHWA's Surrogate Safety Assessment Model counts (FHWA-HRT-08-051);
+the measure is Hayward's (1972). [UN157] UN R157, 5.2.5.2: cut-ins are to be managed above a TTC of
+v_rel / (2 * 6 m/s2) + 0.35 s, which is 1 s at 28 km/h of difference; its careful driver takes
+0.4 s to evaluate a risk. [telematics] makers' thresholds of harsh acceleration for cars lie
+between 0.2 and 0.44 g. "own" marks this program's own choice, made so that the danger is plain to
+see in the player. (*) quoted from memory: the text itself could not be consulted.
 """
 
 from __future__ import annotations
@@ -29,7 +33,7 @@ SPEEDING = Threshold(1.1, "m/s", 1.4, "own: a tenth above the limit")
 """As a share of the speed limit; its margin is in m/s."""
 SLOW = Threshold(0.6, "m/s", 1.4, "own: below 0.6 of the limit")
 SLOW_FOR_S = 3.0
-ACCELERATION = Threshold(2.94, "m/s2", 1.0, "[g/3]")
+ACCELERATION = Threshold(2.94, "m/s2", 1.0, "own: 0.3 g, within [telematics]")
 HARD_BRAKING = Threshold(5.0, "m/s2", 1.0, "[UN152]")
 LATE_BRAKING = Threshold(3.4, "m/s2", 1.0, "[AASHTO]")
 MEASURED_OVER_S = 0.5
@@ -39,7 +43,7 @@ OF_WHAT_IS_POSSIBLE = 0.8
 STANDS = Threshold(1.0, "s", 0.5, "own: stands for a second")
 STANDS_MPS = 0.1
 LATERAL_SPEED = Threshold(1.0, "m/s", 0.3, "own: a lane of 3.5 m in at most 3.5 s")
-CUT_IN_GAP = Threshold(1.0, "s", 0.4, "[UN157]")
+CUT_IN_GAP = Threshold(1.0, "s", 0.4, "own: near [UN157]")
 TAILGATING = Threshold(0.8, "s", 0.2, "[ISO15622]")
 TAILGATING_FOR_S = 1.0
 CONFLICT = Threshold(1.5, "s", 0.5, "[ASC], [TTC]")
@@ -50,4 +54,4 @@ PASSES = Threshold(0.0, "m", 2.0, "own: from wholly behind to wholly ahead")
 ONCOMING = Threshold(1.0, "s", 0.5, "own: a second over the centre line")
 OCCLUDED = Threshold(0.4, "s", 0.2, "[UN157]: as long as a careful driver takes to see a risk")
 OBSTACLE = Threshold(2.0, "m", 0.5, "own: passed within 2 m")
-LATERAL_ACCELERATION = Threshold(4.0, "m/s2", 0.8, "[AASHTO]")
+LATERAL_ACCELERATION = Threshold(4.0, "m/s2", 0.8, "own: 0.4 g, more than everyday bends ask for")

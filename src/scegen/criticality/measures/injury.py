@@ -5,10 +5,12 @@ trucks, buses and emergency vehicles, impact speed for riders and pedestrians.
 Unit: none, 0 to 1.
 Direction: larger is worse.
 Source, occupants: Wang, MAIS(05/08) injury probability curves as functions of delta V, NHTSA
-DOT HS 813 219, 2022, all crash modes: -6.9540 + 0.1637 * delta-v in mph.
+DOT HS 813 219, 2022 (crashes of 2010-2015), all crash modes: -6.9540 + 0.1637 * delta-v in mph.
 Source, unprotected: pedestrian MAIS 3+ on GIDAS data after Rosén, 2010, as quoted in secondary
-literature: -4.6 + 0.078 * impact speed in km/h; it puts 10 % at 31 km/h, where Kusano et al.,
-TARGET setting for high severity collisions, find 34 km/h for pedestrians and 49 km/h for riders.
+literature: -4.6 + 0.078 * impact speed in km/h. It puts 10 % at 31 km/h, where the newer GIDAS
+models in Kusano et al., TARGET setting for high severity collisions, put it at 34 km/h for
+pedestrians and 49 km/h for riders. That the reports are about this, and the figures of Kusano et
+al., were checked; the coefficients themselves could not be read in the originals.
 Validity: averages over ages, belts and directions of impact, for light vehicles of their time; for
 riders an upper estimate, for occupants of heavy vehicles a stand-in. Fit to rank scenarios, not
 to predict outcomes. Undefined (nan) without contact.

@@ -1,7 +1,7 @@
 """Two-dimensional time to collision: when two boxes would touch if both kept their velocity.
 
 Unit: s; 0 in contact, inf if they would never touch.
-Direction: smaller is worse; 1.5 s is the usual threshold.
+Direction: smaller is worse; 1.5 s is the usual threshold (FHWA-HRT-08-051).
 Source: Hayward, Near-miss determination through use of a scale of danger, 1972; swept boxes by
 separating axes with speeds (Eberly, Dynamic collision detection using oriented bounding boxes).
 Validity: headings and velocities are held, so in curves it foresees contacts off the lane and
