@@ -13,7 +13,7 @@ from collections import Counter
 from collections.abc import Hashable
 from dataclasses import dataclass, field
 
-from scegen.enumeration.class_sizes import Choice, ClassSizes, arrangements
+from scegen.enumeration.class_sizes import Choice, Chosen, ClassSizes, arrangements
 from scegen.enumeration.patterns import Polynomial, Row, product
 from scegen.enumeration.problem import Problem
 from scegen.enumeration.reading import COUNTED, Solution
@@ -44,9 +44,9 @@ class Census:
     polynomial: Polynomial | None = None
 
     def __post_init__(self) -> None:
-        self._sizes = ClassSizes(self.symmetry, self.problem.arms)
         slot = {name: place for place, name in enumerate(self.problem.names)}
-        self._slots = [[slot[name] for name in g.members] for g in self.symmetry.groups]
+        slots = [[slot[name] for name in g.members] for g in self.symmetry.groups]
+        self._sizes = ClassSizes(self.symmetry, self.problem.arms, slots)
 
     def count(self, reduction: Reduction) -> int:
         """Number of scenarios under a reduction."""
@@ -65,7 +65,7 @@ class Census:
         if reduction is Reduction.NONE:
             return 1
         if reduction is Reduction.EXACT:
-            return self._sizes.of(self._choices(solution))
+            return self._sizes.of(self._made(solution))
         counts = Counter(move for _, move, _ in solution.drives)
         same = self._one_row()
         if same is None:
@@ -82,7 +82,7 @@ class Census:
             return solution
         if reduction is Reduction.PATTERN:
             return solution.pattern
-        return self._sizes.key(self._choices(solution))
+        return self._sizes.key(self._made(solution))
 
     def _one_row(self) -> tuple[Row, int, int] | None:
         """If all vehicles choose from the same moves everywhere: the row, vehicles, entries."""
@@ -96,19 +96,18 @@ class Census:
             self.polynomial = product(self.loose)
         return self.polynomial
 
-    def _choices(self, solution: Solution) -> list[list[Choice]]:
-        """What the members of each group chose, group by group."""
-        made: tuple[Choice, ...] = (*solution.drives, *solution.crossings)
-        if self.problem.open_places:
-            stances = dict.fromkeys(self.problem.names, "none")
-            open_pairs = set(self.problem.open_places)
-            stances |= {v: word for v, ref, word in solution.places if (v, ref) in open_pairs}
-            vehicles = zip(self.problem.vehicles, solution.drives, strict=True)
-            stands = [(*drive, stances[vehicle.id]) for vehicle, drive in vehicles]
-            made = (*stands, *solution.crossings)
-        return [[made[slot] for slot in slots] for slots in self._slots]
+    def _made(self, solution: Solution) -> tuple[Choice, ...]:
+        """What everybody chose, and the places of those who have several to choose from."""
+        if not self.problem.open_places:
+            return (*solution.drives, *solution.crossings)
+        stances = dict.fromkeys(self.problem.names, "none")
+        open_pairs = set(self.problem.open_places)
+        stances |= {v: word for v, ref, word in solution.places if (v, ref) in open_pairs}
+        vehicles = zip(self.problem.vehicles, solution.drives, strict=True)
+        stands = [(*drive, stances[vehicle.id]) for vehicle, drive in vehicles]
+        return (*stands, *solution.crossings)
 
-    def _turned(self, chosen: list[list[Choice]], turn: int) -> Counter[tuple[int, Choice]]:
+    def _turned(self, chosen: Chosen, turn: int) -> Counter[tuple[int, Choice]]:
         images, arms = self.symmetry.rotations[turn], self.problem.arms
         return Counter(
             (images[group], ((int(choice[0]) + turn) % arms, *choice[1:]))
@@ -118,14 +117,14 @@ class Census:
 
     def add(self, state: Solution) -> None:
         """Add what one state stands for."""
-        chosen = self._choices(state)
+        chosen = self._sizes.groups(self._made(state))
         rows = [
             self._row(vehicle.id, entry)
             for vehicle, (entry, move, _) in zip(self.problem.vehicles, state.drives, strict=True)
             if move == COUNTED
         ]
         turned = len(self.symmetry.rotations) if self.symmetry.anchor is not None else 1
-        labelled = turned * math.prod(arrangements(tuple(members)) for members in chosen)
+        labelled = turned * math.prod(arrangements(members) for members in chosen)
         self.states += 1
         self.total += labelled * math.prod(sum(manners for _, manners in row) for row in rows)
         moves = Counter(move for _, move, _ in state.drives if move != COUNTED)
@@ -140,7 +139,7 @@ class Census:
         found = Counter(move for move, _ in self.problem.wanted.get((vehicle, entry), ()))
         return tuple(sorted(found.items()))
 
-    def _fixed_by(self, chosen: list[list[Choice]], turn: int) -> int:
+    def _fixed_by(self, chosen: Chosen, turn: int) -> int:
         """Scenarios in a state, up to swaps, that the rotation maps onto themselves.
 
         The members at a cell choose a multiset; cells on one cycle must choose alike.
