@@ -7,7 +7,7 @@ itself. Mirror images never count: they swap the sides of the road.
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Set
 from dataclasses import dataclass
 
 from scegen.enumeration.problem import Problem
@@ -42,9 +42,12 @@ class Symmetry:
     @property
     def anchor(self) -> str | None:
         """A vehicle that is one of a kind on all arms: every rotation moves it."""
-        return next(
-            (g.members[0] for g in self.groups if g.drives and g.entries is None and g.alone), None
-        )
+        return self.anchor_among({name for group in self.groups for name in group.members})
+
+    def anchor_among(self, names: Set[str]) -> str | None:
+        """The first of these that is one."""
+        alone = (g.members[0] for g in self.groups if g.drives and g.entries is None and g.alone)
+        return next((name for name in alone if name in names), None)
 
 
 def labelled(problem: Problem) -> Symmetry:
