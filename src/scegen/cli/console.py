@@ -20,6 +20,9 @@ from rich.progress import (
 
 T = TypeVar("T")
 
+INTERRUPTED = 130
+"""Exit code after Ctrl-C."""
+
 stderr = Console(stderr=True, highlight=False, soft_wrap=True)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -9,13 +10,19 @@ import typer
 
 from scegen.cli.choices import RulesOption, WhereOption
 from scegen.cli.claims import coverage_json, coverage_lines, head, line, tell_claim, tell_count
-from scegen.cli.console import counting, result, result_json
+from scegen.cli.console import result
 from scegen.cli.levels import JsonFlag, functional_of, write_text
+from scegen.cli.listing import (
+    agree_to_many,
+    listing_under_way,
+    stream_json,
+    stream_lines,
+    write_json,
+)
 from scegen.errors import InputError
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 
 if TYPE_CHECKING:
-    from scegen.enumeration import Listing
     from scegen.enumeration.choosing.coverage import Coverage
     from scegen.scenario.functional import FunctionalScenario
     from scegen.scenario.logical import LogicalSet
@@ -54,6 +61,9 @@ def enumerate_(
     gallery: Annotated[
         Path | None, typer.Option(help="Draw the scenarios to this SVG file.")
     ] = None,
+    yes: Annotated[
+        bool, typer.Option("--yes", "-y", help="List millions without being asked.")
+    ] = False,
     json: JsonFlag = False,
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write logical.json to this file.")
@@ -77,14 +87,17 @@ def enumerate_(
         where=where,
         rules=rules,
     )
-    if not (rank or sample or cover or coverage or count_only or json or output or gallery):
-        _stream(listing)
-        return
-    with counting(listing.expected) as tick:
-        whole = listing.finished(tuple(tick(listing)))
+    agree_to_many(listing, yes=yes)
     if count_only:
-        tell_count(whole.certificate, reduction, arms, as_json=json, notes=whole.notes)
+        with listing_under_way(listing) as scenarios:
+            deque(scenarios, maxlen=0)
+        tell_count(listing.certificate(), reduction, arms, as_json=json, notes=listing.notes)
         return
+    if not (rank or sample or cover or coverage or output or gallery):
+        stream_json(listing) if json else stream_lines(listing)
+        return
+    with listing_under_way(listing) as scenarios:
+        whole = listing.finished(tuple(scenarios))
     logical = _chosen(whole, rank=rank, sample=sample, cover=cover, limit=limit)
     _write(logical, output, gallery)
     reached = None
@@ -93,8 +106,11 @@ def enumerate_(
         reached = _reached(whole, logical, narrowed=narrowed)
     if json:
         data = head(logical.certificate, reduction, arms)
-        data["scenarios"] = [s.model_dump(mode="json") for s in logical.scenarios]
-        result_json(data if reached is None else data | {"coverage": coverage_json(reached)})
+        write_json(
+            data,
+            logical.scenarios,
+            lambda: {} if reached is None else {"coverage": coverage_json(reached)},
+        )
     elif output is None and gallery is None:
         _tell(logical, reached)
 
@@ -118,16 +134,6 @@ def _reached(whole: LogicalSet, logical: LogicalSet, *, narrowed: bool) -> Cover
     if narrowed:
         everything = enumerate_scenarios(functional, reduction=whole.reduction, arms=whole.arms)
     return coverage(functional, everything.scenarios, logical.scenarios)
-
-
-def _stream(listing: Listing) -> None:
-    """Results line by line as they are found; what is claimed of them, at the end."""
-    listed = 0
-    with counting(listing.expected) as tick:
-        for scenario in tick(listing):
-            listed += 1
-            result(line(scenario))
-    tell_claim(listing.certificate(listed), listing.reduction, listing.arms, listing.notes)
 
 
 def _chosen(
