@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from scegen.cli.claims import head, line, tell_claim
-from scegen.cli.console import INTERRUPTED, counting, result, say, stderr
+from scegen.cli.console import INTERRUPTED, agreed, counting, result, say
 from scegen.errors import InputError
 
 if TYPE_CHECKING:
@@ -29,15 +29,13 @@ def agree_to_many(listing: Listing, *, yes: bool) -> None:
     if not listing.too_many:
         return
     many = f"{listing.expected:,} scenarios"
-    asked = not yes and sys.stdin.isatty() and stderr.is_terminal
-    if yes or (asked and typer.confirm(f"List all {many}?", err=True)):
-        listing.any_number = True
-        return
-    raise InputError(
-        f"{many} are many to list" + ("; nothing was listed" if asked else ""),
-        hint="Use --yes to list them all, --limit to list the first ones, or --count-only to "
-        "count them.",
-    )
+    if not yes and not agreed(f"List all {many}?"):
+        raise InputError(
+            f"{many} are many to list: nothing was listed",
+            hint="Use --yes to list them all, --limit to list the first ones, or --count-only to "
+            "count them.",
+        )
+    listing.any_number = True
 
 
 @contextmanager
