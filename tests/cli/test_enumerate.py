@@ -8,8 +8,10 @@ import signal
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 from lxml import etree
+from PIL import Image
 
 CARS = ("enumerate", "--entries", "0,1,2", "--junction-arms", "4")
 SENTENCE = "Three cars meet at a T-intersection."
@@ -148,6 +150,37 @@ def test_what_is_chosen_goes_to_files(scegen, tmp_path):
     assert len(json.loads((tmp_path / "chosen.json").read_text())["scenarios"]) == 4
     etree.parse(tmp_path / "chosen.svg")
     assert "4 logical scenarios" in (tmp_path / "chosen.svg").read_text()
+
+
+def test_hundreds_are_drawn_as_png_and_the_same_again(scegen, tmp_path):
+    cars = ("enumerate", "--entries", "0,1,2,3", "--junction-arms", "4", "--reduction", "none")
+    for name in ("a.png", "b.png"):
+        done = scegen(*cars, "--gallery", name)
+        assert done.returncode == 0, done.stderr
+    one, other = ((tmp_path / name).read_bytes() for name in ("a.png", "b.png"))
+    assert one == other
+    with Image.open(tmp_path / "a.png") as picture:
+        assert picture.width == 1272
+        assert picture.height > 17 * 300  # 81 in rows of five
+        tile = np.asarray(picture.convert("RGB"))[400:700, 12:252]
+    assert len(np.unique(tile.reshape(-1, 3), axis=0)) > 50
+
+
+def test_a_picture_of_a_folder_lies_beside_its_scenarios(scegen, tmp_path):
+    assert scegen(*CARS, "-o", "logical.json").returncode == 0
+    done = scegen("gallery", ".")
+    assert (done.returncode, done.stdout) == (0, "gallery.png\n"), done.stderr
+    assert (tmp_path / "gallery.png").read_bytes()[:4] == b"\x89PNG"
+    assert scegen("gallery", "logical.json", "-o", "tiles.svg").returncode == 0
+    etree.parse(tmp_path / "tiles.svg")
+
+
+def test_a_picture_of_another_kind_is_refused(scegen, tmp_path):
+    for arguments in ((*CARS, "--gallery", "g.gif"), ("gallery", ".", "-o", "g.pdf")):
+        done = scegen(*arguments)
+        assert done.returncode == 2
+        assert "neither .svg nor .png" in done.stderr
+    assert not list(tmp_path.iterdir())
 
 
 def test_generate_makes_what_is_as_asked_for(scegen, tmp_path):

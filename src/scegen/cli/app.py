@@ -11,7 +11,7 @@ import typer
 from typer.core import TyperGroup
 
 from scegen import __version__
-from scegen.cli import benchmark, check, enumerating, generate, levels, machine, simulate
+from scegen.cli import benchmark, check, enumerating, gallery, generate, levels, machine, simulate
 from scegen.cli.console import INTERRUPTED, stderr
 from scegen.errors import ScegenError
 
@@ -59,6 +59,7 @@ def _options(
 app.command("generate")(generate.generate)
 app.command("understand")(levels.understand)
 app.command("enumerate")(enumerating.enumerate_)
+app.command("gallery")(gallery.gallery)
 app.command("concretize")(levels.concretize)
 app.command("check")(check.check)
 app.command("simulate")(simulate.simulate)

@@ -11,6 +11,7 @@ import typer
 from scegen.cli.choices import RulesOption, WhereOption
 from scegen.cli.claims import coverage_json, coverage_lines, head, line, tell_claim, tell_count
 from scegen.cli.console import result
+from scegen.cli.gallery import require_picture, write_picture
 from scegen.cli.levels import JsonFlag, functional_of, write_text
 from scegen.cli.listing import (
     agree_to_many,
@@ -59,7 +60,7 @@ def enumerate_(
         int | None, typer.Option(min=2, max=8, help="With --entries: arms of the junction.")
     ] = None,
     gallery: Annotated[
-        Path | None, typer.Option(help="Draw the scenarios to this SVG file.")
+        Path | None, typer.Option(help="Draw the scenarios to this file, .svg or .png.")
     ] = None,
     yes: Annotated[
         bool, typer.Option("--yes", "-y", help="List millions without being asked.")
@@ -74,6 +75,8 @@ def enumerate_(
 
     if sample is not None and cover:
         raise InputError("--sample and --cover both choose: use one of them")
+    if gallery is not None:
+        require_picture(gallery, "--gallery")
     functional = _counted_cars(source, entries, junction_arms)
     if count_only and where is None and rules is None:
         certificate = count_scenarios(functional, reduction=reduction, arms=arms)
@@ -116,13 +119,12 @@ def enumerate_(
 
 
 def _write(logical: LogicalSet, output: Path | None, gallery: Path | None) -> None:
-    from scegen.report.gallery import gallery_svg
     from scegen.scenario.files import to_json
 
     if output is not None:
         write_text(to_json(logical), output)
     if gallery is not None:
-        write_text(gallery_svg(logical), gallery)
+        write_picture(logical, gallery)
 
 
 def _reached(whole: LogicalSet, logical: LogicalSet, *, narrowed: bool) -> Coverage:
