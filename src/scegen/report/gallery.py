@@ -14,7 +14,7 @@ MOST_CHARACTERS = 2_800_000
 """Larger pictures open slowly; tiles beyond are counted in the note, too."""
 _COLUMNS = 5
 _GAP = 12
-_HEAD = 91
+_HEAD = 108
 _HEADING = 34
 _GROUPED = 20
 """So many scenarios are grouped by pattern."""
@@ -132,4 +132,5 @@ def _notes(logical_set: LogicalSet, shown: int) -> list[str]:
         f"Arms: {arm_legend(logical_set.functional)}",
         "Ways cross at a ring ○ and merge at a diamond ◇; E is the ego; "
         "×n: the scenario stands for n assignments.",
+        "Moves: how many arms further on, counter-clockwise, each vehicle leaves.",
     ]
