@@ -1,11 +1,17 @@
 """scegen enumerate: streams, narrows, chooses, draws; scegen generate narrows alike."""
 
 import json
+import os
+import pty
+import re
 import signal
 import subprocess
 import sys
 
+import numpy as np
+import pytest
 from lxml import etree
+from PIL import Image
 
 CARS = ("enumerate", "--entries", "0,1,2", "--junction-arms", "4")
 SENTENCE = "Three cars meet at a T-intersection."
@@ -28,27 +34,97 @@ def test_the_first_answer_comes_before_the_last():
     assert [line[:4] for line in lines] == ["000-", "001-"]
 
 
-def test_an_interrupt_is_no_traceback():
-    command = (
-        "from scegen.cli import main; main()",
-        "enumerate", "--entries", "0,1,2,3,4,0,1,2,3,4", "--junction-arms", "5",
-        "--reduction", "none", "--limit", "800000",
-    )  # fmt: skip
+MILLION = (
+    "enumerate", "--entries", "0,1,2,3,4,0,1,2,3,4", "--junction-arms", "5", "--reduction", "none"
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("form", ["lines", "json"])
+def test_an_interrupt_says_how_far_it_came_and_leaves_the_list_whole(form):
+    program = "from scegen.cli import main; main()"
     with subprocess.Popen(
-        [sys.executable, "-c", *command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        [sys.executable, "-c", program, *MILLION, "--yes", *(["--json"] if form == "json" else [])],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
     ) as process:
-        process.stdout.readline()
+        begun = [process.stdout.readline() for _ in range(6)]
         process.send_signal(signal.SIGINT)
-        _, complaint = process.communicate(timeout=60)
+        rest, complaint = process.stdout.read(), process.stderr.read()
     assert process.returncode == 130
-    assert "Traceback" not in complaint
+    listed = re.search(r"interrupted: ([\d,]+) of 1,048,576 scenarios listed", complaint)
+    number = int(listed[1].replace(",", ""))
+    written = "".join(begun) + rest
+    if form == "json":
+        data = json.loads(written)
+        assert (len(data["scenarios"]), data["complete"]) == (number, False)
+        assert (data["total"], data["looked_at"]) == (4**10, number)
+    else:
+        assert len(written.splitlines()) == number
+        assert written.endswith("\n")
 
 
-def test_millions_are_refused_without_a_limit(scegen):
+def test_an_interrupt_elsewhere_is_said_too():
+    program = (
+        "import os, signal; from scegen.cli import app, main\n"
+        "app.app.command('wait')(lambda: os.kill(os.getpid(), signal.SIGINT))\n"
+        "main()"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program, "wait"], capture_output=True, text=True, check=False
+    )
+    assert (done.returncode, done.stderr.strip()) == (130, "interrupted")
+
+
+def test_millions_are_refused_where_nobody_can_be_asked(scegen):
     done = scegen("enumerate", "--entries", "0,1,2,3,4,0,1,2,3,4,0", "--junction-arms", "5")
     assert done.returncode == 2
+    assert "--yes" in done.stderr
     assert "--limit" in done.stderr
     assert done.stdout == ""
+
+
+@pytest.mark.parametrize("answer", ["y", "n"])
+def test_whoever_sits_at_a_terminal_is_asked(answer):
+    ours, theirs = pty.openpty()
+    with subprocess.Popen(
+        [sys.executable, "-c", "from scegen.cli import main; main()", *MILLION],
+        stdin=theirs,
+        stdout=subprocess.PIPE,
+        stderr=theirs,
+        text=True,
+    ) as process:
+        os.close(theirs)
+        asked = b""
+        while b"[y/N]" not in asked:
+            asked += os.read(ours, 4096)
+        os.write(ours, f"{answer}\n".encode())
+        first = process.stdout.readline()
+        if answer == "y":
+            process.kill()
+        code = process.wait(timeout=60)
+    os.close(ours)
+    assert b"1,048,576" in asked
+    assert first[:4] == ("000-" if answer == "y" else "")
+    assert (code == 2) == (answer == "n")
+
+
+def test_json_is_one_document_with_its_certificate(scegen):
+    data = json.loads(scegen(*CARS, "--arms", "equal", "--json").stdout)
+    assert list(data)[:3] == ["total", "count", "scenarios"]
+    assert data["total"] == data["count"] == len(data["scenarios"]) == data["looked_at"] == 27
+    assert data["complete"]
+    counted = json.loads(scegen(*CARS, "--arms", "equal", "--json", "--count-only").stdout)
+    assert {n: data[n] for n in counted if n != "method"} | {"method": counted["method"]} == counted
+
+
+def test_who_counts_as_whom_is_said(scegen):
+    ten = ("enumerate", "--entries", "0,1,2,0,1,2,0,1,2,0", "--junction-arms", "3", "--limit", "1")
+    told = scegen(*ten).stderr
+    assert "128 scenarios of 1024" in told
+    assert "the ego car_1 is told apart as the vehicle under test" in told
+    assert "car_4, car_7, car_10 at arm 0" in told
+    assert "car_1, car_4, car_7, car_10 at arm 0" in scegen(*ten, "--arms", "equal").stderr
 
 
 def test_json_says_how_many_match(scegen):
@@ -74,6 +150,37 @@ def test_what_is_chosen_goes_to_files(scegen, tmp_path):
     assert len(json.loads((tmp_path / "chosen.json").read_text())["scenarios"]) == 4
     etree.parse(tmp_path / "chosen.svg")
     assert "4 logical scenarios" in (tmp_path / "chosen.svg").read_text()
+
+
+def test_hundreds_are_drawn_as_png_and_the_same_again(scegen, tmp_path):
+    cars = ("enumerate", "--entries", "0,1,2,3", "--junction-arms", "4", "--reduction", "none")
+    for name in ("a.png", "b.png"):
+        done = scegen(*cars, "--gallery", name)
+        assert done.returncode == 0, done.stderr
+    one, other = ((tmp_path / name).read_bytes() for name in ("a.png", "b.png"))
+    assert one == other
+    with Image.open(tmp_path / "a.png") as picture:
+        assert picture.width == 1272
+        assert picture.height > 17 * 300  # 81 in rows of five
+        tile = np.asarray(picture.convert("RGB"))[400:700, 12:252]
+    assert len(np.unique(tile.reshape(-1, 3), axis=0)) > 50
+
+
+def test_a_picture_of_a_folder_lies_beside_its_scenarios(scegen, tmp_path):
+    assert scegen(*CARS, "-o", "logical.json").returncode == 0
+    done = scegen("gallery", ".")
+    assert (done.returncode, done.stdout) == (0, "gallery.png\n"), done.stderr
+    assert (tmp_path / "gallery.png").read_bytes()[:4] == b"\x89PNG"
+    assert scegen("gallery", "logical.json", "-o", "tiles.svg").returncode == 0
+    etree.parse(tmp_path / "tiles.svg")
+
+
+def test_a_picture_of_another_kind_is_refused(scegen, tmp_path):
+    for arguments in ((*CARS, "--gallery", "g.gif"), ("gallery", ".", "-o", "g.pdf")):
+        done = scegen(*arguments)
+        assert done.returncode == 2
+        assert "neither .svg nor .png" in done.stderr
+    assert not list(tmp_path.iterdir())
 
 
 def test_generate_makes_what_is_as_asked_for(scegen, tmp_path):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import io
+import sys
 import tracemalloc
 from itertools import islice
 
@@ -9,10 +11,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from scegen.cli.listing import stream_json
 from scegen.enumeration import (
     count_scenarios,
     enumerate_scenarios,
     iterate_scenarios,
+    open_listing,
     plain_crossing,
     programs,
     sharing,
@@ -90,6 +94,41 @@ def test_twenty_cars_at_six_arms_stream_in_constant_memory():
         stream.close()
     assert last.index == 9_999
     assert held[-1] - held[1] < 2_000_000
+
+
+def test_all_classes_of_ten_cars_are_written_in_constant_memory(monkeypatch):
+    """20,008 scenarios as one JSON document of 100 MB, of which nothing is held."""
+    functional = plain_crossing([i % 5 for i in range(10)], 5)
+    listing = open_listing(functional, arms=ArmsMode.EQUAL)
+    held: list[int] = []
+    sink = _Sink(held)
+    monkeypatch.setattr(sys, "stdout", sink)
+    tracemalloc.start()
+    try:
+        stream_json(listing)
+    finally:
+        tracemalloc.stop()
+    assert listing.listed == 20_008
+    assert listing.certificate().looked_at == 4**10
+    assert sink.written > 50_000_000
+    quarter = len(held) // 4
+    assert max(held[quarter:]) < 12_000_000
+    assert held[-1] - held[quarter] < 4_000_000
+
+
+class _Sink(io.StringIO):
+    """Counts and forgets what is written, and notes the memory held now and then."""
+
+    def __init__(self, held: list[int]) -> None:
+        super().__init__()
+        self.written, self._held, self._calls = 0, held, 0
+
+    def write(self, text: str) -> int:
+        self.written += len(text)
+        self._calls += 1
+        if self._calls % 200 == 0:
+            self._held.append(tracemalloc.get_traced_memory()[0])
+        return len(text)
 
 
 def test_a_neutral_junction_is_counted_without_the_solver(monkeypatch):

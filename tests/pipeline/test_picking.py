@@ -58,5 +58,5 @@ def test_without_an_expression_conflicts_come_first(logical):
 
 @pytest.mark.parametrize("expression", ["9", "3-1", "2-9", "", "nonsense", "1,,2", "-1"])
 def test_unknown_parts_are_named(logical, expression):
-    with pytest.raises(InputError, match="names no logical scenario; there are numbers 0 to 3"):
+    with pytest.raises(InputError, match="names no logical scenario; there are 0-3"):
         pick(logical, expression)

@@ -5,20 +5,33 @@ from __future__ import annotations
 import gc
 import os
 import sys
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
+from typer.core import TyperGroup
 
 from scegen import __version__
-from scegen.cli import benchmark, check, enumerating, generate, levels, machine, simulate
-from scegen.cli.console import stderr
+from scegen.cli import benchmark, check, enumerating, gallery, generate, levels, machine, simulate
+from scegen.cli.console import INTERRUPTED, stderr
 from scegen.errors import ScegenError
 
-INTERRUPTED = 130
 _OBJECTS_BEFORE_COLLECTING = 200_000
+
+
+class _Commands(TyperGroup):
+    """Says so when a command is interrupted, where typer would end in silence."""
+
+    def invoke(self, ctx: Any) -> object:  # noqa: ANN401 - typer keeps the type to itself
+        try:
+            return super().invoke(ctx)
+        except KeyboardInterrupt:
+            stderr.print("interrupted")
+            raise typer.Exit(INTERRUPTED) from None
+
 
 app = typer.Typer(
     name="scegen",
+    cls=_Commands,
     help="From an English description of traffic to every scenario it can mean, "
     "as OpenDRIVE and OpenSCENARIO files.",
     no_args_is_help=True,
@@ -46,6 +59,7 @@ def _options(
 app.command("generate")(generate.generate)
 app.command("understand")(levels.understand)
 app.command("enumerate")(enumerating.enumerate_)
+app.command("gallery")(gallery.gallery)
 app.command("concretize")(levels.concretize)
 app.command("check")(check.check)
 app.command("simulate")(simulate.simulate)
@@ -66,9 +80,6 @@ def main() -> None:
         stderr.print("error:", style="bold red", end=" ")
         stderr.print(error.render(), markup=False)
         sys.exit(error.exit_code)
-    except KeyboardInterrupt:
-        stderr.print("interrupted; nothing was written")
-        sys.exit(INTERRUPTED)
     except BrokenPipeError:
         # the reader of stdout is gone (| head); Python would complain again at exit
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

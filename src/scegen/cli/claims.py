@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 def head(certificate: Certificate, reduction: Reduction, arms: ArmsMode) -> dict[str, object]:
     """The certificate as JSON data."""
-    data: dict[str, object] = {
+    known = {
         "total": certificate.total,
         "count": certificate.count,
         "complete": certificate.complete,
@@ -23,7 +23,13 @@ def head(certificate: Certificate, reduction: Reduction, arms: ArmsMode) -> dict
         "reduction": reduction.value,
         "arms": arms.value,
     }
-    return data if certificate.matching is None else data | {"matching": certificate.matching}
+    rest = {
+        "matching": certificate.matching,
+        "group_order": certificate.group_order,
+        "symmetry": certificate.symmetry,
+        "looked_at": certificate.looked_at,
+    }
+    return known | {name: value for name, value in rest.items() if value is not None}
 
 
 def tell_count(
@@ -48,6 +54,10 @@ def tell_claim(
 ) -> None:
     """What a list claims to be, beside the list."""
     say(f"{_counts(certificate)} (reduction {reduction}, arms {arms}; {certificate.method})")
+    if certificate.symmetry is not None:
+        say(f"symmetry (group order {certificate.group_order:,}): {certificate.symmetry}")
+    if certificate.looked_at == certificate.total:
+        say(f"the class sizes add up to the total, {certificate.total:,}")
     for note in notes:
         say(note)
 

@@ -20,12 +20,26 @@ from rich.progress import (
 
 T = TypeVar("T")
 
+INTERRUPTED = 130
+"""Exit code after Ctrl-C."""
+
 stderr = Console(stderr=True, highlight=False, soft_wrap=True)
 
 
 def say(text: str) -> None:
     """A remark for the person, on stderr."""
     stderr.print(text, markup=False)
+
+
+def agreed(question: str) -> bool:
+    """Ask whoever sits at a terminal; no where nobody does, or answers anything but yes.
+
+    The question goes to stderr, all of it: typer's own prompt leaves a blank on stdout.
+    """
+    if not (sys.stdin.isatty() and stderr.is_terminal):
+        return False
+    stderr.print(f"{question} [y/N]:", markup=False, end=" ")
+    return sys.stdin.readline().strip().lower() in {"y", "yes"}
 
 
 def result(text: str) -> None:
@@ -58,5 +72,6 @@ def counting(total: int) -> Iterator[Callable[[Iterable[T]], Iterator[T]]]:
         yield iter
         return
     columns = (SpinnerColumn(), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=stderr, transient=True) as progress:
+    # Results go to stdout themselves: rich would print them between its bars, on stderr.
+    with Progress(*columns, console=stderr, transient=True, redirect_stdout=False) as progress:
         yield lambda items: iter(progress.track(items, total=total))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -9,13 +10,20 @@ import typer
 
 from scegen.cli.choices import RulesOption, WhereOption
 from scegen.cli.claims import coverage_json, coverage_lines, head, line, tell_claim, tell_count
-from scegen.cli.console import counting, result, result_json
+from scegen.cli.console import result
+from scegen.cli.gallery import require_picture, write_picture
 from scegen.cli.levels import JsonFlag, functional_of, write_text
+from scegen.cli.listing import (
+    agree_to_many,
+    listing_under_way,
+    stream_json,
+    stream_lines,
+    write_json,
+)
 from scegen.errors import InputError
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 
 if TYPE_CHECKING:
-    from scegen.enumeration import Listing
     from scegen.enumeration.choosing.coverage import Coverage
     from scegen.scenario.functional import FunctionalScenario
     from scegen.scenario.logical import LogicalSet
@@ -52,8 +60,11 @@ def enumerate_(
         int | None, typer.Option(min=2, max=8, help="With --entries: arms of the junction.")
     ] = None,
     gallery: Annotated[
-        Path | None, typer.Option(help="Draw the scenarios to this SVG file.")
+        Path | None, typer.Option(help="Draw the scenarios to this file, .svg or .png.")
     ] = None,
+    yes: Annotated[
+        bool, typer.Option("--yes", "-y", help="List millions without being asked.")
+    ] = False,
     json: JsonFlag = False,
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write logical.json to this file.")
@@ -64,6 +75,8 @@ def enumerate_(
 
     if sample is not None and cover:
         raise InputError("--sample and --cover both choose: use one of them")
+    if gallery is not None:
+        require_picture(gallery, "--gallery")
     functional = _counted_cars(source, entries, junction_arms)
     if count_only and where is None and rules is None:
         certificate = count_scenarios(functional, reduction=reduction, arms=arms)
@@ -77,14 +90,17 @@ def enumerate_(
         where=where,
         rules=rules,
     )
-    if not (rank or sample or cover or coverage or count_only or json or output or gallery):
-        _stream(listing)
-        return
-    with counting(listing.expected) as tick:
-        whole = listing.finished(tuple(tick(listing)))
+    agree_to_many(listing, yes=yes)
     if count_only:
-        tell_count(whole.certificate, reduction, arms, as_json=json, notes=whole.notes)
+        with listing_under_way(listing) as scenarios:
+            deque(scenarios, maxlen=0)
+        tell_count(listing.certificate(), reduction, arms, as_json=json, notes=listing.notes)
         return
+    if not (rank or sample or cover or coverage or output or gallery):
+        stream_json(listing) if json else stream_lines(listing)
+        return
+    with listing_under_way(listing) as scenarios:
+        whole = listing.finished(tuple(scenarios))
     logical = _chosen(whole, rank=rank, sample=sample, cover=cover, limit=limit)
     _write(logical, output, gallery)
     reached = None
@@ -93,20 +109,22 @@ def enumerate_(
         reached = _reached(whole, logical, narrowed=narrowed)
     if json:
         data = head(logical.certificate, reduction, arms)
-        data["scenarios"] = [s.model_dump(mode="json") for s in logical.scenarios]
-        result_json(data if reached is None else data | {"coverage": coverage_json(reached)})
+        write_json(
+            data,
+            logical.scenarios,
+            lambda: {} if reached is None else {"coverage": coverage_json(reached)},
+        )
     elif output is None and gallery is None:
         _tell(logical, reached)
 
 
 def _write(logical: LogicalSet, output: Path | None, gallery: Path | None) -> None:
-    from scegen.report.gallery import gallery_svg
     from scegen.scenario.files import to_json
 
     if output is not None:
         write_text(to_json(logical), output)
     if gallery is not None:
-        write_text(gallery_svg(logical), gallery)
+        write_picture(logical, gallery)
 
 
 def _reached(whole: LogicalSet, logical: LogicalSet, *, narrowed: bool) -> Coverage:
@@ -118,16 +136,6 @@ def _reached(whole: LogicalSet, logical: LogicalSet, *, narrowed: bool) -> Cover
     if narrowed:
         everything = enumerate_scenarios(functional, reduction=whole.reduction, arms=whole.arms)
     return coverage(functional, everything.scenarios, logical.scenarios)
-
-
-def _stream(listing: Listing) -> None:
-    """Results line by line as they are found; what is claimed of them, at the end."""
-    listed = 0
-    with counting(listing.expected) as tick:
-        for scenario in tick(listing):
-            listed += 1
-            result(line(scenario))
-    tell_claim(listing.certificate(listed), listing.reduction, listing.arms, listing.notes)
 
 
 def _chosen(

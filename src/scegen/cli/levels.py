@@ -118,7 +118,12 @@ def write_text(text: str, output: Path | None) -> None:
     if output is None:
         result(text)
         return
+    write_bytes(text.encode(), output)
+
+
+def write_bytes(content: bytes, output: Path) -> None:
+    """Write to a file."""
     try:
-        output.write_text(text, encoding="utf-8")
+        output.write_bytes(content)
     except OSError as error:
         raise InputError(f"cannot be written: {error.strerror}", where=str(output)) from error

@@ -2,127 +2,182 @@
 
 from __future__ import annotations
 
+from operator import itemgetter
+from typing import Any
+
+from scegen.enumeration.parking import standing
 from scegen.enumeration.problem import Problem
 from scegen.enumeration.ranks import queues
 from scegen.enumeration.reading import Solution, Way
-from scegen.enumeration.sharing import Kept, Share, Sharing, conflicts_among
+from scegen.enumeration.sharing import Kept, Share, Sharing
 from scegen.enumeration.slugs import MOST_SPELT_OUT, slug_of
+from scegen.enumeration.stretches import Stretch
 from scegen.scenario.functional import Participant
-from scegen.scenario.logical import Assignment, Crossing, Drive, LogicalScenario, Side, Standing
-from scegen.scenario.vocabulary import Approach, HazardKind
+from scegen.scenario.logical import Crossing, LogicalScenario, Side
 
 MOST_ORDERS = 4096
 """Orders of arrival and slugs that are kept; a stream of millions must not fill the memory."""
+MOST_STRETCHES = 1024
+"""Ways of the last participants that are kept; there are no more if they are parted well."""
 
+Choice = Way | tuple[int, str] | None
+"""Of one who drives, of one who crosses, of one who is parked."""
+Row = Kept[Any, Share]
+"""The shares of one participant, by choices of its own kind."""
 Entries = tuple[tuple[int, ...], tuple[tuple[str, str, str], ...]]
-"""Entries of the vehicles, and the places said of them."""
-Order = list[Kept[Way, Share]]
-"""The shares of every vehicle in its rank, by way."""
+"""Entries of the vehicles, if there are several, and the places said of them."""
 
 _FIELDS = set(LogicalScenario.model_fields)
 
-BLOCKING = frozenset({HazardKind.OBSTACLE, HazardKind.STOPPING})
-"""Hazards by which a parked vehicle stands in the travelled lane."""
-HIDING = BLOCKING | {HazardKind.OCCLUSION}
+
+class _Order:
+    """One order of arrival: the shares of each participant by choice, and what is made of them."""
+
+    __slots__ = ("back", "front", "rows")
+
+    def __init__(self, rows: list[Row]) -> None:
+        self.rows = rows
+        self.front: tuple[tuple[Choice, ...], Stretch] = (), Stretch(())
+        self.back: dict[tuple[Choice, ...], Stretch] = {}
 
 
 class Builder:
-    """Makes the logical scenarios of one problem."""
+    """Makes the logical scenarios of one problem, joined from a stretch in front and one behind.
+
+    Kept are the front of the scenario before, and the backs of its order of arrival.
+    """
 
     def __init__(self, problem: Problem) -> None:
         self._problem = problem
         self._functional = problem.functional
         self._sharing = Sharing(problem)
-        self._orders: dict[Entries, Order] = {}
+        self._orders: dict[Entries, _Order] = {}
+        self._now: _Order | None = None
         self._slugs: dict[tuple[int, ...], str] = {}
+        members = [member.id for member in self._functional.participants]
+        self._vehicles_only = members == [vehicle.id for vehicle in problem.vehicles]
+        listed = {name: place for place, name in enumerate(problem.names)}
+        # The last place holds the None of those who are parked.
+        self._arrange = itemgetter(*(listed.get(name, -1) for name in members), -1)
+        self._part_at = self._best_parting()
+        self._one_order = all(len(problem.entries.get(v.id, ())) == 1 for v in problem.vehicles)
+        self._ego = members.index(self._functional.ego.id)
 
     def scenario(self, solution: Solution, *, index: int, class_size: int) -> LogicalScenario:
         """The scenario that a solution describes."""
-        shares = self._shares(solution)
+        front, back = self._stretches(solution)
+        at = self._ego - self._part_at
+        ego = back.shares[at] if at >= 0 else front.shares[self._ego]
         pattern = solution.pattern
         # Every part was validated when it was made; to do so again takes longer than all the rest.
-        return LogicalScenario.model_construct(
+        return LogicalScenario.from_valid(
+            {
+                "index": index,
+                "slug": self._slug(pattern, front, back),
+                "pattern": pattern,
+                "class_size": class_size,
+                "assignments": front.assignments + back.assignments,
+                "conflicts": front.conflicts_before(back),
+                "deadlock": self._sharing.deadlock(front.line + back.line),
+                "parameters": front.speeds + back.speeds + front.offsets[ego] + back.offsets[ego],
+            },
             _FIELDS,
-            index=index,
-            slug=self._slug(pattern, shares),
-            pattern=pattern,
-            class_size=class_size,
-            assignments=tuple([share.assignment for share in shares]),
-            conflicts=tuple(conflicts_among(shares)),
-            deadlock=self._sharing.deadlock(shares),
-            parameters=tuple(self._sharing.parameters(shares)),
         )
 
-    def _shares(self, solution: Solution) -> list[Share]:
-        """What everybody does, in the order of the description."""
-        problem, sharing = self._problem, self._sharing
-        rows = self._order(solution)
-        made = [row[way] for row, way in zip(rows, solution.drives, strict=True)]
-        if len(made) == len(self._functional.participants):
-            return made
-        names = [v.id for v in problem.vehicles]
-        by_name = dict(zip(names, made, strict=True))
-        for crosser, (arm, side) in zip(problem.crossers, solution.crossings, strict=True):
-            by_name[crosser.id] = sharing.other(
-                Crossing(participant=crosser.id, arm=arm, start=Side(side))
-            )
-        assignments = {name: share.assignment for name, share in by_name.items()}
-        for participant in self._functional.participants:
-            if participant.parked:
-                by_name[participant.id] = sharing.other(self._standing(participant, assignments))
-        return [by_name[member.id] for member in self._functional.participants]
+    def _best_parting(self) -> int:
+        """The first of the last participants who together have few choices, at most half of all."""
+        choices: dict[str, int] = {}
+        for (name, _), wanted in self._problem.wanted.items():
+            choices[name] = max(choices.get(name, 1), len(wanted))
+        members = [member.id for member in self._functional.participants]
+        part_at, combinations = len(members), 1
+        while part_at > len(members) // 2:
+            combinations *= choices.get(members[part_at - 1], 2)
+            if combinations > MOST_STRETCHES:
+                break
+            part_at -= 1
+        return part_at
 
-    def _order(self, solution: Solution) -> Order:
-        """The vehicles in the order in which they arrive, which entries and places decide."""
-        key = (tuple([entry for entry, _, _ in solution.drives]), solution.places)
+    def _stretches(self, solution: Solution) -> tuple[Stretch, Stretch]:
+        """What the first do and what the last do, in the order of the description."""
+        if self._sharing.full:
+            self._orders.clear()
+            self._sharing.forget()
+        order = self._order(solution)
+        if order is not self._now:
+            # Listings are sorted by entries, so an order does not come back soon.
+            if self._now is not None:
+                self._now.back.clear()
+            self._now = order
+        chosen: tuple[Choice, ...] = solution.drives
+        if not self._vehicles_only:
+            chosen = self._arrange((*chosen, *solution.crossings, None))[:-1]
+        part_at = self._part_at
+        first, last = chosen[:part_at], chosen[part_at:]
+        if order.front[0] != first:
+            order.front = first, _stretch(order.rows[:part_at], first)
+        back = order.back.get(last)
+        if back is None:
+            if len(order.back) >= MOST_STRETCHES:
+                order.back.clear()
+            back = order.back[last] = _stretch(order.rows[part_at:], last)
+        return order.front[1], back
+
+    def _order(self, solution: Solution) -> _Order:
+        """The order in which the vehicles arrive, which entries and places decide."""
+        entries = () if self._one_order else tuple([entry for entry, _, _ in solution.drives])
+        key = entries, solution.places
         found = self._orders.get(key)
         if found is None:
-            ranks: dict[str, int] = {}
-            beside: dict[str, str] = {}
-            for queue in queues(self._problem, solution):
-                ranks |= queue.ranks() or {}
-                beside |= queue.beside
-            found = [
-                self._sharing.drives(slot, ranks[vehicle.id], beside.get(vehicle.id))
-                for slot, vehicle in enumerate(self._problem.vehicles)
-            ]
             if len(self._orders) >= MOST_ORDERS:
                 self._orders.clear()
-            self._orders[key] = found
+            found = self._orders[key] = _Order(self._rows(solution))
         return found
 
-    def _standing(self, parked: Participant, made: dict[str, Assignment]) -> Standing:
-        """A parked vehicle stands on the arm where the one whom it hinders enters."""
-        arm = next(
-            found.entry
-            for name in (*self._hindered_by(parked.id), self._functional.ego.id)
-            if isinstance(found := made.get(name), Drive)
-        )
-        if parked.entries and arm not in parked.entries:
-            arm = min(parked.entries)
-        kerb = Side(self._functional.junction.driving_side.value)
-        said = parked.approaches & {Approach.LEFT, Approach.RIGHT}
-        side = Side(next(iter(said)).value) if len(said) == 1 else kerb
-        blocks = any(h.kind in BLOCKING and parked.id in h.by for h in self._functional.hazards)
-        return Standing(participant=parked.id, arm=arm, side=side, in_lane=blocks)
+    def _rows(self, solution: Solution) -> list[Row]:
+        problem, sharing = self._problem, self._sharing
+        ranks: dict[str, int] = {}
+        beside: dict[str, str] = {}
+        for queue in queues(problem, solution):
+            ranks |= queue.ranks() or {}
+            beside |= queue.beside
+        slots = {vehicle.id: slot for slot, vehicle in enumerate(problem.vehicles)}
+        entry_of = {name: solution.drives[slot][0] for name, slot in slots.items()}
+        crossers = {crosser.id for crosser in problem.crossers}
+        rows: list[Row] = []
+        for member in self._functional.participants:
+            name = member.id
+            if name in slots:
+                rows.append(sharing.drives(slots[name], ranks[name], beside.get(name)))
+            elif name in crossers:
+                rows.append(self._crossings(name))
+            else:
+                rows.append(self._standings(member, entry_of))
+        return rows
 
-    def _hindered_by(self, name: str) -> list[str]:
-        hindered = [
-            sufferer
-            for hazard in self._functional.hazards
-            if hazard.kind in HIDING and name in hazard.by
-            for sufferer in hazard.to
-        ]
-        return hindered + [r.reference for r in self._functional.relations if r.participant == name]
+    def _crossings(self, name: str) -> Row:
+        def share(choice: tuple[int, str]) -> Share:
+            arm, side = choice
+            return self._sharing.other(Crossing(participant=name, arm=arm, start=Side(side)))
 
-    def _slug(self, pattern: tuple[int, ...], shares: list[Share]) -> str:
+        return Kept(share)
+
+    def _standings(self, parked: Participant, entry_of: dict[str, int]) -> Row:
+        assignment = standing(self._functional, parked, entry_of)
+        return Kept(lambda _: self._sharing.other(assignment))
+
+    def _slug(self, pattern: tuple[int, ...], front: Stretch, back: Stretch) -> str:
         """Of many drivers the slug tells the pattern alone, so there are few."""
         slug = self._slugs.get(pattern)
         if slug is None:
-            slug = slug_of(self._functional.junction, tuple(s.assignment for s in shares))
+            slug = slug_of(self._functional.junction, front.assignments + back.assignments)
             if len(pattern) <= MOST_SPELT_OUT:
                 return slug
             if len(self._slugs) >= MOST_ORDERS:
                 self._slugs.clear()
             self._slugs[pattern] = slug
         return slug
+
+
+def _stretch(rows: list[Row], chosen: tuple[Choice, ...]) -> Stretch:
+    return Stretch(tuple([row[choice] for row, choice in zip(rows, chosen, strict=True)]))

@@ -1,6 +1,6 @@
 """How many assignments each exact class holds: swaps within groups times turned copies.
 
-Thousands of scenarios are asked about, so what depends on one group alone is kept, and a
+Thousands of scenarios are asked about, so what depends on a few participants alone is kept, and a
 multiset of choices is one integer: digit k counts those who made choice number k.
 """
 
@@ -8,63 +8,112 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from collections.abc import Callable, Sequence
+from operator import itemgetter
 
 from scegen.enumeration.symmetry import Symmetry
 
 Choice = tuple[int | str, ...]
 """What a participant chose; the arm comes first."""
+Chosen = tuple[tuple[Choice, ...], ...]
+"""What the members of each group chose."""
 
 
-MOST_KEPT = 65_536
-"""Choices of groups that are kept; a stream of millions must not fill the memory."""
+MOST_KEPT = 32_768
+"""Choices of bunches that are kept; a stream of millions must not fill the memory."""
+BUNCH = 6
+"""So many participants are looked up together: few enough to come back, more are fewer look-ups."""
 
 
 class ClassSizes:
-    """Class sizes under the symmetry of one problem."""
+    """Class sizes under the symmetry of one problem, whose groups have these places in a list."""
 
-    def __init__(self, symmetry: Symmetry, arms: int) -> None:
+    def __init__(self, symmetry: Symmetry, arms: int, groups: Sequence[Sequence[int]]) -> None:
         self._symmetry = symmetry
         self._arms = arms
         self._digit = max((len(g.members) for g in symmetry.groups), default=1).bit_length()
         self._places: dict[tuple[int, Choice], int] = {}
-        self._kept: dict[tuple[int, tuple[Choice, ...]], tuple[int, tuple[int, ...]]] = {}
-        still = symmetry.anchor is not None or len(symmetry.rotations) == 1
-        self._copies = len(symmetry.rotations) if still else None
+        self._turns = tuple(symmetry.rotations)
+        # One who is one of a kind on all arms is moved by every rotation.
+        searched = self._turns[1:] if symmetry.anchor is None else ()
+        self._prime = tuple(t for t in searched if _is_prime(arms // math.gcd(arms, t)))
+        self._groups = tuple(_picker(places) for places in groups)
+        self._bunches = [_Bunch(self, tuple(groups[i] for i in b), b) for b in _bunches(groups)]
 
-    def of(self, chosen: list[list[Choice]]) -> int:
-        """The size of the class of a scenario, given what each group's members chose."""
-        size, codes = 1, []
-        for key in enumerate(map(tuple, chosen)):
-            ways, code = self._kept.get(key) or self._known(key)
+    def groups(self, made: Sequence[Choice]) -> Chosen:
+        """What the members of each group chose, of what everybody chose."""
+        return tuple([pick(made) for pick in self._groups])
+
+    def of(self, made: Sequence[Choice]) -> int:
+        """The size of the class of a scenario, given what everybody chose.
+
+        If any rotation fixes the scenario, one of prime order does: mostly these few are looked
+        at, and all turned copies are different ones.
+        """
+        size, changes = len(self._turns), []
+        for bunch in self._bunches:
+            chosen = bunch.pick(made)
+            ways, change = bunch.kept.get(chosen) or bunch.known(chosen)
             size *= ways
-            codes.append(code)
-        if self._copies is not None:
-            return size * self._copies
-        return size * len(set(map(sum, zip(*codes, strict=True))))
+            changes.append(change)
+        if 0 in map(sum, zip(*changes, strict=True)):
+            return size // len(self._turns) * len(set(self._copies(made)))
+        return size
 
-    def key(self, chosen: list[list[Choice]]) -> int:
+    def key(self, made: Sequence[Choice]) -> int:
         """A number that exactly the assignments of one class share."""
-        codes = [self._known(key)[1] for key in enumerate(map(tuple, chosen))]
-        return min(map(sum, zip(*codes, strict=True)))
+        return min(self._copies(made))
 
-    def _known(self, key: tuple[int, tuple[Choice, ...]]) -> tuple[int, tuple[int, ...]]:
-        """What depends on one group alone: its arrangements, and its part of every copy."""
-        if len(self._kept) >= MOST_KEPT:
-            self._kept.clear()
-        found = self._kept[key] = arrangements(key[1]), self._codes(*key)
-        return found
+    def _copies(self, made: Sequence[Choice]) -> list[int]:
+        """The multiset of choices after every rotation."""
+        chosen = self.groups(made)
+        return [
+            sum(self.code(group, members, turn) for group, members in enumerate(chosen))
+            for turn in self._turns
+        ]
 
-    def _codes(self, group: int, members: tuple[Choice, ...]) -> tuple[int, ...]:
-        """For every rotation, the part of the turned multiset that these members make."""
-        return tuple(
-            sum(self._digit_of(images[group], choice, turn) for choice in members)
-            for turn, images in self._symmetry.rotations.items()
-        )
+    def changes(self, group: int, members: tuple[Choice, ...]) -> tuple[int, ...]:
+        """What each rotation of prime order adds to the multiset; for no change all are 0."""
+        still = self.code(group, members, 0)
+        return tuple([self.code(group, members, turn) - still for turn in self._prime])
+
+    def code(self, group: int, members: tuple[Choice, ...], turn: int) -> int:
+        """The part of the turned multiset that these members make."""
+        image = self._symmetry.rotations[turn][group]
+        return sum(self._digit_of(image, choice, turn) for choice in members)
 
     def _digit_of(self, group: int, choice: Choice, turn: int) -> int:
         turned = (group, ((int(choice[0]) + turn) % self._arms, *choice[1:]))
         place = self._places.setdefault(turned, len(self._places))
         return 1 << (self._digit * place)
+
+
+class _Bunch:
+    """Some groups that are looked up together."""
+
+    __slots__ = ("_groups", "_pickers", "_sizes", "kept", "pick")
+
+    def __init__(
+        self, sizes: ClassSizes, places: Sequence[Sequence[int]], groups: Sequence[int]
+    ) -> None:
+        self._sizes = sizes
+        self._groups = tuple(groups)
+        flat = [place for group in places for place in group]
+        self.pick = _picker(flat)
+        self._pickers = tuple(_picker([flat.index(p) for p in group]) for group in places)
+        self.kept: dict[tuple[Choice, ...], tuple[int, tuple[int, ...]]] = {}
+
+    def known(self, chosen: tuple[Choice, ...]) -> tuple[int, tuple[int, ...]]:
+        """The arrangements of these groups, and their part of what turning changes."""
+        if len(self.kept) >= MOST_KEPT:
+            self.kept.clear()
+        ways, changes = 1, []
+        for group, pick in zip(self._groups, self._pickers, strict=True):
+            members = pick(chosen)
+            ways *= arrangements(members)
+            changes.append(self._sizes.changes(group, members))
+        found = self.kept[chosen] = ways, tuple(map(sum, zip(*changes, strict=True)))
+        return found
 
 
 def arrangements(chosen: tuple[Choice, ...]) -> int:
@@ -73,3 +122,27 @@ def arrangements(chosen: tuple[Choice, ...]) -> int:
     for times in Counter(chosen).values():
         ways //= math.factorial(times)
     return ways
+
+
+def _bunches(groups: Sequence[Sequence[int]]) -> list[list[int]]:
+    """Neighbouring groups together, up to so many members; none is parted."""
+    out: list[list[int]] = []
+    members = BUNCH
+    for number, group in enumerate(groups):
+        if members + len(group) > BUNCH:
+            out.append([])
+            members = 0
+        out[-1].append(number)
+        members += len(group)
+    return out
+
+
+def _picker(places: Sequence[int]) -> Callable[[Sequence[Choice]], tuple[Choice, ...]]:
+    """What picks the choices in these places; of one place, too, a tuple."""
+    if len(places) == 1:
+        return itemgetter(slice(places[0], places[0] + 1))
+    return itemgetter(*places)
+
+
+def _is_prime(number: int) -> bool:
+    return number > 1 and all(number % factor for factor in range(2, number))

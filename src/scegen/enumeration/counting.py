@@ -2,8 +2,10 @@
 
 The solver lists *states*: entries, and the moves of those whose moves matter to others. All
 other moves are independent, so a state stands for a product: c cars at an arm with a choices
-each make a**c assignments, or C(c+a-1, c) if the cars are interchangeable. Rotations divide by
-Burnside's lemma: the number of classes is the mean number of scenarios that a rotation fixes.
+each make a**c assignments, or C(c+a-1, c) if the cars are interchangeable. Vehicles that nothing
+ties to others (loners) are not in the states at all, but added by the room that a state leaves.
+Rotations divide by Burnside's lemma: the number of classes is the mean number of scenarios that a
+rotation fixes.
 """
 
 from __future__ import annotations
@@ -12,11 +14,14 @@ import math
 from collections import Counter
 from collections.abc import Hashable
 from dataclasses import dataclass, field
+from functools import cached_property
 
-from scegen.enumeration.class_sizes import Choice, ClassSizes, arrangements
+from scegen.enumeration.class_sizes import Choice, Chosen, ClassSizes, arrangements
+from scegen.enumeration.loners import Loners, loners_of
 from scegen.enumeration.patterns import Polynomial, Row, product
 from scegen.enumeration.problem import Problem
 from scegen.enumeration.reading import COUNTED, Solution
+from scegen.enumeration.rooms import Room
 from scegen.enumeration.solving import Space, states
 from scegen.enumeration.symmetry import Symmetry
 from scegen.errors import InputError
@@ -31,8 +36,8 @@ class Census:
     """Sums over all states.
 
     ``fixed[r]`` is the number of scenarios, up to swaps, that turning by r arms maps onto
-    themselves. ``loose`` sums the assignments of entries by the choices that they leave to the
-    independent vehicles (one row each), beside the tied moves; from it follow the patterns.
+    themselves. ``placed`` sums the assignments of entries by the room that they leave to loners,
+    the choices that they leave to the independent vehicles (one row each), and the tied moves.
     """
 
     problem: Problem
@@ -40,13 +45,15 @@ class Census:
     total: int = 0
     states: int = 0
     fixed: Counter[int] = field(default_factory=Counter)
-    loose: Counter[tuple[tuple[Row, ...], tuple[int, ...]]] = field(default_factory=Counter)
+    loners: Loners | None = None
+    anchor: str | None = None
+    placed: Counter[tuple[Room, tuple[Row, ...], tuple[int, ...]]] = field(default_factory=Counter)
     polynomial: Polynomial | None = None
 
     def __post_init__(self) -> None:
-        self._sizes = ClassSizes(self.symmetry, self.problem.arms)
         slot = {name: place for place, name in enumerate(self.problem.names)}
-        self._slots = [[slot[name] for name in g.members] for g in self.symmetry.groups]
+        slots = [[slot[name] for name in g.members] for g in self.symmetry.groups]
+        self._sizes = ClassSizes(self.symmetry, self.problem.arms, slots)
 
     def count(self, reduction: Reduction) -> int:
         """Number of scenarios under a reduction."""
@@ -65,7 +72,7 @@ class Census:
         if reduction is Reduction.NONE:
             return 1
         if reduction is Reduction.EXACT:
-            return self._sizes.of(self._choices(solution))
+            return self._sizes.of(self._made(solution))
         counts = Counter(move for _, move, _ in solution.drives)
         same = self._one_row()
         if same is None:
@@ -82,7 +89,18 @@ class Census:
             return solution
         if reduction is Reduction.PATTERN:
             return solution.pattern
-        return self._sizes.key(self._choices(solution))
+        return self._sizes.key(self._made(solution))
+
+    @cached_property
+    def loose(self) -> Counter[tuple[tuple[Row, ...], tuple[int, ...]]]:
+        """The assignments of entries by rows and tied moves, with the loners; patterns follow."""
+        if self.loners is None:
+            return Counter({(rows, tied): n for (_, rows, tied), n in self.placed.items()})
+        out: Counter[tuple[tuple[Row, ...], tuple[int, ...]]] = Counter()
+        for (room, rows, tied), number in self.placed.items():
+            for more, ways in self.loners.rows(room).items():
+                out[tuple(sorted((*rows, *more))), tied] += number * ways
+        return out
 
     def _one_row(self) -> tuple[Row, int, int] | None:
         """If all vehicles choose from the same moves everywhere: the row, vehicles, entries."""
@@ -96,19 +114,18 @@ class Census:
             self.polynomial = product(self.loose)
         return self.polynomial
 
-    def _choices(self, solution: Solution) -> list[list[Choice]]:
-        """What the members of each group chose, group by group."""
-        made: tuple[Choice, ...] = (*solution.drives, *solution.crossings)
-        if self.problem.open_places:
-            stances = dict.fromkeys(self.problem.names, "none")
-            open_pairs = set(self.problem.open_places)
-            stances |= {v: word for v, ref, word in solution.places if (v, ref) in open_pairs}
-            vehicles = zip(self.problem.vehicles, solution.drives, strict=True)
-            stands = [(*drive, stances[vehicle.id]) for vehicle, drive in vehicles]
-            made = (*stands, *solution.crossings)
-        return [[made[slot] for slot in slots] for slots in self._slots]
+    def _made(self, solution: Solution) -> tuple[Choice, ...]:
+        """What everybody chose, and the places of those who have several to choose from."""
+        if not self.problem.open_places:
+            return (*solution.drives, *solution.crossings)
+        stances = dict.fromkeys(self.problem.names, "none")
+        open_pairs = set(self.problem.open_places)
+        stances |= {v: word for v, ref, word in solution.places if (v, ref) in open_pairs}
+        vehicles = zip(self.problem.vehicles, solution.drives, strict=True)
+        stands = [(*drive, stances[vehicle.id]) for vehicle, drive in vehicles]
+        return (*stands, *solution.crossings)
 
-    def _turned(self, chosen: list[list[Choice]], turn: int) -> Counter[tuple[int, Choice]]:
+    def _turned(self, chosen: Chosen, turn: int) -> Counter[tuple[int, Choice]]:
         images, arms = self.symmetry.rotations[turn], self.problem.arms
         return Counter(
             (images[group], ((int(choice[0]) + turn) % arms, *choice[1:]))
@@ -118,29 +135,39 @@ class Census:
 
     def add(self, state: Solution) -> None:
         """Add what one state stands for."""
-        chosen = self._choices(state)
+        chosen = self._sizes.groups(self._made(state))
+        room: Room = ()
+        alone, ways = frozenset[str](), 1
+        if self.loners is not None:
+            room, alone = self.loners.room(state), self.loners.names
+            ways = self.loners.assignments(room)
+            groups = zip(self.symmetry.groups, chosen, strict=True)
+            chosen = tuple(() if g.members[0] in alone else choices for g, choices in groups)
         rows = [
             self._row(vehicle.id, entry)
             for vehicle, (entry, move, _) in zip(self.problem.vehicles, state.drives, strict=True)
-            if move == COUNTED
+            if move == COUNTED and vehicle.id not in alone
         ]
-        turned = len(self.symmetry.rotations) if self.symmetry.anchor is not None else 1
-        labelled = turned * math.prod(arrangements(tuple(members)) for members in chosen)
+        turned = 1 if self.anchor is None else len(self.symmetry.rotations)
+        labelled = turned * math.prod(arrangements(members) for members in chosen)
         self.states += 1
-        self.total += labelled * math.prod(sum(manners for _, manners in row) for row in rows)
+        self.total += labelled * ways * math.prod(sum(n for _, n in row) for row in rows)
         moves = Counter(move for _, move, _ in state.drives if move != COUNTED)
         tied = tuple(moves[d] for d in range(self.problem.arms))
-        self.loose[tuple(sorted(rows)), tied] += labelled
+        self.placed[room, tuple(sorted(rows)), tied] += labelled
         # Every rotation but 0 moves one who is one of a kind: it fixes nothing.
-        for turn in [0] if self.symmetry.anchor is not None else self.symmetry.rotations:
-            self.fixed[turn] += turned * self._fixed_by(chosen, turn)
+        for turn in self.symmetry.rotations if self.symmetry.anchor is None else [0]:
+            fixed = self._fixed_by(chosen, turn)
+            if fixed and self.loners is not None:
+                fixed *= self.loners.scenarios(room, turn)
+            self.fixed[turn] += turned * fixed
 
     def _row(self, vehicle: str, entry: int) -> Row:
         """(move, number of manners) that a vehicle may choose at an entry."""
         found = Counter(move for move, _ in self.problem.wanted.get((vehicle, entry), ()))
         return tuple(sorted(found.items()))
 
-    def _fixed_by(self, chosen: list[list[Choice]], turn: int) -> int:
+    def _fixed_by(self, chosen: Chosen, turn: int) -> int:
         """Scenarios in a state, up to swaps, that the rotation maps onto themselves.
 
         The members at a cell choose a multiset; cells on one cycle must choose alike.
@@ -171,8 +198,11 @@ def census(space: Space, symmetry: Symmetry) -> Census:
     Raises:
         InputError: there are too many states to count.
     """
-    out = Census(space.problem, symmetry)
-    for state in states(space, symmetry):
+    alone = loners_of(space)
+    anchor = symmetry.anchor_among(set(space.problem.names) - alone)
+    loners = Loners(space.problem, symmetry, alone) if alone else None
+    out = Census(space.problem, symmetry, loners=loners, anchor=anchor)
+    for state in states(space, symmetry, anchor=anchor, without=alone):
         if out.states >= MAX_STATES:
             raise InputError(
                 f"more than {MAX_STATES:,} ways to place the participants on the arms: "

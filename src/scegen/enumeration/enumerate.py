@@ -15,6 +15,7 @@ from scegen.enumeration.problem import Problem, build_problem
 from scegen.enumeration.ruled import MAX_LISTED, RuledClasses, ruled_classes
 from scegen.enumeration.solving import Space, solutions, space_of
 from scegen.enumeration.symmetry import Symmetry, symmetry_of
+from scegen.enumeration.symmetry_words import symmetry_in_words
 from scegen.errors import InputError
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Certificate, LogicalScenario, LogicalSet
@@ -26,6 +27,7 @@ class _Prepared:
     problem: Problem
     space: Space
     symmetry: Symmetry
+    arms: ArmsMode
     census: Census
 
 
@@ -71,8 +73,16 @@ class Listing:
     limit: int | None
     where: str | None
     ruled: RuledClasses | None
+    any_number: bool = False
     seen: int = 0
+    listed: int = 0
+    assignments: int = 0
     exhausted: bool = False
+
+    @property
+    def too_many(self) -> bool:
+        """Whether there are more than are listed without a limit."""
+        return self.ruled is None and self.limit is None and self._count > MAX_LISTED
 
     @property
     def expected(self) -> int:
@@ -85,15 +95,18 @@ class Listing:
     def __iter__(self) -> Iterator[LogicalScenario]:
         keep = where_test(self.prepared.problem.functional, self.where) if self.where else None
         cut = self.limit if keep is None else None
-        listed = 0
         for scenario in self._every(cut):
             self.seen += 1
+            self.assignments += scenario.class_size
             if keep is None or keep(scenario):
-                listed += 1
+                self.listed += 1
                 yield scenario
-                if listed == self.limit:
+                if self.listed == self.limit:
                     break
         self.exhausted = self.seen == self._count
+        if self.exhausted and self.assignments != self._total:
+            msg = f"class sizes add up to {self.assignments}, not to {self._total}: a bug"
+            raise AssertionError(msg)
 
     def finished(self, scenarios: tuple[LogicalScenario, ...]) -> LogicalSet:
         """The set, once iteration has ended, with its certificate."""
@@ -105,23 +118,24 @@ class Listing:
             functional=prepared.problem.functional,
             reduction=reduction,
             arms=self.arms,
-            certificate=self.certificate(len(scenarios)),
+            certificate=self.certificate(),
             notes=self.notes,
             scenarios=scenarios,
         )
 
-    def certificate(self, listed: int) -> Certificate:
-        """What the listing claims, once iteration has ended."""
+    def certificate(self) -> Certificate:
+        """What the listing claims, as far as iteration has come."""
         if self.ruled is None:
             whole = _certificate(self.prepared, self.reduction, listed=self.seen)
         else:
             whole = self.ruled.certificate(complete=self.exhausted)
+        whole = whole.model_copy(update={"looked_at": self.assignments})
         if self.where is None:
             return whole
         return whole.model_copy(
             update={
                 "complete": self.exhausted,
-                "matching": listed if self.exhausted else None,
+                "matching": self.listed if self.exhausted else None,
                 "method": f"{whole.method}; then those where {self.where}",
             }
         )
@@ -138,9 +152,15 @@ class Listing:
             return len(self.ruled.solutions)
         return self.prepared.census.count(self.reduction)
 
+    @property
+    def _total(self) -> int:
+        return self.prepared.census.total if self.ruled is None else self.ruled.total
+
     def _every(self, limit: int | None) -> Iterator[LogicalScenario]:
         if self.ruled is None:
-            yield from _stream(self.prepared, self.reduction, limit, bounded=self.limit is None)
+            if self.too_many and not self.any_number:
+                raise too_many_to_list(self.expected)
+            yield from _stream(self.prepared, self.reduction, limit)
             return
         builder = Builder(self.prepared.problem)
         for index, (solution, size) in enumerate(self.ruled.solutions[:limit]):
@@ -156,7 +176,10 @@ def open_listing(
     where: str | None = None,
     rules: Path | None = None,
 ) -> Listing:
-    """Everything up to the first scenario: as :func:`enumerate_scenarios`, to be streamed."""
+    """Everything up to the first scenario: as :func:`enumerate_scenarios`, to be streamed.
+
+    More than MAX_LISTED without a limit are listed once ``any_number`` of the listing is set.
+    """
     if limit is not None and limit < 1:
         raise InputError(f"a limit of {limit} lists nothing", hint="Use a limit of at least 1.")
     if where is not None:
@@ -189,7 +212,7 @@ def iterate_scenarios(
 ) -> Iterator[LogicalScenario]:
     """The same scenarios as a stream, for sets too large to hold."""
     prepared = _prepare(functional, arms)
-    yield from _stream(prepared, reduction, limit, bounded=False)
+    yield from _stream(prepared, reduction, limit)
 
 
 def count_scenarios(
@@ -206,18 +229,21 @@ def _prepare(functional: FunctionalScenario, arms: ArmsMode) -> _Prepared:
     problem = build_problem(functional)
     space = space_of(problem)
     symmetry = symmetry_of(problem, arms)
-    return _Prepared(problem, space, symmetry, census(space, symmetry))
+    return _Prepared(problem, space, symmetry, arms, census(space, symmetry))
+
+
+def too_many_to_list(number: int) -> InputError:
+    """The refusal to list so many that nobody asked for."""
+    return InputError(
+        f"{number:,} scenarios are too many to list (more than {MAX_LISTED:,})",
+        hint="Use --limit to list the first ones, or --count-only to count them.",
+    )
 
 
 def _stream(
-    prepared: _Prepared, reduction: Reduction, limit: int | None, *, bounded: bool = True
+    prepared: _Prepared, reduction: Reduction, limit: int | None
 ) -> Iterator[LogicalScenario]:
     count = prepared.census.count(reduction)
-    if bounded and limit is None and count > MAX_LISTED:
-        raise InputError(
-            f"{count:,} scenarios are too many to list (more than {MAX_LISTED:,})",
-            hint="Use --limit to list the first ones, or --count-only to count them.",
-        )
     if reduction is Reduction.PATTERN and count <= MAX_LISTED:
         # Projection finds patterns out of order; they are few, so they are sorted here.
         every = solutions(prepared.space, prepared.symmetry, reduction)
@@ -242,11 +268,19 @@ def _certificate(prepared: _Prepared, reduction: Reduction, *, listed: int | Non
     method = _METHODS[reduction]
     if listed is not None:
         method = f"answer sets listed by clingo; {method}"
+    order, words = None, None
+    if reduction is Reduction.NONE:
+        order, words = 1, "every assignment is a scenario of its own"
+    elif reduction is Reduction.EXACT:
+        order = prepared.symmetry.order
+        words = symmetry_in_words(prepared.problem, prepared.symmetry, prepared.arms)
     return Certificate(
         total=prepared.census.total,
         count=count,
         complete=listed is None or listed == count,
         method=method,
+        group_order=order,
+        symmetry=words,
     )
 
 

@@ -36,7 +36,7 @@ class Solution(NamedTuple):
     @property
     def pattern(self) -> tuple[int, ...]:
         """The multiset of symbolic moves, sorted."""
-        return tuple(sorted([move for _, move, _ in self.drives]))
+        return tuple(sorted([way[1] for way in self.drives]))
 
 
 class Reader:
@@ -50,6 +50,7 @@ class Reader:
         self._crossers = {crosser.id: slot for slot, crosser in enumerate(problem.crossers)}
         self._ways: dict[Symbol, list[tuple[int, Way]]] = {}
         self._facts: dict[Symbol, Predicate] = {}
+        self._equal: dict[Way, Way] = {}  # equal ways are one object, so they compare at once
 
     def solution(self, shown: Iterable[Symbol]) -> Solution:
         """The solution that the shown atoms of one answer set say."""
@@ -90,7 +91,7 @@ class Reader:
             told = [(fact.id, tuple(fact.way)), (fact.other, tuple(fact.other_way))]
         else:
             told = []
-        return [(self._slots[name], way) for name, way in told]
+        return [(self._slots[name], self._equal.setdefault(way, way)) for name, way in told]
 
     def _fact(self, symbol: Symbol) -> Predicate:
         if symbol not in self._facts:

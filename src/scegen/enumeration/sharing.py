@@ -76,7 +76,7 @@ class Share:
         )
 
 
-def conflicts_among(shares: list[Share]) -> list[Conflict]:
+def _conflicts_among(shares: tuple[Share, ...]) -> list[Conflict]:
     """All pairs whose paths meet, in the order of the participants."""
     return [
         conflict
@@ -92,9 +92,8 @@ class Sharing:
         self._problem = problem
         turns_back = any(move == 0 for found in problem.wanted.values() for move, _ in found)
         self._rules = road_rules(problem.functional.junction, u_turns=turns_back)
-        ego = problem.functional.ego
-        self._ego = problem.functional.participants.index(ego)
         self._pairs = 0
+        self.full = False
         self._equal: dict[Any, Any] = {}
         self._drives: dict[tuple[int, int, str | None], Kept[Way, Share]] = {}
         self._others: dict[Assignment, Share] = {}
@@ -129,29 +128,16 @@ class Sharing:
             found = self._others[assignment] = Share(self, assignment)
         return found
 
-    def parameters(self, shares: list[Share]) -> list[ParameterRange]:
-        """The ranges that concretization chooses from: speeds, then arrivals against the ego."""
-        ego = shares[self._ego]
-        offsets = ego.offsets
-        found = [share.speed for share in shares if share.speed is not None]
-        found += [
-            offset
-            for share in shares
-            if share is not ego and (offset := offsets[share]) is not None
-        ]
-        return found
-
     def may_be_stuck(self, assignment: Assignment) -> bool:
         """Whether a participant can be in a deadlock."""
         return may_be_stuck(self._rules, assignment)
 
-    def deadlock(self, shares: list[Share]) -> tuple[str, ...]:
-        """Those of whom each must wait for another of them."""
-        line = tuple([share for share in shares if share.may_be_stuck])
+    def deadlock(self, line: tuple[Share, ...]) -> tuple[str, ...]:
+        """Those of whom each must wait for another of them, among those who may be stuck."""
         found = self._deadlocks.get(line)
         if found is None:
             names = [share.assignment.participant for share in line]
-            found = deadlock_among(names, conflicts_among(list(line)))
+            found = deadlock_among(names, _conflicts_among(line))
             if len(self._deadlocks) >= MOST_DEADLOCKS:
                 self._deadlocks.clear()
             self._deadlocks[line] = found
@@ -164,14 +150,18 @@ class Sharing:
         return self._one(speed_range(self._problem.functional, assignment))
 
     def conflict(self, first: Assignment, second: Assignment) -> Conflict | None:
-        """How two participants meet; too many answers are forgotten, not piled up."""
+        """How two participants meet."""
         self._pairs += 1
-        if self._pairs > MOST_PAIRS:
-            self._pairs = 0
-            self._drives.clear()
-            self._others.clear()
+        self.full = self._pairs > MOST_PAIRS
         found = conflict_between(self._rules, first, second)
         return self._one(found)
+
+    def forget(self) -> None:
+        """Let go of all shares: too many are made anew, not piled up."""
+        self._pairs, self.full = 0, False
+        self._drives.clear()
+        self._others.clear()
+        self._deadlocks.clear()
 
     def offset(self, ego: Assignment, other: Assignment) -> ParameterRange | None:
         """When another participant arrives, against the ego."""

@@ -16,6 +16,9 @@ from scegen.enumeration.reading import COUNTED, Solution, read_solutions
 from scegen.enumeration.symmetry import Symmetry
 from scegen.scenario.vocabulary import Reduction
 
+ABOUT_ONE = (p.Vehicle, p.Position, p.Entries, p.Entry, p.Maneuvers, p.Wants, p.WantsMove)
+"""Facts about one participant that nobody else is concerned by."""
+
 MOST_COMBINATIONS = 49
 """Two vehicles are shown in one atom if together they have no more choices than this."""
 
@@ -91,11 +94,18 @@ def _pairs(problem: Problem) -> list[Predicate]:
     return facts
 
 
-def states(space: Space, symmetry: Symmetry) -> Iterator[Solution]:
+def states(
+    space: Space,
+    symmetry: Symmetry,
+    *,
+    anchor: str | None = None,
+    without: frozenset[str] = frozenset(),
+) -> Iterator[Solution]:
     """Every choice of entries, tied moves and crossings, up to swaps of interchangeable ones.
 
-    What is left open are the independent moves, which counting multiplies in. If one vehicle
-    is one of a kind, a state stands for as many as there are rotations: one of each turned set.
+    What is left open are the independent moves, which counting multiplies in, and everything
+    about the vehicles named in ``without``, whose entries are set to no arm. With an anchor a
+    state stands for as many as there are rotations: one of each turned set.
     """
     problem = space.problem
     if problem.settled:
@@ -103,11 +113,12 @@ def states(space: Space, symmetry: Symmetry) -> Iterator[Solution]:
             tuple((problem.entries[v.id][0], COUNTED, "none") for v in problem.vehicles), (), ()
         )
         return
-    facts = [*space.facts, *group_facts(problem, symmetry)]
+    facts = [f for f in space.facts if not isinstance(f, ABOUT_ONE) or f.id not in without]
+    facts += group_facts(problem, symmetry)
     facts += [p.Decides(name) for name in sorted(problem.tied)]
     parts = [*space.parts, Part.INTERCHANGEABLE, Part.STATE]
-    if symmetry.anchor is not None:
-        facts += _rotation_facts(problem, symmetry)
+    if anchor is not None:
+        facts += [p.Anchor(anchor), *(p.Rotation(turn) for turn in symmetry.rotations if turn)]
         parts.append(Part.ROTATIONS)
     yield from read_solutions(problem, grounded(facts, parts))
 

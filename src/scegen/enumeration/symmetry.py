@@ -7,7 +7,8 @@ itself. Mirror images never count: they swap the sides of the road.
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+import math
+from collections.abc import Hashable, Set
 from dataclasses import dataclass
 
 from scegen.enumeration.problem import Problem
@@ -40,11 +41,20 @@ class Symmetry:
     rotations: dict[int, tuple[int, ...]]
 
     @property
+    def order(self) -> int:
+        """Number of symmetries: rotations times the swaps within every group."""
+        swaps = math.prod(math.factorial(len(group.members)) for group in self.groups)
+        return len(self.rotations) * swaps
+
+    @property
     def anchor(self) -> str | None:
         """A vehicle that is one of a kind on all arms: every rotation moves it."""
-        return next(
-            (g.members[0] for g in self.groups if g.drives and g.entries is None and g.alone), None
-        )
+        return self.anchor_among({name for group in self.groups for name in group.members})
+
+    def anchor_among(self, names: Set[str]) -> str | None:
+        """The first of these that is one."""
+        alone = (g.members[0] for g in self.groups if g.drives and g.entries is None and g.alone)
+        return next((name for name in alone if name in names), None)
 
 
 def labelled(problem: Problem) -> Symmetry:
@@ -96,6 +106,16 @@ def role_matters(functional: FunctionalScenario, arms: ArmsMode) -> bool:
     seen = any(m.approaches for m in functional.participants)
     others = len(functional.participants) > len(functional.vehicles)
     return arms is ArmsMode.DISTINCT or seen or others
+
+
+def like_but_for_role(problem: Problem, one: Participant) -> bool:
+    """Whether the role is all that tells a vehicle from some other."""
+
+    def said(member: Participant) -> Hashable:
+        what = _what_is_said(problem.functional, member, role_counts=False)
+        return what, problem.entries.get(member.id)
+
+    return any(other != one and said(other) == said(one) for other in problem.vehicles)
 
 
 def _turned(entries: tuple[int, ...] | None, turn: int, arms: int) -> tuple[int, ...] | None:

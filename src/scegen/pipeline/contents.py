@@ -13,7 +13,7 @@ from scegen.pipeline.folder import digest
 from scegen.pipeline.judging import Judged
 from scegen.pipeline.raising import proof_summary
 from scegen.report.contents import Voice
-from scegen.report.gallery import gallery_svg
+from scegen.report.gallery import Tiles, draw_tiles, gallery_svg
 from scegen.report.html import CheckRow, ConcreteEntry, ReportInput, report_html
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import to_json, to_yaml
@@ -48,12 +48,14 @@ def folder_files(
     ``usage`` is what all stages took of language models together.
     """
     files: dict[str, bytes] = {}
+    tiles: Tiles | None = None
     if functional is not None:
         files["functional.yaml"] = to_yaml(functional).encode()
     if logical is not None:
         files["logical.json"] = to_json(logical).encode()
-        files["gallery.svg"] = gallery_svg(logical).encode()
-    report = _report_input(functional, logical, made, skipped, understanding)
+        tiles = draw_tiles(logical)
+        files["gallery.svg"] = gallery_svg(logical, tiles).encode()
+    report = _report_input(functional, logical, made, skipped, understanding, tiles)
     files["report.html"] = report_html(report).encode()
     files["summary.json"] = _summary(
         logical, made, skipped, seed, files, _models(understanding, usage)
@@ -67,6 +69,7 @@ def _report_input(
     made: list[Made],
     skipped: dict[str, str],
     understanding: Understanding | None,
+    tiles: Tiles | None,
 ) -> ReportInput:
     entries = tuple(
         ConcreteEntry(
@@ -85,7 +88,7 @@ def _report_input(
         for item in made
     )
     voice = None if understanding is None else _voice(understanding)
-    return ReportInput(functional, logical, entries, tuple(skipped.items()), voice)
+    return ReportInput(functional, logical, entries, tuple(skipped.items()), voice, tiles)
 
 
 def _voice(understanding: Understanding) -> Voice:

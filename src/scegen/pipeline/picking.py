@@ -10,6 +10,9 @@ from scegen.scenario.arms import arm_angles_deg, seen_from
 from scegen.scenario.logical import LogicalScenario, LogicalSet
 from scegen.scenario.vocabulary import Approach, HazardKind
 
+MOST_RUNS = 12
+"""Ranges of numbers that a message names."""
+
 
 def pick(logical: LogicalSet, expression: str | None) -> tuple[LogicalScenario, ...]:
     """The scenarios that ``expression`` names, in its order; by conflict richness if None.
@@ -76,10 +79,22 @@ def _hidden(scenario: LogicalScenario, logical: LogicalSet) -> int:
 
 
 def _unknown(part: str, logical: LogicalSet) -> InputError:
-    count = len(logical.scenarios)
-    numbers = "only number 0" if count == 1 else f"numbers 0 to {count - 1}"
     return InputError(
-        f"{part!r} names no logical scenario; there are {numbers}",
+        f"{part!r} names no logical scenario; {_numbers([s.index for s in logical.scenarios])}",
         where="--pick",
         hint="use 'all', numbers (3), ranges (0-4) or names as in logical.json",
     )
+
+
+def _numbers(indices: list[int]) -> str:
+    """Which numbers there are: ranges, as a narrowed set has gaps."""
+    runs: list[list[int]] = []
+    for index in sorted(indices):
+        if runs and index == runs[-1][-1] + 1:
+            runs[-1].append(index)
+        else:
+            runs.append([index])
+    told = [str(run[0]) if len(run) == 1 else f"{run[0]}-{run[-1]}" for run in runs]
+    if len(told) > MOST_RUNS:
+        told = [*told[: MOST_RUNS - 1], "…", told[-1]]
+    return f"there is only {told[0]}" if len(indices) == 1 else f"there are {', '.join(told)}"

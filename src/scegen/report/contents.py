@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from scegen.criticality.careful_driver import Verdict
 from scegen.criticality.reactivity.sensitivity import Sensitivity
+from scegen.report.gallery import Tiles
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
@@ -57,7 +58,7 @@ class ReportInput:
     """Everything that the report shows; levels that the run did not pass through are None.
 
     ``skipped`` holds names of scenarios that could not be made, each with the reason; ``voice``
-    is None where no language model was asked.
+    is None where no language model was asked, ``tiles`` where none are drawn yet.
     """
 
     functional: FunctionalScenario | None
@@ -65,3 +66,4 @@ class ReportInput:
     concretes: tuple[ConcreteEntry, ...] = ()
     skipped: tuple[tuple[str, str], ...] = ()
     voice: Voice | None = None
+    tiles: Tiles | None = None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from html import escape
 
 from scegen.report.tile import TILE_WIDTH, arm_legend, roads, tile_body, tile_height
@@ -13,24 +14,44 @@ MOST_CHARACTERS = 2_800_000
 """Larger pictures open slowly; tiles beyond are counted in the note, too."""
 _COLUMNS = 5
 _GAP = 12
-_HEAD = 91
+_HEAD = 108
 _HEADING = 34
 _GROUPED = 20
 """So many scenarios are grouped by pattern."""
 _INK = "#1b2330"
 
 
-def gallery_svg(logical_set: LogicalSet) -> str:
+@dataclass(frozen=True, slots=True)
+class Tiles:
+    """The scenarios of a set that are drawn, and each as elements that refer to ``junction``.
+
+    Drawn once, and shown in the gallery and in the report.
+    """
+
+    shown: tuple[LogicalScenario, ...]
+    bodies: tuple[str, ...]
+    junction: str
+
+
+def draw_tiles(logical_set: LogicalSet) -> Tiles:
+    """As many as anybody looks at, from the first."""
+    functional = logical_set.functional
+    shown = logical_set.scenarios[:MOST_TILES]
+    bodies = [tile_body(s, functional, '<use href="#junction"/>') for s in shown]
+    while sum(map(len, bodies)) > MOST_CHARACTERS:
+        bodies.pop()
+    junction = f'<g id="junction">{roads(functional)}</g>'
+    return Tiles(shown[: len(bodies)], tuple(bodies), junction)
+
+
+def gallery_svg(logical_set: LogicalSet, drawn: Tiles | None = None) -> str:
     """A grid of the logical scenarios as an SVG document; the same input gives the same text.
 
     Many scenarios are grouped by pattern. The junction is drawn once and referred to.
     """
     functional = logical_set.functional
-    shown = logical_set.scenarios[:MOST_TILES]
-    tiles = [tile_body(s, functional, '<use href="#junction"/>') for s in shown]
-    while sum(map(len, tiles)) > MOST_CHARACTERS:
-        tiles.pop()
-    shown = shown[: len(tiles)]
+    drawn = drawn or draw_tiles(logical_set)
+    shown, tiles = drawn.shown, drawn.bodies
     columns = max(min(_COLUMNS, len(shown)), 3)
     width = _GAP + columns * (TILE_WIDTH + _GAP)
     height = tile_height(functional)
@@ -57,7 +78,7 @@ def gallery_svg(logical_set: LogicalSet) -> str:
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{total}" '
             f'viewBox="0 0 {width} {total}" role="img" font-family="system-ui, sans-serif">'
             f"<title>{escape(title)}</title><desc>{escape(summary(logical_set))}</desc>"
-            f'<defs><g id="junction">{roads(functional)}</g></defs>'
+            f"<defs>{drawn.junction}</defs>"
             f'<rect width="{width}" height="{total}" fill="#ffffff"/>'
             f'<text x="{_GAP}" y="28" font-size="18" font-weight="700" fill="{_INK}">'
             f"{escape(title)}</text>"
@@ -111,4 +132,5 @@ def _notes(logical_set: LogicalSet, shown: int) -> list[str]:
         f"Arms: {arm_legend(logical_set.functional)}",
         "Ways cross at a ring ○ and merge at a diamond ◇; E is the ego; "
         "×n: the scenario stands for n assignments.",
+        "Moves: how many arms further on, counter-clockwise, each vehicle leaves.",
     ]

@@ -12,7 +12,7 @@ from markupsafe import Markup
 from scegen.report.contents import CheckRow, ConcreteEntry, ReportInput
 from scegen.report.danger import danger_tables
 from scegen.report.evidence import field_rows, field_words, left_out, spans
-from scegen.report.gallery import MOST_TILES, counted, summary
+from scegen.report.gallery import Tiles, counted, draw_tiles, summary
 from scegen.report.judgement import judgement_tables
 from scegen.report.tables import Table, tables
 from scegen.report.tile import tile_svg
@@ -52,7 +52,7 @@ def report_html(report: ReportInput) -> str:
         left=left_out(functional) if functional else [],
         fields=field_rows(functional) if functional else [],
         legend={str(kind): words for kind, words in _LEGEND.items()},
-        gallery=_gallery(report.logical_set) if report.logical_set else None,
+        gallery=_gallery(report.logical_set, report.tiles) if report.logical_set else None,
         concretes=[_concrete(entry) for entry in report.concretes],
         skipped=report.skipped,
         voice=report.voice,
@@ -65,21 +65,25 @@ class _Gallery:
     summary: str
     method: str
     notes: tuple[str, ...]
+    junction: Markup
     tiles: tuple[Markup, ...]
     missing: int
 
 
-def _gallery(logical_set: LogicalSet) -> _Gallery:
-    drawn = logical_set.scenarios[:MOST_TILES]
+def _gallery(logical_set: LogicalSet, tiles: Tiles | None) -> _Gallery:
+    tiles = tiles or draw_tiles(logical_set)
+    functional = logical_set.functional
     count = max(len(logical_set.scenarios), logical_set.certificate.count)
+    pairs = zip(tiles.shown, tiles.bodies, strict=True)
     return _Gallery(
         counted(count, "logical scenario"),
         summary(logical_set),
         logical_set.certificate.method,
         logical_set.notes,
         # The tiles escape what comes from outside themselves.
-        tuple(Markup(tile_svg(s, logical_set.functional)) for s in drawn),  # noqa: S704
-        count - len(drawn),
+        Markup(tiles.junction),  # noqa: S704
+        tuple(Markup(tile_svg(s, functional, body)) for s, body in pairs),  # noqa: S704
+        count - len(tiles.shown),
     )
 
 

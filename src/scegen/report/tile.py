@@ -85,14 +85,17 @@ def tile_body(
     return f'<g transform="translate(0 {-lift})">{"".join(parts)}</g>{caption}'
 
 
-def tile_svg(scenario: LogicalScenario, functional: FunctionalScenario) -> str:
-    """A tile as a complete SVG element."""
+def tile_svg(
+    scenario: LogicalScenario, functional: FunctionalScenario, body: str | None = None
+) -> str:
+    """A tile as a complete SVG element; ``body`` if it is drawn already."""
     height = tile_height(functional)
     label = escape(describe(scenario))
+    drawn = tile_body(scenario, functional) if body is None else body
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {TILE_WIDTH} {height}" '
         f'role="img" aria-label="{label}" font-family="system-ui, sans-serif">'
-        f"<title>{label}</title>{tile_body(scenario, functional)}</svg>"
+        f"<title>{label}</title>{drawn}</svg>"
     )
 
 

@@ -176,6 +176,9 @@ class Certificate(FrozenModel):
 
     ``matching`` of these are as asked for (``--where``); None if all are, or if the list ends
     before all were looked at. ``complete``: the list holds all that are as asked for.
+    ``group_order`` is the number of symmetries by which the reduction ``exact`` divides (rotations
+    times swaps), ``symmetry`` tells them in words. ``looked_at`` sums the class sizes of all
+    scenarios that were looked at: where none is missing, it is the total.
     """
 
     total: int = Field(ge=0)
@@ -183,6 +186,9 @@ class Certificate(FrozenModel):
     complete: bool
     method: str
     matching: int | None = None
+    group_order: int | None = None
+    symmetry: str | None = None
+    looked_at: int | None = None
 
 
 class LogicalSet(FrozenModel):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from enum import Enum
-from typing import Annotated, Any, TypeVar
+from typing import Annotated, Any, Self, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, PlainSerializer, model_validator
 
@@ -15,6 +15,24 @@ class FrozenModel(BaseModel):
     """Immutable, hashable where its fields are, refuses unknown fields."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+    @classmethod
+    def from_valid(cls, fields: dict[str, Any], names: set[str]) -> Self:
+        """An instance of all its fields, each already valid: nothing is checked or copied.
+
+        For the thousandfold: what ``model_construct`` makes, by the way that pickle takes, in a
+        quarter of the time. ``names`` are those of all fields and are shared, not copied.
+        """
+        made = cls.__new__(cls)
+        made.__setstate__(
+            {
+                "__dict__": fields,
+                "__pydantic_fields_set__": names,
+                "__pydantic_extra__": None,
+                "__pydantic_private__": None,
+            }
+        )
+        return made
 
 
 def _in_order(values: Iterable[Any]) -> list[Any]:

@@ -1,0 +1,115 @@
+"""Lists while they are made: asked before millions, nothing held, whole at every interruption."""
+
+from __future__ import annotations
+
+import json
+import signal
+import sys
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+import typer
+
+from scegen.cli.claims import head, line, tell_claim
+from scegen.cli.console import INTERRUPTED, agreed, counting, result, say
+from scegen.errors import InputError
+
+if TYPE_CHECKING:
+    from scegen.enumeration import Listing
+    from scegen.scenario.logical import LogicalScenario
+
+
+def agree_to_many(listing: Listing, *, yes: bool) -> None:
+    """Ask whoever sits at a terminal whether to list so many; elsewhere take ``--yes`` alone.
+
+    Raises:
+        InputError: nobody agreed.
+    """
+    if not listing.too_many:
+        return
+    many = f"{listing.expected:,} scenarios"
+    if not yes and not agreed(f"List all {many}?"):
+        raise InputError(
+            f"{many} are many to list: nothing was listed",
+            hint="Use --yes to list them all, --limit to list the first ones, or --count-only to "
+            "count them.",
+        )
+    listing.any_number = True
+
+
+@contextmanager
+def listing_under_way(listing: Listing) -> Iterator[Iterator[LogicalScenario]]:
+    """The scenarios, with progress shown; an interruption says how far it came."""
+    try:
+        with counting(listing.expected) as tick:
+            yield _interruptible(tick(listing))
+    except KeyboardInterrupt:
+        looked = "" if listing.listed == listing.seen else f" ({listing.seen:,} looked at)"
+        say(f"interrupted: {listing.listed:,} of {listing.expected:,} scenarios listed{looked}")
+        raise typer.Exit(INTERRUPTED) from None
+
+
+def _interruptible(scenarios: Iterable[LogicalScenario]) -> Iterator[LogicalScenario]:
+    """The same, where Ctrl-C waits until a scenario is written; a second one does not wait."""
+    asked: list[int] = []
+
+    def note(number: int, _: object) -> None:
+        if asked:
+            raise KeyboardInterrupt
+        asked.append(number)
+
+    before = signal.getsignal(signal.SIGINT)
+    if before is not signal.SIG_IGN:  # ignored in the background: it stays so
+        signal.signal(signal.SIGINT, note)
+    try:
+        for scenario in scenarios:
+            yield scenario
+            if asked:
+                raise KeyboardInterrupt
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def stream_lines(listing: Listing) -> None:
+    """Results line by line as they are found; what is claimed of them, at the end."""
+    with listing_under_way(listing) as scenarios:
+        for scenario in scenarios:
+            result(line(scenario))
+    tell_claim(listing.certificate(), listing.reduction, listing.arms, listing.notes)
+
+
+def stream_json(listing: Listing) -> None:
+    """One JSON document, written as scenarios are found; whole even if interrupted."""
+
+    def claim() -> dict[str, object]:
+        return head(listing.certificate(), listing.reduction, listing.arms)
+
+    known = {name: claim()[name] for name in ("total", "count")}
+    with listing_under_way(listing) as scenarios:
+        write_json(
+            known, scenarios, lambda: {n: value for n, value in claim().items() if n not in known}
+        )
+
+
+def write_json(
+    first: dict[str, object],
+    scenarios: Iterable[LogicalScenario],
+    last: Callable[[], dict[str, object]],
+) -> None:
+    """The members of ``first``, the scenarios, one on a line, and what is known at the end."""
+    write = sys.stdout.write
+    write("{" + "".join(f"\n  {_member(*member)}," for member in first.items()))
+    write('\n  "scenarios": [')
+    try:
+        for number, scenario in enumerate(scenarios):
+            write(("," if number else "") + "\n    " + scenario.model_dump_json())
+    finally:
+        members = "".join(f",\n  {_member(*member)}" for member in last().items())
+        write(f"\n  ]{members}\n}}\n")
+        sys.stdout.flush()
+
+
+def _member(name: str, value: object) -> str:
+    nested = json.dumps(value, indent=2, ensure_ascii=False).replace("\n", "\n  ")
+    return f"{json.dumps(name)}: {nested}"
