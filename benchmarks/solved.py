@@ -29,7 +29,7 @@ from shapely.affinity import rotate, translate
 from shapely.geometry.base import BaseGeometry
 
 from scegen.criticality import raise_criticality
-from scegen.criticality.friction import friction_of
+from scegen.motion.friction import friction_of
 from scegen.criticality.search.optimize import Best, _evolve
 from scegen.criticality.search.proving import examine
 from scegen.criticality.search.raising import Raised, _Stage

@@ -16,12 +16,14 @@ def proof_lines(proof: Proof) -> Iterator[str]:
     if measure is not None:
         values = f" ({_value(measure.before)} → {_value(measure.after)} {measure.unit})"
     pair = " and ".join(proof.pair) or "nobody"
-    happened = f"{proof.hazards_happened} of {len(proof.hazards)} dangers happen"
+    happened = ""
+    if proof.hazards:
+        happened = f"; {proof.hazards_happened} of {len(proof.hazards)} dangers happen"
     if proof.in_band:
-        yield f"{proof.target} of {pair}: {proof.measure}{values}; {happened}"
+        yield f"{proof.target} of {pair}: {proof.measure}{values}{happened}"
     else:
         yield (
-            f"TARGET NOT REACHED: {proof.target} of {pair}: {proof.measure}{values}; {happened}; "
+            f"TARGET NOT REACHED: {proof.target} of {pair}: {proof.measure}{values}{happened}; "
             f"the scenario stays as it was. {proof.blocked_by or ''}".rstrip()
         )
     for hazard in proof.hazards:

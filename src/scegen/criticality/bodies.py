@@ -10,11 +10,9 @@ import numpy as np
 
 from scegen.motion.batch.arrays import Floats
 from scegen.motion.batch.kernels import inner_kernel
+from scegen.motion.friction import GRAVITY_MPS2
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.vocabulary import ParticipantKind
-
-GRAVITY_MPS2 = 9.81
-"""Standard gravity, rounded as in UN R157."""
 
 MASS_KG: dict[ParticipantKind, float] = {
     ParticipantKind.CAR: 1850.0,

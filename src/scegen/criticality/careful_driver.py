@@ -32,13 +32,13 @@ from functools import cached_property
 
 import numpy as np
 
-from scegen.criticality.bodies import GRAVITY_MPS2, body_table
-from scegen.criticality.friction import friction_of
+from scegen.criticality.bodies import body_table
 from scegen.criticality.measures.distance import distance_series
 from scegen.criticality.measures.injury import PROTECTED, UNPROTECTED
 from scegen.criticality.perception import perceivable_dangers
 from scegen.motion.batch import compile_program, simulate_batch
 from scegen.motion.batch.arrays import SPEED, BatchTraces, Bools, Floats
+from scegen.motion.friction import GRAVITY_MPS2, friction_of
 from scegen.motion.model import Path
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import AtTime, ConcreteScenario, SpeedPhase

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from scegen.criticality.bodies import body_table
-from scegen.criticality.friction import friction_of
 from scegen.criticality.measures.distance import distance_series
 from scegen.criticality.measures.injury import PROTECTED, UNPROTECTED
 from scegen.criticality.measures.time_to_collision import time_to_collision_series
 from scegen.motion.batch import compile_program, simulate_batch
 from scegen.motion.batch.arrays import Floats
+from scegen.motion.friction import friction_of
 from scegen.motion.model import Path
 from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from scegen.criticality.bodies import GRAVITY_MPS2
 from scegen.criticality.hazards import thresholds as limits
 from scegen.criticality.hazards.predicate import Part, Predicate, at_least, at_most
 from scegen.criticality.hazards.view import View, lasting, longest_run
+from scegen.motion.friction import GRAVITY_MPS2
 from scegen.scenario.bodies import BODIES
 
 _MOVING_MPS = 0.5

@@ -11,6 +11,7 @@ from scegen.criticality.hazards.predicate import Part, Predicate, at_least, at_m
 from scegen.criticality.hazards.view import View
 from scegen.criticality.hazards.ways import Sideways
 from scegen.motion.batch.arrays import COS, HEADING, SIN, Floats, X, Y
+from scegen.motion.friction import GRAVITY_MPS2
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.vocabulary import HazardKind
 
@@ -123,7 +124,7 @@ def sudden_turn(view: View, by: str, _: str) -> list[Part]:
     inside = (place >= way.turn_start_m - 1.0) & (place <= way.turn_end_m + 1.0)
     lateral = np.where(inside, view.lateral_mps2(by), 0.0)
     bound = min(
-        limits.LATERAL_ACCELERATION.value, limits.OF_WHAT_IS_POSSIBLE * 9.81 * view.friction
+        limits.LATERAL_ACCELERATION.value, limits.OF_WHAT_IS_POSSIBLE * GRAVITY_MPS2 * view.friction
     )
     limit = limits.LATERAL_ACCELERATION
     return [at_least("lateral acceleration", lateral.max(axis=1), limit, view.when(lateral), bound)]

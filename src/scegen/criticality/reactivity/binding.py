@@ -6,13 +6,13 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 
-from scegen.criticality.friction import friction_of
 from scegen.criticality.hazards.ways import paths_of, ways_of
 from scegen.criticality.reactivity.rendezvous import held_back, joins
 from scegen.criticality.reactivity.sensitivity import Sensitivity, ego_start_sensitivity
 from scegen.motion.batch.arrays import BatchTraces
 from scegen.motion.batch.compilation import compile_program
 from scegen.motion.batch.simulation import simulate_batch
+from scegen.motion.friction import friction_of
 from scegen.motion.model import Trace
 from scegen.motion.ties import clear_of_ties
 from scegen.road.model import RoadNetwork

@@ -13,9 +13,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from scegen.criticality.bodies import GRAVITY_MPS2
 from scegen.criticality.hazards.ways import Way
 from scegen.motion.batch.arrays import Floats
+from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.model import Path, Trace
 from scegen.motion.simulation import NEGLIGIBLE, arrivals_s
 from scegen.scenario.bodies import BODIES

@@ -21,11 +21,11 @@ import numpy as np
 
 from scegen.criticality.course import ego_course
 from scegen.criticality.evaluation import Summary, measure
-from scegen.criticality.friction import friction_of
 from scegen.criticality.scene import Scene
 from scegen.criticality.search.pairs import scene_of
 from scegen.motion.batch import BatchTraces, compile_program, repeat, simulate_batch
 from scegen.motion.batch.arrays import Floats, Ints
+from scegen.motion.friction import friction_of
 from scegen.motion.model import Path
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
-from scegen.criticality.bodies import GRAVITY_MPS2
 from scegen.criticality.hazards.ways import Way
 from scegen.criticality.search.variables import (
     LEAD_IN_S,
@@ -19,6 +18,7 @@ from scegen.criticality.search.variables import (
     Variable,
 )
 from scegen.motion.batch.arrays import Candidates
+from scegen.motion.friction import GRAVITY_MPS2
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
     ArrivalBelow,

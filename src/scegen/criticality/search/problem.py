@@ -16,6 +16,7 @@ from scegen.criticality.search.variables import Space
 from scegen.criticality.target import Band, Target
 from scegen.motion.batch.arrays import BatchTraces, Bools, Candidates, Floats, Program
 from scegen.motion.batch.simulation import simulate_batch
+from scegen.motion.friction import GRAVITY_MPS2
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.functional import Hazard
 
@@ -242,6 +243,6 @@ def lateral_limits(view: View, friction: float, everyday_mps2: float = 4.0) -> d
     for participant in view.concrete.participants:
         if isinstance(participant.motion, DriveMotion):
             first = float(view.lateral_mps2(participant.id)[0].max())
-            most = 0.9 * friction * 9.81
+            most = 0.9 * friction * GRAVITY_MPS2
             limits[participant.id] = min(max(first, everyday_mps2) * LATERAL_ROOM, most)
     return limits

@@ -77,9 +77,8 @@ def raise_criticality(
     before = examine(concrete, network, stage.focus, stage.friction)
     if reason is not None:
         return Raised(concrete, stage.proof(before, before, 1, reason))
-    # Concretization knows no slippery roads: on those the numbers have to be brought in bounds.
     found: list[tuple[ConcreteScenario, Proof]] = []
-    if stage.friction >= 1.0 and stage.stands(before):
+    if stage.stands(before):
         bound = stage.bound(before)
         found.append((bound.concrete, stage.proof(before, bound, 1, None)))
         if solutions == 1:

@@ -7,7 +7,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from scegen.criticality.friction import friction_of
 from scegen.criticality.hazards.judging import number
 from scegen.criticality.hazards.roles import culprits
 from scegen.criticality.hazards.ways import Way, paths_of, ways_of
@@ -27,6 +26,7 @@ from scegen.criticality.target import HEADWAY, NEAR_MISS, Target
 from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.batch.compilation import compile_program
 from scegen.motion.batch.simulation import simulate_batch
+from scegen.motion.friction import friction_of
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.functional import FunctionalScenario

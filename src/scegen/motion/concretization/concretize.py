@@ -20,6 +20,7 @@ from scegen.motion.concretization.room import NeedsLongerArms
 from scegen.motion.concretization.speeds import cruise_speed_mps
 from scegen.motion.concretization.standers import go_round_standers, place_standers
 from scegen.motion.concretization.walkers import appointments, place_walkers, program_walkers
+from scegen.motion.friction import GRAVITY_MPS2, friction_of
 from scegen.road import build_network
 from scegen.scenario.concrete import ConcreteScenario, RoadParameters
 from scegen.scenario.functional import FunctionalScenario
@@ -110,6 +111,7 @@ def _draft(scene: Scene, drive: Drive) -> DriveDraft:
         kind=participant.kind,
         drive=drive,
         cruise_mps=cruise_speed_mps(scene, participant),
+        grip_mps2=friction_of(scene.functional.environment) * GRAVITY_MPS2,
         stops_at_line=scene.road.control is Control.ALL_WAY_STOP,
     )
 

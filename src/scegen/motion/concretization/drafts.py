@@ -8,12 +8,14 @@ import numpy as np
 
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.concretization.limits import (
+    COMFORTABLE_ACCELERATION_MPS2,
     COMFORTABLE_BRAKING_MPS2,
     DEFAULT_LIMIT_MPS,
     LATERAL_MPS2,
 )
 from scegen.motion.concretization.marks import Mark, Timeline, timeline
 from scegen.motion.concretization.turning import turning_marks
+from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.model import Path
 from scegen.motion.paths import END_MARGIN_M
 from scegen.motion.polyline import LaidDrive, lay_polyline
@@ -33,6 +35,9 @@ from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Crossing, Drive, LogicalScenario, Standing
 from scegen.scenario.vocabulary import ParticipantKind
 
+_SIDEWAYS = 0.9
+"""The share of the grip that a bend may take."""
+
 
 @dataclass
 class DriveDraft:
@@ -43,7 +48,7 @@ class DriveDraft:
     ``start_m`` where on that path it starts at time 0; ``reactions`` phases that look at others,
     to be put where the program reaches ``reacts_at_s_m``. ``slowing_mps2`` is how hard it brakes
     before turns, ``approach_mps`` and ``resume_mps`` its speeds before and after them if not
-    ``cruise_mps``.
+    ``cruise_mps``; ``grip_mps2`` is what the tyres hold on this road.
     """
 
     id: str
@@ -63,6 +68,7 @@ class DriveDraft:
     reactions: list[SpeedPhase] = field(default_factory=list)
     reacts_at_s_m: float = 0.0
     start_m: float = 0.0
+    grip_mps2: float = GRAVITY_MPS2
     laid_: LaidDrive | None = None
     course_: Timeline | None = None
 
@@ -70,6 +76,14 @@ class DriveDraft:
     def body(self) -> Body:
         """Its size."""
         return BODIES[self.kind]
+
+    def braking_mps2(self, wanted_mps2: float) -> float:
+        """How hard it brakes if it wants to so much: as hard as its brakes and tyres can."""
+        return min(wanted_mps2, self.body.max_deceleration_mps2, self.grip_mps2)
+
+    def acceleration_mps2(self, wanted_mps2: float) -> float:
+        """The same for speeding up."""
+        return min(wanted_mps2, self.body.max_acceleration_mps2, self.grip_mps2)
 
     @property
     def laid(self) -> LaidDrive:
@@ -121,7 +135,9 @@ class DriveDraft:
     def add_mark(self, mark: Mark) -> None:
         """Add a mark of a danger; a holding one resumes the speed then in force."""
         if mark.hold_s is not None:
-            mark = replace(mark, resume_mps=self.speed_in_force(mark.s_m))
+            faster = self.acceleration_mps2(mark.resume_rate_mps2)
+            resume = self.speed_in_force(mark.s_m)
+            mark = replace(mark, resume_mps=resume, resume_rate_mps2=faster)
         self.marks.append(mark)
         self.course_ = None
 
@@ -130,10 +146,11 @@ class DriveDraft:
         return turning_marks(
             self.laid,
             self.cruise_mps,
-            lateral_mps2=self.lateral_mps2,
+            lateral_mps2=min(self.lateral_mps2, _SIDEWAYS * self.grip_mps2),
             stops_at_line=self.stops_at_line,
             front_m=self.body.front_m,
-            slowing_mps2=self.slowing_mps2,
+            slowing_mps2=min(self.slowing_mps2, self.grip_mps2),
+            faster_mps2=self.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2),
             approach_mps=self.approach_mps,
             resume_mps=self.resume_mps,
         )

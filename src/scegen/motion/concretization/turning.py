@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from math import sqrt
 
 from scegen.motion.concretization.limits import (
-    COMFORTABLE_ACCELERATION_MPS2,
     STOP_LINE_SPEED_MPS,
 )
 from scegen.motion.concretization.marks import Mark
@@ -58,6 +57,7 @@ def turning_marks(
     stops_at_line: bool,
     front_m: float,
     slowing_mps2: float,
+    faster_mps2: float,
     approach_mps: float | None = None,
     resume_mps: float | None = None,
 ) -> list[Mark]:
@@ -72,15 +72,14 @@ def turning_marks(
     through = bend.speed_mps if bend else cruise_mps
     before = cruise_mps if approach_mps is None else approach_mps
     after = cruise_mps if resume_mps is None else resume_mps
-    faster = COMFORTABLE_ACCELERATION_MPS2
     if stops_at_line:
         slow = min(STOP_LINE_SPEED_MPS, through)
         marks.append(_slow_before(line_s, before, slow, slowing_mps2))
-        marks.append(Mark(max(line_s, 0.1), through, faster))
+        marks.append(Mark(max(line_s, 0.1), through, faster_mps2))
     elif bend:
         marks.append(_slow_before(bend.start_s_m, before, bend.speed_mps, slowing_mps2))
     if bend:
-        marks.append(Mark(bend.end_s_m, after, faster))
+        marks.append(Mark(bend.end_s_m, after, faster_mps2))
     return marks
 
 

@@ -66,7 +66,7 @@ def _for_walkers(scene: Scene, draft: DriveDraft) -> tuple[float, float] | None:
 
 def _hard(scene: Scene, hazard: Hazard) -> None:
     for draft in culprits(scene, hazard):
-        rate = min(float(scene.rng.uniform(*HARD_BRAKING_MPS2)), draft.body.max_deceleration_mps2)
+        rate = draft.braking_mps2(float(scene.rng.uniform(*HARD_BRAKING_MPS2)))
         walkers = _for_walkers(scene, draft)
         hold = _HARD_HOLD_S
         if walkers is not None and walkers[0] > _LEAST_STOP_M:
@@ -83,7 +83,7 @@ def _hard(scene: Scene, hazard: Hazard) -> None:
 
 def _late(scene: Scene, hazard: Hazard) -> None:
     for draft in culprits(scene, hazard):
-        rate = min(HARD_BRAKING_MPS2[0], draft.body.max_deceleration_mps2)
+        rate = draft.braking_mps2(HARD_BRAKING_MPS2[0])
         event = event_s_m(scene, draft, hazard)
         for victim in victims(scene, hazard, draft):
             point = drives_meet(draft, victim)
@@ -95,7 +95,7 @@ def _late(scene: Scene, hazard: Hazard) -> None:
 
 def _stopping(scene: Scene, hazard: Hazard) -> None:
     for draft in culprits(scene, hazard):
-        rate = min(STOPPING_MPS2, draft.body.max_deceleration_mps2)
+        rate = draft.braking_mps2(STOPPING_MPS2)
         event = event_s_m(scene, draft, hazard)
         _stop_at(draft, event, rate, HazardKind.STOPPING, _STOP_HOLD_S)
 

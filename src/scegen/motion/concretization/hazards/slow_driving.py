@@ -42,14 +42,15 @@ def _react(scene: Scene, hazard: Hazard) -> None:
             if not _comes_up_behind(slow, other):
                 continue
             bodies = slow.body.rear_m + other.body.front_m
-            braking = (other.cruise_mps - slow.cruise_mps) ** 2 / (2 * STOPPING_MPS2)
+            rate = other.braking_mps2(STOPPING_MPS2)
+            braking = (other.cruise_mps - slow.cruise_mps) ** 2 / (2 * rate)
             other.reactions.append(
                 SpeedPhase(
                     trigger=DistanceBelow(
                         participant=slow.id, distance_m=bodies + braking + _LEAST_GAP_M
                     ),
                     target_speed_mps=slow.cruise_mps,
-                    rate_mps2=STOPPING_MPS2,
+                    rate_mps2=rate,
                     hazard=HazardKind.SLOW_DRIVING,
                 )
             )

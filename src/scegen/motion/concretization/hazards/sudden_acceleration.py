@@ -43,9 +43,7 @@ def _prepare(scene: Scene, hazard: Hazard) -> None:
 
 def _act(scene: Scene, hazard: Hazard) -> None:
     for draft in culprits(scene, hazard):
-        rate = min(
-            float(scene.rng.uniform(*SUDDEN_ACCELERATION_MPS2)), draft.body.max_acceleration_mps2
-        )
+        rate = draft.acceleration_mps2(float(scene.rng.uniform(*SUDDEN_ACCELERATION_MPS2)))
         first = _slows_first(scene, hazard, draft)
         target = draft.cruise_mps * (_TO / _FROM if first else _TO_CLOSE_UP)
         bend = bend_of(draft.laid, target, draft.lateral_mps2)

@@ -54,7 +54,7 @@ def _brake(scene: Scene, hazard: Hazard) -> None:
         if not changes:
             continue
         place = draft.laid.path_s_m(changes[-1].position_m)
-        rate = min(HARD_BRAKING_MPS2[0], draft.body.max_deceleration_mps2)
+        rate = draft.braking_mps2(HARD_BRAKING_MPS2[0])
         draft.add_mark(Mark(place, 2.0, rate, HazardKind.LOSS_OF_CONTROL, hold_s=1.0))
 
 

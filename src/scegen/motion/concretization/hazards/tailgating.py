@@ -77,7 +77,7 @@ def _react(scene: Scene, hazard: Hazard) -> None:
                     participant=leader.id, distance_m=bodies + _NOTICES * (apart - bodies)
                 ),
                 target_speed_mps=0.0,
-                rate_mps2=min(HARD_BRAKING_MPS2[1], follower.body.max_deceleration_mps2),
+                rate_mps2=follower.braking_mps2(HARD_BRAKING_MPS2[1]),
                 hazard=HazardKind.TAILGATING,
             ),
             SpeedPhase(

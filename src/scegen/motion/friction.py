@@ -11,6 +11,9 @@ from __future__ import annotations
 from scegen.scenario.functional import Environment
 from scegen.scenario.vocabulary import RoadSurface, Weather
 
+GRAVITY_MPS2 = 9.81
+"""Standard gravity, rounded as in UN R157."""
+
 _SURFACE = {
     RoadSurface.DRY: 1.0,
     RoadSurface.WET: 0.65,
