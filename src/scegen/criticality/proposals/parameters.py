@@ -7,7 +7,7 @@ from collections import Counter
 from dataclasses import dataclass
 
 from scegen.criticality.search.variables import Space, Variable
-from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.concrete import ConcreteScenario, DistanceBelow
 
 _UNITS = {"_mps2": "m/s2", "_mps": "m/s", "_m": "m", "_s": "s"}
 _STEP = re.compile(r"(?P<who>[^.]+)\.(?P<what>.+)_(?P<step>\d+)\.(?P<quantity>\w+)")
@@ -23,6 +23,9 @@ _OF_STEP = {
     "distance_m": "shift of the distance at which {who} {does} ({what}): 0 is as it is, more is "
     "{more}",
     "place_m": "shift of the place at which {who} {does} ({what}): 0 is as it is, more is later",
+    "time_s": "shift of the time before another's arrival at which {who} {does} ({what}): 0 is as "
+    "it is, more is earlier",
+    "duration_s": "shift of how long {who} stands before it drives on ({what}): 0 is as it is",
 }
 
 
@@ -73,7 +76,7 @@ def _meaning(concrete: ConcreteScenario, variable: Variable) -> str:
     phase = participant.speed_program[int(step["step"])]
     slows = phase.target_speed_mps < participant.speed_mps
     does = f"{'brakes' if slows else 'changes speed'} to {phase.target_speed_mps:g} m/s"
-    more = "earlier" if phase.trigger.type == "distance_below" else "later"
+    more = "earlier" if isinstance(phase.trigger, DistanceBelow) else "later"
     what = f"step {int(step['step']) + 1}, {step['what'].replace('_', ' ')}"
     text = _OF_STEP.get(step["quantity"], "{who}: " + step["quantity"])
     return text.format(who=who, does=does, what=what, more=more)
