@@ -29,13 +29,13 @@ from shapely.affinity import rotate, translate
 from shapely.geometry.base import BaseGeometry
 
 from scegen.criticality import raise_criticality
-from scegen.motion.friction import friction_of
 from scegen.criticality.search.optimize import Best, _evolve
 from scegen.criticality.search.proving import examine
 from scegen.criticality.search.raising import Raised, _Stage
 from scegen.criticality.target import COLLISION, NEAR_MISS, parse_target
 from scegen.errors import InfeasibleError
 from scegen.motion import build_paths, concretize
+from scegen.motion.friction import friction_of
 from scegen.motion.model import Path as Way
 from scegen.road import build_network
 from scegen.scenario.bodies import BODIES
