@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
+from by_hand import by_hand
+
 from scegen.scenario.concrete import (
-    ArmRoad,
     ConcreteParticipant,
-    ConcreteScenario,
     DriveMotion,
-    RoadParameters,
     SpeedPhase,
 )
-from scegen.scenario.logical import LogicalScenario
-from scegen.scenario.vocabulary import JunctionKind, ParticipantKind, Role
+from scegen.scenario.vocabulary import ParticipantKind, Role
 
 DRIVE = DriveMotion(
     entry=0, entry_lane=1, exit=1, exit_lane=1, start_m=0, turning_starts_m=50, turning_ends_m=50
@@ -35,25 +33,4 @@ def phase(trigger, speed, rate):
 
 
 def scenario(*people, duration_s=12.0, hazards=()):
-    arms = tuple(
-        ArmRoad(
-            id=i,
-            length_m=200,
-            angle_deg=180 * i,
-            angle_to_previous_deg=180,
-            lanes_in=1,
-            lanes_out=1,
-            speed_limit_mps=14,
-        )
-        for i in (0, 1)
-    )
-    return ConcreteScenario(
-        name="case",
-        description="by hand",
-        seed=0,
-        logical=LogicalScenario(index=0, slug="x", pattern=(1,), assignments=()),
-        road=RoadParameters(kind=JunctionKind.STRAIGHT, arms=arms),
-        participants=people,
-        hazards=tuple(hazards),
-        duration_s=duration_s,
-    )
+    return by_hand(*people, duration_s=duration_s, hazards=tuple(hazards))

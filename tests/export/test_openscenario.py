@@ -7,6 +7,7 @@ from pathlib import Path as FilePath
 
 import numpy as np
 import pytest
+from by_hand import by_hand, straight_road
 from lxml import etree
 
 from scegen.errors import InputError
@@ -15,7 +16,6 @@ from scegen.export.openscenario_text import LONGEST_TEXT
 from scegen.motion.model import Path
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
-    ArmRoad,
     ArrivalBelow,
     AtTime,
     ConcreteParticipant,
@@ -23,14 +23,13 @@ from scegen.scenario.concrete import (
     CrossingMotion,
     DistanceBelow,
     DriveMotion,
-    RoadParameters,
     SpeedPhase,
     StandingMotion,
     StoodStill,
     Travelled,
 )
 from scegen.scenario.functional import Environment
-from scegen.scenario.logical import LogicalScenario, Side
+from scegen.scenario.logical import Side
 from scegen.scenario.vocabulary import ParticipantKind, RoadSurface, Role, TimeOfDay, Weather
 
 ROOT = FilePath(__file__).parents[2]
@@ -62,45 +61,22 @@ PROGRAM = (
 
 
 def scenario(description: str = "Two cars", **changes) -> ConcreteScenario:
-    arms = tuple(
-        ArmRoad(
-            id=i,
-            length_m=100,
-            angle_deg=180 * i,
-            angle_to_previous_deg=180,
-            lanes_in=1,
-            lanes_out=1,
-            speed_limit_mps=14,
-        )
-        for i in (0, 1)
-    )
     walk = CrossingMotion(arm=0, start_side=Side.RIGHT, from_junction_m=5, setback_m=1)
     park = StandingMotion(arm=0, side=Side.RIGHT, from_junction_m=30)
-    fields = {
-        "name": "case",
-        "description": description,
-        "seed": 1,
-        "logical": LogicalScenario(index=0, slug="x", pattern=(1,), assignments=()),
-        "road": RoadParameters(kind="straight", arms=arms),
-        "participants": (
-            ConcreteParticipant(
-                id="ego",
-                kind=ParticipantKind.CAR,
-                role=Role.EGO,
-                speed_mps=10,
-                motion=DRIVE,
-                speed_program=PROGRAM,
-            ),
-            ConcreteParticipant(
-                id="ped", kind=ParticipantKind.PEDESTRIAN, speed_mps=1.5, motion=walk
-            ),
-            ConcreteParticipant(
-                id="park", kind=ParticipantKind.VAN, parked=True, speed_mps=0, motion=park
-            ),
-        ),
-        "duration_s": 12.0,
-    }
-    return ConcreteScenario.model_validate(fields | changes)
+    ego = ConcreteParticipant(
+        id="ego",
+        kind=ParticipantKind.CAR,
+        role=Role.EGO,
+        speed_mps=10,
+        motion=DRIVE,
+        speed_program=PROGRAM,
+    )
+    ped = ConcreteParticipant(id="ped", kind=ParticipantKind.PEDESTRIAN, speed_mps=1.5, motion=walk)
+    van = ConcreteParticipant(
+        id="park", kind=ParticipantKind.VAN, parked=True, speed_mps=0, motion=park
+    )
+    usual = {"description": description, "road": straight_road(100.0), "duration_s": 12.0}
+    return by_hand(ego, ped, van, **(usual | changes))
 
 
 PATHS = {"ego": drive(), "ped": drive(8.0), "park": standing()}

@@ -7,12 +7,12 @@ from pathlib import Path as FilePath
 
 import numpy as np
 import pytest
+from by_hand import by_hand
 
 from scegen.export.openscenario import write_openscenario
 from scegen.motion.model import Path
 from scegen.motion.simulation import simulate
 from scegen.scenario.concrete import (
-    ArmRoad,
     ArrivalBelow,
     AtTime,
     ConcreteParticipant,
@@ -20,15 +20,14 @@ from scegen.scenario.concrete import (
     CrossingMotion,
     DistanceBelow,
     DriveMotion,
-    RoadParameters,
     SpeedPhase,
     StandingMotion,
     StoodStill,
     Travelled,
     Trigger,
 )
-from scegen.scenario.logical import LogicalScenario, Side
-from scegen.scenario.vocabulary import JunctionKind, ParticipantKind, Role
+from scegen.scenario.logical import Side
+from scegen.scenario.vocabulary import ParticipantKind, Role
 
 pytestmark = [
     pytest.mark.esmini,
@@ -94,18 +93,6 @@ PATHS = {
 
 
 def scenario(duration_s: float = 10.0) -> ConcreteScenario:
-    arms = tuple(
-        ArmRoad(
-            id=i,
-            length_m=200,
-            angle_deg=180 * i,
-            angle_to_previous_deg=180,
-            lanes_in=1,
-            lanes_out=1,
-            speed_limit_mps=14,
-        )
-        for i in (0, 1)
-    )
     ego = ConcreteParticipant(
         id="ego",
         kind=ParticipantKind.CAR,
@@ -156,15 +143,8 @@ def scenario(duration_s: float = 10.0) -> ConcreteScenario:
         speed_mps=0,
         motion=StandingMotion(arm=0, side=Side.RIGHT, from_junction_m=30),
     )
-    return ConcreteScenario(
-        name="case",
-        description="A <case> & more",
-        seed=0,
-        logical=LogicalScenario(index=0, slug="x", pattern=(1,), assignments=()),
-        road=RoadParameters(kind=JunctionKind.STRAIGHT, arms=arms),
-        participants=(ego, oncoming, walker, turner, van),
-        duration_s=duration_s,
-    )
+    people = (ego, oncoming, walker, turner, van)
+    return by_hand(*people, description="A <case> & more", duration_s=duration_s)
 
 
 def play(folder: FilePath, concrete: ConcreteScenario, version: str, dt_s: float):

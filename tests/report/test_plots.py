@@ -4,6 +4,7 @@ from math import pi
 
 import numpy as np
 import pytest
+from by_hand import by_hand
 from lxml import etree, html
 
 from scegen.criticality.careful_driver import Outcome, Verdict
@@ -14,14 +15,11 @@ from scegen.report.html import ConcreteEntry, ReportInput, report_html
 from scegen.report.judgement import judgement_tables, verdict_words
 from scegen.report.plots import LEFT, RIGHT, WIDTH, plots_svg
 from scegen.scenario.concrete import (
-    ArmRoad,
     ConcreteParticipant,
     ConcreteScenario,
     DriveMotion,
-    RoadParameters,
 )
-from scegen.scenario.logical import LogicalScenario
-from scegen.scenario.vocabulary import JunctionKind, ParticipantKind, Role
+from scegen.scenario.vocabulary import ParticipantKind, Role
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -35,36 +33,17 @@ def scenario(*names, duration_s=10.0) -> ConcreteScenario:
     motion = DriveMotion(
         entry=0, entry_lane=1, exit=1, exit_lane=1, start_m=0, turning_starts_m=1, turning_ends_m=1
     )
-    arms = tuple(
-        ArmRoad(
-            id=i,
-            length_m=200,
-            angle_deg=180 * i,
-            angle_to_previous_deg=180,
-            lanes_in=1,
-            lanes_out=1,
-            speed_limit_mps=14,
+    people = (
+        ConcreteParticipant(
+            id=name,
+            kind=ParticipantKind.CAR,
+            role=Role.OTHER if number else Role.EGO,
+            speed_mps=10,
+            motion=motion,
         )
-        for i in (0, 1)
+        for number, name in enumerate(names)
     )
-    return ConcreteScenario(
-        name="case",
-        description="Two cars",
-        seed=0,
-        logical=LogicalScenario(index=0, slug="x", pattern=(1,), assignments=()),
-        road=RoadParameters(kind=JunctionKind.STRAIGHT, arms=arms),
-        participants=tuple(
-            ConcreteParticipant(
-                id=name,
-                kind=ParticipantKind.CAR,
-                role=Role.OTHER if number else Role.EGO,
-                speed_mps=10,
-                motion=motion,
-            )
-            for number, name in enumerate(names)
-        ),
-        duration_s=duration_s,
-    )
+    return by_hand(*people, duration_s=duration_s)
 
 
 @pytest.fixture
