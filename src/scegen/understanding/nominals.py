@@ -1,0 +1,136 @@
+"""Reads nouns within a clause: who acts, who is acted on, who is only named along the way."""
+
+from __future__ import annotations
+
+from scegen.understanding.attachment import attach
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase
+from scegen.understanding.lookahead import finite_follows
+from scegen.understanding.phrases import also_from, apposes, bracketed
+from scegen.understanding.state import State
+
+
+def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
+    """A participant: as the subject, an object, an apposition, or in a phrase of place.
+
+    Args:
+        mention: the noun.
+        k: its index among the chunks.
+        chunks: the chunks of the text.
+        state: what the clause reader remembers.
+    """
+    state.mentions.append(mention)
+    state.inanimate = False
+    if mention.possessor:
+        return
+    if state.prep is not None:
+        _prepositional(mention, k, chunks, state)
+        return
+    anchor = state.anchor
+    direct = isinstance(anchor, Event) and not anchor.nominal and not state.between
+    if isinstance(anchor, Event) and direct and anchor.object is None:
+        anchor.object = mention
+    elif bracketed(chunks, k) and isinstance(anchor, Mention):
+        mention.same_as = anchor
+        return
+    elif apposes(chunks, k, state):
+        mention.same_as = anchor if isinstance(anchor, Mention) else state.candidate
+        return
+    elif _joins(mention, k, chunks, state):
+        return
+    else:
+        _start_clause(mention, state)
+    state.anchor = mention
+    state.between = set()
+    state.last_pp = None
+
+
+def _joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+    """``a car and a truck``: the second takes the role of the first."""
+    anchor = state.anchor
+    listed = "and" in state.between or "or" in state.between or state.between == {","}
+    if not (isinstance(anchor, Mention) and listed) or "sub" in state.between:
+        return False
+    if mention.pronoun in {"count", "one", "another"} and "," in state.between:
+        return False  # "four vans, two turning left": some of them, not further ones
+    waiting = anchor is state.candidate and not state.candidate_done
+    waiting = waiting and not any(anchor in event.subject for event in state.events)
+    if state.between == {","} and not waiting:
+        return False
+    if not waiting and (finite_follows(chunks, k) or "," in state.between):
+        return False
+    mention.joined = anchor
+    if waiting:
+        state.candidate = mention
+    for event in state.events:
+        if event.object is anchor:
+            event.object = mention
+    state.anchor = mention
+    state.between = set()
+    return True
+
+
+def _start_clause(mention: Mention, state: State) -> None:
+    mention.denied = "neg:not" in state.between
+    state.candidate = mention
+    state.candidate_done = False
+    for event in state.pending:
+        event.subject = [mention]
+    state.pending = []
+
+
+def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
+    prep = state.prep
+    state.prep = None
+    if prep is None:
+        return
+    prep.target = mention
+    mention.prep = prep.word
+    attach(prep, state)
+    last = state.events[-1] if state.events else None
+    if last and last.nominal and prep.value in {"by", "of"} and not last.subject:
+        last.subject = [mention]
+    named = prep.value in {"with", "due", "against"}
+    if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:
+        prep.on_mention.partitive = True
+        return
+    pending = state.candidate is not None and not state.candidate_done
+    if pending and finite_follows(chunks, k):
+        state.last_pp = mention
+        return
+    if named and state.candidate is None:
+        _start_clause(mention, state)
+    state.anchor = mention
+    state.between = set()
+    state.last_pp = None
+
+
+def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> None:
+    """A place or thing: what a preposition or verb governs.
+
+    Args:
+        noun: the noun.
+        k: its index among the chunks.
+        chunks: the chunks of the text.
+        state: what the clause reader remembers.
+    """
+    opens = not state.events or bool(state.between & {"sub", ",", "conj"})
+    if state.prep is None and opens and finite_follows(chunks, k):
+        opens = not (state.events and "," in state.between and "sub" not in state.between)
+        state.inanimate = opens and (state.candidate is None or "sub" in state.between)
+    if state.prep is not None:
+        state.prep.target = noun
+        noun.prep = state.prep.word
+        attach(state.prep, state)
+        state.prep = None
+        return
+    if also_from(noun, state):
+        return
+    anchor = state.anchor
+    direct = isinstance(anchor, Event) and anchor.object is None
+    if isinstance(anchor, Event) and direct and not (state.between - {"or", "either"}):
+        anchor.object = noun
+        state.anchor = noun
+        state.between = set()
+    elif not state.events and state.candidate is None:
+        state.anchor = noun
+        state.between = set()
