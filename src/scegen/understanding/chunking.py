@@ -129,22 +129,34 @@ class Chunker:
         head = self._terms[m] if m < len(self._terms) else None
         owner = self._owner(mods)
         if head is not None and head.cat == "actor":
+            if self._side_before_number(mods):
+                return self._side(mods, k)
             return self._mention(mods, m, owner)
         if head is not None and head.cat in {"place", "view", "thing", "inert", "leg"}:
             return self._thing(mods, head, m, owner)
-        if head is not None and self._nominal(mods, head):
+        if head is not None and self._nominal(mods, head, m):
             if any(mod.cat == "num" for mod in mods) and not _has_dir(mods):
                 return self._bare(mods, k)
             self._chunks.append(_event(head, mods, nominal=True))
             return m + 1
         return self._bare(mods, k)
 
+    def _side_before_number(self, mods: list[Term]) -> bool:
+        """``from the left two cars come``: the number begins a noun phrase of its own."""
+        previous = self._chunks[-1] if self._chunks else None
+        preposed = isinstance(previous, Word) and previous.cat == "prep"
+        pairs = zip(mods, mods[1:], strict=False)
+        return preposed and any(
+            b.cat in {"num", "quant"} and (a.cat == "compass" or a.value in {"left", "right"})
+            for a, b in pairs
+        )
+
     def _owner(self, mods: list[Term]) -> Mention | None:
         previous = self._chunks[-1] if self._chunks else None
         genitive = bool(mods) and mods[0].cat == "possessive" and mods[0].value == "genitive"
         return previous if genitive and isinstance(previous, Mention) else None
 
-    def _nominal(self, mods: list[Term], head: Term) -> bool:
+    def _nominal(self, mods: list[Term], head: Term, m: int) -> bool:
         """Whether a verb form after these words is a noun ("a sudden stop")."""
         if head.cat != "verb" or head.form == "ed":
             return False
@@ -158,13 +170,21 @@ class Chunker:
         if mods[0].cat == "dir" and isinstance(previous, Word) and previous.cat == "aux":
             return False
         after_prep = isinstance(previous, Word) and previous.cat in _VERBAL_LINKS
-        sided = _has_dir(mods) and (head.form == "s" or mods[-1].value in {"front", "rear"})
+        placed = _has_dir(mods) or mods[-1].cat == "compass"
+        turned = head.value == "turn" and self._way_follows(m)
+        turned = turned or mods[-1].cat == "compass" or mods[-1].value in {"front", "rear"}
+        sided = placed and (head.form == "s" or turned)
         if after_prep and (sided or (_has_dir(mods) and "control" in head.data)):
             return False
         pronominal = mods[-1].cat == "num" or mods[-1].value in {"another", "other", *_ORDINALS}
         if pronominal and head.form != "base":
             return False
         return not (mods[0].cat == "manner" and head.form == "s")
+
+    def _way_follows(self, m: int) -> bool:
+        """``cars from the left turn right``: a noun would not say which way."""
+        follows = self._terms[m + 1] if m + 1 < len(self._terms) else None
+        return follows is not None and follows.cat == "dir"
 
     def _bare(self, mods: list[Term], k: int) -> int | None:
         """Modifiers without a head: "one", "another", "both", "from the right"."""

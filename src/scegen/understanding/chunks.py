@@ -179,12 +179,14 @@ class Prep:
         target: what it governs; None for "the car ahead".
         outer: a preposition before it ("from behind").
         on_mention: the mention right before it, if one stands there.
+        fronted: it opens its clause and places who comes after it ("behind me a van brakes").
     """
 
     word: Word
     target: NounPhrase | Event | None = None
     outer: str | None = None
     on_mention: Mention | None = None
+    fronted: bool = False
 
     @property
     def value(self) -> str:

@@ -62,7 +62,7 @@ class ClauseReader:
         if word.cat == "punct" and word.value in BOUNDARIES:
             self._end_sentence()
         elif word.cat in GOVERNING:
-            preposition(word, state)
+            preposition(word, k, self._chunks, state)
         elif word.cat in ADVERBS or word.cat == "state":
             self._adverb(word, k)
         else:
@@ -126,6 +126,12 @@ class ClauseReader:
             return False
         return not any(state.candidate in event.subject for event in state.events)
 
+    def _inverted(self, event: Event, k: int) -> bool:
+        """``from the left comes a bus``: the subject stands after its verb."""
+        following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
+        finite = not event.nominal and event.form != "ing"
+        return bool(self._state.fronted) and finite and isinstance(following, Mention)
+
     def _premodifiers(self, mention: Mention) -> None:
         """``a speeding car``, ``the left turning truck``: events of the noun itself."""
         for position, mod in enumerate(mention.mods):
@@ -145,7 +151,13 @@ class ClauseReader:
         event.sentence = self._sentence
         event.mods += state.ahead
         state.ahead = []
-        subjects.link(event, state)
+        if self._inverted(event, k):
+            event.finite = True
+            state.pending.append(event)
+        else:
+            subjects.link(event, state)
+            event.pps += state.opening
+            state.opening = []
         event.negated = any(word.startswith("neg:") for word in state.between) or event.negated
         event.negated = event.negated or any(
             m.denied or m.pronoun == "neither" for m in event.subject

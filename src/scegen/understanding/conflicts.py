@@ -155,10 +155,18 @@ def overtake(scene: Scene, context: Context) -> None:
 
 def pull_out(scene: Scene, context: Context) -> None:
     """Leaving a side road or a parking space without giving way."""
-    if scene.drivers:
-        context.draft.hazard(
-            HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, _mentioned(scene.event)
-        )
+    out_of_sight = any(p.word.cat == "locus" and p.outer == "from" for p in scene.event.pps)
+    drivers = [e for e in scene.drivers if not (out_of_sight and context.is_cyclist(e))]
+    if drivers and not _to_overtake(scene):
+        to = [] if out_of_sight else _mentioned(scene.event)
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, drivers, to)
+
+
+def _to_overtake(scene: Scene) -> bool:
+    """``pulls out to pass``, ``from behind a bus``: out of a lane, not out of a side road."""
+    following = [c.name for c in scene.event.children]
+    purpose = scene.event.parent.name if scene.event.parent is not None else ""
+    return bool({*following, purpose} & {"overtake", "bypass", "pass"})
 
 
 def fail_to_yield(scene: Scene, context: Context) -> None:
@@ -193,6 +201,7 @@ def breach(scene: Scene, context: Context) -> None:
         if place.kind == "signal":
             if "green" in words or not (certain or "red" in words):
                 continue
-            context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
+            if scene.drivers or not scene.walkers:
+                context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
         elif certain and place.kind in {"stop_sign", "yield_sign", "right_of_way"}:
             context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers)

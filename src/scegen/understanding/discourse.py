@@ -169,6 +169,9 @@ class Discourse:
         if names:
             known = [e for e in self._draft.entities if names & e.labels][:1]
             return known or self._roster.named(reading, names)
+        counted = self._counted(reading, mention)
+        if counted is not None:
+            return counted
         included = self._roster.included(reading, mention)
         if included:
             return included
@@ -184,6 +187,28 @@ class Discourse:
             member = self._member(reading, mention, exclude)
             return member or self._roster.from_title(reading, mention)
         return self._definite(reading, mention, exclude)
+
+    def _counted(self, reading: Reading, mention: Mention) -> list[Entity] | None:
+        """``the first car``, ``the second truck``: by the order in which they came up."""
+        which = next((m.value for m in mention.mods if m.value in _POSITIONS), None)
+        if which is None or reading.det not in {"def", "ordinal"} or reading.plural:
+            return None
+        if mention.mods[0].value != "def":
+            return None
+        for group in reversed(self._roster.groups):
+            alike = [e for e in group.members if self._roster.compatible(e, reading)]
+            if len(alike) > abs(_POSITIONS[which]):
+                return self._claimed(alike[_POSITIONS[which]])
+        alike = [e for e in self._draft.entities if self._roster.compatible(e, reading)]
+        alike = [e for e in alike if not e.ego]
+        if not alike:
+            return None
+        known = alike[_POSITIONS[which] :][:1] if _POSITIONS[which] < len(alike) else []
+        return self._claimed(known[0]) if known else []
+
+    def _claimed(self, entity: Entity) -> list[Entity]:
+        entity.claimed = True
+        return [entity]
 
     def _known_plural(self, reading: Reading) -> list[Entity]:
         if reading.det != "def" and reading.count != DEFAULT_COUNT:

@@ -11,6 +11,7 @@ from scegen.understanding.movements import MOVEMENTS
 from scegen.understanding.omissions import not_done
 from scegen.understanding.placing import Placer, thing_sides
 from scegen.understanding.resolving import from_everywhere
+from scegen.understanding.subjects import chain
 from scegen.understanding.terms import Term
 
 _BREACHING = frozenset({"walk", "breach", "move", "enter", "cross", "speed", "accelerate"})
@@ -125,7 +126,7 @@ class Interpreter:
     def _scene(self, event: Event) -> Scene:
         actors = [e for m in event.subject for e in m.entities]
         direct = event.object
-        targets = list(direct.entities) if isinstance(direct, Mention) else []
+        targets = [e for m in chain(direct) for e in m.entities] if isinstance(direct, Mention) else []
         if event.passive:
             agents = [
                 e
@@ -133,6 +134,8 @@ class Interpreter:
                 if p.value == "by" and isinstance(p.target, Mention)
                 for e in p.target.entities
             ]
+            if not agents and isinstance(direct, Mention):
+                agents = targets  # "is passed by a bus": the verb has taken the "by"
             if event.name != "hide":
                 return Scene(event, agents, actors)
             return Scene(event, actors, [])

@@ -98,7 +98,7 @@ def _count(
         words = {t.low for t in tokens[quant.i : quant.j]}
         count = next((n for w, n in _VAGUE_COUNTS.items() if w in words), _MANY)
         return count, True, f"'{word}' is read as {count}"
-    if quant is not None and quant.value == "both":
+    if quant is not None and quant.value == "both" and plural:
         return DEFAULT_COUNT, False, None
     if not plural:
         return 1, False, None

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from scegen.understanding.attachment import attach
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase
+from scegen.understanding.attachment import attach, place_in_front
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
 from scegen.understanding.lookahead import finite_follows
 from scegen.understanding.phrases import also_from, apposes, bracketed
 from scegen.understanding.state import State
+
+_OWNED = frozenset({"side", "lane", "path"})
 
 
 def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
@@ -27,8 +29,17 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         return
     anchor = state.anchor
     direct = isinstance(anchor, Event) and not anchor.nominal and not state.between
-    if isinstance(anchor, Event) and direct and anchor.object is None:
+    whole = _partitive_before(k, chunks)
+    if whole is not None and (mention.mods == [] or mention.mods[0].value == "indef"):
+        mention.same_as = whole
+        return
+    if state.fronted:
+        _start_clause(mention, state)
+    elif isinstance(anchor, Event) and direct and anchor.object is None:
         anchor.object = mention
+    elif _is_predicate(mention, k, chunks, state):
+        mention.same_as = state.candidate
+        return
     elif bracketed(chunks, k) and isinstance(anchor, Mention):
         mention.same_as = anchor
         return
@@ -42,6 +53,31 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
     state.anchor = mention
     state.between = set()
     state.last_pp = None
+
+
+def _partitive_before(k: int, chunks: list[Chunk]) -> Mention | None:
+    """``four of them trucks``, ``one of which a bus``: the noun says what kind they are."""
+    if k < 3:
+        return None
+    part, of, whole = chunks[k - 3 : k]
+    if not isinstance(part, Mention) or not isinstance(of, Word) or of.value != "of":
+        return None
+    named = isinstance(whole, Mention) and whole.pronoun == "they"
+    return part if named or (isinstance(whole, Word) and whole.cat == "rel") else None
+
+
+def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+    """``vehicle 1 is a pickup truck``: the noun after "is" says what the subject is."""
+    who = state.candidate
+    if who is None or state.candidate_done or state.anchor is not who:
+        return False
+    bare = not mention.mods or mention.mods[0].value == "indef" or mention.mods[0].cat != "det"
+    named = (mention.label or "").startswith("#")
+    if "aux:be" not in state.between or mention.pronoun or named or not bare:
+        return False
+    if state.between & {"copy", "conj", "sub"} or who.pronoun in {"it", "they"}:
+        return False
+    return not finite_follows(chunks, k)
 
 
 def _joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
@@ -59,6 +95,10 @@ def _joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     if not waiting and (finite_follows(chunks, k) or "," in state.between):
         return False
     mention.joined = anchor
+    mention.pps += [p for p in anchor.pps if p.fronted]
+    for event in state.events:
+        if event.finite and event.i < anchor.i and event.subject[-1:] == [anchor]:
+            event.subject.append(mention)  # "from the left come a bus and a van"
     if waiting:
         state.candidate = mention
     for event in state.events:
@@ -75,7 +115,12 @@ def _start_clause(mention: Mention, state: State) -> None:
     state.candidate_done = False
     for event in state.pending:
         event.subject = [mention]
+        inverted = event.finite and bool(state.fronted)
+        event.pps += state.fronted if inverted else []
+        state.candidate_done = state.candidate_done or inverted
     state.pending = []
+    place_in_front(mention, state)
+    state.opening, state.fronted = ([] if state.candidate_done else state.fronted), []
 
 
 def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
@@ -85,7 +130,11 @@ def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) 
         return
     prep.target = mention
     mention.prep = prep.word
+    if prep.value == "of" and _owns_place(mention, k, chunks):
+        return
     attach(prep, state)
+    if prep.fronted:
+        return
     last = state.events[-1] if state.events else None
     if last and last.nominal and prep.value in {"by", "of"} and not last.subject:
         last.subject = [mention]
@@ -102,6 +151,15 @@ def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) 
     state.anchor = mention
     state.between = set()
     state.last_pp = None
+
+
+def _owns_place(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
+    """``the path of the bus``, ``to the left of the truck``: whose place it is."""
+    place = chunks[k - 2] if k > 1 else None
+    if not isinstance(place, Place) or place.kind not in _OWNED or place.owner is not None:
+        return False
+    place.owner = mention
+    return True
 
 
 def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> None:

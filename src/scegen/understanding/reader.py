@@ -12,6 +12,7 @@ from scegen.understanding.context import Context
 from scegen.understanding.coverage import unattached
 from scegen.understanding.discourse import Discourse
 from scegen.understanding.draft import Draft
+from scegen.understanding.ellipsis import fill_in
 from scegen.understanding.junctions import JunctionReading, read_junction
 from scegen.understanding.leftovers import report
 from scegen.understanding.meaning import Interpreter
@@ -60,7 +61,7 @@ def read(text: str) -> FunctionalScenario:
     junction = read_junction(terms, tokens)
     surroundings = read_surroundings(terms, tokens)
     chunks = Chunker(terms, tokens).run()
-    events = ClauseReader(chunks).run()
+    events = fill_in(chunks, ClauseReader(chunks).run())
     draft = Draft(text, tokens)
     resolve_mentions(chunks, events, Discourse(draft, tokens, _arms(junction)))
     across = "right" if surroundings.side is DrivingSide.LEFT else "left"

@@ -25,6 +25,8 @@ class State:
         mentions: mentions of the sentence so far.
         inanimate: the clause is about a thing ("the light turns green"), not a participant.
         last_pp: the mention in the prepositional phrase just read, if it is no anchor.
+        fronted: phrases of place at the start of a clause, for the mention that follows.
+        opening: the same phrases once that mention has come, for its verb.
         bracket: anchor and words between, as they were when a bracket opened.
     """
 
@@ -40,4 +42,6 @@ class State:
     mentions: list[Mention] = field(default_factory=list)
     inanimate: bool = False
     last_pp: Mention | None = None
+    fronted: list[Prep] = field(default_factory=list)
+    opening: list[Prep] = field(default_factory=list)
     bracket: tuple[Mention | NounPhrase | Event | None, set[str]] | None = None

@@ -20,6 +20,11 @@ _FRAME = {Approach.LEFT: "east", Approach.RIGHT: "west", Approach.OPPOSITE: "sou
 """Headings of those who come from a side, for an observer who looks north."""
 
 
+_ALONG = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE})
+_SIDEWAYS = _ALONG | {Approach.LEFT, Approach.RIGHT}
+"""A single vehicle "from the left" is seen by somebody; of two, each may see the other."""
+
+
 def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     """The ego with the reason for the choice; adds one if no vehicle moves.
 
@@ -43,7 +48,9 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     if last is not None and any(_placed(draft, e, Approach.AHEAD) for e in candidates):
         last.ego = True
         return last, Basis(reason="the text names no ego; this vehicle follows the other")
-    if all(_seen_along_the_road(draft, e) for e in candidates):
+    walkers = any(not e.is_vehicle for e in draft.entities)
+    alone = len(candidates) == 1 == len(movers) and not walkers
+    if all(_seen(draft, e, _SIDEWAYS if alone else _ALONG) for e in candidates):
         reason = "positions are given as seen from a vehicle that is not named; a car is added"
         return _added(draft, reason)
     chosen, reason = _designate(draft, candidates)
@@ -64,9 +71,8 @@ def _placed(draft: Draft, entity: Entity, approach: Approach) -> bool:
     )
 
 
-def _seen_along_the_road(draft: Draft, entity: Entity) -> bool:
+def _seen(draft: Draft, entity: Entity, seen: frozenset[Approach]) -> bool:
     """``the car ahead``, ``an oncoming van``: there is somebody from whom it is seen."""
-    seen = {Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE}
     if entity.entries or entity.heading is not None:
         return False
     return any(
