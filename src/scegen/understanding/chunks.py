@@ -54,7 +54,8 @@ class NounPhrase:
     @property
     def dirs(self) -> list[str]:
         """Directions named before the head."""
-        return [m.value for m in self.mods if m.cat == "dir"]
+        own = [self.head.data["dir"]] if self.head is not None and "dir" in self.head.data else []
+        return [*(m.value for m in self.mods if m.cat == "dir"), *own]
 
 
 @dataclass(slots=True, eq=False)

@@ -19,6 +19,7 @@ from scegen.understanding.meaning import Interpreter
 from scegen.understanding.relevance import require_traffic
 from scegen.understanding.resolving import resolve_mentions
 from scegen.understanding.respectively import share_out
+from scegen.understanding.sides import settle_sides
 from scegen.understanding.surroundings import read_surroundings
 from scegen.understanding.tagging import tag
 from scegen.understanding.tokens import tokenize
@@ -60,6 +61,7 @@ def read(text: str) -> FunctionalScenario:
     require_traffic(terms, tokens)
     junction = read_junction(terms, tokens)
     surroundings = read_surroundings(terms, tokens)
+    terms = settle_sides(terms, surroundings.side)
     chunks = Chunker(terms, tokens).run()
     events = fill_in(chunks, ClauseReader(chunks).run())
     draft = Draft(text, tokens)
