@@ -126,6 +126,7 @@ class Event:
         drives: only vehicles, or people in them, do it.
         link: how it hangs on its parent: ``inf``, ``ing`` or ``noun``.
         reduced: it only describes its noun ("a man hidden behind a van runs out").
+        unable: it does not take place because it cannot ("could not stop").
         modal: obliged, forced or reacting ("must stop", "causing it to stop").
     """
 
@@ -139,6 +140,7 @@ class Event:
     passive: bool = False
     reduced: bool = False
     negated: bool = False
+    unable: bool = False
     modal: bool = False
     purpose: bool = False
     mods: list[Term] = field(default_factory=list)

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from scegen.understanding import subjects
 from scegen.understanding.attachment import preposition, release
-from scegen.understanding.chunks import Chunk, Event, Mention, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, Word
 from scegen.understanding.lookahead import (
     ADVERBS,
     BOUNDARIES,
@@ -21,6 +21,9 @@ from scegen.understanding.lookahead import (
 )
 from scegen.understanding.nominals import read_mention, read_noun
 from scegen.understanding.state import State
+from scegen.understanding.terms import Term
+
+LANES = frozenset({"lane", "bike_lane", "shoulder", "sidewalk", "side"})
 
 
 class ClauseReader:
@@ -73,8 +76,18 @@ class ClauseReader:
             state.between.add(word.value if word.cat in {"punct", "conj"} else word.cat)
             if word.cat == "conj":
                 state.between.add("conj")
+            if word.value == "where":
+                self._where(k)
             if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
                 state.candidate = None
+
+    def _where(self, k: int) -> None:
+        """``the next lane, where a van drives``: the van is in that lane."""
+        place = next((c for c in reversed(self._chunks[max(0, k - 2) : k]) if isinstance(c, Place)), None)
+        if place is None or place.kind not in LANES:
+            return
+        word = Word(Term("prep", "in", place.i, place.i + 1))
+        self._state.fronted.append(Prep(word, place, fronted=True))
 
     def _parenthesis(self, mark: str) -> None:
         """What stands in brackets does not change who acts after them."""
@@ -132,6 +145,20 @@ class ClauseReader:
         finite = not event.nominal and event.form != "ing"
         return bool(self._state.fronted) and finite and isinstance(following, Mention)
 
+    def _by_a_stranger(self, event: Event, k: int) -> bool:
+        """``roadworks blocking the lane``, ``a steward waves``: no participant does it."""
+        before = self._chunks[k - 1] if k else None
+        if event.nominal or before is None:
+            return False
+        if isinstance(before, Thing) and before.kind in {"object", "obstacle"}:
+            return event.form == "ing" and not self._state.between
+        unknown = isinstance(before, Word) and before.cat == "unknown" and k > 1
+        if not unknown or self._state.candidate is not None and not self._state.candidate_done:
+            return False
+        opener = self._chunks[k - 2]
+        named = isinstance(opener, Place) or (isinstance(opener, Word) and opener.cat == "det")
+        return named and event.form in {"s", "ed"}
+
     def _premodifiers(self, mention: Mention) -> None:
         """``a speeding car``, ``the left turning truck``: events of the noun itself."""
         for position, mod in enumerate(mention.mods):
@@ -154,11 +181,13 @@ class ClauseReader:
         if self._inverted(event, k):
             event.finite = True
             state.pending.append(event)
-        else:
+        elif not self._by_a_stranger(event, k):
             subjects.link(event, state)
             event.pps += state.opening
             state.opening = []
-        event.negated = any(word.startswith("neg:") for word in state.between) or event.negated
+        negated = any(word.startswith("neg:") for word in state.between)
+        event.unable = negated and bool({"neg:unable", "aux:can"} & state.between)
+        event.negated = negated or event.negated
         event.negated = event.negated or any(
             m.denied or m.pronoun == "neither" for m in event.subject
         )

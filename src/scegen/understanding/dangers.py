@@ -74,11 +74,25 @@ def stop(scene: Scene, context: Context) -> None:
     context.draft.hazard(HazardKind.STOPPING, sudden or scene.words, scene.actors)
 
 
+def too_late(scene: Scene, context: Context) -> None:
+    """``notices the queue too late``, ``reacts late``."""
+    late = scene.how("late")
+    if late is not None and scene.drivers:
+        context.draft.hazard(HazardKind.DELAYED_BRAKING, late, scene.drivers)
+
+
+def crawl(scene: Scene, context: Context) -> None:
+    """Verbs that say that somebody drives slowly."""
+    if scene.drivers and not scene.reaction:
+        context.draft.hazard(HazardKind.SLOW_DRIVING, scene.words, scene.drivers)
+
+
 def swerve(scene: Scene, context: Context) -> None:
-    """Swerving, weaving, drifting."""
-    if scene.reaction or not scene.drivers:
+    """Swerving, weaving, drifting; what the ego does to avoid another danger is its answer."""
+    drivers = [e for e in scene.drivers if not (scene.reaction and e.ego)]
+    if scene.event.modal or not drivers:
         return
-    context.draft.hazard(HazardKind.SWERVING, scene.words, scene.drivers, scene.targets)
+    context.draft.hazard(HazardKind.SWERVING, scene.words, drivers, scene.targets)
 
 
 def oncoming_lane(scene: Scene, context: Context) -> None:
@@ -110,6 +124,12 @@ def follow(scene: Scene, context: Context) -> None:
     close = scene.how("close")
     if close is not None:
         context.draft.hazard(HazardKind.TAILGATING, close, scene.drivers, scene.targets)
+
+
+def undertake(scene: Scene, context: Context) -> None:
+    """``undertakes me``: overtaking on the near side; "undertakes a turn" is none."""
+    if scene.targets:
+        conflicts.overtake(scene, context)
 
 
 def reverse(scene: Scene, context: Context) -> None:
@@ -160,6 +180,10 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "hide": encounters.occlude,
     "cause": encounters.cause,
     "door": encounters.door,
+    "encounter": too_late,
+    "react": too_late,
+    "crawl": crawl,
+    "undertake": undertake,
     "reverse": reverse,
     "lose_control": lose_control,
     "delay": delay,

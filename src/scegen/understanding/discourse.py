@@ -93,9 +93,10 @@ class Discourse:
     def _pronoun(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         which = mention.pronoun
         if which in {"it", "him"}:
-            options = (
-                self._roster.subject if len(self._roster.subject) == 1 else self._roster.recent[-1:]
-            )
+            subject, recent = self._roster.subject, self._roster.recent
+            if mention.head is not None and self._tokens[mention.i].low == "it":
+                recent = [e for e in recent if e.is_vehicle] or recent
+            options = subject if len(subject) == 1 else recent[-1:]
             before = self._roster.before if len(self._roster.before) == 1 else []
             left = [e for e in (*before, *reversed(self._roster.recent)) if e not in exclude]
             return [e for e in options if e not in exclude] or left[:1]

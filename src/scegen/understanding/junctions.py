@@ -14,6 +14,7 @@ from scegen.understanding.tokens import Token
 _ARM_NOUNS = frozenset({"exit", "road", "leg"})
 _ASSUMED_EXITS = 4
 _WINDOW = 6
+_FEWEST_ARMS = 3
 
 
 @dataclass(slots=True)
@@ -156,6 +157,8 @@ def _counted_arms(reading: JunctionReading, terms: list[Term], k: int) -> None:
     if not joined and not meets:
         return
     basis = Basis(number.i, noun.j)
+    if number.cat == "num" and number.data["number"] < _FEWEST_ARMS:
+        return  # "where the two branches meet": some of them
     if number.cat == "num":
         reading.arms, reading.arms_basis = int(min(number.data["number"], 999)), basis
     elif number.value == "vague":

@@ -127,6 +127,12 @@ def overtake(scene: Scene, context: Context) -> None:
         context.ahead(scene.targets, scene.actors, basis)
 
 
+def undertake(scene: Scene, context: Context) -> None:
+    """Overtaking on the near side, if it is done to somebody."""
+    if scene.targets:
+        overtake(scene, context)
+
+
 def _changes_lane(event: Event) -> bool:
     """``changes lanes to get past``: the change of lane is the movement, the rest its purpose."""
     return event.name == "lane_change" or any(c.name == "lane_change" for c in event.children)
@@ -241,6 +247,8 @@ MOVEMENTS: dict[str, Callable[[Scene, Context], None]] = {
     "u_turn": u_turn,
     "lane_change": lane_change,
     "overtake": overtake,
+    "undertake": undertake,
+    "crawl": move,
     "bypass": overtake,
     "pass": overtake,
     "cross": cross,

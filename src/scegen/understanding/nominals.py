@@ -21,7 +21,7 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         state: what the clause reader remembers.
     """
     state.mentions.append(mention)
-    state.inanimate = False
+    state.topic = None
     if mention.possessor:
         return
     if state.prep is not None:
@@ -130,9 +130,8 @@ def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) 
         return
     prep.target = mention
     mention.prep = prep.word
-    if prep.value == "of" and _owns_place(mention, k, chunks):
-        return
-    attach(prep, state)
+    if not (prep.value == "of" and _owns_place(mention, k, chunks)):
+        attach(prep, state)
     if prep.fronted:
         return
     last = state.events[-1] if state.events else None
@@ -174,7 +173,8 @@ def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> No
     opens = not state.events or bool(state.between & {"sub", ",", "conj"})
     if state.prep is None and opens and finite_follows(chunks, k):
         opens = not (state.events and "," in state.between and "sub" not in state.between)
-        state.inanimate = opens and (state.candidate is None or "sub" in state.between)
+        opens = opens and (state.candidate is None or "sub" in state.between)
+        state.topic = noun if opens else None
     if state.prep is not None:
         state.prep.target = noun
         noun.prep = state.prep.word

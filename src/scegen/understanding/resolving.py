@@ -24,7 +24,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     for event in events:
         for mention in event.subject:
             failing = event.negated and event.name in {"stop", "yield"}
-            alone = event.drives or event.name in _ONLY_VEHICLES
+            alone = event.drives or event.name in _ONLY_VEHICLES or _takes_a_turn(event)
             mention.drives = mention.drives or failing or alone
     subjects = {id(m) for event in events for m in event.subject}
     acted_on = {id(e.object): e for e in events if e.object is not None}
@@ -80,6 +80,12 @@ def _settled(events: list[Event]) -> set[int]:
     ways = {"left", "right", "straight"}
     going = [e for e in events if e.finite and any(d.value in ways for d in e.dirs)]
     return {id(m) for e in going for m in e.subject}
+
+
+def _takes_a_turn(event: Event) -> bool:
+    """``makes a left``: who says so means a driver."""
+    target = event.object
+    return event.name == "light" and isinstance(target, Place) and target.kind == "side"
 
 
 def _is_it(target: object) -> bool:

@@ -45,8 +45,8 @@ def link(event: Event, state: State) -> None:
         _gerund(event, state)
     else:
         event.finite = event.form in {"s", "ed", "base"} or auxiliary
-        if event.finite and state.inanimate:
-            state.inanimate = False
+        if event.finite and state.topic is not None:
+            _said_of_a_thing(event, state)
             return
         _clause(event, state)
     if _blocked(event, state):
@@ -63,6 +63,14 @@ def link(event: Event, state: State) -> None:
     if event.finite and event.subject:
         state.main = event.subject
         state.candidate_done = True
+
+
+def _said_of_a_thing(event: Event, state: State) -> None:
+    """``the view is blocked by a van``: nobody acts but who stands after "by"."""
+    passive = event.form == "ed" or (event.form == "base" and event.name in _PASSIVE)
+    if passive and "aux:be" in state.between:
+        event.passive, event.object = event.name in _PASSIVE, state.topic
+    state.topic = None
 
 
 def _blocked(event: Event, state: State) -> bool:
@@ -103,6 +111,8 @@ def _nominal(event: Event, state: State) -> None:
         _alternative(event, state.events[-1], state)
     elif state.prep is not None and state.events and not event.subject:
         event.subject = state.events[-1].subject
+    elif not event.subject and not state.events and "sub" in state.between:
+        state.pending.append(event)  # "after a right turn, the car …"
 
 
 def _infinitive(event: Event, state: State) -> None:
@@ -177,7 +187,7 @@ def _subjectless(event: Event, state: State) -> None:
     if candidate is not None and not state.candidate_done and event.finite:
         event.subject = chain(candidate)
     elif state.events and not event.finite and "," not in state.between:
-        event.subject = state.events[-1].subject
+        event.subject = state.main or state.events[-1].subject
     elif state.main and state.events:
         event.subject = state.main
     elif candidate is not None:
@@ -189,6 +199,10 @@ def _subjectless(event: Event, state: State) -> None:
 
 
 def _after_comma(event: Event, state: State) -> None:
+    waiting = state.candidate is not None and not state.candidate_done
+    if waiting and state.anchor is state.candidate and state.candidate is not None:
+        event.subject = chain(state.candidate)  # "when a van, turning left, fails to yield"
+        return
     if state.candidate is not None and (event.finite or not state.main):
         event.subject = chain(state.candidate)
     elif state.events:

@@ -154,6 +154,13 @@ def _first_person(token: Token) -> bool:
     return token.low != "i" or token.text == "I"
 
 
+def _own_form(entry: Entry, match: Match, token: Token) -> str:
+    """``change lanes``: the plural of a noun inside does not inflect the verb."""
+    if entry.cat == "verb" and match.form == "s" and all(form != "s" for _, form in token.forms):
+        return "base"
+    return match.form
+
+
 def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str | None:
     """The form of a word that must be a verb by its place, although no rule knows it.
 
@@ -251,7 +258,8 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
         match = longest_match(tokens[: i + 1], i)
     if match and (number is None or match.j > i + number.length):
         entry, premod = _choose(match, tokens, previous)
-        return Term(entry.cat, entry.value, i, match.j, match.form, entry.data, premod)
+        form = _own_form(entry, match, token)
+        return Term(entry.cat, entry.value, i, match.j, form, entry.data, premod)
     if number:
         return Term("num", token.low, i, i + number.length, data={"number": number.value})
     form = _verb_form(token, previous, tokens)
