@@ -145,6 +145,14 @@ class Builder:
             reason = "on a straight road, or one without a junction, one drives straight on"
             entity.maneuver_basis = Basis(entity.moves.i, entity.moves.j, reason)
             return {Maneuver.STRAIGHT}
+        if entity.heading is not None and entity.moves is not None and junction.kind is not JunctionKind.ROUNDABOUT:
+            reason = "it keeps its heading: nothing says that it turns"
+            entity.maneuver_basis = Basis(entity.moves.i, entity.moves.j, reason)
+            return {Maneuver.STRAIGHT}
+        if entity.through is not None and (entity.ego or entity.claimed):
+            reason = "it drives through: nothing says that it turns"
+            entity.maneuver_basis = Basis(entity.through.i, entity.through.j, reason)
+            return {Maneuver.STRAIGHT}
         return set()
 
     def _hazard(self, danger: Danger, ego: Entity) -> Hazard:

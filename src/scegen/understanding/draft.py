@@ -52,6 +52,7 @@ class Entity:
     counted: Basis | None = None
     moves: Basis | None = None
     on_straight: bool = False
+    through: Basis | None = None
     claimed: bool = False
     opposed: set[int] = field(default_factory=set)
     name: str = ""

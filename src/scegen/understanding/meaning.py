@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind
-from scegen.understanding import conflicts, dangers, encounters
-from scegen.understanding.chunks import Chunk, Event, Mention, Prep, Thing
+from scegen.understanding import conflicts, dangers, encounters, implied
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.movements import MOVEMENTS
@@ -37,6 +37,7 @@ class Interpreter:
         self._draft = context.draft
         self._placer = Placer(context.draft)
         self._limit = limit
+        self._scenes: list[Scene] = []
 
     def run(self, chunks: list[Chunk], events: list[Event]) -> None:
         """All statements of a text.
@@ -56,6 +57,7 @@ class Interpreter:
         for event in events:
             self._event(event)
         encounters.come_out(self._context)
+        implied.positions(self._scenes, self._context)
         conflicts.subsume(self._context)
 
     def _mention(self, mention: Mention) -> None:
@@ -150,6 +152,7 @@ class Interpreter:
 
     def _event(self, event: Event) -> None:
         scene = self._scene(event)
+        self._scenes.append(scene)
         for prep in event.pps:
             if from_everywhere(prep):
                 self._spread(prep, scene.actors)
@@ -192,8 +195,18 @@ class Interpreter:
             if place.kind == "lane" and "adjacent" in place.dirs:
                 basis = Basis(place.i, place.j)
                 self._context.lanes_implied(basis, "there is a lane beside")
+            if place.kind == "access":
+                self._from_access(place, scene)
             if place.kind == "access" and scene.drivers and self._draft.access is None:
                 self._draft.access = Basis(place.i, place.j)
+
+    def _from_access(self, place: Place, scene: Scene) -> None:
+        """``backs out of a driveway on the right``: it comes from there."""
+        sides = {Approach(d) for d in place.dirs if d in {"left", "right"}}
+        goal = any(p.target is place and p.value in {"to", "into"} for p in scene.event.pps)
+        if sides and not goal:
+            for entity in scene.actors:
+                self._draft.place(entity, None, sides, Basis(place.i, place.j))
 
     def _overruled(self, scene: Scene) -> bool:
         """``runs the red light`` is no walk."""

@@ -77,7 +77,9 @@ def move(scene: Scene, context: Context) -> None:
     event = scene.event
     directions = _directions(event)
     straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in scene.places())
+    through = _through_junction(event, context)
     for entity in scene.drivers:
+        entity.through = entity.through or through
         entity.moves = entity.moves or Basis(event.i, event.j)
         entity.on_straight = entity.on_straight or straight
     if not directions:
@@ -87,6 +89,18 @@ def move(scene: Scene, context: Context) -> None:
     if values & {Maneuver.LEFT, Maneuver.RIGHT}:
         context.crossing_implied(basis, "vehicles turn")
     _apply(scene, context, values, basis)
+
+
+def _through_junction(event: Event, context: Context) -> Basis | None:
+    """``drives through the intersection``; a roundabout is left by one of its exits."""
+    if context.junction.kind is JunctionKind.ROUNDABOUT:
+        return None
+    for prep in event.pps:
+        place = prep.target
+        through = context.tokens[prep.word.i].low in {"through", "across"}
+        if through and isinstance(place, Place) and place.kind == "junction":
+            return span(event, prep.word.i, place.j)
+    return None
 
 
 def u_turn(scene: Scene, context: Context) -> None:

@@ -161,6 +161,18 @@ def _owns_place(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
     return True
 
 
+def _side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
+    """``a driveway on the right``: the side at which the place lies."""
+    place = chunks[k - 2] if k > 1 else None
+    if not isinstance(place, Place) or place.kind != "access" or not isinstance(noun, Place):
+        return False
+    if noun.kind != "side":
+        return False
+    place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
+    place.j = noun.j
+    return True
+
+
 def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> None:
     """A place or thing: what a preposition or verb governs.
 
@@ -178,7 +190,8 @@ def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> No
     if state.prep is not None:
         state.prep.target = noun
         noun.prep = state.prep.word
-        attach(state.prep, state)
+        if not _side_of_place(noun, k, chunks):
+            attach(state.prep, state)
         state.prep = None
         return
     if also_from(noun, state):

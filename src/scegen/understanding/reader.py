@@ -13,10 +13,12 @@ from scegen.understanding.coverage import unattached
 from scegen.understanding.discourse import Discourse
 from scegen.understanding.draft import Draft
 from scegen.understanding.ellipsis import fill_in
+from scegen.understanding.headings import silence
 from scegen.understanding.junctions import JunctionReading, read_junction
 from scegen.understanding.leftovers import report
 from scegen.understanding.meaning import Interpreter
 from scegen.understanding.relevance import require_traffic
+from scegen.understanding.repeated import repeat
 from scegen.understanding.resolving import resolve_mentions
 from scegen.understanding.respectively import share_out
 from scegen.understanding.sides import settle_sides
@@ -63,6 +65,8 @@ def read(text: str) -> FunctionalScenario:
     surroundings = read_surroundings(terms, tokens)
     terms = settle_sides(terms, surroundings.side)
     chunks = Chunker(terms, tokens).run()
+    silence(chunks)
+    repeat(chunks, tokens)
     events = fill_in(chunks, ClauseReader(chunks).run())
     draft = Draft(text, tokens)
     resolve_mentions(chunks, events, Discourse(draft, tokens, _arms(junction)))

@@ -4,15 +4,8 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
 from scegen.understanding.draft import Basis, Danger, Draft, Entity, Placement
+from scegen.understanding.placing import INVERSE
 
-_INVERSE = {
-    Approach.AHEAD: Approach.BEHIND,
-    Approach.BEHIND: Approach.AHEAD,
-    Approach.LEFT: Approach.RIGHT,
-    Approach.RIGHT: Approach.LEFT,
-    Approach.OPPOSITE: Approach.OPPOSITE,
-    Approach.ADJACENT: Approach.ADJACENT,
-}
 _COMPASS = ("north", "east", "south", "west")
 _SEEN = {1: Approach.LEFT, 2: Approach.OPPOSITE, 3: Approach.RIGHT}
 """Quarter turns clockwise from the ego's heading to the other's -> where the other comes from."""
@@ -179,8 +172,21 @@ def settle_positions(
             entity.approach_basis = Basis(basis.i, basis.j, reason)
             seen = ego.heading_basis or Basis()
             entity.by_heading = Basis(seen.i, seen.j, f"the ego is headed {ego.heading}")
+    _beside(draft, ego)
     ego.approaches = set()
     return relations
+
+
+def _beside(draft: Draft, ego: Entity) -> None:
+    """Who cuts in on the ego comes from the next lane, if nothing else is said."""
+    for danger in draft.dangers:
+        if danger.kind is not HazardKind.CUT_IN or (danger.to and ego not in danger.to):
+            continue
+        for entity in danger.by:
+            if entity is not ego and not entity.approaches and entity.moving_vehicle:
+                entity.approaches = {Approach.ADJACENT}
+                reason = "who cuts in comes from the next lane"
+                entity.approach_basis = Basis(danger.basis.i, danger.basis.j, reason)
 
 
 def _own_side(draft: Draft, ego: Entity) -> Approach | None:
@@ -203,7 +209,7 @@ def _oriented(placement: Placement, ego: Entity) -> tuple[Entity, Entity, set[Ap
     """A position of the ego seen from another is a position of the other seen from the ego."""
     reference = placement.reference or ego
     if placement.entity is ego and reference is not ego:
-        return reference, ego, {_INVERSE[a] for a in placement.approaches}
+        return reference, ego, {INVERSE[a] for a in placement.approaches}
     return placement.entity, reference, set(placement.approaches)
 
 

@@ -1,0 +1,71 @@
+"""Positions that follow from what happens: who is driven up to is ahead."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Approach, HazardKind
+from scegen.understanding.chunks import Mention
+from scegen.understanding.context import Context, Scene
+from scegen.understanding.draft import Basis, Danger, Entity
+
+_CLOSING = frozenset({"approach", "encounter", "collide", "move", "brake", "hard_brake", "slow"})
+_TOWARDS = frozenset({"to", "into", "in", "for", "with"})
+_SLOWER = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
+
+
+def positions(scenes: list[Scene], context: Context) -> None:
+    """Places who is driven up to, and who comes out of the next lane or the oncoming one.
+
+    Args:
+        scenes: what happens, in the order of the text.
+        context: the scenario in the making.
+    """
+    for scene in scenes:
+        _driven_up_to(scene, context)
+    for danger in context.draft.dangers:
+        if danger.kind is HazardKind.ONCOMING_LANE:
+            _face_to_face(danger, context)
+
+
+def _driven_up_to(scene: Scene, context: Context) -> None:
+    """``closes in on a stopped van``, ``encounters a slow tractor``: it is ahead."""
+    event = scene.event
+    if event.name not in _CLOSING or event.negated or not scene.drivers:
+        return
+    targets = list(scene.targets)
+    for prep in event.pps:
+        towards = prep.value in _TOWARDS or context.tokens[prep.word.i].low == "on"
+        if towards and isinstance(prep.target, Mention):
+            targets += [e for e in prep.target.entities if e not in scene.actors]
+    driver = scene.drivers[0]
+    for target in targets:
+        if target.is_vehicle and _slower(target, context) and not _placed(target, driver, context):
+            reason = "who is driven up to is ahead"
+            context.ahead([target], [driver], Basis(event.i, event.j, reason))
+
+
+def _slower(entity: Entity, context: Context) -> bool:
+    """Whether somebody stands or drives slowly, so that others close in from behind."""
+    return entity.parked or any(
+        entity in d.by and d.kind in _SLOWER for d in context.draft.dangers
+    )
+
+
+def _placed(entity: Entity, observer: Entity, context: Context) -> bool:
+    """Whether something is already said of where one is, seen from the other or from the ego."""
+    across = {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE, Approach.AHEAD, Approach.BEHIND}
+    for p in context.draft.placements:
+        pair = p.entity is entity and p.reference in {None, observer}
+        turned = p.entity is observer and p.reference is entity
+        if (pair or turned) and p.approaches & across:
+            return True
+    return entity.heading is not None and observer.heading is not None
+
+
+def _face_to_face(danger: Danger, context: Context) -> None:
+    """Who drives in the lane of oncoming traffic and who suffers it come towards each other."""
+    for culprit in danger.by:
+        for victim in danger.to:
+            both = culprit.moving_vehicle and victim.moving_vehicle
+            if both and not _placed(culprit, victim, context) and not _placed(victim, culprit, context):
+                basis = Basis(danger.basis.i, danger.basis.j, "they use the same lane head-on")
+                context.draft.place(culprit, victim, {Approach.OPPOSITE}, basis)
