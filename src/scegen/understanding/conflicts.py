@@ -149,6 +149,11 @@ def overtake(scene: Scene, context: Context) -> None:
     """Overtaking another moving vehicle."""
     if scene.event.name == "pass" and not scene.targets:
         return
+    parked = [e for e in scene.targets if e.parked]
+    if parked and scene.event.name == "bypass":
+        context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
+    if scene.event.name == "bypass":
+        return
     if scene.drivers and (not scene.targets or any(not e.parked for e in scene.targets)):
         context.draft.hazard(HazardKind.OVERTAKING, scene.words, scene.drivers, scene.targets)
 
@@ -187,6 +192,16 @@ def subsume(context: Context) -> None:
         for d in context.draft.dangers
         if d.kind is not HazardKind.FAILURE_TO_YIELD or not d.by or {e.index for e in d.by} - red
     ]
+
+
+def turns_across(scene: Scene, context: Context) -> bool:
+    """A turn across the oncoming lane, which a red light forbids everywhere."""
+    event = scene.event
+    side = event.object.dirs if isinstance(event.object, Place) else []
+    return event.name in {"turn", "light"} and context.across in {
+        *(t.value for t in event.dirs),
+        *side,
+    }
 
 
 def breach(scene: Scene, context: Context) -> None:

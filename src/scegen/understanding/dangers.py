@@ -167,6 +167,7 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "merge": conflicts.merge,
     "overtake": conflicts.overtake,
     "pass": conflicts.overtake,
+    "bypass": conflicts.overtake,
     "pull_out": conflicts.pull_out,
     "tailgate": tailgate,
     "follow": follow,

@@ -9,6 +9,7 @@ from scegen.understanding.draft import Basis, Entity
 
 _HIDING = frozenset({"behind", "between"})
 _CARRIAGEWAY = frozenset({"road", "crosswalk", "highway"})
+_WAY = frozenset({"crosswalk", "road", "lane", "path", "highway"})
 _OPAQUE_PLACES = frozenset({"bus_stop", "feature", "parking"})
 _SPRINGING = frozenset({"cross", "appear"})
 _COMING = frozenset({"move", "enter", "pull_out"})
@@ -23,6 +24,35 @@ def cross(scene: Scene, context: Context) -> None:
     cyclists = [e for e in scene.actors if e.kind is ParticipantKind.BICYCLE]
     if cyclists:
         context.draft.hazard(HazardKind.CROSSING_CYCLIST, basis, cyclists)
+
+
+def on_the_road(mention: Mention, context: Context) -> None:
+    """``a pedestrian on the crosswalk``, ``brakes for a child``: they cross.
+
+    Args:
+        mention: who is spoken of.
+        context: the scenario in the making.
+    """
+    walkers = [e for e in mention.entities if not e.is_vehicle]
+    if not walkers:
+        return
+    for prep in mention.pps:
+        place = prep.target
+        on = prep.value == "in" and isinstance(place, Place) and place.kind in _WAY
+        if on and isinstance(place, Place) and context.tokens[prep.word.i].low in {"on", "in"}:
+            basis = Basis(mention.i, place.j)
+            context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, basis, walkers)
+
+
+def answered(scene: Scene, context: Context) -> None:
+    """``brakes for a child``, ``yields to pedestrians``: somebody crosses."""
+    for prep in scene.event.pps:
+        if prep.value not in {"for", "to"} or not isinstance(prep.target, Mention):
+            continue
+        walkers = [e for e in prep.target.entities if not e.is_vehicle]
+        if walkers:
+            basis = Basis(scene.event.i, prep.target.j)
+            context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, basis, walkers)
 
 
 def walk(scene: Scene, context: Context) -> None:

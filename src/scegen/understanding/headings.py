@@ -31,7 +31,7 @@ def silence(chunks: list[Chunk]) -> None:
 
 
 def _finite(chunk: Chunk) -> bool:
-    return isinstance(chunk, Event) and not chunk.nominal and chunk.form in {"s", "ed"}
+    return isinstance(chunk, Event) and not chunk.nominal and chunk.form == "s"
 
 
 def _introduced(mention: Mention) -> bool:

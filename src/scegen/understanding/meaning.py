@@ -14,6 +14,7 @@ from scegen.understanding.resolving import from_everywhere
 from scegen.understanding.subjects import chain
 from scegen.understanding.terms import Term
 
+_ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
 _BREACHING = frozenset({"walk", "breach", "move", "enter", "cross", "speed", "accelerate"})
 _ON_THE_MOVE = frozenset({"swerve", "use", "enter", "move", "cross", "lose_control", "lane_change",
                           "merge", "overtake", "bypass", "turn"})  # fmt: skip
@@ -62,6 +63,7 @@ class Interpreter:
 
     def _mention(self, mention: Mention) -> None:
         self._placer.adjectives(mention)
+        encounters.on_the_road(mention, self._context)
         for prep in mention.pps:
             self._placer.phrase(prep, mention.entities, None)
             encounters.wait_behind(prep, mention.entities, self._context)
@@ -165,7 +167,7 @@ class Interpreter:
         if event.negated or failed:
             not_done(scene, self._context)
             return
-        if event.name in _BREACHING:
+        if event.name in _BREACHING or conflicts.turns_across(scene, self._context):
             conflicts.breach(scene, self._context)
         self._manner(scene)
         movement = MOVEMENTS.get(event.name)
@@ -176,6 +178,8 @@ class Interpreter:
             danger(scene, self._context)
         if event.name in _ON_THE_MOVE:
             dangers.oncoming_lane(scene, self._context)
+        if event.name in _ANSWERS:
+            encounters.answered(scene, self._context)
         encounters.from_behind(scene, self._context)
         self._share_sides(event.pps, scene.actors, hidden=event.name == "hide")
 

@@ -14,6 +14,7 @@ _DIRECTIONS = {
     "right": Maneuver.RIGHT,
     "straight": Maneuver.STRAIGHT,
 }
+_THROUGH = frozenset({"through", "across"})
 _ORDINALS = {
     "first": Maneuver.EXIT_1,
     "second": Maneuver.EXIT_2,
@@ -95,10 +96,15 @@ def _through_junction(event: Event, context: Context) -> Basis | None:
     """``drives through the intersection``; a roundabout is left by one of its exits."""
     if context.junction.kind is JunctionKind.ROUNDABOUT:
         return None
+    words = {t.low for t in context.tokens[event.i : event.j]}
+    if words & _THROUGH and isinstance(event.object, Place) and event.object.kind == "junction":
+        return Basis(event.i, event.object.j)
     for prep in event.pps:
-        place = prep.target
-        through = context.tokens[prep.word.i].low in {"through", "across"}
-        if through and isinstance(place, Place) and place.kind == "junction":
+        place, word = prep.target, context.tokens[prep.word.i].low
+        if isinstance(place, Place) and (
+            (word in _THROUGH and place.kind == "junction")
+            or (word == "along" and place.kind == "road")
+        ):
             return span(event, prep.word.i, place.j)
     return None
 

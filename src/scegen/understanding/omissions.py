@@ -10,7 +10,7 @@ from scegen.understanding.draft import Basis, Entity
 
 _SIGNED = frozenset({Control.STOP, Control.ALL_WAY_STOP})
 _SIGNS = frozenset({"stop_sign", "stop_line", "yield_sign"})
-_STOPPING = frozenset({"stop", "brake", "wait"})
+_STOPPING = frozenset({"stop", "brake", "wait", "slow"})
 _HARMLESS = frozenset({"light", "inert", "return", "move", "encounter", "try"})
 
 

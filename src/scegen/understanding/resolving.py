@@ -33,6 +33,13 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     settled = _settled(events)
     around = {id(p.target): e for e in events for p in e.pps if _is_it(p.target)}
     acted_on = {**around, **acted_on}
+    heads = {
+        id(p.target): c
+        for c in chunks
+        if isinstance(c, Mention)
+        for p in c.pps
+        if p.word.cat == "locus" and _is_it(p.target)
+    }
     waiting: list[Mention] = []
     for chunk in chunks:
         if isinstance(chunk, Place) and any(m.value == "first_person" for m in chunk.mods):
@@ -42,12 +49,12 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         if chunk.partitive and chunk.pronoun in _PARTS:
             waiting.append(chunk)
             continue
-        _resolve(chunk, discourse, subjects, acted_on, everywhere, beside, settled)
+        _resolve(chunk, discourse, subjects, acted_on, everywhere, beside, settled, heads)
         for earlier in waiting:
-            _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled)
+            _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads)
         waiting = []
     for earlier in waiting:
-        _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled)
+        _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads)
 
 
 def _resolve(
@@ -58,11 +65,15 @@ def _resolve(
     everywhere: set[int],
     beside: dict[int, Mention],
     settled: set[int],
+    heads: dict[int, Mention],
 ) -> None:
     event = acted_on.get(id(mention))
     exclude = [e for m in event.subject for e in m.entities] if event else []
     if mention.joined is not None and mention.pronoun is None:
         exclude = [*exclude, *mention.joined.entities]  # "a van and the van behind": two
+    described = heads.get(id(mention))
+    if described is not None:
+        exclude = [*exclude, *described.entities]  # "a bus behind it": "it" is not the bus
     placed = beside.get(id(mention))
     if placed is not None:
         exclude = [*exclude, *placed.entities]

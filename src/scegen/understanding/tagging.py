@@ -10,7 +10,7 @@ from scegen.understanding.quantities import quantity_at
 from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
 
-_LABELLED = re.compile(r"^(?:v|veh|u|car|cv)\d{1,2}$")
+_LABELLED = re.compile(r"^(?:v|veh|u|d|car|cv)\d{1,2}$")
 _NOMINAL_BEFORE = frozenset(
     {"det", "possessive", "dir", "manner", "num", "quant", "label", "noted", "shape"}
 )
@@ -58,6 +58,8 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     verb = match.get("verb")
     participle = match.form in {"ing", "ed"}
     attributive = _may_describe(previous) and _noun_follows(tokens, match.j)
+    if participle and before in {"conj", "sub"} and match.has("dir"):
+        attributive = False  # "turning left and following vehicle B": no article, no adjective
     if match.has("place", "dir") and match.get("place").value == "junction":
         shaped = before in {"shape", "control"} and not attributive
         return (match.get("place") if shaped else _without_place(match, attributive)), attributive
