@@ -13,6 +13,7 @@ _MODIFIERS = frozenset(
 )
 _VERBAL_LINKS = frozenset({"prep", "locus"})
 _ORDINALS = frozenset({"first", "second", "third", "fourth", "fifth", "former", "latter"})
+_OWNED = frozenset({"lane", "path", "side"})
 _MAX_MODS = 10
 _SIDE_DIRS = frozenset({"left", "right", "opposite", "front", "rear", "adjacent", "straight"})
 
@@ -154,6 +155,7 @@ class Chunker:
     def _owner(self, mods: list[Term]) -> Mention | None:
         previous = self._chunks[-1] if self._chunks else None
         genitive = bool(mods) and mods[0].cat == "possessive" and mods[0].value == "genitive"
+        genitive = genitive or (isinstance(previous, Mention) and previous.possessor)
         return previous if genitive and isinstance(previous, Mention) else None
 
     def _nominal(self, mods: list[Term], head: Term, m: int) -> bool:
@@ -191,6 +193,9 @@ class Chunker:
         if not mods:
             return None
         first = mods[0]
+        if first.cat == "num" and len(mods) > 1 and mods[1].value == "other":
+            self._chunks.append(Mention(first.i, mods[1].j, [first], None, pronoun="others"))
+            return k + 2  # "two others"
         if first.cat == "num" and first.data["number"] < 10:
             return self._stand_alone(first, "one" if first.data["number"] == 1 else "count", k)
         if first.cat == "det" and first.value in {"another", "other"}:
@@ -249,6 +254,9 @@ class Chunker:
         mention.negated = any(mod.cat == "det" and mod.value == "negative" for mod in mods)
         named = Namer(self._terms, self._tokens)
         m = named.single(mention, m)
+        following = self._terms[m] if m < len(self._terms) else None
+        owns = following is not None and following.cat == "place" and following.value in _OWNED
+        mention.possessor = owns and any(h.data.get("ego") for h in heads)  # "the ego lane"
         self._chunks.append(mention)
         further, m = named.further(mention, m)
         self._chunks += further

@@ -10,6 +10,9 @@ from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.movements import into_lane
 
 
+_ACROSS = {"left": Maneuver.LEFT, "right": Maneuver.RIGHT}
+
+
 def turn(scene: Scene, context: Context) -> None:
     """Unprotected and sudden turns, and turning into somebody's way."""
     event = scene.event
@@ -19,7 +22,10 @@ def turn(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.UNPROTECTED_LEFT_TURN, scene.words, scene.drivers)
         return
     into_way = any(p.kind == "path" for p in scene.places())
-    if event.dirs and scene.drivers and into_way:
+    known = {m for e in scene.drivers for m in e.maneuvers}
+    left = left or (not event.dirs and _ACROSS[context.across] in known)
+    settled = event.dirs or known & {Maneuver.LEFT, Maneuver.RIGHT}
+    if settled and scene.drivers and into_way:
         kind = HazardKind.UNPROTECTED_LEFT_TURN if left else HazardKind.FAILURE_TO_YIELD
         context.draft.hazard(kind, scene.words, scene.drivers)
         return
@@ -162,13 +168,16 @@ def pull_out(scene: Scene, context: Context) -> None:
     """Leaving a side road or a parking space without giving way."""
     out_of_sight = any(p.word.cat == "locus" and p.outer == "from" for p in scene.event.pps)
     drivers = [e for e in scene.drivers if not (out_of_sight and context.is_cyclist(e))]
-    if drivers and not _to_overtake(scene):
+    if drivers and not _to_overtake(scene, context):
         to = [] if out_of_sight else _mentioned(scene.event)
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, drivers, to)
 
 
-def _to_overtake(scene: Scene) -> bool:
+def _to_overtake(scene: Scene, context: Context) -> bool:
     """``pulls out to pass``, ``from behind a bus``: out of a lane, not out of a side road."""
+    around = {"around", "round", "past"}
+    if any(context.tokens[p.word.i].low in around for p in scene.event.pps):
+        return True
     following = [c.name for c in scene.event.children]
     purpose = scene.event.parent.name if scene.event.parent is not None else ""
     return bool({*following, purpose} & {"overtake", "bypass", "pass"})

@@ -8,6 +8,7 @@ from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
 from scegen.understanding import conflicts, encounters
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
+from scegen.understanding.movements import into_lane
 
 _REGULATED = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_stop", "parking",
                         "shoulder", "sidewalk", "crosswalk"})  # fmt: skip
@@ -72,6 +73,13 @@ def stop(scene: Scene, context: Context) -> None:
     if scene.reaction or not scene.actors or any(e.ego for e in scene.actors):
         return
     context.draft.hazard(HazardKind.STOPPING, sudden or scene.words, scene.actors)
+
+
+def move(scene: Scene, context: Context) -> None:
+    """``moves left into the lane of the van``: a change of lane."""
+    if scene.event.dirs and into_lane(scene.event) is not None:
+        conflicts.lane_change(scene, context)
+    encounters.ride(scene, context)
 
 
 def too_late(scene: Scene, context: Context) -> None:
@@ -174,7 +182,7 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "cross": encounters.cross,
     "walk": encounters.walk,
     "enter": enter,
-    "move": encounters.ride,
+    "move": move,
     "unpark": conflicts.unpark,
     "appear": encounters.appear,
     "block": encounters.block,

@@ -103,7 +103,7 @@ class Discourse:
         if which in {"they", "both", "all", "neither"}:
             return self._roster.together()
         count = 1
-        if which == "count":
+        if which in {"count", "others"}:
             count = int(mention.mods[0].data["number"])
         basis = Basis(mention.i, mention.j)
         if which == "other":
@@ -121,6 +121,8 @@ class Discourse:
         if which == "another":
             return self._roster.further(exclude, basis)
         claimed = self._roster.claim(count, exclude)
+        if which == "others" and not claimed:
+            return [self._roster.new(ParticipantKind.CAR, basis) for _ in range(min(count, 20))]
         if claimed or which == "count":
             return claimed
         return (

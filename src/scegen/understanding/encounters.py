@@ -59,6 +59,8 @@ def walk(scene: Scene, context: Context) -> None:
     """Walking counts as crossing unless it stays on the sidewalk."""
     if any(p.kind == "sidewalk" for p in scene.places()):
         return
+    if any(p.value == "into" and isinstance(p.target, Mention) for p in scene.event.pps):
+        return  # "ran into me": contact
     basis = scene.words
     for entity in scene.walkers:
         context.draft.maneuver(entity, {Maneuver.CROSS}, basis)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind
-from scegen.understanding.chunks import Mention
+from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Danger, Entity
 
@@ -37,10 +37,28 @@ def _driven_up_to(scene: Scene, context: Context) -> None:
         if towards and isinstance(prep.target, Mention):
             targets += [e for e in prep.target.entities if e not in scene.actors]
     driver = scene.drivers[0]
+    certain = _from_the_rear(scene, context) or _along_the_road(scene, context)
     for target in targets:
-        if target.is_vehicle and _slower(target, context) and not _placed(target, driver, context):
+        slower = certain or _slower(target, context)
+        if target.is_vehicle and slower and not _placed(target, driver, context):
             reason = "who is driven up to is ahead"
             context.ahead([target], [driver], Basis(event.i, event.j, reason))
+
+
+def _from_the_rear(scene: Scene, context: Context) -> bool:
+    """``rear-ends``, ``runs into the back of``."""
+    event = scene.event
+    ends = [event.object, *(p.target for p in event.pps)]
+    words = {t.low for t in context.tokens[event.i : event.j]}
+    rear = any(isinstance(c, Place) and "rear" in c.dirs for c in ends)
+    return event.name == "collide" and (rear or bool(words & {"rear", "back"}))
+
+
+def _along_the_road(scene: Scene, context: Context) -> bool:
+    """Closing in on another where no roads meet: in the same lane."""
+    meet = context.junction.crossing or context.draft.crossing_implied is not None
+    towards = any(context.tokens[p.word.i].low in {"towards", "toward"} for p in scene.event.pps)
+    return not meet and (scene.event.name == "approach" or towards)
 
 
 def _slower(entity: Entity, context: Context) -> bool:

@@ -78,6 +78,11 @@ def move(scene: Scene, context: Context) -> None:
     event = scene.event
     directions = _directions(event)
     straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in scene.places())
+    if into_lane(event) is not None and directions:
+        lane_change(scene, context)  # "moves left into the next lane"
+        return
+    if any(p.kind == "exit" for p in scene.places()):
+        leave(scene, context)
     through = _through_junction(event, context)
     for entity in scene.drivers:
         entity.through = entity.through or through
@@ -188,6 +193,8 @@ def _onto_road(event: Event) -> bool:
 def leave(scene: Scene, context: Context) -> None:
     """``takes the second exit`` of a roundabout."""
     target = scene.event.object
+    exits = [p for p in scene.places() if p.kind == "exit"]
+    target = exits[0] if exits else target
     if not isinstance(target, Place):
         return
     if target.kind == "side":

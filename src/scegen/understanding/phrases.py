@@ -63,7 +63,7 @@ def _names_before(chunks: list[Chunk], k: int, state: State) -> bool:
     if state.between != {","} or not isinstance(before, Mention) or not isinstance(here, Mention):
         return False
     named = (before.label or "").startswith("#") and not (here.label or "").startswith("#")
-    closes = k + 1 >= len(chunks) or (
-        isinstance(chunks[k + 1], Word) and getattr(chunks[k + 1], "value", "") in {",", ".", ";"}
-    )
-    return named and closes and any(m.value == "indef" for m in here.mods)
+    following = chunks[k + 1] if k + 1 < len(chunks) else None
+    listed = isinstance(following, Word) and following.cat == "conj"
+    indefinite = any(m.value == "indef" for m in here.mods)
+    return named and indefinite and not listed and not isinstance(following, Event)

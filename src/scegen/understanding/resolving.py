@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.discourse import Discourse
 
 _ONLY_VEHICLES = frozenset(
@@ -26,6 +26,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
             failing = event.negated and event.name in {"stop", "yield"}
             alone = event.drives or event.name in _ONLY_VEHICLES or _takes_a_turn(event)
             mention.drives = mention.drives or failing or alone
+    _people_in_traffic(chunks, events)
     subjects = {id(m) for event in events for m in event.subject}
     acted_on = {id(e.object): e for e in events if e.object is not None}
     everywhere = _from_everywhere(events)
@@ -91,6 +92,21 @@ def _settled(events: list[Event]) -> set[int]:
     ways = {"left", "right", "straight"}
     going = [e for e in events if e.finite and any(d.value in ways for d in e.dirs)]
     return {id(m) for e in going for m in e.subject}
+
+
+def _people_in_traffic(chunks: list[Chunk], events: list[Event]) -> None:
+    """``the guy behind me``: somebody who is behind or in front, and does not walk, drives."""
+    walking = {id(m) for e in events if e.name in {"cross", "walk", "appear"} for m in e.subject}
+    for chunk in chunks:
+        if isinstance(chunk, Mention) and id(chunk) not in walking:
+            along = any(
+                p.word.cat == "locus"
+                and p.value in {"behind", "ahead"}
+                and not isinstance(p.target, Place | Thing)
+                for p in chunk.pps
+            )
+            vague = any(m.cat == "det" for m in chunk.mods) and chunk.head is not None
+            chunk.drives = chunk.drives or (along and vague)
 
 
 def _takes_a_turn(event: Event) -> bool:

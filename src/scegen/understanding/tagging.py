@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 from scegen.understanding.lexicon import Entry
 from scegen.understanding.numbers import number_at
@@ -61,7 +62,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     if participle and before in {"conj", "sub"} and match.has("dir"):
         attributive = False  # "turning left and following vehicle B": no article, no adjective
     if match.has("place", "dir") and match.get("place").value == "junction":
-        shaped = before in {"shape", "control"} and not attributive
+        shaped = before in {"shape", "control", "det"} and not attributive
         return (match.get("place") if shaped else _without_place(match, attributive)), attributive
     if match.has("dir") and match.get("dir").value == "left":
         return _left(match, previous)
@@ -74,7 +75,11 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     nouns = ("place", "inert", "thing", "view", "env")
     preposed = before == "prep" and previous is not None and previous.value != "to"
     adverb = before == "manner" and previous is not None and _is_adverb(tokens[previous.j - 1])
-    noun_slot = (before in _NOMINAL_BEFORE and not adverb) or preposed
+    compound = before == "place" and match.form == "base" and match.has("inert")
+    noun_slot = (before in _NOMINAL_BEFORE and not adverb) or preposed or compound
+    one = before == "num" and previous is not None and previous.data.get("number") == 1
+    if one and match.form == "s":
+        return verb, False  # "one exits": of one thing there is no plural
     if match.has(*nouns) and noun_slot and match.form in {"base", "s"}:
         return match.get(*nouns), False
     controlled = previous is not None and before == "verb" and "control" in previous.data
@@ -209,7 +214,19 @@ def tag(tokens: list[Token]) -> list[Term]:
             term = _term_at(tokens[: i + 1], i, terms[-1])
         terms.append(term)
         i = terms[-1].j
-    return terms
+    return _crossings(terms, tokens)
+
+
+def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:
+    """``at a crossing``: where people on foot are about, the place where they cross."""
+    if not any(t.cat == "actor" and t.value == "pedestrian" for t in terms):
+        return terms
+    return [
+        replace(t, value="crosswalk")
+        if t.value == "junction" and t.j - t.i == 1 and tokens[t.i].low == "crossing"
+        else t
+        for t in terms
+    ]
 
 
 def _list_of_doings(terms: list[Term], tokens: list[Token], term: Term) -> bool:
