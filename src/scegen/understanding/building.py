@@ -17,7 +17,7 @@ from scegen.understanding.layout import Layout
 from scegen.understanding.proving import Proofs
 from scegen.understanding.surroundings import Surroundings
 from scegen.understanding.tokens import Token
-from scegen.understanding.viewpoint import choose_ego, settle_positions, suffers
+from scegen.understanding.viewpoint import choose_ego, in_the_way, settle_positions, suffers
 
 
 class Builder:
@@ -47,6 +47,8 @@ class Builder:
         ego, ego_basis = choose_ego(self._draft)
         relations = settle_positions(self._draft, ego)
         junction = self._layout.build()
+        if junction.kind is JunctionKind.STRAIGHT:
+            in_the_way(self._draft, ego)
         self._name(ego)
         participants = tuple(
             self._participant(e, ego_basis, junction) for e in self._draft.entities

@@ -64,11 +64,24 @@ class Chunker:
                 self._chunks.append(Word(term))
                 return k + 1
             self._mark_possessor()
+        if self._that_of(k):
+            return k + 1
         reached = self._noun_phrase(k)
         if reached is None:
             self._chunks.append(Word(term))
             return k + 1
         return reached
+
+    def _that_of(self, k: int) -> bool:
+        """``leaves its lane and enters that of the bus``: a place of the kind named last."""
+        term = self._terms[k]
+        follows = self._terms[k + 1] if k + 1 < len(self._terms) else None
+        if self._tokens[term.i].low != "that" or follows is None or follows.value != "of":
+            return False
+        last = next((c for c in reversed(self._chunks) if isinstance(c, Place)), None)
+        if last is not None:
+            self._chunks.append(Place(term.i, term.j, [], None, None, kind=last.kind))
+        return last is not None
 
     def _owns(self, k: int) -> bool:
         """A genitive owns what follows, unless an adverb or auxiliary does (a stray 's)."""
@@ -178,6 +191,8 @@ class Chunker:
         sided = placed and (head.form == "s" or turned)
         if after_prep and (sided or (_has_dir(mods) and "control" in head.data)):
             return False
+        if self._tokens[mods[-1].i].low == "others":
+            return False  # "two others turn"
         pronominal = mods[-1].cat == "num" or mods[-1].value in {"another", "other", *_ORDINALS}
         if pronominal and head.form != "base":
             return False
@@ -193,8 +208,8 @@ class Chunker:
         if not mods:
             return None
         first = mods[0]
-        if first.cat == "num" and len(mods) > 1 and mods[1].value == "other":
-            self._chunks.append(Mention(first.i, mods[1].j, [first], None, pronoun="others"))
+        if first.cat == "num" and len(mods) == 1 and self._low(k + 1) == "others":
+            self._chunks.append(Mention(first.i, first.j + 1, [first], None, pronoun="others"))
             return k + 2  # "two others"
         if first.cat == "num" and first.data["number"] < 10:
             return self._stand_alone(first, "one" if first.data["number"] == 1 else "count", k)
@@ -212,6 +227,10 @@ class Chunker:
         if first.cat == "quant" and first.value in {"both", "all"} and len(mods) == 1:
             return self._stand_alone(first, first.value, k)
         return self._side(mods, k)
+
+    def _low(self, k: int) -> str:
+        """The first word of a term, if there is one."""
+        return self._tokens[self._terms[k].i].low if k < len(self._terms) else ""
 
     def _one_after(self, k: int) -> int:
         """``the other one``: the numeral adds nothing."""

@@ -72,6 +72,9 @@ class Mention(NounPhrase):
         joined: the mention that it is joined to by "and".
         same_as: the mention that it describes further ("vehicle 1, a sedan, …").
         partitive: one of a set named after it ("one of the cars").
+        whole: the set that it is a part of.
+        landmark: others are placed by it ("behind it there is a van").
+        elsewhere: it comes from another road ("a van from a side road").
         negated: there is none ("no pedestrians").
         denied: it does not do what its verb says ("neither the bus nor the taxi").
         distributed: a plural noun that stands for one ("ego and adversary vehicles").
@@ -88,6 +91,9 @@ class Mention(NounPhrase):
     joined: Mention | None = None
     same_as: Mention | None = None
     partitive: bool = False
+    whole: Mention | None = None
+    landmark: bool = False
+    elsewhere: bool = False
     distributed: bool = False
     negated: bool = False
     denied: bool = False
@@ -127,6 +133,7 @@ class Event:
         link: how it hangs on its parent: ``inf``, ``ing`` or ``noun``.
         reduced: it only describes its noun ("a man hidden behind a van runs out").
         unable: it does not take place because it cannot ("could not stop").
+        perfect: it is over ("had slowed").
         modal: obliged, forced or reacting ("must stop", "causing it to stop").
     """
 
@@ -141,6 +148,7 @@ class Event:
     reduced: bool = False
     negated: bool = False
     unable: bool = False
+    perfect: bool = False
     modal: bool = False
     purpose: bool = False
     mods: list[Term] = field(default_factory=list)

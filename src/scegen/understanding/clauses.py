@@ -191,6 +191,7 @@ class ClauseReader:
         event.negated = event.negated or any(
             m.denied or m.pronoun == "neither" for m in event.subject
         )
+        event.perfect = "aux:have" in state.between
         event.modal = event.modal or "aux:modal" in state.between
         release(self._state)
         state.events.append(event)

@@ -155,11 +155,6 @@ def overtake(scene: Scene, context: Context) -> None:
     """Overtaking another moving vehicle."""
     if scene.event.name == "pass" and not scene.targets:
         return
-    parked = [e for e in scene.targets if e.parked]
-    if parked and scene.event.name == "bypass":
-        context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
-    if scene.event.name == "bypass":
-        return
     if scene.drivers and (not scene.targets or any(not e.parked for e in scene.targets)):
         context.draft.hazard(HazardKind.OVERTAKING, scene.words, scene.drivers, scene.targets)
 

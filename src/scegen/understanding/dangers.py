@@ -58,6 +58,10 @@ def slow(scene: Scene, context: Context) -> None:
         p.entity in scene.drivers and Approach.AHEAD in p.approaches
         for p in context.draft.placements
     )
+    if scene.event.perfect and sudden is None:
+        if leads:
+            context.draft.hazard(HazardKind.SLOW_DRIVING, scene.words, scene.drivers)
+        return
     if sudden is not None or (leads and not scene.reaction):
         context.draft.hazard(HazardKind.HARD_BRAKING, sudden or scene.words, scene.drivers)
 
@@ -175,7 +179,6 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "merge": conflicts.merge,
     "overtake": conflicts.overtake,
     "pass": conflicts.overtake,
-    "bypass": conflicts.overtake,
     "pull_out": conflicts.pull_out,
     "tailgate": tailgate,
     "follow": follow,

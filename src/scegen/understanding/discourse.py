@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
-from scegen.understanding.groups import vehicle_around
+from scegen.understanding.groups import Group, vehicle_around
 from scegen.understanding.mention_words import DEFAULT_COUNT, Reading, read_mention
 from scegen.understanding.roster import Roster
 from scegen.understanding.tokens import Token
@@ -75,6 +75,8 @@ class Discourse:
                 exclude,
             )
         mention.entities = list(found)
+        if mention.landmark:
+            self._roster.landmark = list(found)
         for entity in found:
             entity.loci |= _loci(mention)
         self._roster.spoken_of(found, subject=subject, settled=settled)
@@ -92,13 +94,18 @@ class Discourse:
 
     def _pronoun(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         which = mention.pronoun
+        whole = mention.whole
+        if which == "count" and whole is not None and any(e.ego for e in whole.entities):
+            return self._we(int(mention.mods[0].data["number"]), basis=Basis(mention.i, whole.j))
+        if mention.landmark and which == "it" and self._roster.landmark:
+            return self._roster.landmark
         if which in {"it", "him"}:
             subject, recent = self._roster.subject, self._roster.recent
             if mention.head is not None and self._tokens[mention.i].low == "it":
                 recent = [e for e in recent if e.is_vehicle] or recent
             options = subject if len(subject) == 1 else recent[-1:]
             before = self._roster.before if len(self._roster.before) == 1 else []
-            left = [e for e in (*before, *reversed(self._roster.recent)) if e not in exclude]
+            left = [e for e in (*before, *reversed(recent)) if e not in exclude]
             return [e for e in options if e not in exclude] or left[:1]
         if which in {"they", "both", "all", "neither"}:
             return self._roster.together()
@@ -130,6 +137,14 @@ class Discourse:
             if which != "one" or self._roster.recent
             else []
         )
+
+    def _we(self, count: int, basis: Basis) -> list[Entity]:
+        """``three of us``: the ego and two more."""
+        ego = self._ego(ParticipantKind.CAR, basis)
+        others = [self._roster.new(ParticipantKind.CAR, basis) for _ in range(min(count, 20) - 1)]
+        if others:
+            self._roster.groups.append(Group(others, vague=False))
+        return [ego, *others]
 
     def _noun(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         basis = Basis(mention.i, mention.j)
@@ -282,7 +297,8 @@ def _is_pronoun(target: object) -> bool:
 
 def _loci(mention: Mention) -> set[str]:
     """Where a noun is said to be: "the car behind" is not "the car in front"."""
-    return {p.value for p in mention.pps if p.word.cat == "locus"}
+    loci = {p.value for p in mention.pps if p.word.cat == "locus"}
+    return loci | ({"elsewhere"} if mention.elsewhere else set())
 
 
 def _refers_to_nobody(mention: Mention) -> bool:

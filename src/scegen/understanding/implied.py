@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, HazardKind
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Danger, Entity
@@ -21,6 +21,9 @@ def positions(scenes: list[Scene], context: Context) -> None:
     """
     for scene in scenes:
         _driven_up_to(scene, context)
+        parked = [e for e in scene.targets if e.parked]
+        if scene.event.name == "bypass" and parked and not scene.event.negated:
+            context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
     for danger in context.draft.dangers:
         if danger.kind is HazardKind.ONCOMING_LANE:
             _face_to_face(danger, context)
@@ -40,7 +43,8 @@ def _driven_up_to(scene: Scene, context: Context) -> None:
     certain = _from_the_rear(scene, context) or _along_the_road(scene, context)
     for target in targets:
         slower = certain or _slower(target, context)
-        if target.is_vehicle and slower and not _placed(target, driver, context):
+        crosses = Maneuver.CROSS in target.maneuvers
+        if target.is_vehicle and slower and not crosses and not _placed(target, driver, context):
             reason = "who is driven up to is ahead"
             context.ahead([target], [driver], Basis(event.i, event.j, reason))
 

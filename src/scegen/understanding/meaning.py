@@ -47,10 +47,11 @@ class Interpreter:
             chunks: its chunks, mentions resolved.
             events: its events.
         """
+        handled = {id(e.object) for e in events if e.name == "inert"}  # "kicks a ball"
         for chunk in chunks:
             if isinstance(chunk, Mention) and chunk.entities:
                 self._mention(chunk)
-            elif isinstance(chunk, Thing):
+            elif isinstance(chunk, Thing) and id(chunk) not in handled:
                 self._thing(chunk, chunks)
         for chunk in chunks:
             if isinstance(chunk, Mention):

@@ -33,6 +33,8 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
     if whole is not None and (mention.mods == [] or mention.mods[0].value == "indef"):
         mention.same_as = whole
         return
+    if _further_ones(mention, k, chunks, state):
+        mention.pronoun = "others"
     if state.fronted:
         _start_clause(mention, state)
     elif isinstance(anchor, Event) and direct and anchor.object is None:
@@ -64,6 +66,19 @@ def _partitive_before(k: int, chunks: list[Chunk]) -> Mention | None:
         return None
     named = isinstance(whole, Mention) and whole.pronoun == "they"
     return part if named or (isinstance(whole, Word) and whole.cat == "rel") else None
+
+
+def _further_ones(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+    """``two cars coming from the left and one from the right``: three cars, not two."""
+    if mention.pronoun not in {"one", "count"} or state.between - {"and", "conj"}:
+        return False
+    last = state.events[-1] if state.events else None
+    if last is None or last.form != "ing" or last.finite or len(last.subject) != 1:
+        return False
+    following = chunks[k + 1] if k + 1 < len(chunks) else None
+    described = isinstance(following, Event) and following.form == "ing"
+    described = described or (isinstance(following, Word) and following.cat == "prep")
+    return described and last.subject[0].mod("num") is not None and "and" in state.between
 
 
 def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
@@ -132,6 +147,7 @@ def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) 
     mention.prep = prep.word
     if not (prep.value == "of" and _owns_place(mention, k, chunks)):
         attach(prep, state)
+    mention.landmark = prep.fronted and prep.word.cat == "locus"
     if prep.fronted:
         return
     last = state.events[-1] if state.events else None
@@ -139,7 +155,7 @@ def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) 
         last.subject = [mention]
     named = prep.value in {"with", "due", "against"}
     if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:
-        prep.on_mention.partitive = True
+        prep.on_mention.partitive, prep.on_mention.whole = True, mention
         return
     pending = state.candidate is not None and not state.candidate_done
     if pending and finite_follows(chunks, k):

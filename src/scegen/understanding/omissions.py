@@ -33,7 +33,7 @@ def not_done(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
     elif event.name in _STOPPING and _has_to_wait(scene, context):
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers)
-    elif event.name == "encounter" and scene.targets and _ahead(scene, context):
+    elif event.name == "encounter" and scene.drivers and _ahead(scene, context):
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name in {"brake", "stop", "slow"} and scene.drivers:
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
@@ -74,7 +74,8 @@ def _at_signals(scene: Scene, context: Context) -> bool:
 
 def _ahead(scene: Scene, context: Context) -> bool:
     """Whether what is overlooked drives in front."""
-    return any(context.placed(e, Approach.AHEAD) for e in scene.targets)
+    overlooked = scene.targets or [e for e in context.draft.entities if e not in scene.actors]
+    return any(context.placed(e, Approach.AHEAD) for e in overlooked)
 
 
 def _has_to_wait(scene: Scene, context: Context) -> bool:

@@ -27,6 +27,10 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
             alone = event.drives or event.name in _ONLY_VEHICLES or _takes_a_turn(event)
             mention.drives = mention.drives or failing or alone
     _people_in_traffic(chunks, events)
+    for event in events:
+        if any(p.value == "from" and isinstance(p.target, Place) for p in event.pps):
+            for mention in event.subject:
+                mention.elsewhere = mention.pronoun is None
     subjects = {id(m) for event in events for m in event.subject}
     acted_on = {id(e.object): e for e in events if e.object is not None}
     everywhere = _from_everywhere(events)
@@ -96,8 +100,10 @@ def _settled(events: list[Event]) -> set[int]:
 
 def _people_in_traffic(chunks: list[Chunk], events: list[Event]) -> None:
     """``the guy behind me``: somebody who is behind or in front, and does not walk, drives."""
-    walking = {id(m) for e in events if e.name in {"cross", "walk", "appear"} for m in e.subject}
+    walking = {id(m) for e in events if _on_foot(e) for m in e.subject}
     for chunk in chunks:
+        if isinstance(chunk, Mention) and chunk.head is not None and chunk.head.data.get("aboard"):
+            chunk.negated = id(chunk) not in walking
         if isinstance(chunk, Mention) and id(chunk) not in walking:
             along = any(
                 p.word.cat == "locus"
@@ -107,6 +113,11 @@ def _people_in_traffic(chunks: list[Chunk], events: list[Event]) -> None:
             )
             vague = any(m.cat == "det" for m in chunk.mods) and chunk.head is not None
             chunk.drives = chunk.drives or (along and vague)
+
+
+def _on_foot(event: Event) -> bool:
+    against = any(p.value == "into" and isinstance(p.target, Mention) for p in event.pps)
+    return event.name in {"cross", "walk", "appear"} and not against
 
 
 def _takes_a_turn(event: Event) -> bool:

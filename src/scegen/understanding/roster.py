@@ -26,6 +26,7 @@ class Roster:
         recent: everybody, the one spoken of last at the end.
         subject: who acted last.
         before: who acted before them.
+        landmark: who others were placed by last.
     """
 
     draft: Draft
@@ -34,6 +35,7 @@ class Roster:
     recent: list[Entity] = field(default_factory=list)
     subject: list[Entity] = field(default_factory=list)
     before: list[Entity] = field(default_factory=list)
+    landmark: list[Entity] = field(default_factory=list)
 
     def spoken_of(self, found: list[Entity], *, subject: bool, settled: bool) -> None:
         """Remembers a mention.

@@ -6,6 +6,7 @@ from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
 from scegen.understanding.draft import Basis, Danger, Draft, Entity, Placement
 from scegen.understanding.placing import INVERSE
 
+_IN_THE_WAY = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING, HazardKind.HARD_BRAKING})
 _COMPASS = ("north", "east", "south", "west")
 _SEEN = {1: Approach.LEFT, 2: Approach.OPPOSITE, 3: Approach.RIGHT}
 """Quarter turns clockwise from the ego's heading to the other's -> where the other comes from."""
@@ -186,6 +187,27 @@ def _beside(draft: Draft, ego: Entity) -> None:
             if entity is not ego and not entity.approaches and entity.moving_vehicle:
                 entity.approaches = {Approach.ADJACENT}
                 reason = "who cuts in comes from the next lane"
+                entity.approach_basis = Basis(danger.basis.i, danger.basis.j, reason)
+
+
+def in_the_way(draft: Draft, ego: Entity) -> None:
+    """On a straight road, who endangers the ego by going slowly or stopping is ahead of it.
+
+    Args:
+        draft: the scenario in the making, positions settled.
+        ego: its ego.
+    """
+    placed = {p.entity.index for p in draft.placements} | {
+        p.reference.index for p in draft.placements if p.reference is not None
+    }
+    for danger in draft.dangers:
+        if danger.kind not in _IN_THE_WAY or (danger.to and ego not in danger.to):
+            continue
+        for entity in danger.by:
+            free = entity.index not in placed and not entity.approaches and entity.heading is None
+            if free and entity is not ego and entity.moving_vehicle:
+                entity.approaches = {Approach.AHEAD}
+                reason = "on a straight road, who is in the way is ahead"
                 entity.approach_basis = Basis(danger.basis.i, danger.basis.j, reason)
 
 
