@@ -88,7 +88,7 @@ def _opens_clause(k: int, chunks: list[Chunk], state: State) -> bool:
         return False
     comma = _is(chunks, m, ",")
     m += comma
-    if m < len(chunks) and isinstance(chunks[m], Word) and chunks[m].cat in {"aux", "copy"}:
+    if _word_of(chunks, m, frozenset({"aux", "copy"})):
         m += 1
     elif m < len(chunks) and not (comma and not begins):
         m += _stands_before_subject(chunks[m])
@@ -111,13 +111,18 @@ def _is(chunks: list[Chunk], m: int, mark: str) -> bool:
     return isinstance(chunk, Word) and chunk.value == mark
 
 
+def _word_of(chunks: list[Chunk], m: int, classes: frozenset[str]) -> bool:
+    chunk = chunks[m] if m < len(chunks) else None
+    return isinstance(chunk, Word) and chunk.cat in classes
+
+
 def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
     """Index after a phrase of place that begins at chunk ``k``; None if none does."""
     first = chunks[k]
     m = k + 1
     locus = isinstance(first, Word) and first.cat == "locus"
-    while m < len(chunks) and isinstance(chunks[m], Word) and chunks[m].cat in GOVERNING:
-        locus = locus or chunks[m].cat == "locus"
+    while _word_of(chunks, m, GOVERNING):
+        locus = locus or _word_of(chunks, m, frozenset({"locus"}))
         m += 1
     target = chunks[m] if m < len(chunks) else None
     placed = isinstance(target, Place) and (
@@ -126,7 +131,7 @@ def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
     if not placed and not (locus and isinstance(target, Mention)):
         return None
     m += 1
-    while _is(chunks, m, "of") and m + 1 < len(chunks) and isinstance(chunks[m + 1], Mention | Place):
+    while _is(chunks, m, "of") and isinstance(next(iter(chunks[m + 1 :]), None), Mention | Place):
         m += 2
     return m
 

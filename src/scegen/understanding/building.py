@@ -147,7 +147,11 @@ class Builder:
             reason = "on a straight road, or one without a junction, one drives straight on"
             entity.maneuver_basis = Basis(entity.moves.i, entity.moves.j, reason)
             return {Maneuver.STRAIGHT}
-        if entity.heading is not None and entity.moves is not None and junction.kind is not JunctionKind.ROUNDABOUT:
+        if (
+            entity.heading is not None
+            and entity.moves is not None
+            and junction.kind is not JunctionKind.ROUNDABOUT
+        ):
             reason = "it keeps its heading: nothing says that it turns"
             entity.maneuver_basis = Basis(entity.moves.i, entity.moves.j, reason)
             return {Maneuver.STRAIGHT}

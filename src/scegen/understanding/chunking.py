@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.naming import Namer
 from scegen.understanding.terms import Term
@@ -159,7 +161,7 @@ class Chunker:
         """``from the left two cars come``: the number begins a noun phrase of its own."""
         previous = self._chunks[-1] if self._chunks else None
         preposed = isinstance(previous, Word) and previous.cat == "prep"
-        pairs = zip(mods, mods[1:], strict=False)
+        pairs = pairwise(mods)
         return preposed and any(
             b.cat in {"num", "quant"} and (a.cat == "compass" or a.value in {"left", "right"})
             for a, b in pairs

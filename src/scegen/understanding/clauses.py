@@ -68,6 +68,8 @@ class ClauseReader:
             preposition(word, k, self._chunks, state)
         elif word.cat in ADVERBS or word.cat == "state":
             self._adverb(word, k)
+        elif word.value == "either" and state.prep is not None:
+            return  # "from either the left or the right"
         else:
             release(self._state)
             if word.cat == "punct" and word.value in "()":
@@ -83,7 +85,9 @@ class ClauseReader:
 
     def _where(self, k: int) -> None:
         """``the next lane, where a van drives``: the van is in that lane."""
-        place = next((c for c in reversed(self._chunks[max(0, k - 2) : k]) if isinstance(c, Place)), None)
+        place = next(
+            (c for c in reversed(self._chunks[max(0, k - 2) : k]) if isinstance(c, Place)), None
+        )
         if place is None or place.kind not in LANES:
             return
         word = Word(Term("prep", "in", place.i, place.i + 1))
@@ -153,7 +157,7 @@ class ClauseReader:
         if isinstance(before, Thing) and before.kind in {"object", "obstacle"}:
             return event.form == "ing" and not self._state.between
         unknown = isinstance(before, Word) and before.cat == "unknown" and k > 1
-        if not unknown or self._state.candidate is not None and not self._state.candidate_done:
+        if not unknown or (self._state.candidate is not None and not self._state.candidate_done):
             return False
         opener = self._chunks[k - 2]
         named = isinstance(opener, Place) or (isinstance(opener, Word) and opener.cat == "det")

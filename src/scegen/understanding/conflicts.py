@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import Control, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding import encounters, movements
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.movements import into_lane
-
 
 _ACROSS = {"left": Maneuver.LEFT, "right": Maneuver.RIGHT}
 
@@ -82,7 +81,9 @@ def cut_in(scene: Scene, context: Context) -> None:
         return
     to = scene.targets or _mentioned(scene.event)
     turning = any(e.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT} for e in scene.drivers)
-    if turning or any(context.comes_across(e) for e in scene.drivers):
+    words = {t.low for t in context.tokens[scene.event.i : scene.event.j]}
+    across = "across" in words and context.junction.crossing
+    if turning or across or any(context.comes_across(e) for e in scene.drivers):
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, to)
         return
     basis = scene.words
@@ -208,11 +209,26 @@ def turns_across(scene: Scene, context: Context) -> bool:
     }
 
 
+def _it(target: object) -> bool:
+    return isinstance(target, Mention) and target.pronoun in {"it", "they"}
+
+
+def _breach_of_control(scene: Scene, context: Context) -> None:
+    """``a stop sign … a car ignores it``: the only thing named that can be ignored."""
+    control = context.junction.control
+    if control is Control.SIGNALS:
+        context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, scene.words, scene.drivers)
+    elif control in {Control.STOP, Control.ALL_WAY_STOP, Control.YIELD}:
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers)
+
+
 def breach(scene: Scene, context: Context) -> None:
     """``runs the red light``, ``ignores a stop sign``, ``violates the right of way``."""
     driven_through = {
         id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low == "through"
     }
+    if scene.event.name == "breach" and _it(scene.event.object):
+        _breach_of_control(scene, context)
     for place in scene.places():
         certain = scene.event.name in {"walk", "breach", "obey"} or id(place) in driven_through
         basis = Basis(scene.event.i, max(place.j, scene.event.j))

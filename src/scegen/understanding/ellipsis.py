@@ -27,7 +27,8 @@ def fill_in(chunks: list[Chunk], events: list[Event]) -> list[Event]:
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Mention) or id(chunk) in acting or chunk.prep is not None:
             continue
-        if k == 0 or not isinstance(chunks[k - 1], Word) or chunks[k - 1].value not in _JOINTS:
+        joint = chunks[k - 1] if k else None
+        if not isinstance(joint, Word) or joint.value not in _JOINTS:
             continue
         verb = _verb_before(chunk, events)
         if verb is None or not _ends(chunks, k + 2):

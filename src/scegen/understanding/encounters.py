@@ -158,6 +158,7 @@ def from_behind(scene: Scene, context: Context) -> None:
         out = prep.outer == "from" or context.tokens[prep.word.i].low == "from"
         sprung = out or scene.event.name == "appear"
         sprung = sprung or (prep.value == "between" and bool(scene.walkers))
+        sprung = sprung or (isinstance(prep.target, Thing) and scene.event.name == "cross")
         if sprung:
             basis, by = _screen(prep, scene.actors)
             context.draft.hazard(HazardKind.OCCLUSION, basis, by)

@@ -67,9 +67,7 @@ def _along_the_road(scene: Scene, context: Context) -> bool:
 
 def _slower(entity: Entity, context: Context) -> bool:
     """Whether somebody stands or drives slowly, so that others close in from behind."""
-    return entity.parked or any(
-        entity in d.by and d.kind in _SLOWER for d in context.draft.dangers
-    )
+    return entity.parked or any(entity in d.by and d.kind in _SLOWER for d in context.draft.dangers)
 
 
 def _placed(entity: Entity, observer: Entity, context: Context) -> bool:
@@ -88,6 +86,10 @@ def _face_to_face(danger: Danger, context: Context) -> None:
     for culprit in danger.by:
         for victim in danger.to:
             both = culprit.moving_vehicle and victim.moving_vehicle
-            if both and not _placed(culprit, victim, context) and not _placed(victim, culprit, context):
+            if (
+                both
+                and not _placed(culprit, victim, context)
+                and not _placed(victim, culprit, context)
+            ):
                 basis = Basis(danger.basis.i, danger.basis.j, "they use the same lane head-on")
                 context.draft.place(culprit, victim, {Approach.OPPOSITE}, basis)

@@ -131,7 +131,9 @@ class Interpreter:
     def _scene(self, event: Event) -> Scene:
         actors = [e for m in event.subject for e in m.entities]
         direct = event.object
-        targets = [e for m in chain(direct) for e in m.entities] if isinstance(direct, Mention) else []
+        targets = (
+            [e for m in chain(direct) for e in m.entities] if isinstance(direct, Mention) else []
+        )
         if event.passive:
             agents = [
                 e

@@ -48,7 +48,8 @@ def turn(scene: Scene, context: Context) -> None:
         return
     values = set(directions) or {Maneuver.LEFT, Maneuver.RIGHT}
     if not directions:
-        if any(entity.maneuvers for entity in scene.actors) or event.nominal:
+        made = event.parent is not None and event.parent.name in {"light", "try"}
+        if any(entity.maneuvers for entity in scene.actors) or (event.nominal and not made):
             return
         basis = Basis(basis.i, basis.j, "the text does not say which way it turns")
     context.crossing_implied(basis, "vehicles turn")

@@ -33,9 +33,9 @@ def not_done(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
     elif event.name in _STOPPING and _has_to_wait(scene, context):
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers)
-    elif event.name == "encounter" and scene.drivers and _ahead(scene, context):
-        context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
-    elif event.name in {"brake", "stop", "slow"} and scene.drivers:
+    elif (event.name == "encounter" and scene.drivers and _ahead(scene, context)) or (
+        event.name in {"brake", "stop", "slow"} and scene.drivers
+    ):
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name not in _HARMLESS:
         context.draft.note(event.i, event.j, "said not to happen; left out")

@@ -39,7 +39,7 @@ def also_from(noun: NounPhrase, state: State) -> bool:
     if not (pps and isinstance(noun, Place) and noun.kind == "side"):
         return False
     last = pps[-1]
-    joined = state.between & {"and", "or"} and isinstance(last.target, Place)
+    joined = state.between & {"and", "or", ","} and isinstance(last.target, Place)
     if joined and last.target is not None and last.target.j == noun.i - 1:
         pps.append(Prep(last.word, noun, last.outer, last.on_mention))
         return True
@@ -66,4 +66,5 @@ def _names_before(chunks: list[Chunk], k: int, state: State) -> bool:
     following = chunks[k + 1] if k + 1 < len(chunks) else None
     listed = isinstance(following, Word) and following.cat == "conj"
     indefinite = any(m.value == "indef" for m in here.mods)
-    return named and indefinite and not listed and not isinstance(following, Event)
+    acts = isinstance(following, Event) and following.form != "ing"
+    return named and indefinite and not listed and not acts

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.discourse import Discourse
+from scegen.understanding.terms import Term
 
 _ONLY_VEHICLES = frozenset(
     {"brake", "hard_brake", "overtake", "merge", "lane_change", "accelerate", "tailgate", "cut_off",
      "cut_in", "pull_out", "park", "swerve", "u_turn"}
 )  # fmt: skip
 
+_A_PAIR = 2
+"""Of two sides named, there may still be any number of vehicles."""
 _PARTS = frozenset({"one", "count", "both", "other", "another", "ordinal"})
 
 
@@ -33,7 +36,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
                 mention.elsewhere = mention.pronoun is None
     subjects = {id(m) for event in events for m in event.subject}
     acted_on = {id(e.object): e for e in events if e.object is not None}
-    everywhere = _from_everywhere(events)
+    everywhere = _sides(events)
     beside = _beside(chunks)
     settled = _settled(events)
     around = {id(p.target): e for e in events for p in e.pps if _is_it(p.target)}
@@ -67,7 +70,7 @@ def _resolve(
     discourse: Discourse,
     subjects: set[int],
     acted_on: dict[int, Event],
-    everywhere: set[int],
+    everywhere: dict[int, int],
     beside: dict[int, Mention],
     settled: set[int],
     heads: dict[int, Mention],
@@ -86,7 +89,7 @@ def _resolve(
         mention,
         subject=id(mention) in subjects,
         exclude=exclude,
-        all_directions=id(mention) in everywhere,
+        sides=everywhere.get(id(mention)),
         settled=id(mention) in settled,
     )
 
@@ -111,7 +114,7 @@ def _people_in_traffic(chunks: list[Chunk], events: list[Event]) -> None:
                 and not isinstance(p.target, Place | Thing)
                 for p in chunk.pps
             )
-            vague = any(m.cat == "det" for m in chunk.mods) and chunk.head is not None
+            vague = chunk.head is not None and bool(chunk.head.data.get("vague"))
             chunk.drives = chunk.drives or (along and vague)
 
 
@@ -150,9 +153,18 @@ def from_everywhere(prep: Prep) -> bool:
     return quantified and target.kind in {"direction", "side", "exit"}
 
 
-def _from_everywhere(events: list[Event]) -> set[int]:
-    found: set[int] = set()
+def _sides(events: list[Event]) -> dict[int, int]:
+    """Mentions of those who come one from each of some sides -> how many sides; 0: all."""
+    found: dict[int, int] = {}
     for event in events:
+        sides = {m.value for p in event.pps if p.value == "from" for m in _compass(p)}
         if any(from_everywhere(p) for p in event.pps):
-            found |= {id(m) for m in event.subject}
+            found |= {id(m): 0 for m in event.subject}
+        elif len(sides) > _A_PAIR:
+            found |= {id(m): len(sides) for m in event.subject}
     return found
+
+
+def _compass(prep: Prep) -> list[Term]:
+    target = prep.target
+    return [m for m in target.mods if m.cat == "compass"] if isinstance(target, Place) else []

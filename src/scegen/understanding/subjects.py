@@ -241,7 +241,18 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     last = state.events[-1] if state.events else None
     if last is not None and last.object is anchor and last.name in {"cause", "prevent"}:
         _depend(event, last, "ing")
+    if last is not None and _pronoun_object(anchor, last) and not event.finite:
+        event.subject = last.subject  # "nearly hit me coming from the right"
+        return
     event.subject = chain(anchor)
+
+
+def _pronoun_object(anchor: Mention, verb: Event) -> bool:
+    """Pronouns are not described further, except where they are seen to do something."""
+    bare = anchor.pronoun in {"it", "him", "they"} or bool(
+        anchor.head and anchor.head.data.get("me")
+    )
+    return verb.object is anchor and bare and verb.name not in {"encounter", "cause", "prevent"}
 
 
 def _shape(event: Event) -> str:
@@ -258,7 +269,9 @@ def _coordinated(event: Event, state: State) -> None:
     else:
         wanted = "ing" if event.form == "ing" and not auxiliary else "finite"
     verbs = [e for e in state.events if not e.nominal]
-    parallel = next((e for e in reversed(verbs) if _shape(e) == wanted), None)
+    alike = [e for e in verbs if _shape(e) == wanted]
+    exact = [e for e in alike if wanted == "finite" and e.form == event.form and not e.perfect]
+    parallel = next(reversed(exact or alike), None)
     if parallel is None:
         parallel = next((e for e in reversed(verbs) if e.finite), None)
     waiting = state.candidate is not None and not state.candidate_done

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
+from scegen.understanding.choosing import choose, is_adverb
 from scegen.understanding.lexicon import Entry
 from scegen.understanding.numbers import number_at
 from scegen.understanding.quantities import quantity_at
@@ -12,140 +13,8 @@ from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
 
 _LABELLED = re.compile(r"^(?:v|veh|u|d|car|cv)\d{1,2}$")
-_NOMINAL_BEFORE = frozenset(
-    {"det", "possessive", "dir", "manner", "num", "quant", "label", "noted", "shape"}
-)
-_NO_PREMODIFIER = frozenset({"aux", "actor", "pronoun", "neg"})
+_WALKER = re.compile(r"^(?:p|ped)\d{1,2}$")
 _UNIT_WORDS = frozenset({"unit", "veh", "v"})
-_VERBAL_BEFORE = frozenset({"actor", "pronoun", "aux", "rel", "neg"})
-_ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
-
-
-def _noun_follows(tokens: list[Token], j: int) -> bool:
-    """Whether a participant or thing is named at token ``j``, adjectives skipped."""
-    for _ in range(3):
-        if j >= len(tokens):
-            return False
-        following = longest_match(tokens, j)
-        if following is None:
-            return False
-        if following.has("actor", "thing"):
-            return True
-        if not following.has("state", "label", "dir", "manner", "verb") or following.has("prep"):
-            return following.has("view")
-        if following.has("verb") and following.form not in {"ing", "ed"}:
-            return False
-        j = following.j
-    return False
-
-
-def _is_adverb(token: Token) -> bool:
-    return token.low.endswith("ly")
-
-
-def _may_describe(previous: Term | None) -> bool:
-    """Whether a participle here can describe the noun that follows.
-
-    After a subject or a comma it is a verb: "a van overtaking cars", "…, overtaking cars".
-    """
-    if previous is None:
-        return True
-    return previous.cat not in _NO_PREMODIFIER and previous.value != ","
-
-
-def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
-    """Decides between a verb and the other meanings of its form; says if it is a premodifier."""
-    before = previous.cat if previous else ""
-    verb = match.get("verb")
-    participle = match.form in {"ing", "ed"}
-    attributive = _may_describe(previous) and _noun_follows(tokens, match.j)
-    if participle and before in {"conj", "sub"} and match.has("dir"):
-        attributive = False  # "turning left and following vehicle B": no article, no adjective
-    if match.has("place", "dir") and match.get("place").value == "junction":
-        shaped = before in {"shape", "control", "det"} and not attributive
-        return (match.get("place") if shaped else _without_place(match, attributive)), attributive
-    if match.has("dir") and match.get("dir").value == "left":
-        return _left(match, previous)
-    if match.form == "base" and before == "aux" and previous is not None and previous.value == "be":
-        return match.get(*_ADJECTIVE_CATS, "verb"), False
-    if participle and attributive:
-        return (match.get(*_ADJECTIVE_CATS) if match.has(*_ADJECTIVE_CATS) else verb), True
-    if match.has("dir", "state", "manner") and attributive and not participle:
-        return match.get("dir", "state", "manner"), True
-    nouns = ("place", "inert", "thing", "view", "env")
-    preposed = before == "prep" and previous is not None and previous.value != "to"
-    adverb = before == "manner" and previous is not None and _is_adverb(tokens[previous.j - 1])
-    compound = before == "place" and match.form == "base" and match.has("inert")
-    noun_slot = (before in _NOMINAL_BEFORE and not adverb) or preposed or compound
-    one = before == "num" and previous is not None and previous.data.get("number") == 1
-    if one and match.form == "s":
-        return verb, False  # "one exits": of one thing there is no plural
-    if match.has(*nouns) and noun_slot and match.form in {"base", "s"}:
-        return match.get(*nouns), False
-    controlled = previous is not None and before == "verb" and "control" in previous.data
-    controlled = controlled and previous is not None and previous.value != "unknown"
-    verbal = (
-        controlled or before in _VERBAL_BEFORE or (previous is not None and previous.value == "to")
-    )
-    if match.has("dir") and not verbal and match.form == "base":
-        return match.get("dir"), False
-    return verb, False
-
-
-def _without_place(match: Match, attributive: bool) -> Entry:
-    """``crossing`` describes a vehicle or is what somebody does, unless it is a shaped one."""
-    return match.get("dir" if attributive else "verb")
-
-
-def _left(match: Match, previous: Term | None) -> tuple[Entry, bool]:
-    """``left`` is nearly always the side; "V1 left the road" has a subject right before it."""
-    subject = previous is not None and previous.cat in {"actor", "pronoun"}
-    return (match.get("verb") if subject else match.get("dir")), False
-
-
-_PRIORITY = (
-    "noted", "cue", "control", "side", "env", "view", "actor", "possessive", "det", "pronoun",
-    "aux", "neg", "sub", "conj", "quant", "dir", "locus", "state", "place", "prep", "manner",
-    "rel", "shape", "leg", "compass", "thing", "label", "copy", "roadmod", "inert",
-)  # fmt: skip
-
-
-def _choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
-    if len(match.entries) == 1:
-        entry = match.entries[0]
-        premod = (
-            entry.cat == "verb"
-            and match.form in {"ing", "ed"}
-            and _may_describe(previous)
-            and _noun_follows(tokens, match.j)
-        )
-        return entry, premod
-    if match.has("verb"):
-        return _verb_or_other(match, tokens, previous)
-    if match.has("rel") and match.has("det"):
-        noun_before = previous is not None and previous.cat in {"actor", "place", "thing", "inert"}
-        after = longest_match(tokens, match.j) if match.j < len(tokens) else None
-        verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
-        sided = previous is not None and previous.cat in {"dir", "compass"}
-        if sided and verbal and after is not None and not after.has("actor", "place"):
-            return match.get("rel"), False  # "a bus from the right that turns"
-        return match.get("rel" if noun_before else "det"), False
-    if match.has("label") and match.has("place"):
-        bare = match.j >= len(tokens) or longest_match(tokens, match.j) is None
-        next_match = None if bare else longest_match(tokens, match.j)
-        noun = next_match is not None and next_match.has("actor", "place", "label")
-        return match.get("label" if noun else "place"), False
-    if match.has("neg") and match.has("pronoun"):
-        following = longest_match(tokens, match.j) if match.j < len(tokens) else None
-        listed = following is not None and following.has("det", "actor", "possessive")
-        return match.get("neg" if listed else "pronoun"), False
-    if match.has("leg") and previous is not None and previous.cat == "num":
-        return match.get("leg"), False
-    if match.has("manner") and match.has("label") and previous and previous.cat == "det":
-        return match.get("label"), False
-    if match.has("det") and match.has("inert"):
-        return match.get("det"), False
-    return match.get(*_PRIORITY), False
 
 
 def _labelled(token: Token, i: int) -> Term | None:
@@ -153,6 +22,8 @@ def _labelled(token: Token, i: int) -> Term | None:
     if token.kind == "label" and _LABELLED.match(token.low):
         digits = token.low.lstrip("abcdefghijklmnopqrstuvwxyz")
         return Term("actor", "car", i, i + 1, "base", {"label": f"#{digits}"})
+    if token.kind == "label" and _WALKER.match(token.low):
+        return Term("actor", "pedestrian", i, i + 1, "base", {"label": f"#{token.low}"})
     return None
 
 
@@ -178,7 +49,7 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
     infinitive = previous.cat == "prep" and previous.value == "to"
     if infinitive or previous.cat in {"aux", "neg"}:
         return _suffix_form(token) or "base"
-    adverb = previous.cat == "manner" and _is_adverb(tokens[previous.j - 1])
+    adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
     if previous.cat in {"actor", "pronoun"} or adverb:
         return _suffix_form(token)
     return None
@@ -212,9 +83,18 @@ def tag(tokens: list[Token]) -> list[Term]:
         term = _term_at(tokens, i, _before(terms, tokens))
         if term.value == "crosswalk" and _list_of_doings(terms, tokens, term):
             term = _term_at(tokens[: i + 1], i, terms[-1])
+        if (term.cat, term.value, term.form) == ("verb", "stop", "base") and _at_a(terms, tokens):
+            term = Term("place", "bus_stop", term.i, term.j)  # "pulls away from the stop"
         terms.append(term)
         i = terms[-1].j
     return _crossings(terms, tokens)
+
+
+def _at_a(terms: list[Term], tokens: list[Token]) -> bool:
+    """Whether "at the" or "from a" stands before."""
+    if len(terms) < 2 or terms[-1].cat not in {"det", "possessive"}:
+        return False
+    return tokens[terms[-2].i].low in {"at", "from"}
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:
@@ -275,13 +155,14 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     match = longest_match(tokens, i) if _first_person(token) else None
     if match and _is_clause(match, tokens, i, previous):
         match = longest_match(tokens[: i + 1], i)
-    if match and (number is None or match.j > i + number.length):
-        entry, premod = _choose(match, tokens, previous)
+    counted = number is not None and match is not None and match.has("shape") and match.form == "s"
+    if match and not counted and (number is None or match.j > i + number.length):
+        entry, premod = choose(match, tokens, previous)
         form = _own_form(entry, match, token)
         return Term(entry.cat, entry.value, i, match.j, form, entry.data, premod)
     if number:
         return Term("num", token.low, i, i + number.length, data={"number": number.value})
-    form = _verb_form(token, previous, tokens)
-    if form is not None:
-        return Term("verb", "unknown", i, i + 1, form, data={"control": "subject"})
+    unknown = _verb_form(token, previous, tokens)
+    if unknown is not None:
+        return Term("verb", "unknown", i, i + 1, unknown, data={"control": "subject"})
     return Term("unknown", token.low, i, i + 1)
