@@ -38,6 +38,9 @@ class Layout:
         self._proofs.add("junction.kind", kind_basis, "no junction is named: a straight road")
         self._proofs.add("junction.arms", arms_basis)
         self._proofs.add("junction.control", self._reading.control_basis, "no control is named")
+        angles = self._reading.angles_deg if len(self._reading.angles_deg) == arms else ()
+        if angles:
+            self._proofs.add("junction.arm_angles_deg", self._reading.angles_basis)
         lanes, ring, lanes_basis = self._lanes(kind, arms)
         self._proofs.add(
             "junction.lanes", lanes_basis, "one lane per direction unless more are said"
@@ -50,6 +53,7 @@ class Layout:
         return Junction(
             kind=kind,
             arms=arms,
+            arm_angles_deg=angles,
             lanes=lanes,
             ring_lanes=ring,
             speed_limit_mps=self._around.speed_limit_mps,
@@ -107,6 +111,8 @@ class Layout:
         if around.lanes is not None:
             doubled = 2 if ring and around.lanes > 1 else None
             return (around.lanes,) * arms, doubled, around.lanes_basis
+        if ring and around.two_lane is not None:
+            return (2,) * arms, 2, around.two_lane
         implied = self._draft.lanes_implied
         adjacent = next(
             (e for e in self._draft.entities if Approach.ADJACENT in e.approaches), None

@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.errors import InputError
 from scegen.scenario.functional import ARM_COUNTS, FunctionalScenario
 from scegen.scenario.vocabulary import DrivingSide, JunctionKind
+from scegen.understanding.angles import read_angles, set_apart
 from scegen.understanding.building import Builder
 from scegen.understanding.chunking import Chunker
 from scegen.understanding.clauses import ClauseReader
@@ -59,7 +60,7 @@ def read(text: str) -> FunctionalScenario:
         msg = f"the description has {len(text)} characters, more than {MAX_CHARACTERS}"
         raise InputError(msg, where="description", hint="Describe one situation at a time.")
     tokens = tokenize(text)
-    terms = tag(tokens)
+    terms = set_apart(tag(tokens), read_angles(tokens, text))
     require_traffic(terms, tokens)
     junction = read_junction(terms, tokens)
     surroundings = read_surroundings(terms, tokens)
