@@ -49,6 +49,7 @@ def attach(prep: Prep, state: State) -> None:
         prep: the phrase, complete.
         state: what the clause reader remembers.
     """
+    state.last_prep = prep
     if prep.fronted:
         state.fronted.append(prep)
         return

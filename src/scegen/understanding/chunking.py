@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
@@ -78,11 +79,14 @@ class Chunker:
         """``leaves its lane and enters that of the bus``: a place of the kind named last."""
         term = self._terms[k]
         follows = self._terms[k + 1] if k + 1 < len(self._terms) else None
-        if self._tokens[term.i].low != "that" or follows is None or follows.value != "of":
+        mine = term.cat == "possessive" and term.value == "mine"
+        that = self._tokens[term.i].low == "that" and follows is not None and follows.value == "of"
+        if not (mine or that):
             return False
         last = next((c for c in reversed(self._chunks) if isinstance(c, Place)), None)
         if last is not None:
-            self._chunks.append(Place(term.i, term.j, [], None, None, kind=last.kind))
+            mods = [replace(term, value="first_person")] if mine else []
+            self._chunks.append(Place(term.i, term.j, mods, None, None, kind=last.kind))
         return last is not None
 
     def _owns(self, k: int) -> bool:

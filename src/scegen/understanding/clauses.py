@@ -156,6 +156,9 @@ class ClauseReader:
             return False
         if isinstance(before, Thing) and before.kind in {"object", "obstacle"}:
             return event.form == "ing" and not self._state.between
+        if isinstance(before, Thing) and before.kind == "view" and event.form == "ed":
+            event.passive, event.object = True, before  # "its view blocked by a truck"
+            return "aux:be" not in self._state.between
         unknown = isinstance(before, Word) and before.cat == "unknown" and k > 1
         if not unknown or (self._state.candidate is not None and not self._state.candidate_done):
             return False

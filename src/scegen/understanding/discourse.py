@@ -243,7 +243,7 @@ class Discourse:
         loci = _loci(mention)
         options = [e for e in options if not (loci and e.loci) or loci & e.loci]
         others = [e for e in options if not e.ego]
-        restricted = reading.dirs or reading.labels or mention.pps
+        restricted = reading.dirs or reading.labels or mention.pps or mention.elsewhere
         if others or reading.det == "bare" or restricted:
             return others[:1]
         return options[:1]

@@ -92,7 +92,8 @@ def ride(scene: Scene, context: Context) -> None:
     aside = any(p.kind in {"sidewalk", "access", "parking"} for p in scene.places())
     direct = scene.event.object if scene.event.name == "enter" else None
     onto = onto or (isinstance(direct, Place) and direct.kind in _CARRIAGEWAY)
-    onto = onto or (aside and any(p.kind == "path" for p in scene.places()))
+    springs = scene.event.name == "appear" or any(p.kind == "path" for p in scene.places())
+    onto = onto or (aside and springs)
     away = {"off", "from"}
     onto = onto or any(
         context.tokens[p.word.i].low in away

@@ -65,8 +65,11 @@ class Interpreter:
     def _mention(self, mention: Mention) -> None:
         self._placer.adjectives(mention)
         encounters.on_the_road(mention, self._context)
+        sides = [p for p in mention.pps if p.value == "from" and isinstance(p.target, Place)]
         for prep in mention.pps:
-            self._placer.phrase(prep, mention.entities, None)
+            shared = len(sides) == len(mention.entities) > 1 and prep in sides
+            whom = [mention.entities[sides.index(prep)]] if shared else mention.entities
+            self._placer.phrase(prep, whom, None)
             encounters.wait_behind(prep, mention.entities, self._context)
         for term in mention.mods:
             self._quality(term, mention.entities)

@@ -14,6 +14,8 @@ _DIRECTIONS = {
     "right": Maneuver.RIGHT,
     "straight": Maneuver.STRAIGHT,
 }
+_ASIDE = frozenset({"move", "shift", "steer", "edge", "ease"})
+"""Verbs that on an open road mean a shift to the side, not a turn."""
 _THROUGH = frozenset({"through", "across"})
 _ORDINALS = {
     "first": Maneuver.EXIT_1,
@@ -79,7 +81,8 @@ def move(scene: Scene, context: Context) -> None:
     event = scene.event
     directions = _directions(event)
     straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in scene.places())
-    if into_lane(event) is not None and directions:
+    aside = context.tokens[event.i].forms[-1][0] in _ASIDE and not context.junction.crossing
+    if directions and (into_lane(event) is not None or aside):
         lane_change(scene, context)  # "moves left into the next lane"
         return
     if any(p.kind == "exit" for p in scene.places()):

@@ -35,15 +35,18 @@ def also_from(noun: NounPhrase, state: State) -> bool:
         noun: the noun just read.
         state: what the clause reader remembers.
     """
-    pps = state.events[-1].pps if state.events else []
-    if not (pps and isinstance(noun, Place) and noun.kind == "side"):
+    last = state.last_prep
+    if last is None or not (isinstance(noun, Place) and noun.kind == "side"):
         return False
-    last = pps[-1]
     joined = state.between & {"and", "or", ","} and isinstance(last.target, Place)
-    if joined and last.target is not None and last.target.j == noun.i - 1:
-        pps.append(Prep(last.word, noun, last.outer, last.on_mention))
-        return True
-    return False
+    if not joined or last.target is None or last.target.j != noun.i - 1:
+        return False
+    further = Prep(last.word, noun, last.outer, last.on_mention)
+    for owner in (*state.events[-1:], *state.mentions, state.candidate):
+        if owner is not None and last in owner.pps:
+            owner.pps.append(further)
+    state.last_prep = further
+    return True
 
 
 def bracketed(chunks: list[Chunk], k: int) -> bool:

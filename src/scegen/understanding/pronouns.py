@@ -74,7 +74,9 @@ class Pronouns:
 
     def _ordinal(self, mention: Mention) -> list[Entity]:
         position = POSITIONS[mention.label or "first"]
-        group = self.roster.groups[-1].members if self.roster.groups else self.draft.entities
+        vehicles = [e for e in self.draft.entities if e.moving_vehicle]
+        everybody = vehicles or self.draft.entities
+        group = self.roster.groups[-1].members if self.roster.groups else everybody
         if position < 0 or mention.label == "former":
             group = (group if len(group) > 1 else self.draft.entities)[-2:]
             position %= max(len(group), 1)

@@ -46,7 +46,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         for c in chunks
         if isinstance(c, Mention)
         for p in c.pps
-        if p.word.cat == "locus" and _is_it(p.target)
+        if p.word.cat == "locus" and isinstance(p.target, Mention)
     }
     waiting: list[Mention] = []
     for chunk in chunks:

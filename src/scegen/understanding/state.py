@@ -27,6 +27,7 @@ class State:
         last_pp: the mention in the prepositional phrase just read, if it is no anchor.
         fronted: phrases of place at the start of a clause, for the mention that follows.
         opening: the same phrases once that mention has come, for its verb.
+        last_prep: the phrase read last.
         bracket: anchor and words between, as they were when a bracket opened.
     """
 
@@ -44,4 +45,5 @@ class State:
     last_pp: Mention | None = None
     fronted: list[Prep] = field(default_factory=list)
     opening: list[Prep] = field(default_factory=list)
+    last_prep: Prep | None = None
     bracket: tuple[Mention | NounPhrase | Event | None, set[str]] | None = None
