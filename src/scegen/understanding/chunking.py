@@ -84,10 +84,10 @@ class Chunker:
         if not (mine or that):
             return False
         last = next((c for c in reversed(self._chunks) if isinstance(c, Place)), None)
-        if last is not None:
-            mods = [replace(term, value="first_person")] if mine else []
-            self._chunks.append(Place(term.i, term.j, mods, None, None, kind=last.kind))
-        return last is not None
+        mods = [replace(term, value="first_person")] if mine else []
+        kind = last.kind if last is not None else "lane"
+        self._chunks.append(Place(term.i, term.j, mods, None, None, kind=kind))
+        return True
 
     def _owns(self, k: int) -> bool:
         """A genitive owns what follows, unless an adverb or auxiliary does (a stray 's)."""
@@ -194,7 +194,9 @@ class Chunker:
         placed = _has_dir(mods) or mods[-1].cat == "compass"
         turned = head.value == "turn" and self._way_follows(m)
         turned = turned or mods[-1].cat == "compass" or mods[-1].value in {"front", "rear"}
-        sided = placed and (head.form == "s" or turned)
+        listed = self._after_a_side()
+        sided = placed and (head.form == "s" or turned or listed)
+        after_prep = after_prep or listed
         if after_prep and (sided or (_has_dir(mods) and "control" in head.data)):
             return False
         if self._tokens[mods[-1].i].low == "others":
@@ -203,6 +205,14 @@ class Chunker:
         if pronominal and head.form != "base":
             return False
         return not (mods[0].cat == "manner" and head.form == "s")
+
+    def _after_a_side(self) -> bool:
+        """``from the left and the right stop …``: the second side, not a noun."""
+        if len(self._chunks) < 2:
+            return False
+        place, joint = self._chunks[-2:]
+        joined = isinstance(joint, Word) and joint.value in {"and", "or"}
+        return joined and isinstance(place, Place) and place.kind == "side"
 
     def _way_follows(self, m: int) -> bool:
         """``cars from the left turn right``: a noun would not say which way."""

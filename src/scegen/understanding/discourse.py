@@ -144,7 +144,7 @@ class Discourse:
         names = {label for label in reading.labels if label.startswith("#")}
         if names:
             known = [e for e in self._draft.entities if names & e.labels][:1]
-            return known or self._roster.named(reading, names)
+            return known or self._roster.named(reading, names, exclude)
         counted = self._counted(reading, mention)
         if counted is not None:
             return counted

@@ -93,13 +93,15 @@ class Roster:
         alike = [e.kind for e in self.recent if e.is_vehicle] or [ParticipantKind.CAR]
         return [self.new(alike[-1], basis)]
 
-    def named(self, reading: Reading, names: set[str]) -> list[Entity]:
+    def named(self, reading: Reading, names: set[str], exclude: list[Entity]) -> list[Entity]:
         """``Two cars collided. Vehicle 1 …``: a new name goes to one without a name."""
         for group in reversed(self.groups):
             nameless = [
                 e
                 for e in group.free
-                if self.fits(e, reading) and not any(n.startswith("#") for n in e.labels)
+                if e not in exclude
+                and self.fits(e, reading)
+                and not any(n.startswith("#") for n in e.labels)
             ]
             if nameless:
                 nameless[0].claimed = True
