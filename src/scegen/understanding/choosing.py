@@ -23,13 +23,36 @@ def _noun_follows(tokens: list[Token], j: int) -> bool:
         if following is None:
             return False
         if following.has("actor", "thing"):
-            return True
+            return not _needs_no_article(following, tokens, j)
         if not following.has("state", "label", "dir", "manner", "verb") or following.has("prep"):
             return following.has("view")
         if following.has("verb") and following.form not in {"ing", "ed"}:
             return False
         j = following.j
     return False
+
+
+def _needs_no_article(noun: Match, tokens: list[Token], j: int) -> bool:
+    """Pronouns and names ("me", "V1", "vehicle 2"): no participle describes them."""
+    if tokens[j].kind == "label" or any("me" in e.data or "speaks" in e.data for e in noun.entries):
+        return True
+    after = tokens[noun.j] if noun.j < len(tokens) else None
+    named = after is not None and (after.kind == "number" or _letter(after))
+    return named and noun.form == "base"
+
+
+def _letter(token: Token) -> bool:
+    return len(token.text) == 1 and token.text.isupper() and token.text != "I"
+
+
+def _attributive(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """Whether a participle stands before the noun that it describes."""
+    if not (_may_describe(previous) and _noun_follows(tokens, match.j)):
+        return False
+    following = longest_match(tokens, match.j)
+    adverb = previous is not None and previous.cat in {"conj", "manner", "sub"}
+    singular = following is not None and following.has("actor") and following.form == "base"
+    return not (adverb and singular and match.form == "ed")  # "brakes and struck pedestrian"
 
 
 def _clause_follows(tokens: list[Token], j: int) -> bool:
@@ -69,7 +92,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     before = previous.cat if previous else ""
     verb = match.get("verb")
     participle = match.form in {"ing", "ed"}
-    attributive = _may_describe(previous) and _noun_follows(tokens, match.j)
+    attributive = _attributive(match, tokens, previous)
     if participle and before in {"conj", "sub"} and match.has("dir"):
         attributive = _clause_follows(
             tokens, match.j
@@ -95,6 +118,8 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         return verb, False  # "one exits": of one thing there is no plural
     if match.has(*nouns) and noun_slot and match.form in {"base", "s"}:
         return match.get(*nouns), False
+    if before == "quant" and previous is not None and previous.value in {"all", "both"}:
+        return verb, False  # "a jogger and a cyclist both cross"
     controlled = previous is not None and before == "verb" and "control" in previous.data
     controlled = controlled and previous is not None and previous.value != "unknown"
     verbal = (
@@ -136,8 +161,7 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
         premod = (
             entry.cat == "verb"
             and match.form in {"ing", "ed"}
-            and _may_describe(previous)
-            and _noun_follows(tokens, match.j)
+            and _attributive(match, tokens, previous)
         )
         return entry, premod
     if match.has("verb"):

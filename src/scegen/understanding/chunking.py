@@ -302,10 +302,21 @@ class Chunker:
         if head.cat == "place":
             place = Place(start, head.j, mods, head, owner, kind=head.value)
             self._chunks.append(place)
+            if self._numbered(head, m + 1):
+                place.j = self._terms[m + 1].j
+                return m + 2
         else:
             kind = head.cat if head.cat in {"view", "leg"} else head.value
             self._chunks.append(Thing(start, head.j, mods, head, owner, kind=kind))
         return m + 1
+
+
+    def _numbered(self, head: Term, m: int) -> bool:
+        """``lane 2``: the number is the place's name."""
+        term = self._terms[m] if m < len(self._terms) else None
+        follows = self._terms[m + 1].cat if m + 1 < len(self._terms) else ""
+        digits = term is not None and term.cat == "num" and self._tokens[term.i].kind == "number"
+        return digits and head.value in {"lane", "road"} and follows not in {"actor", "place"}
 
 
 def _has_dir(mods: list[Term]) -> bool:

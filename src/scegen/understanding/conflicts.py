@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Control, HazardKind, Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding import encounters, movements
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.movements import into_lane
 
+_CERTAIN = frozenset({"walk", "breach", "obey", "encounter", "overlook"})
+"""Verbs that, with a sign or a light, mean that it is not heeded, whatever its colour."""
 _ACROSS = {"left": Maneuver.LEFT, "right": Maneuver.RIGHT}
 
 
@@ -182,6 +184,14 @@ def _to_overtake(scene: Scene, context: Context) -> bool:
 def fail_to_yield(scene: Scene, context: Context) -> None:
     """Yielding that does not happen."""
     context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, scene.targets)
+    _from_the_side(scene, context)
+
+
+def _from_the_side(scene: Scene, context: Context) -> None:
+    """Who has to give way and comes from the side comes from another road."""
+    sides = (Approach.LEFT, Approach.RIGHT)
+    if any(context.placed(e, side) for e in scene.drivers for side in sides):
+        context.crossing_implied(scene.words, "who does not give way comes from the side")
 
 
 def subsume(context: Context) -> None:
@@ -222,15 +232,20 @@ def _breach_of_control(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers)
 
 
-def breach(scene: Scene, context: Context) -> None:
-    """``runs the red light``, ``ignores a stop sign``, ``violates the right of way``."""
+def breach(scene: Scene, context: Context) -> bool:
+    """``runs the red light``, ``ignores a stop sign``, ``violates the right of way``.
+
+    Returns:
+        Whether a rule is broken.
+    """
+    before = len(context.draft.dangers)
     driven_through = {
         id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low == "through"
     }
     if scene.event.name == "breach" and _it(scene.event.object):
         _breach_of_control(scene, context)
     for place in scene.places():
-        certain = scene.event.name in {"walk", "breach", "obey"} or id(place) in driven_through
+        certain = scene.event.name in _CERTAIN or id(place) in driven_through
         basis = Basis(scene.event.i, max(place.j, scene.event.j))
         words = {t.low for t in context.tokens[place.i : place.j]}
         if place.kind == "signal":
@@ -240,3 +255,5 @@ def breach(scene: Scene, context: Context) -> None:
                 context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
         elif certain and place.kind in {"stop_sign", "yield_sign", "right_of_way"}:
             context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers)
+            _from_the_side(scene, context)
+    return len(context.draft.dangers) > before

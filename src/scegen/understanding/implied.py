@@ -9,6 +9,7 @@ from scegen.understanding.draft import Basis, Danger, Entity
 
 _CLOSING = frozenset({"approach", "encounter", "collide", "move", "brake", "hard_brake", "slow"})
 _TOWARDS = frozenset({"to", "into", "in", "for", "with"})
+_HEAD_ON = frozenset({"towards", "toward"})
 _SLOWER = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
 
 
@@ -40,6 +41,9 @@ def _driven_up_to(scene: Scene, context: Context) -> None:
         if towards and isinstance(prep.target, Mention):
             targets += [e for e in prep.target.entities if e not in scene.actors]
     driver = scene.drivers[0]
+    if any(e.ego for e in targets):
+        _comes_towards(scene, driver, context)
+        targets = [e for e in targets if not e.ego or _from_the_rear(scene, context)]
     certain = _from_the_rear(scene, context) or _along_the_road(scene, context)
     for target in targets:
         slower = certain or _slower(target, context)
@@ -47,6 +51,15 @@ def _driven_up_to(scene: Scene, context: Context) -> None:
         if target.is_vehicle and slower and not crosses and not _placed(target, driver, context):
             reason = "who is driven up to is ahead"
             context.ahead([target], [driver], Basis(event.i, event.j, reason))
+
+
+def _comes_towards(scene: Scene, driver: Entity, context: Context) -> None:
+    """``drives towards the ego``: head-on, unless it comes from somewhere else."""
+    towards = [p for p in scene.event.pps if context.tokens[p.word.i].low in _HEAD_ON]
+    ego = next(e for e in context.draft.entities if e.ego)
+    if towards and not _placed(driver, ego, context) and not context.junction.crossing:
+        basis = Basis(scene.event.i, towards[0].word.j, "comes towards the ego")
+        context.draft.place(driver, None, {Approach.OPPOSITE}, basis)
 
 
 def _from_the_rear(scene: Scene, context: Context) -> bool:
@@ -61,7 +74,7 @@ def _from_the_rear(scene: Scene, context: Context) -> bool:
 def _along_the_road(scene: Scene, context: Context) -> bool:
     """Closing in on another where no roads meet: in the same lane."""
     meet = context.junction.crossing or context.draft.crossing_implied is not None
-    towards = any(context.tokens[p.word.i].low in {"towards", "toward"} for p in scene.event.pps)
+    towards = any(context.tokens[p.word.i].low in _HEAD_ON for p in scene.event.pps)
     return not meet and (scene.event.name == "approach" or towards)
 
 

@@ -170,7 +170,7 @@ class Interpreter:
                 self._placer.phrase(prep, whom, event)
         self._access(scene)
         failed = event.parent is not None and event.parent.name == "fail"
-        if event.negated or failed:
+        if event.negated or failed or event.name == "overlook":
             not_done(scene, self._context)
             return
         if event.name in _BREACHING or conflicts.turns_across(scene, self._context):

@@ -34,7 +34,7 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         mention.same_as = whole
         return
     if _further_ones(mention, k, chunks, state):
-        mention.pronoun = "others"
+        mention.pronoun = "further"
     if state.fronted:
         _start_clause(mention, state)
     elif isinstance(anchor, Event) and direct and anchor.object is None:

@@ -10,6 +10,7 @@ from scegen.understanding.draft import Basis, Entity
 
 _SIGNED = frozenset({Control.STOP, Control.ALL_WAY_STOP})
 _SIGNS = frozenset({"stop_sign", "stop_line", "yield_sign"})
+_SEEING = frozenset({"encounter", "overlook"})
 _STOPPING = frozenset({"stop", "brake", "wait", "slow"})
 _HARMLESS = frozenset({"light", "inert", "return", "move", "encounter", "try"})
 
@@ -25,6 +26,8 @@ def not_done(scene: Scene, context: Context) -> None:
     basis = Basis(event.i, event.j)
     if event.unable:
         _unable(scene, context)
+    elif event.name in _SEEING and conflicts.breach(scene, context):
+        return
     elif event.name == "yield":
         conflicts.fail_to_yield(scene, context)
     elif event.name == "obey":
@@ -33,7 +36,7 @@ def not_done(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
     elif event.name in _STOPPING and _has_to_wait(scene, context):
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers)
-    elif (event.name == "encounter" and scene.drivers and _ahead(scene, context)) or (
+    elif (event.name in _SEEING and scene.drivers and _ahead(scene, context)) or (
         event.name in {"brake", "stop", "slow"} and scene.drivers
     ):
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)

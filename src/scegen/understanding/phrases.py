@@ -42,8 +42,8 @@ def also_from(noun: NounPhrase, state: State) -> bool:
     if not joined or last.target is None or last.target.j != noun.i - 1:
         return False
     further = Prep(last.word, noun, last.outer, last.on_mention)
-    for owner in (*state.events[-1:], *state.mentions, state.candidate):
-        if owner is not None and last in owner.pps:
+    for owner in (*state.events[-1:], *state.mentions):
+        if last in owner.pps:
             owner.pps.append(further)
     state.last_prep = further
     return True

@@ -88,10 +88,10 @@ class Pronouns:
     def _counted(self, mention: Mention, exclude: list[Entity], basis: Basis) -> list[Entity]:
         which = mention.pronoun
         count = 1
-        if which in {"count", "others"}:
+        if which in {"count", "others", "further"}:
             count = int(mention.mods[0].data["number"])
-        claimed = self.roster.claim(count, exclude)
-        if which == "others" and not claimed:
+        claimed = self.roster.claim(count, exclude) if which != "further" else []
+        if which in {"others", "further"} and not claimed:
             return [self.roster.new(ParticipantKind.CAR, basis) for _ in range(min(count, _MOST))]
         if claimed or which == "count":
             return claimed
