@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Word
+from scegen.understanding.lookahead import BOUNDARIES
 
 _FIRST_WORDS = frozenset({"det", "num", "quant", "possessive"})
 
@@ -15,19 +16,24 @@ def silence(chunks: list[Chunk]) -> None:
     Args:
         chunks: the chunks of the text; mentions in a heading are marked as ``negated``.
     """
-    colon = next((k for k, c in enumerate(chunks) if isinstance(c, Word) and c.value == ":"), None)
-    if colon is None:
-        return
-    title, rest = chunks[:colon], chunks[colon + 1 :]
-    mentions = [c for c in title if isinstance(c, Mention)]
+    begin = 0
+    for k, chunk in enumerate(chunks):
+        if not isinstance(chunk, Word) or chunk.value not in BOUNDARIES:
+            continue
+        if chunk.value == ":" and _is_heading(chunks[begin:k], chunks[k + 1 :]):
+            for mention in chunks[begin:k]:
+                if isinstance(mention, Mention):
+                    mention.negated = True
+        begin = k + 1
+
+
+def _is_heading(title: list[Chunk], rest: list[Chunk]) -> bool:
     spoken = any(_finite(c) for c in title) or any(
         isinstance(c, Word) and c.cat in {"aux", "copy"} for c in title
     )
-    bare = all(m.pronoun is None and not _introduced(m) for m in mentions)
+    bare = all(c.pronoun is None and not _introduced(c) for c in title if isinstance(c, Mention))
     named = any(isinstance(c, Mention) and c.pronoun is None for c in rest)
-    if not spoken and bare and named and any(isinstance(c, Event) for c in rest):
-        for mention in mentions:
-            mention.negated = True
+    return not spoken and bare and named and any(isinstance(c, Event) for c in rest)
 
 
 def _finite(chunk: Chunk) -> bool:
