@@ -310,7 +310,6 @@ class Chunker:
             self._chunks.append(Thing(start, head.j, mods, head, owner, kind=kind))
         return m + 1
 
-
     def _numbered(self, head: Term, m: int) -> bool:
         """``lane 2``: the number is the place's name."""
         term = self._terms[m] if m < len(self._terms) else None

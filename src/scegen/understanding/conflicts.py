@@ -51,6 +51,8 @@ def lane_change(scene: Scene, context: Context) -> None:
     owners = _owners(lane, scene, context)
     in_front = [p for p in scene.event.pps if p.word.cat == "locus" and p.value == "ahead"]
     own_will = not scene.reaction and not all(e.ego for e in scene.drivers)
+    if lane is not None and any(against(e, lane) for e in scene.drivers):
+        return  # into the oncoming lane
     if sudden is not None and not scene.reaction:
         context.draft.hazard(
             HazardKind.CUT_IN, sudden, scene.drivers, _owners(lane, scene, context)
@@ -59,6 +61,19 @@ def lane_change(scene: Scene, context: Context) -> None:
         context.draft.hazard(
             HazardKind.CUT_IN, scene.words, scene.drivers, _owners(lane, scene, context)
         )
+
+
+def against(entity: Entity, place: Place) -> bool:
+    """Whether a lane leads the other way than somebody is headed ("the northbound lane").
+
+    Args:
+        entity: who drives into it.
+        place: the lane.
+    """
+    ways = {m.value for m in place.mods if m.cat == "compass"}
+    opposed = {"north": "south", "south": "north", "east": "west", "west": "east"}
+    heading = entity.heading or ""
+    return place.kind == "lane" and opposed.get(heading, "") in ways
 
 
 def _owners(lane: Place | None, scene: Scene, context: Context) -> list[Entity]:

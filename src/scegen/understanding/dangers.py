@@ -68,12 +68,12 @@ def slow(scene: Scene, context: Context) -> None:
 
 def stop(scene: Scene, context: Context) -> None:
     """Stopping where traffic moves; at a sign or light it is no danger."""
-    if any(p.kind in _REGULATED for p in scene.places()):
-        return
     sudden = scene.sudden
     motor = [e for e in scene.drivers if e.kind is not ParticipantKind.BICYCLE]
     if sudden is not None and motor:
         context.draft.hazard(HazardKind.HARD_BRAKING, sudden, motor)
+    if any(p.kind in _REGULATED for p in scene.places()):
+        return
     if scene.reaction or not scene.actors or any(e.ego for e in scene.actors):
         return
     context.draft.hazard(HazardKind.STOPPING, sudden or scene.words, scene.actors)
@@ -111,9 +111,10 @@ def oncoming_lane(scene: Scene, context: Context) -> None:
     """A movement into or along the lane of oncoming traffic."""
     for place in scene.places():
         lane = place.kind == "lane" and "opposite" in place.dirs and place.owner is None
-        if lane or place.kind == "centerline":
-            over = place.kind == "centerline"
-            by = [e for e in scene.drivers if over or not context.oncoming(e)]
+        against = [e for e in scene.drivers if conflicts.against(e, place)]
+        if lane or against or place.kind == "centerline":
+            over = place.kind == "centerline" or bool(against)
+            by = [e for e in against or scene.drivers if over or not context.oncoming(e)]
             if by:
                 basis = Basis(place.i, place.j)
                 context.draft.hazard(HazardKind.ONCOMING_LANE, basis, by)

@@ -11,6 +11,7 @@ _HIDING = frozenset({"behind", "between"})
 _CARRIAGEWAY = frozenset({"road", "crosswalk", "highway"})
 _WAY = frozenset({"crosswalk", "road", "lane", "path", "highway"})
 _OPAQUE_PLACES = frozenset({"bus_stop", "feature", "parking"})
+_NARROWING = frozenset({"limit", "restrict", "impair", "hinder"})
 _SPRINGING = frozenset({"cross", "appear"})
 _COMING = frozenset({"move", "enter", "pull_out"})
 _WAITING = frozenset({"wait", "locate", "walk", "move", "stop", "park", "appear"})
@@ -132,6 +133,10 @@ def block(scene: Scene, context: Context) -> None:
 
 def occlude(scene: Scene, context: Context) -> None:
     """``hides the pedestrian``, ``is hidden behind a truck``, ``blocks the view``."""
+    seen = scene.event.object
+    narrow = context.tokens[scene.event.i].forms[-1][0] in _NARROWING
+    if narrow and not (isinstance(seen, Thing) and seen.kind == "view"):
+        return  # "limits the space"
     walkers = [e for e in scene.actors if not e.is_vehicle]
     by = [e for e in scene.actors if e.is_vehicle and not e.ego]
     by += [e for e in _behind(scene.event) if e not in by]

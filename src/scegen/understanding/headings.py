@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.understanding.chunks import Chunk, Event, Mention, Word
 from scegen.understanding.lookahead import BOUNDARIES
 
+_SPECIFIC = frozenset({"pedestrian", "bicycle", "motorcycle", "truck", "bus"})
 _FIRST_WORDS = frozenset({"det", "num", "quant", "possessive"})
 
 
@@ -21,10 +22,27 @@ def silence(chunks: list[Chunk]) -> None:
         if not isinstance(chunk, Word) or chunk.value not in BOUNDARIES:
             continue
         if chunk.value == ":" and _is_heading(chunks[begin:k], chunks[k + 1 :]):
-            for mention in chunks[begin:k]:
-                if isinstance(mention, Mention):
-                    mention.negated = True
+            _silence(chunks[begin:k], chunks[k + 1 :])
         begin = k + 1
+
+
+def _silence(title: list[Chunk], rest: list[Chunk]) -> None:
+    """Those of whom a heading says more are the same as those of their kind after it."""
+    mentions = [c for c in title if isinstance(c, Mention)]
+    for mention in mentions:
+        kind = mention.head.value if mention.head is not None else ""
+        alone = sum(m.head is not None and m.head.value == kind for m in mentions) == 1
+        told = title[title.index(mention) + 1 :][:1]
+        described = bool(told) and isinstance(told[0], Event)
+        same = next((c for c in rest if isinstance(c, Mention) and _of_kind(c, kind)), None)
+        if alone and described and same is not None and kind in _SPECIFIC:
+            same.same_as = mention
+        else:
+            mention.negated = True
+
+
+def _of_kind(mention: Mention, kind: str) -> bool:
+    return mention.head is not None and mention.head.value == kind and not mention.label
 
 
 def _is_heading(title: list[Chunk], rest: list[Chunk]) -> bool:

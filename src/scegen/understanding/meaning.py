@@ -56,6 +56,7 @@ class Interpreter:
         for chunk in chunks:
             if isinstance(chunk, Mention):
                 self._share_sides(chunk.pps, chunk.entities, hidden=False)
+        _mark_answers(events)
         for event in events:
             self._event(event)
         encounters.come_out(self._context)
@@ -112,6 +113,9 @@ class Interpreter:
 
     def _thing(self, thing: Thing, chunks: list[Chunk]) -> None:
         basis = Basis(thing.i, thing.j)
+        possessed = thing.owner is not None or any(m.cat == "possessive" for m in thing.mods)
+        if thing.kind == "obstacle" and possessed:
+            return  # "its tyre bursts": a part of somebody
         if thing.kind == "obstacle":
             self._draft.hazard(HazardKind.OBSTACLE, basis, [])
             self._draft.note(
@@ -274,6 +278,16 @@ class Interpreter:
                     on_foot = not entity.is_vehicle or self._context.is_cyclist(entity)
                     if sides and on_foot:
                         self._draft.place(entity, None, sides, basis)
+
+
+def _mark_answers(events: list[Event]) -> None:
+    """``braked but could not avoid the van``: who tries to avoid something brakes as an answer."""
+    avoiding = [e for e in events if e.name == "avoid"]
+    for event in events:
+        if event.name in {"brake", "slow", "stop"} and not event.nominal:
+            event.modal = event.modal or any(
+                e.sentence == event.sentence and e.subject == event.subject for e in avoiding
+            )
 
 
 def _owing_to(thing: Thing, chunks: list[Chunk]) -> list[Entity]:

@@ -28,7 +28,9 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         for mention in event.subject:
             failing = event.negated and event.name in {"stop", "yield"}
             alone = event.drives or event.name in _ONLY_VEHICLES or _takes_a_turn(event)
-            mention.drives = mention.drives or failing or alone
+            vague = mention.head is not None and "vague" in mention.head.data
+            turns = vague and any(d.value in {"left", "right"} for d in event.dirs)
+            mention.drives = mention.drives or failing or alone or turns
     _people_in_traffic(chunks, events)
     for event in events:
         if any(p.value == "from" and isinstance(p.target, Place) for p in event.pps):

@@ -82,9 +82,11 @@ def tag(tokens: list[Token]) -> list[Term]:
     while i < len(tokens):
         term = _term_at(tokens, i, _before(terms, tokens))
         if term.value == "crosswalk" and _list_of_doings(terms, tokens, term):
-            term = _term_at(tokens[: i + 1], i, terms[-1])
+            term = _term_at(tokens[: i + 1], i, _before(terms, tokens))
         if (term.cat, term.value, term.form) == ("verb", "stop", "base") and _at_a(terms, tokens):
             term = Term("place", "bus_stop", term.i, term.j)  # "pulls away from the stop"
+        if (term.cat, term.value) == ("verb", "yield") and _a_noun(terms, tokens, term):
+            term = Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
         terms.append(term)
         i = terms[-1].j
     return _crossings(terms, tokens)
@@ -95,6 +97,12 @@ def _at_a(terms: list[Term], tokens: list[Token]) -> bool:
     if len(terms) < 2 or terms[-1].cat not in {"det", "possessive"}:
         return False
     return tokens[terms[-2].i].low in {"at", "from"}
+
+
+def _a_noun(terms: list[Term], tokens: list[Token], term: Term) -> bool:
+    """``through the give way``: the sign."""
+    after = tokens[term.j].kind if term.j < len(tokens) else "punct"
+    return bool(terms) and terms[-1].cat == "det" and after == "punct"
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:
@@ -111,7 +119,11 @@ def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:
 
 def _list_of_doings(terms: list[Term], tokens: list[Token], term: Term) -> bool:
     """``a van turning left and a pedestrian crossing``: not the place of that name."""
-    if term.j - term.i != 2 or not tokens[term.j - 1].low.endswith("ing") or len(terms) < 3:
+    if term.j - term.i != 2 or not tokens[term.j - 1].low.endswith("ing"):
+        return False
+    if term.j < len(tokens) and tokens[term.j].low == "from":
+        return True  # "pedestrian crossing from the left"
+    if len(terms) < 3:
         return False
     counted = terms[-1].cat in {"det", "num"}
     road = longest_match(tokens, term.j) if term.j < len(tokens) else None
