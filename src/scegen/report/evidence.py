@@ -103,10 +103,10 @@ def _value(functional: FunctionalScenario, field: str) -> str:
     """The value at a path, in words; empty where the path leads nowhere."""
     if field.startswith("hazards."):
         kind, _, part = field.removeprefix("hazards.").partition(".")
-        named = [h for h in functional.hazards if h.kind == kind]
+        meant = [h for h in functional.hazards if h.kind == kind]
         if part == "to":
-            return ", ".join(dict.fromkeys(name for h in named for name in h.to))
-        return "; ".join(hazard_words(h) for h in named)
+            return ", ".join(dict.fromkeys(name for h in meant for name in h.to))
+        return "; ".join(hazard_words(h) for h in meant)
     here: object = functional.model_dump(mode="json")
     for part in field.split("."):
         if isinstance(here, dict):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Word
-from scegen.understanding.lookahead import GOVERNING
+from scegen.understanding.lookahead import GOVERNING, finite_follows
 from scegen.understanding.state import State
 
 _SIDES = frozenset({"side", "direction", "lane", "sidewalk", "shoulder", "bike_lane", "access"})
@@ -89,13 +89,20 @@ def _opens_clause(k: int, chunks: list[Chunk], state: State) -> bool:
         return False
     comma = _is(chunks, m, ",")
     m += comma
+    spoken = comma and not begins and _speaks(chunks, m)
     if _word_of(chunks, m, frozenset({"aux", "copy"})):
         m += 1
     elif m < len(chunks) and not (comma and not begins):
         m += _stands_before_subject(chunks[m])
-    if m >= len(chunks) or (comma and not begins):
+    if m >= len(chunks) or (comma and not begins and not spoken):
         return False
     return isinstance(chunks[m], Mention) and not _possessor(chunks[m])
+
+
+def _speaks(chunks: list[Chunk], m: int) -> bool:
+    """Whether a participant with a verb of its own stands here."""
+    here = chunks[m] if m < len(chunks) else None
+    return isinstance(here, Mention) and finite_follows(chunks, m)
 
 
 def _possessor(chunk: Chunk) -> bool:

@@ -37,7 +37,8 @@ def brake(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.DELAYED_BRAKING, late, scene.drivers)
         return
     sudden = scene.sudden
-    if sudden is None and scene.reaction:
+    answer = scene.reaction or any(p.value == "for" for p in scene.event.pps)
+    if sudden is None and answer:
         return
     if sudden is None and not scene.drivers:
         return

@@ -96,7 +96,7 @@ class Discourse:
             self._roster.new(ParticipantKind.CAR, basis) for _ in range(min(count, _MOST) - 1)
         ]
         if others:
-            self._roster.groups.append(Group(others, vague=False))
+            self._roster.groups.append(Group(others, vague=False, unnamed=True))
         return [ego, *others]
 
     def _noun(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
@@ -153,6 +153,10 @@ class Discourse:
             return included
         if reading.plural:
             return self._known_plural(reading)
+        if det == "def" and not reading.driver:
+            told = self._roster.told_what(reading, Basis(mention.i, mention.j))
+            if told:
+                return told
         if det == "other":
             claimed = self._roster.claim(1, exclude, reading)
             rest = [e for e in self._roster.rest(exclude) if self._roster.compatible(e, reading)]

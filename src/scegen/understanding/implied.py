@@ -96,8 +96,9 @@ def _placed(entity: Entity, observer: Entity, context: Context) -> bool:
 
 def _face_to_face(danger: Danger, context: Context) -> None:
     """Who drives in the lane of oncoming traffic and who suffers it come towards each other."""
+    victims = danger.to or [e for e in context.draft.entities if e.ego and e not in danger.by]
     for culprit in danger.by:
-        for victim in danger.to:
+        for victim in victims:
             both = culprit.moving_vehicle and victim.moving_vehicle
             if (
                 both

@@ -166,7 +166,8 @@ def _counted_arms(reading: JunctionReading, terms: list[Term], k: int) -> None:
     if not joined and not meets:
         return
     basis = Basis(number.i, noun.j)
-    if number.cat == "num" and number.data["number"] < _FEWEST_ARMS:
+    definite = bool(k) and terms[k - 1].cat == "det" and terms[k - 1].value == "def"
+    if number.cat == "num" and number.data["number"] < _FEWEST_ARMS and definite:
         return  # "where the two branches meet": some of them
     if number.cat == "num":
         reading.arms, reading.arms_basis = int(min(number.data["number"], 999)), basis

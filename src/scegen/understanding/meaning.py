@@ -20,7 +20,7 @@ _ON_THE_MOVE = frozenset({"swerve", "use", "enter", "move", "cross", "lose_contr
                           "merge", "overtake", "bypass", "turn"})  # fmt: skip
 _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
-                       "pull_out"})  # fmt: skip
+                       "pull_out", "collide"})  # fmt: skip
 _TRAVEL = frozenset({"move", "approach", "enter", "merge", "turn", "cross", "follow", "overtake",
                      "bypass", "leave", "lane_change", "accelerate", "speed", "try"})  # fmt: skip
 
@@ -39,6 +39,7 @@ class Interpreter:
         self._placer = Placer(context.draft)
         self._limit = limit
         self._scenes: list[Scene] = []
+        self._of_verbs: set[int] = set()
 
     def run(self, chunks: list[Chunk], events: list[Event]) -> None:
         """All statements of a text.
@@ -47,6 +48,9 @@ class Interpreter:
             chunks: its chunks, mentions resolved.
             events: its events.
         """
+        self._of_verbs = {
+            id(p) for e in events for p in e.pps if p.on_mention is e.object and self._starts(e, p)
+        }
         handled = {id(e.object) for e in events if e.name == "inert"}  # "kicks a ball"
         for chunk in chunks:
             if isinstance(chunk, Mention) and chunk.entities:
@@ -68,6 +72,8 @@ class Interpreter:
         encounters.on_the_road(mention, self._context)
         sides = [p for p in mention.pps if p.value == "from" and isinstance(p.target, Place)]
         for prep in mention.pps:
+            if id(prep) in self._of_verbs:
+                continue  # "approaches the ego from the left": not the ego comes from there
             shared = len(sides) == len(mention.entities) > 1 and prep in sides
             whom = [mention.entities[sides.index(prep)]] if shared else mention.entities
             self._placer.phrase(prep, whom, None)

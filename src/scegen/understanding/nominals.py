@@ -8,6 +8,7 @@ from scegen.understanding.lookahead import finite_follows
 from scegen.understanding.phrases import also_from, apposes, bracketed
 from scegen.understanding.state import State
 
+_COMING = frozenset({"approach", "collide", "overtake", "pass", "cut_in", "cut_off", "follow"})
 _OWNED = frozenset({"side", "lane", "path"})
 
 
@@ -78,7 +79,9 @@ def _further_ones(mention: Mention, k: int, chunks: list[Chunk], state: State) -
     following = chunks[k + 1] if k + 1 < len(chunks) else None
     described = isinstance(following, Event) and following.form == "ing"
     described = described or (isinstance(following, Word) and following.cat == "prep")
-    return described and last.subject[0].mod("num") is not None and "and" in state.between
+    number = last.subject[0].mod("num")
+    several = number is not None and number.data["number"] > 1 and bool(last.subject[0].heads)
+    return described and several and "and" in state.between
 
 
 def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
@@ -109,6 +112,8 @@ def _joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
         return False
     if not waiting and (finite_follows(chunks, k) or "," in state.between):
         return False
+    if _in_parallel(anchor, k, chunks, state):
+        return False
     mention.joined = anchor
     mention.pps += [p for p in anchor.pps if p.fronted]
     for event in state.events:
@@ -124,10 +129,22 @@ def _joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     return True
 
 
+def _in_parallel(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+    """``a bus hits me from the left and a taxi from the right``: the taxi hits, too."""
+    last = state.events[-1] if state.events else None
+    if last is None or last.object is not anchor or last.name not in _COMING or k < 3:
+        return False
+    before, after = chunks[k - 3], chunks[k + 1] if k + 1 < len(chunks) else None
+    if not isinstance(before, Word) or not isinstance(after, Word) or before.cat != "prep":
+        return False
+    return before.value == after.value and isinstance(chunks[k - 2], Place)
+
+
 def _start_clause(mention: Mention, state: State) -> None:
     mention.denied = "neg:not" in state.between
+    exists = "copy" in state.between or ("aux:be" in state.between and bool(state.fronted))
     state.candidate = mention
-    state.candidate_done = False
+    state.candidate_done = exists  # "there is a van": that is all of its clause
     for event in state.pending:
         event.subject = [mention]
         inverted = event.finite and bool(state.fronted)

@@ -42,9 +42,10 @@ def also_from(noun: NounPhrase, state: State) -> bool:
     if not joined or last.target is None or last.target.j != noun.i - 1:
         return False
     further = Prep(last.word, noun, last.outer, last.on_mention)
-    for owner in (*state.events[-1:], *state.mentions):
-        if last in owner.pps:
-            owner.pps.append(further)
+    listed = [e.pps for e in state.events[-1:]] + [m.pps for m in state.mentions]
+    for phrases in listed:
+        if last in phrases:
+            phrases.append(further)
     state.last_prep = further
     return True
 

@@ -128,6 +128,15 @@ class Roster:
                 return free[: reading.count]
         return []
 
+    def told_what(self, reading: Reading, basis: Basis) -> list[Entity]:
+        """``three of us …, the van on my right``: what one of the others drives."""
+        for group in self.groups:
+            if group.unnamed and group.free and not reading.ego:
+                entity = group.free[0]
+                entity.kind, entity.basis, entity.claimed = reading.kind, basis, True
+                return [entity]
+        return []
+
     def from_title(self, reading: Reading, mention: Mention) -> list[Entity]:
         """``Lead vehicle stopped: … a stationary lead vehicle …``: a title names nobody new."""
         colon = next((k for k, t in enumerate(self.tokens) if t.low == ":"), None)
