@@ -26,7 +26,7 @@ def where(text):
         ("The ego turns left and behind it, a van brakes.", "van", Approach.BEHIND),
         ("The ego moves into the next lane, where a bus drives.", "bus", Approach.ADJACENT),
         ("The ego changes to the left lane; a van in that lane brakes.", "van", Approach.ADJACENT),
-        ("The ego passes a bus that is on the left.", "bus", Approach.LEFT),
+        ("The ego passes a bus that is on the left.", "bus", Approach.ADJACENT),
         ("A van reverses out of a driveway on the left towards the ego.", "van", Approach.LEFT),
     ],
 )

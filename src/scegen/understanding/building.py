@@ -17,7 +17,13 @@ from scegen.understanding.layout import Layout
 from scegen.understanding.proving import Proofs
 from scegen.understanding.surroundings import Surroundings
 from scegen.understanding.tokens import Token
-from scegen.understanding.viewpoint import choose_ego, in_the_way, settle_positions, suffers
+from scegen.understanding.viewpoint import (
+    abreast,
+    choose_ego,
+    in_the_way,
+    settle_positions,
+    suffers,
+)
 
 
 class Builder:
@@ -49,6 +55,7 @@ class Builder:
         junction = self._layout.build()
         if junction.kind is JunctionKind.STRAIGHT:
             in_the_way(self._draft, ego)
+            abreast(self._draft, ego)
         self._name(ego)
         participants = tuple(
             self._participant(e, ego_basis, junction) for e in self._draft.entities

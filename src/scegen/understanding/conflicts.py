@@ -157,6 +157,10 @@ def merge(scene: Scene, context: Context) -> None:
         return
     lane = into_lane(scene.event)
     basis = scene.how("sudden", "aggressive") or scene.words
+    ahead = [p for p in scene.event.pps if p.word.cat == "locus" and p.value == "ahead"]
+    if ahead and _mentioned(scene.event) and not context.junction.crossing:
+        context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, _mentioned(scene.event))
+        return  # "merges in front of the bus"
     if lane is not None and (lane.owner is not None or lane.dirs):
         context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, _owners(lane, scene, context))
         return

@@ -46,7 +46,9 @@ def brake(scene: Scene, context: Context) -> None:
 
 
 def hard_brake(scene: Scene, context: Context) -> None:
-    """``slams on the brakes``, ``emergency braking``."""
+    """``slams on the brakes``, ``emergency braking``; what one is forced to is no danger."""
+    if scene.event.modal and not scene.event.nominal and any(e.ego for e in scene.actors):
+        return
     context.draft.hazard(HazardKind.HARD_BRAKING, scene.words, scene.drivers)
 
 

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from scegen.scenario.functional import ARM_COUNTS, Junction
-from scegen.scenario.vocabulary import Approach, Control, DrivingSide, JunctionKind
+from scegen.scenario.vocabulary import Approach, Control, DrivingSide, HazardKind, JunctionKind
 from scegen.understanding.draft import Basis, Draft
 from scegen.understanding.junctions import JunctionReading
 from scegen.understanding.proving import Proofs
 from scegen.understanding.surroundings import Surroundings
 
 _ROUNDABOUT_ARMS = 4
+_ALONG_LANES = frozenset({HazardKind.CUT_IN, HazardKind.OVERTAKING, HazardKind.MERGING_CONFLICT,
+                          HazardKind.SWERVING, HazardKind.TAILGATING})  # fmt: skip
 
 
 class Layout:
@@ -73,6 +75,7 @@ class Layout:
             reason = "a side road or driveway meets the road like the stem of a T"
             return JunctionKind.T, Basis(access.i, access.j, reason)
         implied = self._draft.crossing_implied or self._lateral() or self._regulated()
+        implied = implied or self._side_road()
         if implied is not None:
             reason = f"{implied.reason}: there must be an intersection, read as four-way"
             return JunctionKind.FOUR_WAY, Basis(implied.i, implied.j, reason)
@@ -84,6 +87,12 @@ class Layout:
             if placement.approaches == lateral and placement.entity.moving_vehicle:
                 return Basis(placement.basis.i, placement.basis.j, "a vehicle comes across")
         return None
+
+    def _side_road(self) -> Basis | None:
+        """``a bus comes from the left``: not on a highway, and not one that changes lanes."""
+        along = self._reading.straight is not None or self._around.highway is not None
+        lanes = any(d.kind in _ALONG_LANES for d in self._draft.dangers)
+        return None if along or lanes else self._draft.side_road
 
     def _regulated(self) -> Basis | None:
         basis = self._reading.control_basis

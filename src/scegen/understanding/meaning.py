@@ -14,6 +14,7 @@ from scegen.understanding.resolving import from_everywhere
 from scegen.understanding.subjects import chain
 from scegen.understanding.terms import Term
 
+_COMING = frozenset({"move", "approach", "appear", "enter"})
 _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
 _BREACHING = frozenset({"walk", "breach", "move", "enter", "cross", "speed", "accelerate"})
 _ON_THE_MOVE = frozenset({"swerve", "use", "enter", "move", "cross", "lose_control", "lane_change",
@@ -178,6 +179,7 @@ class Interpreter:
                 turned = event.passive and event.name != "hide"
                 whom = scene.targets if turned and prep.value != "behind" else scene.actors
                 self._placer.phrase(prep, whom, event)
+                self._side_road(prep, event, whom)
         self._access(scene)
         failed = event.parent is not None and event.parent.name == "fail"
         if event.negated or failed or event.name == "overlook":
@@ -198,6 +200,17 @@ class Interpreter:
             encounters.answered(scene, self._context)
         encounters.from_behind(scene, self._context)
         self._share_sides(event.pps, scene.actors, hidden=event.name == "hide")
+
+    def _side_road(self, prep: Prep, event: Event, whom: list[Entity]) -> None:
+        """``a bus comes from the left``: there must be a road on the left."""
+        place = prep.target
+        side = isinstance(place, Place) and place.kind == "side" and bool(place.dirs)
+        side = side and set(place.dirs) <= {"left", "right"} if place is not None else False
+        motor = [e for e in whom if e.moving_vehicle and not self._context.is_cyclist(e)]
+        if prep.value == "from" and side and motor and event.name in _COMING:
+            reason = "a vehicle comes from the side"
+            end = place.j if place is not None else prep.word.j
+            self._draft.side_road = self._draft.side_road or Basis(prep.word.i, end, reason)
 
     def _starts(self, event: Event, prep: Prep) -> bool:
         """``overtakes the bus from the left`` says where the one who moves comes from.

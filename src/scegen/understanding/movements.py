@@ -171,7 +171,9 @@ def cross(scene: Scene, context: Context) -> None:
     """Who walks, crosses; a vehicle that crosses a junction goes straight through."""
     basis = Basis(scene.event.i, scene.event.j)
     for entity in scene.actors:
-        if not entity.is_vehicle or (context.is_cyclist(entity) and _onto_road(scene.event)):
+        open_road = not context.junction.crossing and context.draft.crossing_implied is None
+        onto = _onto_road(scene.event) or (open_road and scene.event.object is None)
+        if not entity.is_vehicle or (context.is_cyclist(entity) and onto):
             context.draft.maneuver(entity, {Maneuver.CROSS}, basis)
     drivers = [e for e in scene.drivers if Maneuver.CROSS not in e.maneuvers]
     if _directions(scene.event) and drivers:

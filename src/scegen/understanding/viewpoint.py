@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Basis, Danger, Draft, Entity, Placement
 from scegen.understanding.placing import INVERSE
 
@@ -209,6 +209,26 @@ def in_the_way(draft: Draft, ego: Entity) -> None:
                 entity.approaches = {Approach.AHEAD}
                 reason = "on a straight road, who is in the way is ahead"
                 entity.approach_basis = Basis(danger.basis.i, danger.basis.j, reason)
+
+
+def abreast(draft: Draft, ego: Entity) -> None:
+    """On a straight road, a vehicle on the left is not one that comes out of a road there.
+
+    Args:
+        draft: the scenario in the making, positions settled.
+        ego: its ego.
+    """
+    for entity in draft.entities:
+        side = entity.approaches and entity.approaches <= {Approach.LEFT, Approach.RIGHT}
+        alongside = entity.moving_vehicle and Maneuver.CROSS not in entity.maneuvers
+        if entity is ego or not side or len(entity.approaches) > 1 or not alongside:
+            continue
+        if entity.by_heading is not None:
+            continue  # headings across each other: the roads meet somewhere
+        basis = entity.approach_basis or entity.basis
+        reason = "on a straight road, who is at one's side drives in the next lane"
+        entity.approaches = {Approach.ADJACENT}
+        entity.approach_basis = Basis(basis.i, basis.j, reason)
 
 
 def _own_side(draft: Draft, ego: Entity) -> Approach | None:
