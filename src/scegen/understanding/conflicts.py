@@ -37,7 +37,8 @@ def turn(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.UNPROTECTED_LEFT_TURN, basis, scene.drivers, to)
         return
     sudden = scene.sudden
-    encroaches = into_lane(event) is not None and not event.dirs
+    lane = into_lane(event)
+    encroaches = lane is not None and "opposite" not in lane.dirs and not event.dirs
     if scene.drivers and not scene.reaction and (sudden is not None or encroaches):
         context.draft.hazard(HazardKind.SUDDEN_TURN, sudden or scene.words, scene.drivers)
 
@@ -121,7 +122,12 @@ def enter(scene: Scene, context: Context) -> None:
     """``enters the lane in front of V1``: a cut-in; from the front, the oncoming lane is used."""
     lane = into_lane(scene.event)
     others = [e for e in scene.drivers if not e.ego]
-    if lane is None or lane.kind != "lane" or not others or scene.reaction:
+    if lane is None or not others or scene.reaction:
+        return
+    if lane.kind == "path" and _owners(lane, scene, context):
+        to = _owners(lane, scene, context)
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, others, to)
+    if lane.kind != "lane":
         return
     in_front = any(
         p.word.cat == "locus" and p.value == "ahead" for p in (*scene.event.pps, *lane.pps)

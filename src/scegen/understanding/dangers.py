@@ -84,7 +84,9 @@ def stop(scene: Scene, context: Context) -> None:
 
 def move(scene: Scene, context: Context) -> None:
     """``moves left into the lane of the van``: a change of lane."""
-    if scene.event.dirs and into_lane(scene.event) is not None:
+    lane = into_lane(scene.event)
+    sideways = any(t.value in {"left", "right"} for t in scene.event.dirs)
+    if sideways and lane is not None and lane.kind == "lane":
         conflicts.lane_change(scene, context)
     encounters.ride(scene, context)
 

@@ -45,6 +45,18 @@ def on_the_road(mention: Mention, context: Context) -> None:
             context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, basis, walkers)
 
 
+def onto_the_road(scene: Scene, context: Context) -> None:
+    """Whoever is on foot and gets onto the road or into somebody's way crosses, by any verb."""
+    onto = any(
+        p.value == "into" and isinstance(p.target, Place) and p.target.kind in _WAY
+        for p in scene.event.pps
+    )
+    if onto and scene.walkers:
+        for entity in scene.walkers:
+            context.draft.maneuver(entity, {Maneuver.CROSS}, scene.words)
+        context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, scene.words, scene.walkers)
+
+
 def answered(scene: Scene, context: Context) -> None:
     """``brakes for a child``, ``yields to pedestrians``: somebody crosses."""
     for prep in scene.event.pps:
@@ -192,8 +204,10 @@ def wait_behind(prep: Prep, entities: list[Entity], context: Context) -> None:
 
 def come_out(context: Context) -> None:
     """Who waited out of sight and crosses after all was hidden."""
+    backing = [e for d in context.draft.dangers if d.kind is HazardKind.REVERSING for e in d.by]
     for entity, basis, by in context.draft.screened:
-        if Maneuver.CROSS in entity.maneuvers:
+        seen = bool(by) and all(e in backing for e in by)  # "walks behind a reversing van"
+        if Maneuver.CROSS in entity.maneuvers and not seen:
             context.draft.hazard(HazardKind.OCCLUSION, basis, by)
 
 

@@ -82,7 +82,9 @@ def move(scene: Scene, context: Context) -> None:
     directions = _directions(event)
     straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in scene.places())
     aside = context.tokens[event.i].forms[-1][0] in _ASIDE and not context.junction.crossing
-    if directions and (into_lane(event) is not None or aside):
+    sideways = set(directions) & {Maneuver.LEFT, Maneuver.RIGHT}
+    lane = into_lane(event)
+    if sideways and (aside or (lane is not None and lane.kind == "lane")):
         lane_change(scene, context)  # "moves left into the next lane"
         return
     if any(p.kind == "exit" for p in scene.places()):

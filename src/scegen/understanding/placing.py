@@ -29,7 +29,7 @@ _SIDES = {"left": Approach.LEFT, "right": Approach.RIGHT}
 _STEADY = frozenset(
     {"move", "stop", "brake", "hard_brake", "slow", "locate", "wait", "park", "accelerate",
      "approach", "speed", "tailgate", "follow", "light", "hide", "appear", "walk",
-     "unknown", "inert", "lose_control", "swerve", "reverse", "crawl"}
+     "unknown", "inert", "pass", "lose_control", "swerve", "reverse", "crawl"}
 )  # fmt: skip
 _PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane"})
 _OPPOSED = "opposed"

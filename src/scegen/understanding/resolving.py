@@ -11,6 +11,7 @@ _ONLY_VEHICLES = frozenset(
      "cut_in", "pull_out", "park", "swerve", "u_turn"}
 )  # fmt: skip
 
+_DRIVEN = _ONLY_VEHICLES | {"reverse", "move", "turn", "stop", "speed"}
 _A_PAIR = 2
 """Of two sides named, there may still be any number of vehicles."""
 _PARTS = frozenset({"one", "count", "both", "other", "another", "ordinal"})
@@ -32,6 +33,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
             turns = vague and any(d.value in {"left", "right"} for d in event.dirs)
             mention.drives = mention.drives or failing or alone or turns
     _people_in_traffic(chunks, events)
+    _own_vehicles(events)
     for event in events:
         if any(p.value == "from" and isinstance(p.target, Place) for p in event.pps):
             for mention in event.subject:
@@ -118,6 +120,18 @@ def _people_in_traffic(chunks: list[Chunk], events: list[Event]) -> None:
             )
             vague = chunk.head is not None and bool(chunk.head.data.get("vague"))
             chunk.drives = chunk.drives or (along and vague)
+
+
+def _own_vehicles(events: list[Event]) -> None:
+    """``a woman backs her van out``: she stands for her van."""
+    for event in events:
+        what = event.object
+        if not isinstance(what, Mention) or not event.subject or event.name not in _DRIVEN:
+            continue
+        whose = what.mods[0] if what.mods else None
+        if whose is not None and whose.cat == "possessive" and whose.value == "its" and what.heads:
+            what.same_as = event.subject[-1]
+            event.subject[-1].drives = True
 
 
 def _on_foot(event: Event) -> bool:

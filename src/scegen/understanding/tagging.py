@@ -14,6 +14,7 @@ from scegen.understanding.tokens import Token
 
 _LABELLED = re.compile(r"^(?:v|veh|u|d|car|cv)\d{1,2}$")
 _WALKER = re.compile(r"^(?:p|ped)\d{1,2}$")
+_NOUNS = ("actor", "place", "thing", "inert")
 _UNIT_WORDS = frozenset({"unit", "veh", "v"})
 
 
@@ -149,6 +150,10 @@ def _just_right(tokens: list[Token], i: int, previous: Term | None) -> bool:
     return located and not previous.value.endswith("turn") and previous.cat != "det"
 
 
+def _turning(previous: Term | None) -> bool:
+    return previous is not None and previous.cat in {"verb", "prep", "det", "possessive"}
+
+
 def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     token = tokens[i]
     if token.kind == "punct":
@@ -167,6 +172,10 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     match = longest_match(tokens, i) if _first_person(token) else None
     if match and _is_clause(match, tokens, i, previous):
         match = longest_match(tokens[: i + 1], i)
+    if match and token.low == "right" and match.only("sub") and _turning(previous):
+        match = longest_match(tokens[: i + 1], i)  # "turns right when …"
+    if match and match.j > i + 1 and match.form in {"ed", "ing"} and match.only(*_NOUNS):
+        match = longest_match(tokens[: match.j - 1], i)  # "a car parked", no car park
     counted = number is not None and match is not None and match.has("shape") and match.form == "s"
     if match and not counted and (number is None or match.j > i + number.length):
         entry, premod = choose(match, tokens, previous)
