@@ -121,8 +121,8 @@ class Interpreter:
     def _thing(self, thing: Thing, chunks: list[Chunk]) -> None:
         basis = Basis(thing.i, thing.j)
         possessed = thing.owner is not None or any(m.cat == "possessive" for m in thing.mods)
-        if thing.kind == "obstacle" and possessed:
-            return  # "its tyre bursts": a part of somebody
+        if thing.kind == "obstacle" and (possessed or _carried(thing, chunks)):
+            return  # "its tyre bursts", "a man with a dog": a part of somebody
         if thing.kind == "obstacle":
             self._draft.hazard(HazardKind.OBSTACLE, basis, [])
             self._draft.note(
@@ -244,8 +244,10 @@ class Interpreter:
 
     def _overruled(self, scene: Scene) -> bool:
         """``runs the red light`` is no walk."""
-        return scene.event.name == "walk" and any(
-            p.kind in {"signal", "stop_sign"} for p in scene.places()
+        return (
+            scene.event.name == "walk"
+            and not scene.walkers
+            and any(p.kind in {"signal", "stop_sign"} for p in scene.places())
         )
 
     def _spread(self, prep: Prep, actors: list[Entity]) -> None:
@@ -298,6 +300,14 @@ class Interpreter:
                     on_foot = not entity.is_vehicle or self._context.is_cyclist(entity)
                     if sides and on_foot:
                         self._draft.place(entity, None, sides, basis)
+
+
+def _carried(thing: Thing, chunks: list[Chunk]) -> bool:
+    """Whether it is with somebody on foot."""
+    k = next(k for k, c in enumerate(chunks) if c is thing)
+    who = chunks[k - 2] if k > 1 else None
+    along = thing.prep is not None and thing.prep.value == "with"
+    return along and isinstance(who, Mention) and any(not e.is_vehicle for e in who.entities)
 
 
 def _mark_answers(events: list[Event]) -> None:

@@ -63,7 +63,7 @@ def _suffix_form(token: Token) -> str | None:
 
 def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term | None) -> bool:
     """``the bus stops``: a singular noun with its verb, although "bus stop" is a word."""
-    if match.j - i != 2 or match.form != "s" or not match.has("place"):
+    if match.j - i != 2 or match.form != "s" or not match.only(*_NOUNS):
         return False
     alone = longest_match(tokens[: i + 1], i)
     singular = previous is not None and previous.cat == "det"
