@@ -7,15 +7,13 @@ from itertools import pairwise
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.naming import Namer
+from scegen.understanding.nominal import OPENERS, ORDINALS, VERBAL_LINKS, has_dir, is_nominal
 from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
-_OPENERS = frozenset({"det", "possessive", "num", "quant"})
 _MODIFIERS = frozenset(
     {"dir", "state", "label", "noted", "shape", "control", "compass", "roadmod", "cue", "quantity"}
 )
-_VERBAL_LINKS = frozenset({"prep", "locus"})
-_ORDINALS = frozenset({"first", "second", "third", "fourth", "fifth", "former", "latter"})
 _OWNED = frozenset({"lane", "path", "side"})
 _MAX_MODS = 10
 _SIDE_DIRS = frozenset({"left", "right", "opposite", "front", "rear", "adjacent", "straight"})
@@ -114,8 +112,8 @@ class Chunker:
             term = self._terms[m]
             if mods and term.cat in {"det", "possessive"} and mods[-1].cat != "quant":
                 break
-            if term.cat in _OPENERS or term.cat in _MODIFIERS:
-                opened = opened or term.cat in _OPENERS
+            if term.cat in OPENERS or term.cat in _MODIFIERS:
+                opened = opened or term.cat in OPENERS
             elif term.cat == "manner":
                 if not opened and self._is_adverb(term):
                     break
@@ -154,8 +152,10 @@ class Chunker:
             return self._mention(mods, m, owner)
         if head is not None and head.cat in {"place", "view", "thing", "inert", "leg"}:
             return self._thing(mods, head, m, owner)
-        if head is not None and self._nominal(mods, head, m):
-            if any(mod.cat == "num" for mod in mods) and not _has_dir(mods):
+        if head is not None and is_nominal(
+            mods, head, self._term(m + 1), self._chunks, self._tokens
+        ):
+            if any(mod.cat == "num" for mod in mods) and not has_dir(mods):
                 return self._bare(mods, k)
             self._chunks.append(_event(head, mods, nominal=True))
             return m + 1
@@ -177,48 +177,6 @@ class Chunker:
         genitive = genitive or (isinstance(previous, Mention) and previous.possessor)
         return previous if genitive and isinstance(previous, Mention) else None
 
-    def _nominal(self, mods: list[Term], head: Term, m: int) -> bool:
-        """Whether a verb form after these words is a noun ("a sudden stop")."""
-        if head.cat != "verb" or head.form == "ed":
-            return False
-        if len(mods) == 1 and mods[0].cat == "quant" and mods[0].value in {"both", "all"}:
-            return False  # "both go"
-        if not any(m.cat in {*_OPENERS, "dir", "manner"} for m in mods):
-            return False
-        previous = self._chunks[-1] if self._chunks else None
-        if mods[0].cat == "dir" and isinstance(previous, Event) and previous.control is None:
-            return False
-        if mods[0].cat == "dir" and isinstance(previous, Word) and previous.cat == "aux":
-            return False
-        after_prep = isinstance(previous, Word) and previous.cat in _VERBAL_LINKS
-        placed = _has_dir(mods) or mods[-1].cat == "compass"
-        turned = head.value == "turn" and self._way_follows(m)
-        turned = turned or mods[-1].cat == "compass" or mods[-1].value in {"front", "rear"}
-        listed = self._after_a_side()
-        sided = placed and (head.form == "s" or turned or listed)
-        after_prep = after_prep or listed
-        if after_prep and (sided or (_has_dir(mods) and "control" in head.data)):
-            return False
-        if self._tokens[mods[-1].i].low == "others":
-            return False  # "two others turn"
-        pronominal = mods[-1].cat == "num" or mods[-1].value in {"another", "other", *_ORDINALS}
-        if pronominal and head.form != "base":
-            return False
-        return not (mods[0].cat == "manner" and head.form == "s")
-
-    def _after_a_side(self) -> bool:
-        """``from the left and the right stop …``: the second side, not a noun."""
-        if len(self._chunks) < 2:
-            return False
-        place, joint = self._chunks[-2:]
-        joined = isinstance(joint, Word) and joint.value in {"and", "or"}
-        return joined and isinstance(place, Place) and place.kind == "side"
-
-    def _way_follows(self, m: int) -> bool:
-        """``cars from the left turn right``: a noun would not say which way."""
-        follows = self._terms[m + 1] if m + 1 < len(self._terms) else None
-        return follows is not None and follows.cat == "dir"
-
     def _bare(self, mods: list[Term], k: int) -> int | None:
         """Modifiers without a head: "one", "another", "both", "from the right"."""
         if not mods:
@@ -233,7 +191,7 @@ class Chunker:
             return self._one_after(self._stand_alone(first, first.value, k))
         second = mods[1] if len(mods) > 1 else None
         if first.cat == "det" and second is not None and second.cat == "label":
-            ordinal = second.value in _ORDINALS
+            ordinal = second.value in ORDINALS
             last_in_run = len(mods) == 2 or mods[2].cat == "num"
             if ordinal and last_in_run:
                 mention = Mention(first.i, second.j, mods, None, pronoun="ordinal")
@@ -243,6 +201,9 @@ class Chunker:
         if first.cat == "quant" and first.value in {"both", "all"} and len(mods) == 1:
             return self._stand_alone(first, first.value, k)
         return self._side(mods, k)
+
+    def _term(self, k: int) -> Term | None:
+        return self._terms[k] if k < len(self._terms) else None
 
     def _low(self, k: int) -> str:
         """The first word of a term, if there is one."""
@@ -268,7 +229,7 @@ class Chunker:
             seen = seen or side
             length += 1
         previous = self._chunks[-1] if self._chunks else None
-        preposed = isinstance(previous, Word) and previous.cat in _VERBAL_LINKS
+        preposed = isinstance(previous, Word) and previous.cat in VERBAL_LINKS
         determined = mods[0].cat in {"det", "possessive"}
         if not seen or not (preposed or determined):
             return None
@@ -316,10 +277,6 @@ class Chunker:
         follows = self._terms[m + 1].cat if m + 1 < len(self._terms) else ""
         digits = term is not None and term.cat == "num" and self._tokens[term.i].kind == "number"
         return digits and head.value in {"lane", "road"} and follows not in {"actor", "place"}
-
-
-def _has_dir(mods: list[Term]) -> bool:
-    return any(m.cat == "dir" for m in mods)
 
 
 def _event(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:

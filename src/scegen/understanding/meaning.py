@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind
-from scegen.understanding import conflicts, dangers, encounters, implied
+from scegen.understanding import conflicts, dangers, encounters, implied, side_roads
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
@@ -11,10 +11,10 @@ from scegen.understanding.movements import MOVEMENTS
 from scegen.understanding.omissions import not_done
 from scegen.understanding.placing import Placer, thing_sides
 from scegen.understanding.resolving import from_everywhere
+from scegen.understanding.roadside import read_thing
 from scegen.understanding.subjects import chain
 from scegen.understanding.terms import Term
 
-_COMING = frozenset({"move", "approach", "appear", "enter"})
 _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
 _BREACHING = frozenset({"walk", "breach", "move", "enter", "cross", "speed", "accelerate"})
 _ON_THE_MOVE = frozenset({"swerve", "use", "enter", "move", "cross", "lose_control", "lane_change",
@@ -57,7 +57,7 @@ class Interpreter:
             if isinstance(chunk, Mention) and chunk.entities:
                 self._mention(chunk)
             elif isinstance(chunk, Thing) and id(chunk) not in handled:
-                self._thing(chunk, chunks)
+                read_thing(chunk, chunks, self._draft)
         for chunk in chunks:
             if isinstance(chunk, Mention):
                 self._share_sides(chunk.pps, chunk.entities, hidden=False)
@@ -118,30 +118,6 @@ class Interpreter:
                 entity.speed = quantity.value
                 entity.speed_basis = Basis(term.i, term.j, quantity.note)
 
-    def _thing(self, thing: Thing, chunks: list[Chunk]) -> None:
-        basis = Basis(thing.i, thing.j)
-        possessed = thing.owner is not None or any(m.cat == "possessive" for m in thing.mods)
-        if thing.kind == "obstacle" and (possessed or _carried(thing, chunks)):
-            return  # "its tyre bursts", "a man with a dog": a part of somebody
-        if thing.kind == "obstacle":
-            self._draft.hazard(HazardKind.OBSTACLE, basis, [])
-            self._draft.note(
-                thing.i, thing.j, "things on the road are kept as the hazard 'obstacle' only"
-            )
-        elif thing.kind == "door":
-            whose = [
-                e for p in thing.pps if isinstance(p.target, Mention) for e in p.target.entities
-            ]
-            whose += thing.owner.entities if thing.owner is not None else []
-            self._draft.hazard(HazardKind.OBSTACLE, basis, whose)
-            self._draft.note(thing.i, thing.j, "doors are not modelled; an obstacle is")
-        elif thing.kind == "object":
-            self._draft.note(
-                thing.i, thing.j, "things beside the road are not built; what they hide is kept"
-            )
-        elif thing.kind == "view" and any(m.cat == "verb" for m in thing.mods):
-            self._draft.hazard(HazardKind.OCCLUSION, basis, _owing_to(thing, chunks))
-
     def _scene(self, event: Event) -> Scene:
         actors = [e for m in event.subject for e in m.entities]
         direct = event.object
@@ -174,13 +150,13 @@ class Interpreter:
         self._scenes.append(scene)
         for prep in event.pps:
             if from_everywhere(prep):
-                self._spread(prep, scene.actors)
+                side_roads.spread(prep, scene.actors, self._context)
             elif prep.on_mention is None or self._starts(event, prep):
                 turned = event.passive and event.name != "hide"
                 whom = scene.targets if turned and prep.value != "behind" else scene.actors
                 self._placer.phrase(prep, whom, event)
-                self._side_road(prep, event, whom)
-        self._access(scene)
+                side_roads.side_road(prep, event, whom, self._context)
+        side_roads.access(scene, self._context)
         failed = event.parent is not None and event.parent.name == "fail"
         if event.negated or failed or event.name == "overlook":
             not_done(scene, self._context)
@@ -202,17 +178,6 @@ class Interpreter:
         encounters.from_behind(scene, self._context)
         self._share_sides(event.pps, scene.actors, hidden=event.name == "hide")
 
-    def _side_road(self, prep: Prep, event: Event, whom: list[Entity]) -> None:
-        """``a bus comes from the left``: there must be a road on the left."""
-        place = prep.target
-        side = isinstance(place, Place) and place.kind == "side" and bool(place.dirs)
-        side = side and set(place.dirs) <= {"left", "right"} if place is not None else False
-        motor = [e for e in whom if e.moving_vehicle and not self._context.is_cyclist(e)]
-        if prep.value == "from" and side and motor and event.name in _COMING:
-            reason = "a vehicle comes from the side"
-            end = place.j if place is not None else prep.word.j
-            self._draft.side_road = self._draft.side_road or Basis(prep.word.i, end, reason)
-
     def _starts(self, event: Event, prep: Prep) -> bool:
         """``overtakes the bus from the left`` says where the one who moves comes from.
 
@@ -223,25 +188,6 @@ class Interpreter:
         moved = event.name in _UNDERWAY and (named is event.object or event.object is None)
         return prep.value == "from" and not (target and not moved)
 
-    def _access(self, scene: Scene) -> None:
-        """A vehicle that comes out of a side road needs that road."""
-        for place in scene.places():
-            if place.kind == "lane" and "adjacent" in place.dirs:
-                basis = Basis(place.i, place.j)
-                self._context.lanes_implied(basis, "there is a lane beside")
-            if place.kind == "access":
-                self._from_access(place, scene)
-            if place.kind == "access" and scene.drivers and self._draft.access is None:
-                self._draft.access = Basis(place.i, place.j)
-
-    def _from_access(self, place: Place, scene: Scene) -> None:
-        """``backs out of a driveway on the right``: it comes from there."""
-        sides = {Approach(d) for d in place.dirs if d in {"left", "right"}}
-        goal = any(p.target is place and p.value in {"to", "into"} for p in scene.event.pps)
-        if sides and not goal:
-            for entity in scene.actors:
-                self._draft.place(entity, None, sides, Basis(place.i, place.j))
-
     def _overruled(self, scene: Scene) -> bool:
         """``runs the red light`` is no walk."""
         return (
@@ -249,15 +195,6 @@ class Interpreter:
             and not scene.walkers
             and any(p.kind in {"signal", "stop_sign"} for p in scene.places())
         )
-
-    def _spread(self, prep: Prep, actors: list[Entity]) -> None:
-        """One vehicle to each arm."""
-        target = prep.target
-        end = target.j if target is not None else prep.word.j
-        arms = self._context.junction.arms or max(len(actors), 1)
-        for number, entity in enumerate(actors):
-            entity.entries = {number % arms}
-            entity.entry_basis = Basis(prep.word.i, end)
 
     def _manner(self, scene: Scene) -> None:
         event = scene.event
@@ -302,14 +239,6 @@ class Interpreter:
                         self._draft.place(entity, None, sides, basis)
 
 
-def _carried(thing: Thing, chunks: list[Chunk]) -> bool:
-    """Whether it is with somebody on foot."""
-    k = next(k for k, c in enumerate(chunks) if c is thing)
-    who = chunks[k - 2] if k > 1 else None
-    along = thing.prep is not None and thing.prep.value == "with"
-    return along and isinstance(who, Mention) and any(not e.is_vehicle for e in who.entities)
-
-
 def _mark_answers(events: list[Event]) -> None:
     """``braked but could not avoid the van``: who tries to avoid something brakes as an answer."""
     avoiding = [e for e in events if e.name == "avoid"]
@@ -318,14 +247,3 @@ def _mark_answers(events: list[Event]) -> None:
             event.modal = event.modal or any(
                 e.sentence == event.sentence and e.subject == event.subject for e in avoiding
             )
-
-
-def _owing_to(thing: Thing, chunks: list[Chunk]) -> list[Entity]:
-    """``obstructed views due to parked cars``: the mention right after, with "due to" or "by"."""
-    position = next(k for k, c in enumerate(chunks) if c is thing)
-    for chunk in chunks[position + 1 : position + 4]:
-        if isinstance(chunk, Mention):
-            prep = chunk.prep
-            causal = prep is not None and prep.value in {"due", "by"}
-            return [e for e in chunk.entities if causal]
-    return []
