@@ -53,6 +53,9 @@ def attach(prep: Prep, state: State) -> None:
     if prep.fronted:
         state.fronted.append(prep)
         return
+    head = _head_of(prep, state)
+    if head is not None:
+        prep.on_mention = head
     if prep.on_mention is not None:
         prep.on_mention.pps.append(prep)
     described = _described(prep, state)
@@ -62,6 +65,17 @@ def attach(prep: Prep, state: State) -> None:
         state.events[-1].pps.append(prep)
     elif prep.on_mention is None and state.candidate is not None:
         state.candidate.pps.append(prep)
+
+
+def _head_of(prep: Prep, state: State) -> Mention | None:
+    """``the car behind the lead vehicle in the next lane``: the car is in that lane."""
+    inner, lane = prep.on_mention, prep.target
+    if inner is None or not isinstance(lane, Place) or lane.kind != "lane":
+        return None
+    for mention in state.mentions:
+        if any(p.target is inner and p.word.cat == "locus" for p in mention.pps):
+            return mention
+    return None
 
 
 def _described(prep: Prep, state: State) -> Mention | None:

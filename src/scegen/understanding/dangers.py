@@ -150,6 +150,13 @@ def undertake(scene: Scene, context: Context) -> None:
         conflicts.overtake(scene, context)
 
 
+def swerve_around(scene: Scene, context: Context) -> None:
+    """``swerves around the ego``: getting past somebody, but swerving it is."""
+    others = [e for e in scene.drivers if not e.ego]
+    if others and context.tokens[scene.event.i].forms[-1][0] == "swerve":
+        context.draft.hazard(HazardKind.SWERVING, scene.words, others, scene.targets)
+
+
 def reverse(scene: Scene, context: Context) -> None:
     """Driving backwards."""
     context.draft.hazard(HazardKind.REVERSING, scene.words, scene.drivers)
@@ -201,6 +208,7 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "encounter": too_late,
     "react": too_late,
     "crawl": crawl,
+    "bypass": swerve_around,
     "undertake": undertake,
     "reverse": reverse,
     "lose_control": lose_control,

@@ -47,7 +47,7 @@ def _driven_up_to(scene: Scene, context: Context) -> None:
     certain = _from_the_rear(scene, context) or _along_the_road(scene, context)
     for target in targets:
         slower = certain or _slower(target, context)
-        if target.is_vehicle and _on_the_wrong_side(driver, context):
+        if target.moving_vehicle and _on_the_wrong_side(driver, context):
             basis = Basis(event.i, event.j, "who drives on the wrong side comes head-on")
             context.draft.place(driver, target, {Approach.OPPOSITE}, basis)
             continue
@@ -58,7 +58,9 @@ def _driven_up_to(scene: Scene, context: Context) -> None:
 
 
 def _on_the_wrong_side(entity: Entity, context: Context) -> bool:
-    return any(d.kind is HazardKind.ONCOMING_LANE and entity in d.by for d in context.draft.dangers)
+    dangers = [d for d in context.draft.dangers if d.kind is HazardKind.ONCOMING_LANE]
+    passing = Maneuver.OVERTAKE in entity.maneuvers
+    return not passing and any(entity in d.by for d in dangers)
 
 
 def _comes_towards(scene: Scene, driver: Entity, context: Context) -> None:

@@ -38,7 +38,10 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         if any(p.value == "from" and isinstance(p.target, Place) for p in event.pps):
             for mention in event.subject:
                 mention.elsewhere = mention.pronoun is None
-    subjects = {id(m) for event in events for m in event.subject}
+    objects = {id(e.object) for e in events}
+    subjects = {
+        id(m) for e in events for m in e.subject if e.finite or id(m) not in objects
+    }  # "meets a van blocking the lane": the sentence is not about the van
     acted_on = {id(e.object): e for e in events if e.object is not None}
     everywhere = _sides(events)
     beside = _beside(chunks)

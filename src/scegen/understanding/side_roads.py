@@ -40,7 +40,7 @@ def access(scene: Scene, context: Context) -> None:
         if place.kind == "lane" and "adjacent" in place.dirs:
             basis = Basis(place.i, place.j)
             context.lanes_implied(basis, "there is a lane beside")
-        if place.kind == "access":
+        if place.kind == "access" or (place.kind == "sidewalk" and place is scene.event.object):
             _from_access(place, scene, context)
         if place.kind == "access" and scene.drivers and context.draft.access is None:
             context.draft.access = Basis(place.i, place.j)
