@@ -244,16 +244,13 @@ def turns_across(scene: Scene, context: Context) -> bool:
     }
 
 
-def _it(target: object) -> bool:
-    return isinstance(target, Mention) and target.pronoun in {"it", "they"}
-
-
 def _breach_of_control(scene: Scene, context: Context) -> None:
-    """``a stop sign … a car ignores it``: the only thing named that can be ignored."""
-    control = context.junction.control
-    if control is Control.SIGNALS:
+    """``a stop sign … a car ignores it``, ``ignores the tram``: who has to wait does not."""
+    signals = context.junction.control is Control.SIGNALS
+    pronoun = isinstance(scene.event.object, Mention) and scene.event.object.pronoun is not None
+    if signals and pronoun:
         context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, scene.words, scene.drivers)
-    elif control in {Control.STOP, Control.ALL_WAY_STOP, Control.YIELD}:
+    else:
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers)
 
 
@@ -267,7 +264,8 @@ def breach(scene: Scene, context: Context) -> bool:
     driven_through = {
         id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low == "through"
     }
-    if scene.event.name == "breach" and _it(scene.event.object):
+    ignored = isinstance(scene.event.object, Mention)
+    if scene.event.name == "breach" and ignored and context.junction.crossing:
         _breach_of_control(scene, context)
     for place in scene.places():
         certain = scene.event.name in _CERTAIN or id(place) in driven_through

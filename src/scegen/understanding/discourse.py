@@ -248,6 +248,7 @@ class Discourse:
         options = [e for e in options if not (loci and e.loci) or loci & e.loci]
         others = [e for e in options if not e.ego]
         restricted = reading.dirs or reading.labels or mention.pps or mention.elsewhere
+        restricted = restricted or mention.narrowed
         if others or reading.det == "bare" or restricted:
             return others[:1]
         return options[:1]

@@ -152,7 +152,8 @@ def occlude(scene: Scene, context: Context) -> None:
     walkers = [e for e in scene.actors if not e.is_vehicle]
     by = [e for e in scene.actors if e.is_vehicle and not e.ego]
     by += [e for e in _behind(scene.event) if e not in by]
-    if walkers or by or isinstance(scene.event.object, Thing):
+    hidden = bool(scene.targets) and not scene.actors  # "a hedge hiding two cyclists"
+    if walkers or by or hidden or isinstance(scene.event.object, Thing):
         context.draft.hazard(HazardKind.OCCLUSION, scene.words, by)
 
 

@@ -288,6 +288,7 @@ MOVEMENTS: dict[str, Callable[[Scene, Context], None]] = {
     "pass": overtake,
     "cross": cross,
     "leave": leave,
+    "try": leave,
     "light": leave,
     "use": use,
     "follow": follow,

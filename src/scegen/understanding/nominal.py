@@ -7,6 +7,9 @@ from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
 OPENERS = frozenset({"det", "possessive", "num", "quant"})
+_SIDE_ONLY = 2
+_NAMED_BY_SIDE = frozenset({"turn", "u_turn", "lane_change", "sharp_turn", "merge", "leave"})
+"""Actions that a side tells apart: "the left turn"."""
 VERBAL_LINKS = frozenset({"prep", "locus"})
 ORDINALS = frozenset({"first", "second", "third", "fourth", "fifth", "former", "latter"})
 
@@ -45,6 +48,8 @@ def is_nominal(
     listed = _after_a_side(chunks)
     sided = placed and (head.form == "s" or turned or listed)
     after_prep = after_prep or listed
+    if after_prep and placed and len(mods) <= _SIDE_ONLY and head.value not in _NAMED_BY_SIDE:
+        return False  # "cars from the right enter"
     if after_prep and (sided or (has_dir(mods) and "control" in head.data)):
         return False
     if tokens[mods[-1].i].low == "others":

@@ -35,6 +35,10 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     _people_in_traffic(chunks, events)
     _own_vehicles(events)
     for event in events:
+        for mention in event.subject:
+            close = 0 <= event.i - mention.j <= 1 and not event.finite and not event.nominal
+            mention.narrowed = mention.narrowed or (close and event.premod_of is None)
+    for event in events:
         if any(p.value == "from" and isinstance(p.target, Place) for p in event.pps):
             for mention in event.subject:
                 mention.elsewhere = mention.pronoun is None

@@ -226,6 +226,9 @@ def abreast(draft: Draft, ego: Entity) -> None:
         if entity.by_heading is not None:
             continue  # headings across each other: the roads meet somewhere
         basis = entity.approach_basis or entity.basis
+        rides = entity.kind is ParticipantKind.BICYCLE and basis.i is not None
+        if rides and draft.tokens[basis.i or 0].low == "from":
+            continue  # a cyclist comes from the right: off the pavement
         reason = "on a straight road, who is at one's side drives in the next lane"
         entity.approaches = {Approach.ADJACENT}
         entity.approach_basis = Basis(basis.i, basis.j, reason)
@@ -233,6 +236,8 @@ def abreast(draft: Draft, ego: Entity) -> None:
 
 def _own_side(draft: Draft, ego: Entity) -> Approach | None:
     """The side that an observer gives for the ego itself ("one car from the left, …")."""
+    if "ego" in ego.named_by:
+        return None  # what is said of its place is not a view from outside
     for placement in draft.placements:
         if placement.entity is ego and placement.reference is None:
             side = next(iter(placement.approaches))
