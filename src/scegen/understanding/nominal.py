@@ -32,7 +32,7 @@ def is_nominal(
     """
     if head.cat != "verb" or head.form == "ed":
         return False
-    if len(mods) == 1 and mods[0].cat == "quant" and mods[0].value in {"both", "all"}:
+    if mods and mods[-1].cat == "quant" and mods[-1].value in {"both", "all"}:
         return False  # "both go"
     if not any(m.cat in {*OPENERS, "dir", "manner"} for m in mods):
         return False
