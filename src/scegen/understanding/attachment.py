@@ -23,7 +23,8 @@ def preposition(word: Word, k: int, chunks: list[Chunk], state: State) -> None:
     """
     outer = state.prep.value if state.prep is not None else None
     fronted = state.prep is not None and state.prep.fronted
-    if state.prep is not None and word.cat != "locus":
+    closed = state.prep is not None and (word.cat != "locus" or state.prep.word.cat == "locus")
+    if closed:
         release(state)
         outer = None
     anchor = state.anchor
@@ -70,11 +71,17 @@ def attach(prep: Prep, state: State) -> None:
 def _head_of(prep: Prep, state: State) -> Mention | None:
     """``the car behind the lead vehicle in the next lane``: the car is in that lane."""
     inner, lane = prep.on_mention, prep.target
-    if inner is None or not isinstance(lane, Place) or lane.kind != "lane":
+    if inner is None or not isinstance(lane, Place):
+        return None
+    ego = any(h.data.get("ego") for h in inner.heads)
+    if lane.kind != "lane" and not (ego and lane.kind == "side"):
         return None
     for mention in state.mentions:
         if any(p.target is inner and p.word.cat == "locus" for p in mention.pps):
             return mention
+    towards = state.events[-1] if ego and state.events else None
+    if towards is not None and any(p.target is inner for p in towards.pps) and towards.subject:
+        return towards.subject[-1]
     return None
 
 

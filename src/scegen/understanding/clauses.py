@@ -192,6 +192,9 @@ class ClauseReader:
             subjects.link(event, state)
             event.pps += state.opening
             state.opening = []
+        following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
+        if isinstance(following, Word) and following.value == "by":
+            subjects.before_by(event)
         negated = any(word.startswith("neg:") for word in state.between)
         event.unable = negated and bool({"neg:unable", "aux:can"} & state.between)
         event.negated = negated or event.negated

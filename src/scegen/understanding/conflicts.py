@@ -191,7 +191,8 @@ def pull_out(scene: Scene, context: Context) -> None:
     """Leaving a side road or a parking space without giving way."""
     out_of_sight = any(p.word.cat == "locus" and p.outer == "from" for p in scene.event.pps)
     drivers = [e for e in scene.drivers if not (out_of_sight and context.is_cyclist(e))]
-    if drivers and not _to_overtake(scene, context):
+    along = any(context.placed(e, a) for e in drivers for a in (Approach.BEHIND, Approach.AHEAD))
+    if drivers and not along and not _to_overtake(scene, context):
         to = [] if out_of_sight else _mentioned(scene.event)
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, drivers, to)
 

@@ -132,6 +132,10 @@ def block(scene: Scene, context: Context) -> None:
     if isinstance(scene.event.object, Thing) and scene.event.object.kind == "view":
         occlude(scene, context)
         return
+    screened = [e for e in scene.targets if not e.is_vehicle or context.is_cyclist(e)]
+    if scene.event.passive and screened:
+        context.draft.hazard(HazardKind.OCCLUSION, scene.words, scene.actors)
+        return  # "a child obstructed by a van"
     prevents = any(c.link == "ing" for c in scene.event.children)
     if prevents and not scene.places():
         return

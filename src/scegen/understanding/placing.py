@@ -50,6 +50,8 @@ def adjective_approaches(dirs: list[str]) -> frozenset[Approach]:
 
 
 def _place_approaches(place: Place, prep: str) -> frozenset[Approach]:
+    if place.kind == "access" and prep == "from":
+        return frozenset(_SIDES[d] for d in place.dirs if d in _SIDES)
     if place.kind not in _PLACES:
         return frozenset()
     dirs = place.dirs

@@ -117,6 +117,7 @@ class Roster:
         word = head.prep
         listed = word is not None and self.tokens[word.i].low in _INCLUDING
         listed = listed or (head.i > 0 and self.tokens[head.i - 1].low == ":")
+        listed = listed or self._after_colon(reading, mention)
         if not listed or reading.generic:
             return []
         for group in reversed(self.groups):
@@ -127,6 +128,15 @@ class Roster:
                     entity.basis, entity.counted = Basis(mention.i, mention.j), None
                 return free[: reading.count]
         return []
+
+    def _after_colon(self, reading: Reading, mention: Mention) -> bool:
+        """``three vehicles meet: a bus turns, a taxi waits …``: each is one of the three."""
+        if reading.det not in {"indef", "one"} or not self.groups or self.groups[-1].vague:
+            return False
+        said = self.groups[-1].members[-1].basis.j or 0
+        colons = [k for k, t in enumerate(self.tokens[: mention.i]) if t.low == ":" and k >= said]
+        stops = [k for k, t in enumerate(self.tokens[: mention.i]) if t.low == "."]
+        return bool(colons) and not any(k > colons[0] for k in stops)
 
     def told_what(self, reading: Reading, basis: Basis) -> list[Entity]:
         """``three of us …, the van on my right``: what one of the others drives."""

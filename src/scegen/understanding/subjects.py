@@ -65,6 +65,16 @@ def link(event: Event, state: State) -> None:
         state.candidate_done = True
 
 
+def before_by(event: Event) -> None:
+    """``…, obstructed by a van``: a participle with "by" after it is passive.
+
+    Args:
+        event: the verb form right before "by".
+    """
+    if event.form == "ed" and event.name in _PASSIVE and not event.nominal:
+        event.passive = True
+
+
 def _said_of_a_thing(event: Event, state: State) -> None:
     """``the view is blocked by a van``: nobody acts but who stands after "by"."""
     passive = event.form == "ed" or (event.form == "base" and event.name in _PASSIVE)
@@ -160,7 +170,9 @@ def _clause(event: Event, state: State) -> None:
     anchor = state.anchor
     between = state.between
     if "rel" in between and state.mentions:
-        event.subject = chain(_antecedent(state))
+        which = _antecedent(state)
+        singular = event.form == "s" and (which.head is None or which.head.form != "s")
+        event.subject = [which] if singular else chain(which)
     elif "sub" in between:
         _subjectless(event, state)
     elif "conj" in between and state.events:
