@@ -38,10 +38,31 @@ def hazards(text):
         ("Vehicle 1 was northbound and drifted into the southbound lane.", None),
         ("A truck applied its brakes but was unable to avoid the car.", set()),
         ("An oncoming car limits the space for the ego.", set()),
+        ("A hedge hiding two cyclists stands near a bus.", {"occlusion"}),
+        ("A child crosses, obstructed by a van, in front of a bus.", None),
+        ("A van swerves around the ego.", {"swerving"}),
+        ("A van with its hazard lights on waits.", set()),
+        ("At a junction the tram comes first, but a taxi ignores it.", {"failure_to_yield"}),
+        ("V1 pulls into the junction in front of V2.", {"failure_to_yield"}),
+        ("A car from the left speeds through the red light.", None),
+        ("A man with a dog waits while a car passes.", set()),
+        ("A cyclist emerges from between two lorries near a bus.", None),
+        ("The child steps onto the road and a car brakes for it.", {"crossing_pedestrian"}),
+        ("A walker drifts from the pavement onto the road near a car.", {"crossing_pedestrian"}),
+        ("A van merges in front of the ego.", {"cut_in"}),
     ],
 )
 def test_dangers(text, expected):
     special = {
+        "A car from the left speeds through the red light.": {"red_light_running", "speeding"},
+        "A child crosses, obstructed by a van, in front of a bus.": {
+            "crossing_pedestrian",
+            "occlusion",
+        },
+        "A cyclist emerges from between two lorries near a bus.": {
+            "crossing_cyclist",
+            "occlusion",
+        },
         "A cyclist shoots out from behind a parked van while a bus comes.": {
             "crossing_cyclist",
             "occlusion",

@@ -11,6 +11,7 @@ _NOMINAL_BEFORE = frozenset(
 )
 _NO_PREMODIFIER = frozenset({"aux", "actor", "pronoun", "neg"})
 _VERBAL_BEFORE = frozenset({"actor", "pronoun", "aux", "rel", "neg"})
+_NOUNS = ("place", "inert", "thing", "view", "env")
 _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
 
 
@@ -96,9 +97,8 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         return match.get("actor"), False  # "a cycle", not "they cycle"
     attributive = _attributive(match, tokens, previous)
     if participle and before in {"conj", "sub"} and match.has("dir"):
-        attributive = _clause_follows(
-            tokens, match.j
-        )  # "turning left and following vehicle B": no article, no adjective
+        # "turning left and following vehicle B": without an article it is no adjective
+        attributive = _clause_follows(tokens, match.j)
     if match.has("place", "dir") and match.get("place").value == "junction":
         shaped = before in {"shape", "control", "det"} and not attributive
         return (match.get("place") if shaped else _without_place(match, attributive)), attributive
@@ -110,26 +110,45 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         return (match.get(*_ADJECTIVE_CATS) if match.has(*_ADJECTIVE_CATS) else verb), True
     if match.has("dir", "state", "manner") and attributive and not participle:
         return match.get("dir", "state", "manner"), True
-    nouns = ("place", "inert", "thing", "view", "env")
-    preposed = before == "prep" and previous is not None and previous.value != "to"
-    adverb = before == "manner" and previous is not None and is_adverb(tokens[previous.j - 1])
-    compound = before == "place" and match.form == "base" and match.has("inert")
-    noun_slot = (before in _NOMINAL_BEFORE and not adverb) or preposed or compound
-    one = before == "num" and previous is not None and previous.data.get("number") == 1
-    if one and match.form == "s":
-        return verb, False  # "one exits": of one thing there is no plural
-    if match.has(*nouns) and noun_slot and match.form in {"base", "s"}:
-        return match.get(*nouns), False
-    if before == "quant" and previous is not None and previous.value in {"all", "both"}:
-        return verb, False  # "a jogger and a cyclist both cross"
-    controlled = previous is not None and before == "verb" and "control" in previous.data
-    controlled = controlled and previous is not None and previous.value != "unknown"
-    verbal = (
-        controlled or before in _VERBAL_BEFORE or (previous is not None and previous.value == "to")
-    )
-    if match.has("dir") and not verbal and match.form == "base":
+    if _must_be_verb(match, previous):
+        return verb, False
+    if match.has(*_NOUNS) and match.form in {"base", "s"} and _noun_slot(match, tokens, previous):
+        return match.get(*_NOUNS), False
+    if match.has("dir") and match.form == "base" and not _verb_slot(previous):
         return match.get("dir"), False
     return verb, False
+
+
+def _must_be_verb(match: Match, previous: Term | None) -> bool:
+    """``one exits``, ``a car from the left speeds through``, ``they both cross``."""
+    if previous is None:
+        return False
+    if previous.cat == "quant" and previous.value in {"all", "both"}:
+        return not (match.has(*_NOUNS) and match.form == "s")
+    if match.form != "s":
+        return False
+    one = previous.cat == "num" and previous.data.get("number") == 1
+    sided = previous.cat == "dir" and previous.value in {"left", "right"} and match.has("inert")
+    return one or sided
+
+
+def _noun_slot(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """Whether a noun may stand here: after an article, an adjective or a preposition."""
+    if previous is None:
+        return False
+    preposed = previous.cat == "prep" and previous.value != "to"
+    adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
+    compound = previous.cat == "place" and match.form == "base" and match.has("inert")
+    return (previous.cat in _NOMINAL_BEFORE and not adverb) or preposed or compound
+
+
+def _verb_slot(previous: Term | None) -> bool:
+    """Whether a verb is due: after its subject, an auxiliary, "to", or a verb that takes one."""
+    if previous is None:
+        return False
+    controls = previous.cat == "verb" and "control" in previous.data
+    controls = controls and previous.value != "unknown"
+    return controls or previous.cat in _VERBAL_BEFORE or previous.value == "to"
 
 
 def _without_place(match: Match, attributive: bool) -> Entry:

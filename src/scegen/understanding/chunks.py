@@ -75,6 +75,7 @@ class Mention(NounPhrase):
         whole: the set that it is a part of.
         landmark: others are placed by it ("behind it there is a van").
         elsewhere: it comes from another road ("a van from a side road").
+        besides: it does something to "it", so that it is somebody else.
         narrowed: words after it say which one is meant ("the car towing it").
         negated: there is none ("no pedestrians").
         denied: it does not do what its verb says ("neither the bus nor the taxi").
@@ -96,6 +97,7 @@ class Mention(NounPhrase):
     landmark: bool = False
     elsewhere: bool = False
     narrowed: bool = False
+    besides: bool = False
     distributed: bool = False
     negated: bool = False
     denied: bool = False

@@ -122,6 +122,7 @@ def enter(scene: Scene, context: Context) -> None:
     """``enters the lane in front of V1``: a cut-in; from the front, the oncoming lane is used."""
     lane = into_lane(scene.event)
     others = [e for e in scene.drivers if not e.ego]
+    _enter_in_front(scene, context)
     if lane is None or not others or scene.reaction:
         return
     if lane.kind == "path" and _owners(lane, scene, context):
@@ -140,6 +141,14 @@ def enter(scene: Scene, context: Context) -> None:
         return
     context.draft.hazard(HazardKind.CUT_IN, scene.words, others, owners or _mentioned(scene.event))
     movements.lane_change(scene, context)
+
+
+def _enter_in_front(scene: Scene, context: Context) -> None:
+    """``pulls into the junction in front of the bus``: the bus had to be let through."""
+    to = _mentioned(scene.event)
+    meets = any(p.kind == "junction" for p in scene.places())
+    if meets and to and scene.drivers and not scene.reaction:
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, to)
 
 
 def unpark(scene: Scene, context: Context) -> None:

@@ -33,6 +33,9 @@ def _by_doing(mention: Mention, event: Event) -> None:
     mention.drives = mention.drives or failing or alone or turns
     close = 0 <= event.i - mention.j <= 1 and not event.finite and not event.nominal
     mention.narrowed = mention.narrowed or (close and event.premod_of is None)
+    acted_on = event.object
+    pronoun = isinstance(acted_on, Mention) and acted_on.pronoun in {"it", "him", "they"}
+    mention.besides = mention.besides or (close and pronoun)
     if any(p.value == "from" and isinstance(p.target, Place) for p in event.pps):
         mention.elsewhere = mention.pronoun is None
 

@@ -57,7 +57,8 @@ class Discourse:
             return mention.entities
         if _refers_to_nobody(mention):
             return []
-        if any(p.word.cat == "locus" and _is_pronoun(p.target) for p in mention.pps):
+        located = any(p.word.cat == "locus" and _is_pronoun(p.target) for p in mention.pps)
+        if located or mention.besides:
             exclude = [*exclude, *self._roster.subject]  # "the car behind it" is not "it"
         if mention.pronoun is not None:
             found = self._we(mention) or self._pronouns.resolve(mention, exclude)

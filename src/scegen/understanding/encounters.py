@@ -84,7 +84,10 @@ def walk(scene: Scene, context: Context) -> None:
 def appear(scene: Scene, context: Context) -> None:
     """Coming into sight: people step into the way, vehicles come out of a side road."""
     walk(scene, context)
-    hidden = any(p.outer == "from" and p.value in _HIDING for p in scene.event.pps)
+    hidden = any(
+        p.value in _HIDING and (p.outer == "from" or context.tokens[p.word.i].low == "from")
+        for p in scene.event.pps
+    )
     if hidden:
         _cyclists_cross(scene, context)
         return

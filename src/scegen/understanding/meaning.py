@@ -71,7 +71,7 @@ class Interpreter:
     def _mention(self, mention: Mention) -> None:
         self._placer.adjectives(mention)
         encounters.on_the_road(mention, self._context)
-        sides = [p for p in mention.pps if p.value == "from" and isinstance(p.target, Place)]
+        sides = [p for p in mention.pps if p.value in {"from", "in"} and _is_side(p)]
         for prep in mention.pps:
             if id(prep) in self._of_verbs:
                 continue  # "approaches the ego from the left": not the ego comes from there
@@ -237,6 +237,10 @@ class Interpreter:
                     on_foot = not entity.is_vehicle or self._context.is_cyclist(entity)
                     if sides and on_foot:
                         self._draft.place(entity, None, sides, basis)
+
+
+def _is_side(prep: Prep) -> bool:
+    return isinstance(prep.target, Place) and prep.target.kind == "side"
 
 
 def _mark_answers(events: list[Event]) -> None:
