@@ -50,6 +50,9 @@ def hazards(text):
         ("The child steps onto the road and a car brakes for it.", {"crossing_pedestrian"}),
         ("A walker drifts from the pavement onto the road near a car.", {"crossing_pedestrian"}),
         ("A van merges in front of the ego.", {"cut_in"}),
+        ("The ego has its view of the road blocked by a bus.", {"occlusion"}),
+        ("A taxi meets two pedestrians crossing at a junction.", {"crossing_pedestrian"}),
+        ("A bus does not brake for a walker.", {"crossing_pedestrian", "delayed_braking"}),
     ],
 )
 def test_dangers(text, expected):

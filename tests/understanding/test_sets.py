@@ -88,6 +88,24 @@ def test_a_verb_left_out_is_the_one_before(text, expected):
     assert [set(p.maneuvers) for p in read(text).participants] == [{m} for m in expected]
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The ego makes either a left or a right turn.",
+        "The ego turns either left or right at a junction.",
+        "The ego performs a turn at a junction.",
+    ],
+)
+def test_either_way_is_a_set(text):
+    assert read(text).ego.maneuvers == {Maneuver.LEFT, Maneuver.RIGHT}
+
+
+def test_who_is_passed_does_not_come_from_the_side_of_the_passing():
+    scenario = read("The ego waits behind a van; a taxi from behind passes both on the right.")
+    seen = {p.kind.value: {str(a) for a in p.approaches} for p in scenario.participants}
+    assert seen["van"] == {"ahead"}
+
+
 def test_a_side_left_out_with_its_verb():
     scenario = read("A bus approaches the ego from the left and a taxi from the right.")
     seen = {p.kind.value: {str(a) for a in p.approaches} for p in scenario.participants}

@@ -23,6 +23,7 @@ from scegen.understanding.nominals import read_mention, read_noun
 from scegen.understanding.state import State
 from scegen.understanding.terms import Term
 
+_VIEW_OF = 3
 LANES = frozenset({"lane", "bike_lane", "shoulder", "sidewalk", "side"})
 
 
@@ -76,7 +77,7 @@ class ClauseReader:
                 self._parenthesis(word.value)
                 return
             state.between.add(word.value if word.cat in {"punct", "conj"} else word.cat)
-            if word.cat == "conj":
+            if word.cat == "conj" and word.value != "either":
                 state.between.add("conj")
             if word.value == "where":
                 self._where(k)
@@ -156,8 +157,9 @@ class ClauseReader:
             return False
         if isinstance(before, Thing) and before.kind in {"object", "obstacle"}:
             return event.form == "ing" and not self._state.between
-        if isinstance(before, Thing) and before.kind == "view" and event.form == "ed":
-            event.passive, event.object = True, before  # "its view blocked by a truck"
+        view = _view_of(self._chunks[max(0, k - 3) : k])
+        if view is not None and event.form == "ed":
+            event.passive, event.object = True, view  # "its view blocked by a truck"
             return "aux:be" not in self._state.between
         unknown = isinstance(before, Word) and before.cat == "unknown" and k > 1
         if not unknown or (self._state.candidate is not None and not self._state.candidate_done):
@@ -209,3 +211,14 @@ class ClauseReader:
         state.anchor = event
         state.between = set()
         state.last_pp = None
+
+
+def _view_of(before: list[Chunk]) -> Thing | None:
+    """``its view blocked``, ``his view of the road blocked``."""
+    last = before[-1] if before else None
+    if isinstance(last, Thing) and last.kind == "view":
+        return last
+    if len(before) == _VIEW_OF and isinstance(before[1], Word) and before[1].value == "of":
+        first = before[0]
+        return first if isinstance(first, Thing) and first.kind == "view" else None
+    return None

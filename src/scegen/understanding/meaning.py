@@ -15,6 +15,7 @@ from scegen.understanding.roadside import read_thing
 from scegen.understanding.subjects import chain
 from scegen.understanding.terms import Term
 
+_PASSING = frozenset({"overtake", "pass", "bypass", "undertake"})
 _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
 _BREACHING = frozenset({"walk", "breach", "move", "enter", "cross", "speed", "accelerate"})
 _ON_THE_MOVE = frozenset({"swerve", "use", "enter", "move", "cross", "lose_control", "lane_change",
@@ -50,7 +51,11 @@ class Interpreter:
             events: its events.
         """
         self._of_verbs = {
-            id(p) for e in events for p in e.pps if p.on_mention is e.object and self._starts(e, p)
+            id(p)
+            for e in events
+            for p in e.pps
+            if p.on_mention is e.object
+            and (self._starts(e, p) or (e.name in _PASSING and _is_side(p)))
         }
         handled = {id(e.object) for e in events if e.name == "inert"}  # "kicks a ball"
         for chunk in chunks:
@@ -158,6 +163,8 @@ class Interpreter:
                 side_roads.side_road(prep, event, whom, self._context)
         side_roads.access(scene, self._context)
         failed = event.parent is not None and event.parent.name == "fail"
+        if event.name in _ANSWERS:
+            encounters.answered(scene, self._context)
         if event.negated or failed or event.name == "overlook":
             not_done(scene, self._context)
             return
@@ -173,8 +180,6 @@ class Interpreter:
             danger(scene, self._context)
         if event.name in _ON_THE_MOVE:
             dangers.oncoming_lane(scene, self._context)
-        if event.name in _ANSWERS:
-            encounters.answered(scene, self._context)
         encounters.from_behind(scene, self._context)
         self._share_sides(event.pps, scene.actors, hidden=event.name == "hide")
 

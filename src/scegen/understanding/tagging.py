@@ -174,6 +174,9 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
         match = longest_match(tokens[: i + 1], i)
     if match and token.low == "right" and match.only("sub") and _turning(previous):
         match = longest_match(tokens[: i + 1], i)  # "turns right when …"
+    plural = any(form == "s" for _, form in token.forms)
+    if match and match.j > i + 1 and plural and match.only(*_NOUNS):
+        match = longest_match(tokens[: i + 1], i)  # "two pedestrians crossing", no crossing
     if match and match.j > i + 1 and match.form in {"ed", "ing"} and match.only(*_NOUNS):
         match = longest_match(tokens[: match.j - 1], i)  # "a car parked", no car park
     counted = number is not None and match is not None and match.has("shape") and match.form == "s"
