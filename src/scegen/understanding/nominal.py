@@ -66,7 +66,8 @@ def _after_a_side(chunks: list[Chunk]) -> bool:
         return False
     place, joint = chunks[-2:]
     joined = isinstance(joint, Word) and joint.value in {"and", "or"}
-    return joined and isinstance(place, Place) and place.kind == "side"
+    named = isinstance(place, Place) and place.kind == "side" and bool(place.mods)
+    return joined and named and place.mods[0].value != "indef"  # "either a left or a right turn"
 
 
 def _way(follows: Term | None) -> bool:
