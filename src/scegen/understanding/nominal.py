@@ -66,8 +66,9 @@ def _after_a_side(chunks: list[Chunk]) -> bool:
         return False
     place, joint = chunks[-2:]
     joined = isinstance(joint, Word) and joint.value in {"and", "or"}
-    named = isinstance(place, Place) and place.kind == "side" and bool(place.mods)
-    return joined and named and place.mods[0].value != "indef"  # "either a left or a right turn"
+    if not joined or not isinstance(place, Place) or place.kind != "side":
+        return False
+    return bool(place.mods) and place.mods[0].value != "indef"  # "either a left or a right turn"
 
 
 def _way(follows: Term | None) -> bool:

@@ -154,6 +154,22 @@ def _turning(previous: Term | None) -> bool:
     return previous is not None and previous.cat in {"verb", "prep", "det", "possessive"}
 
 
+def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | None:
+    """The phrase at a token, cut down where its words are no phrase here."""
+    token = tokens[i]
+    match = longest_match(tokens, i)
+    if match and _is_clause(match, tokens, i, previous):
+        match = longest_match(tokens[: i + 1], i)
+    if match and token.low == "right" and match.only("sub") and _turning(previous):
+        match = longest_match(tokens[: i + 1], i)  # "turns right when …"
+    plural = any(form == "s" for _, form in token.forms)
+    if match and match.j > i + 1 and plural and match.only(*_NOUNS):
+        match = longest_match(tokens[: i + 1], i)  # "two pedestrians crossing", no crossing
+    if match and match.j > i + 1 and match.form in {"ed", "ing"} and match.only(*_NOUNS):
+        match = longest_match(tokens[: match.j - 1], i)  # "a car parked", no car park
+    return match
+
+
 def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     token = tokens[i]
     if token.kind == "punct":
@@ -169,16 +185,7 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     if token.low in _UNIT_WORDS and i + 1 < len(tokens) and tokens[i + 1].kind == "number":
         return Term("actor", "car", i, i + 1)
     number = number_at(tokens, i)
-    match = longest_match(tokens, i) if _first_person(token) else None
-    if match and _is_clause(match, tokens, i, previous):
-        match = longest_match(tokens[: i + 1], i)
-    if match and token.low == "right" and match.only("sub") and _turning(previous):
-        match = longest_match(tokens[: i + 1], i)  # "turns right when …"
-    plural = any(form == "s" for _, form in token.forms)
-    if match and match.j > i + 1 and plural and match.only(*_NOUNS):
-        match = longest_match(tokens[: i + 1], i)  # "two pedestrians crossing", no crossing
-    if match and match.j > i + 1 and match.form in {"ed", "ing"} and match.only(*_NOUNS):
-        match = longest_match(tokens[: match.j - 1], i)  # "a car parked", no car park
+    match = _match_at(tokens, i, previous) if _first_person(token) else None
     counted = number is not None and match is not None and match.has("shape") and match.form == "s"
     if match and not counted and (number is None or match.j > i + number.length):
         entry, premod = choose(match, tokens, previous)
