@@ -108,8 +108,11 @@ def _quantity_words(name: str) -> str:
 def _value(functional: FunctionalScenario, field: str) -> str:
     """The value at a path, in words; empty where the path leads nowhere."""
     if field.startswith("hazards."):
-        kind = field.removeprefix("hazards.")
-        return "; ".join(hazard_words(h) for h in functional.hazards if h.kind == kind)
+        kind, _, part = field.removeprefix("hazards.").partition(".")
+        meant = [h for h in functional.hazards if h.kind == kind]
+        if part == "to":
+            return ", ".join(dict.fromkeys(name for h in meant for name in h.to))
+        return "; ".join(hazard_words(h) for h in meant)
     here: object = functional.model_dump(mode="json")
     for part in field.split("."):
         if isinstance(here, dict):

@@ -1,10 +1,8 @@
-"""Builds the scenario from the draft: junction, participants, hazards and the evidence."""
+"""Builds the scenario from the draft: participants, hazards, and what is left over."""
 
 from __future__ import annotations
 
 from scegen.scenario.functional import (
-    ARM_COUNTS,
-    Evidence,
     FunctionalScenario,
     Hazard,
     Junction,
@@ -12,23 +10,20 @@ from scegen.scenario.functional import (
     Relation,
     Unsupported,
 )
-from scegen.scenario.vocabulary import (
-    Approach,
-    Control,
-    DrivingSide,
-    EvidenceSource,
-    JunctionKind,
-    Maneuver,
-    ParticipantKind,
-    Role,
-)
+from scegen.scenario.vocabulary import JunctionKind, Maneuver, ParticipantKind, Role
 from scegen.understanding.draft import Basis, Danger, Draft, Entity
 from scegen.understanding.junctions import JunctionReading
+from scegen.understanding.layout import Layout
+from scegen.understanding.proving import Proofs
 from scegen.understanding.surroundings import Surroundings
 from scegen.understanding.tokens import Token
-from scegen.understanding.viewpoint import choose_ego, settle_positions, suffers
-
-_ROUNDABOUT_ARMS = 4
+from scegen.understanding.viewpoint import (
+    abreast,
+    choose_ego,
+    in_the_way,
+    settle_positions,
+    suffers,
+)
 
 
 class Builder:
@@ -49,16 +44,18 @@ class Builder:
         tokens: list[Token],
     ) -> None:
         self._draft = draft
-        self._reading = reading
         self._around = surroundings
-        self._tokens = tokens
-        self._evidence: list[Evidence] = []
+        self._proofs = Proofs(draft.text, tokens)
+        self._layout = Layout(draft, reading, surroundings, self._proofs)
 
     def build(self) -> FunctionalScenario:
         """The functional scenario with its evidence."""
         ego, ego_basis = choose_ego(self._draft)
         relations = settle_positions(self._draft, ego)
-        junction = self._junction()
+        junction = self._layout.build()
+        if junction.kind is JunctionKind.STRAIGHT:
+            in_the_way(self._draft, ego)
+            abreast(self._draft, ego)
         self._name(ego)
         participants = tuple(
             self._participant(e, ego_basis, junction) for e in self._draft.entities
@@ -68,10 +65,10 @@ class Builder:
             for a, b, approaches, _ in relations
         )
         for number, relation in enumerate(relations):
-            self._prove(f"relations.{number}", relation[3])
+            self._proofs.add(f"relations.{number}", relation[3])
         hazards = tuple(self._hazard(d, ego) for d in self._draft.dangers)
         for name, basis in self._around.bases.items():
-            self._prove(f"environment.{name}", basis)
+            self._proofs.add(f"environment.{name}", basis)
         return FunctionalScenario(
             description=self._draft.text,
             junction=junction,
@@ -79,122 +76,9 @@ class Builder:
             relations=linked,
             hazards=hazards,
             environment=self._around.environment(),
-            evidence=tuple(self._evidence),
+            evidence=self._proofs.evidence,
             unsupported=self._unsupported(),
         )
-
-    def _span(self, i: int, j: int) -> tuple[int, int]:
-        return self._tokens[i].start, self._tokens[j - 1].end
-
-    def _prove(self, name: str, basis: Basis | None, default: str | None = None) -> None:
-        """Adds the evidence of one field."""
-        if basis is None:
-            self._evidence.append(
-                Evidence(field=name, source=EvidenceSource.DEFAULT, reason=default or "not said")
-            )
-            return
-        reason = "; ".join(filter(None, (basis.reason, self._slips(basis)))) or None
-        source = EvidenceSource.INFERRED if reason else EvidenceSource.STATED
-        start = end = text = None
-        if basis.i is not None and basis.j is not None:
-            start, end = self._span(basis.i, basis.j)
-            text = self._draft.text[start:end]
-        self._evidence.append(
-            Evidence(field=name, source=source, text=text, start=start, end=end, reason=reason)
-        )
-
-    def _slips(self, basis: Basis) -> str:
-        """Misspelt words among those that a field rests on."""
-        words = self._tokens[basis.i : basis.j] if basis.i is not None else []
-        return "; ".join(f"'{t.text}' is read as '{t.low}'" for t in words if t.slip)
-
-    def _junction(self) -> Junction:
-        kind, kind_basis = self._kind()
-        arms, arms_basis = self._arms(kind, kind_basis)
-        control = self._reading.control or Control.UNCONTROLLED
-        self._prove("junction.kind", kind_basis, "no junction is named: a straight road")
-        self._prove("junction.arms", arms_basis)
-        self._prove("junction.control", self._reading.control_basis, "no control is named")
-        lanes, ring, lanes_basis = self._lanes(kind, arms)
-        self._prove("junction.lanes", lanes_basis, "one lane per direction unless more are said")
-        if ring is not None:
-            self._prove("junction.ring_lanes", lanes_basis)
-        if self._around.speed_limit_mps is not None:
-            self._prove("junction.speed_limit_mps", self._around.limit_basis)
-        self._prove("junction.driving_side", self._around.side_basis, "right-hand traffic")
-        return Junction(
-            kind=kind,
-            arms=arms,
-            lanes=lanes,
-            ring_lanes=ring,
-            speed_limit_mps=self._around.speed_limit_mps,
-            driving_side=self._around.side or DrivingSide.RIGHT,
-            control=control,
-        )
-
-    def _kind(self) -> tuple[JunctionKind, Basis | None]:
-        reading = self._reading
-        if reading.kind is not None:
-            return reading.kind, reading.kind_basis
-        if reading.named is not None:
-            reason = "an intersection without a shape is read as four-way"
-            return JunctionKind.FOUR_WAY, Basis(reading.named.i, reading.named.j, reason)
-        access = self._draft.access
-        if access is not None and reading.straight is None:
-            reason = "a side road or driveway meets the road like the stem of a T"
-            return JunctionKind.T, Basis(access.i, access.j, reason)
-        implied = self._draft.crossing_implied or self._lateral() or self._regulated()
-        if implied is not None:
-            reason = f"{implied.reason}: there must be an intersection, read as four-way"
-            return JunctionKind.FOUR_WAY, Basis(implied.i, implied.j, reason)
-        return JunctionKind.STRAIGHT, reading.straight or reading.road
-
-    def _lateral(self) -> Basis | None:
-        lateral = {Approach.LEFT, Approach.RIGHT}
-        for placement in self._draft.placements:
-            if placement.approaches == lateral and placement.entity.moving_vehicle:
-                return Basis(placement.basis.i, placement.basis.j, "a vehicle comes across")
-        return None
-
-    def _regulated(self) -> Basis | None:
-        basis = self._reading.control_basis
-        if basis is None or self._reading.control is Control.UNCONTROLLED:
-            return None
-        return Basis(basis.i, basis.j, "priority is regulated")
-
-    def _arms(self, kind: JunctionKind, basis: Basis | None) -> tuple[int, Basis]:
-        reading = self._reading
-        if reading.arms is not None:
-            return reading.arms, reading.arms_basis or Basis(reason="from the words")
-        if kind is JunctionKind.ROUNDABOUT:
-            reason = f"the number of exits is not said; {_ROUNDABOUT_ARMS} are assumed"
-            return _ROUNDABOUT_ARMS, Basis(reason=reason)
-        arms = max(ARM_COUNTS[kind][0], 2)
-        if basis is not None and basis.reason is None:
-            return arms, Basis(basis.i, basis.j)
-        return arms, Basis(reason=f"follows from the shape {kind.value}")
-
-    def _lanes(
-        self, kind: JunctionKind, arms: int
-    ) -> tuple[tuple[int, ...], int | None, Basis | None]:
-        around = self._around
-        ring = kind is JunctionKind.ROUNDABOUT
-        if around.lanes is not None:
-            doubled = 2 if ring and around.lanes > 1 else None
-            return (around.lanes,) * arms, doubled, around.lanes_basis
-        implied = self._draft.lanes_implied
-        adjacent = next(
-            (e for e in self._draft.entities if Approach.ADJACENT in e.approaches), None
-        )
-        if implied is None and adjacent is not None:
-            basis = adjacent.approach_basis or adjacent.basis
-            implied = Basis(basis.i, basis.j, "vehicles side by side need a second lane")
-        if implied is None and around.highway is not None:
-            reason = "highways have two lanes per direction unless said otherwise"
-            implied = Basis(around.highway.i, around.highway.j, reason)
-        if implied is None:
-            return (), None, None
-        return (2,) * arms, (2 if ring else None), implied
 
     def _name(self, ego: Entity) -> None:
         counts: dict[str, int] = {}
@@ -212,12 +96,12 @@ class Builder:
 
     def _participant(self, entity: Entity, ego_basis: Basis, junction: Junction) -> Participant:
         path = f"participants.{entity.name}"
-        self._prove(f"{path}.kind", entity.counted or entity.basis)
+        self._proofs.add(f"{path}.kind", entity.counted or entity.basis)
         role = Role.EGO if entity.ego else Role.OTHER
         if role is Role.EGO:
-            self._prove(f"{path}.role", ego_basis)
+            self._proofs.add(f"{path}.role", ego_basis)
         else:
-            self._prove(f"{path}.role", None, "everybody but the ego")
+            self._proofs.add(f"{path}.role", None, "everybody but the ego")
         maneuvers = self._maneuvers(entity, junction)
         entries = frozenset(a for a in entity.entries if a < junction.arms)
         for name, value, basis in (
@@ -228,9 +112,9 @@ class Builder:
             ("speed_mps", entity.speed, entity.speed_basis),
         ):
             if value:
-                self._prove(f"{path}.{name}", basis or entity.basis)
+                self._proofs.add(f"{path}.{name}", basis or entity.basis)
         for basis in self._further_words(entity):
-            self._prove(f"{path}.approaches", basis)
+            self._proofs.add(f"{path}.approaches", basis)
         return Participant(
             id=entity.name,
             kind=entity.kind,
@@ -270,16 +154,28 @@ class Builder:
             reason = "on a straight road, or one without a junction, one drives straight on"
             entity.maneuver_basis = Basis(entity.moves.i, entity.moves.j, reason)
             return {Maneuver.STRAIGHT}
+        if (
+            entity.heading is not None
+            and entity.moves is not None
+            and junction.kind is not JunctionKind.ROUNDABOUT
+        ):
+            reason = "it keeps its heading: nothing says that it turns"
+            entity.maneuver_basis = Basis(entity.moves.i, entity.moves.j, reason)
+            return {Maneuver.STRAIGHT}
+        if entity.through is not None and (entity.ego or entity.claimed):
+            reason = "it drives through: nothing says that it turns"
+            entity.maneuver_basis = Basis(entity.through.i, entity.through.j, reason)
+            return {Maneuver.STRAIGHT}
         return set()
 
     def _hazard(self, danger: Danger, ego: Entity) -> Hazard:
         to = [e for e in danger.to if e not in danger.by]
         field = f"hazards.{danger.kind.value}"
-        self._prove(field, danger.basis)
+        self._proofs.add(field, danger.basis)
         if not to and danger.by:
             to, reason = suffers(self._draft, danger, ego)
             if to:
-                self._prove(f"{field}.to", Basis(reason=reason))
+                self._proofs.add(f"{field}.to", Basis(reason=reason))
         return Hazard(
             kind=danger.kind,
             by=tuple(e.name for e in danger.by),
@@ -289,7 +185,7 @@ class Builder:
     def _unsupported(self) -> tuple[Unsupported, ...]:
         found = []
         for note in sorted(self._draft.notes, key=lambda n: (n.i, n.j)):
-            start, end = self._span(note.i, note.j)
+            start, end = self._proofs.span(note.i, note.j)
             found.append(
                 Unsupported(
                     text=self._draft.text[start:end], start=start, end=end, instead=note.instead

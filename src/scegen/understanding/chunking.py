@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from itertools import pairwise
+
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.naming import Namer
+from scegen.understanding.nominal import OPENERS, ORDINALS, VERBAL_LINKS, has_dir, is_nominal
 from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
-_OPENERS = frozenset({"det", "possessive", "num", "quant"})
 _MODIFIERS = frozenset(
     {"dir", "state", "label", "noted", "shape", "control", "compass", "roadmod", "cue", "quantity"}
 )
-_VERBAL_LINKS = frozenset({"prep", "locus"})
-_ORDINALS = frozenset({"first", "second", "third", "fourth", "fifth", "former", "latter"})
+_OWNED = frozenset({"lane", "path", "side"})
 _MAX_MODS = 10
 _SIDE_DIRS = frozenset({"left", "right", "opposite", "front", "rear", "adjacent", "straight"})
 
@@ -63,11 +65,27 @@ class Chunker:
                 self._chunks.append(Word(term))
                 return k + 1
             self._mark_possessor()
+        if self._that_of(k):
+            return k + 1
         reached = self._noun_phrase(k)
         if reached is None:
             self._chunks.append(Word(term))
             return k + 1
         return reached
+
+    def _that_of(self, k: int) -> bool:
+        """``leaves its lane and enters that of the bus``: a place of the kind named last."""
+        term = self._terms[k]
+        follows = self._terms[k + 1] if k + 1 < len(self._terms) else None
+        mine = term.cat == "possessive" and term.value == "mine"
+        that = self._tokens[term.i].low == "that" and follows is not None and follows.value == "of"
+        if not (mine or that):
+            return False
+        last = next((c for c in reversed(self._chunks) if isinstance(c, Place)), None)
+        mods = [replace(term, value="first_person")] if mine else []
+        kind = last.kind if last is not None else "lane"
+        self._chunks.append(Place(term.i, term.j, mods, None, None, kind=kind))
+        return True
 
     def _owns(self, k: int) -> bool:
         """A genitive owns what follows, unless an adverb or auxiliary does (a stray 's)."""
@@ -94,8 +112,8 @@ class Chunker:
             term = self._terms[m]
             if mods and term.cat in {"det", "possessive"} and mods[-1].cat != "quant":
                 break
-            if term.cat in _OPENERS or term.cat in _MODIFIERS:
-                opened = opened or term.cat in _OPENERS
+            if term.cat in OPENERS or term.cat in _MODIFIERS:
+                opened = opened or term.cat in OPENERS
             elif term.cat == "manner":
                 if not opened and self._is_adverb(term):
                     break
@@ -129,55 +147,51 @@ class Chunker:
         head = self._terms[m] if m < len(self._terms) else None
         owner = self._owner(mods)
         if head is not None and head.cat == "actor":
+            if self._side_before_number(mods):
+                return self._side(mods, k)
             return self._mention(mods, m, owner)
         if head is not None and head.cat in {"place", "view", "thing", "inert", "leg"}:
             return self._thing(mods, head, m, owner)
-        if head is not None and self._nominal(mods, head):
-            if any(mod.cat == "num" for mod in mods) and not _has_dir(mods):
+        if head is not None and is_nominal(
+            mods, head, self._term(m + 1), self._chunks, self._tokens
+        ):
+            if any(mod.cat == "num" for mod in mods) and not has_dir(mods):
                 return self._bare(mods, k)
             self._chunks.append(_event(head, mods, nominal=True))
             return m + 1
         return self._bare(mods, k)
 
+    def _side_before_number(self, mods: list[Term]) -> bool:
+        """``from the left two cars come``: the number begins a noun phrase of its own."""
+        previous = self._chunks[-1] if self._chunks else None
+        preposed = isinstance(previous, Word) and previous.cat == "prep"
+        pairs = pairwise(mods)
+        return preposed and any(
+            b.cat in {"num", "quant"} and (a.cat == "compass" or a.value in {"left", "right"})
+            for a, b in pairs
+        )
+
     def _owner(self, mods: list[Term]) -> Mention | None:
         previous = self._chunks[-1] if self._chunks else None
         genitive = bool(mods) and mods[0].cat == "possessive" and mods[0].value == "genitive"
+        genitive = genitive or (isinstance(previous, Mention) and previous.possessor)
         return previous if genitive and isinstance(previous, Mention) else None
-
-    def _nominal(self, mods: list[Term], head: Term) -> bool:
-        """Whether a verb form after these words is a noun ("a sudden stop")."""
-        if head.cat != "verb" or head.form == "ed":
-            return False
-        if len(mods) == 1 and mods[0].cat == "quant" and mods[0].value in {"both", "all"}:
-            return False  # "both go"
-        if not any(m.cat in {*_OPENERS, "dir", "manner"} for m in mods):
-            return False
-        previous = self._chunks[-1] if self._chunks else None
-        if mods[0].cat == "dir" and isinstance(previous, Event) and previous.control is None:
-            return False
-        if mods[0].cat == "dir" and isinstance(previous, Word) and previous.cat == "aux":
-            return False
-        after_prep = isinstance(previous, Word) and previous.cat in _VERBAL_LINKS
-        sided = _has_dir(mods) and (head.form == "s" or mods[-1].value in {"front", "rear"})
-        if after_prep and (sided or (_has_dir(mods) and "control" in head.data)):
-            return False
-        pronominal = mods[-1].cat == "num" or mods[-1].value in {"another", "other", *_ORDINALS}
-        if pronominal and head.form != "base":
-            return False
-        return not (mods[0].cat == "manner" and head.form == "s")
 
     def _bare(self, mods: list[Term], k: int) -> int | None:
         """Modifiers without a head: "one", "another", "both", "from the right"."""
         if not mods:
             return None
         first = mods[0]
+        if first.cat == "num" and len(mods) == 1 and self._low(k + 1) == "others":
+            self._chunks.append(Mention(first.i, first.j + 1, [first], None, pronoun="others"))
+            return k + 2  # "two others"
         if first.cat == "num" and first.data["number"] < 10:
             return self._stand_alone(first, "one" if first.data["number"] == 1 else "count", k)
         if first.cat == "det" and first.value in {"another", "other"}:
             return self._one_after(self._stand_alone(first, first.value, k))
         second = mods[1] if len(mods) > 1 else None
         if first.cat == "det" and second is not None and second.cat == "label":
-            ordinal = second.value in _ORDINALS
+            ordinal = second.value in ORDINALS
             last_in_run = len(mods) == 2 or mods[2].cat == "num"
             if ordinal and last_in_run:
                 mention = Mention(first.i, second.j, mods, None, pronoun="ordinal")
@@ -187,6 +201,13 @@ class Chunker:
         if first.cat == "quant" and first.value in {"both", "all"} and len(mods) == 1:
             return self._stand_alone(first, first.value, k)
         return self._side(mods, k)
+
+    def _term(self, k: int) -> Term | None:
+        return self._terms[k] if k < len(self._terms) else None
+
+    def _low(self, k: int) -> str:
+        """The first word of a term, if there is one."""
+        return self._tokens[self._terms[k].i].low if k < len(self._terms) else ""
 
     def _one_after(self, k: int) -> int:
         """``the other one``: the numeral adds nothing."""
@@ -208,7 +229,7 @@ class Chunker:
             seen = seen or side
             length += 1
         previous = self._chunks[-1] if self._chunks else None
-        preposed = isinstance(previous, Word) and previous.cat in _VERBAL_LINKS
+        preposed = isinstance(previous, Word) and previous.cat in VERBAL_LINKS
         determined = mods[0].cat in {"det", "possessive"}
         if not seen or not (preposed or determined):
             return None
@@ -229,6 +250,9 @@ class Chunker:
         mention.negated = any(mod.cat == "det" and mod.value == "negative" for mod in mods)
         named = Namer(self._terms, self._tokens)
         m = named.single(mention, m)
+        following = self._terms[m] if m < len(self._terms) else None
+        owns = following is not None and following.cat == "place" and following.value in _OWNED
+        mention.possessor = owns and any(h.data.get("ego") for h in heads)  # "the ego lane"
         self._chunks.append(mention)
         further, m = named.further(mention, m)
         self._chunks += further
@@ -239,14 +263,20 @@ class Chunker:
         if head.cat == "place":
             place = Place(start, head.j, mods, head, owner, kind=head.value)
             self._chunks.append(place)
+            if self._numbered(head, m + 1):
+                place.j = self._terms[m + 1].j
+                return m + 2
         else:
             kind = head.cat if head.cat in {"view", "leg"} else head.value
             self._chunks.append(Thing(start, head.j, mods, head, owner, kind=kind))
         return m + 1
 
-
-def _has_dir(mods: list[Term]) -> bool:
-    return any(m.cat == "dir" for m in mods)
+    def _numbered(self, head: Term, m: int) -> bool:
+        """``lane 2``: the number is the place's name."""
+        term = self._terms[m] if m < len(self._terms) else None
+        follows = self._terms[m + 1].cat if m + 1 < len(self._terms) else ""
+        digits = term is not None and term.cat == "num" and self._tokens[term.i].kind == "number"
+        return digits and head.value in {"lane", "road"} and follows not in {"actor", "place"}
 
 
 def _event(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:

@@ -54,7 +54,8 @@ class NounPhrase:
     @property
     def dirs(self) -> list[str]:
         """Directions named before the head."""
-        return [m.value for m in self.mods if m.cat == "dir"]
+        own = [self.head.data["dir"]] if self.head is not None and "dir" in self.head.data else []
+        return [*(m.value for m in self.mods if m.cat == "dir"), *own]
 
 
 @dataclass(slots=True, eq=False)
@@ -71,6 +72,11 @@ class Mention(NounPhrase):
         joined: the mention that it is joined to by "and".
         same_as: the mention that it describes further ("vehicle 1, a sedan, …").
         partitive: one of a set named after it ("one of the cars").
+        whole: the set that it is a part of.
+        landmark: others are placed by it ("behind it there is a van").
+        elsewhere: it comes from another road ("a van from a side road").
+        besides: it does something to "it", so that it is somebody else.
+        narrowed: words after it say which one is meant ("the car towing it").
         negated: there is none ("no pedestrians").
         denied: it does not do what its verb says ("neither the bus nor the taxi").
         distributed: a plural noun that stands for one ("ego and adversary vehicles").
@@ -87,6 +93,11 @@ class Mention(NounPhrase):
     joined: Mention | None = None
     same_as: Mention | None = None
     partitive: bool = False
+    whole: Mention | None = None
+    landmark: bool = False
+    elsewhere: bool = False
+    narrowed: bool = False
+    besides: bool = False
     distributed: bool = False
     negated: bool = False
     denied: bool = False
@@ -125,6 +136,8 @@ class Event:
         drives: only vehicles, or people in them, do it.
         link: how it hangs on its parent: ``inf``, ``ing`` or ``noun``.
         reduced: it only describes its noun ("a man hidden behind a van runs out").
+        unable: it does not take place because it cannot ("could not stop").
+        perfect: it is over ("had slowed").
         modal: obliged, forced or reacting ("must stop", "causing it to stop").
     """
 
@@ -138,6 +151,8 @@ class Event:
     passive: bool = False
     reduced: bool = False
     negated: bool = False
+    unable: bool = False
+    perfect: bool = False
     modal: bool = False
     purpose: bool = False
     mods: list[Term] = field(default_factory=list)
@@ -179,12 +194,14 @@ class Prep:
         target: what it governs; None for "the car ahead".
         outer: a preposition before it ("from behind").
         on_mention: the mention right before it, if one stands there.
+        fronted: it opens its clause and places who comes after it ("behind me a van brakes").
     """
 
     word: Word
     target: NounPhrase | Event | None = None
     outer: str | None = None
     on_mention: Mention | None = None
+    fronted: bool = False
 
     @property
     def value(self) -> str:

@@ -10,17 +10,21 @@ these decide who acts in participles ("a car turning left"), infinitives ("tries
 from __future__ import annotations
 
 from scegen.understanding import subjects
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Prep, Word
+from scegen.understanding.attachment import preposition, release
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, Word
 from scegen.understanding.lookahead import (
     ADVERBS,
     BOUNDARIES,
     GOVERNING,
     event_follows,
-    finite_follows,
     main_verb_follows,
 )
-from scegen.understanding.phrases import also_from, apposes, bracketed
+from scegen.understanding.nominals import read_mention, read_noun
 from scegen.understanding.state import State
+from scegen.understanding.terms import Term
+
+_VIEW_OF = 3
+LANES = frozenset({"lane", "bike_lane", "shoulder", "sidewalk", "side"})
 
 
 class ClauseReader:
@@ -42,16 +46,17 @@ class ClauseReader:
             if isinstance(chunk, Word):
                 self._word(chunk, k)
             elif isinstance(chunk, Mention):
-                self._mention(chunk, k)
+                self._premodifiers(chunk)
+                read_mention(chunk, k, self._chunks, self._state)
             elif isinstance(chunk, Event):
                 self._event(chunk, k)
             else:
-                self._noun(chunk, k)
+                read_noun(chunk, k, self._chunks, self._state)
         self._end_sentence()
         return self.events
 
     def _end_sentence(self) -> None:
-        self._release_prep()
+        release(self._state)
         main = self._state.main
         self._state = State(main=main)
         self._sentence += 1
@@ -61,19 +66,33 @@ class ClauseReader:
         if word.cat == "punct" and word.value in BOUNDARIES:
             self._end_sentence()
         elif word.cat in GOVERNING:
-            self._preposition(word)
+            preposition(word, k, self._chunks, state)
         elif word.cat in ADVERBS or word.cat == "state":
             self._adverb(word, k)
+        elif word.value == "either" and state.prep is not None:
+            return  # "from either the left or the right"
         else:
-            self._release_prep()
+            release(self._state)
             if word.cat == "punct" and word.value in "()":
                 self._parenthesis(word.value)
                 return
             state.between.add(word.value if word.cat in {"punct", "conj"} else word.cat)
-            if word.cat == "conj":
+            if word.cat == "conj" and word.value != "either":
                 state.between.add("conj")
+            if word.value == "where":
+                self._where(k)
             if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
                 state.candidate = None
+
+    def _where(self, k: int) -> None:
+        """``the next lane, where a van drives``: the van is in that lane."""
+        place = next(
+            (c for c in reversed(self._chunks[max(0, k - 2) : k]) if isinstance(c, Place)), None
+        )
+        if place is None or place.kind not in LANES:
+            return
+        word = Word(Term("prep", "in", place.i, place.i + 1))
+        self._state.fronted.append(Prep(word, place, fronted=True))
 
     def _parenthesis(self, mark: str) -> None:
         """What stands in brackets does not change who acts after them."""
@@ -84,41 +103,12 @@ class ClauseReader:
             state.anchor, state.between = state.bracket
             state.bracket = None
 
-    def _preposition(self, word: Word) -> None:
-        state = self._state
-        outer = state.prep.value if state.prep is not None else None
-        if state.prep is not None and word.cat != "locus":
-            self._release_prep()
-            outer = None
-        anchor = state.anchor
-        near = anchor if isinstance(anchor, Mention) and not state.between else None
-        if state.last_pp is not None and not state.between:
-            near = state.last_pp
-        state.prep = Prep(word, None, outer, near)
-
-    def _release_prep(self) -> None:
-        """A preposition without a target: "the car ahead", "positioned behind on the right"."""
-        state = self._state
-        if state.prep is not None:
-            if state.prep.word.cat == "locus":
-                self._attach_prep(state.prep)
-            state.prep = None
-
-    def _attach_prep(self, prep: Prep) -> None:
-        state = self._state
-        if prep.on_mention is not None:
-            prep.on_mention.pps.append(prep)
-        if state.events and (prep.on_mention is None or state.anchor is not state.candidate):
-            state.events[-1].pps.append(prep)
-        elif prep.on_mention is None and state.candidate is not None:
-            state.candidate.pps.append(prep)
-
     def _adverb(self, word: Word, k: int) -> None:
         state = self._state
         if word.cat in {"aux", "neg"}:
             state.between.add(f"{word.cat}:{word.value}")
             return
-        self._release_prep()
+        release(self._state)
         after_event = isinstance(state.anchor, Event) and not (state.between - {"either", "or"})
         following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
         before_event = event_follows(self._chunks, k)
@@ -154,117 +144,29 @@ class ClauseReader:
             return False
         return not any(state.candidate in event.subject for event in state.events)
 
-    def _mention(self, mention: Mention, k: int) -> None:
-        state = self._state
-        state.mentions.append(mention)
-        state.inanimate = False
-        self._premodifiers(mention)
-        if mention.possessor:
-            return
-        if state.prep is not None:
-            self._prepositional(mention, k)
-            return
-        anchor = state.anchor
-        direct = isinstance(anchor, Event) and not anchor.nominal and not state.between
-        if isinstance(anchor, Event) and direct and anchor.object is None:
-            anchor.object = mention
-        elif bracketed(self._chunks, k) and isinstance(anchor, Mention):
-            mention.same_as = anchor
-            return
-        elif apposes(self._chunks, k, state):
-            mention.same_as = anchor if isinstance(anchor, Mention) else state.candidate
-            return
-        elif self._joins(mention, k):
-            return
-        else:
-            self._start_clause(mention)
-        state.anchor = mention
-        state.between = set()
-        state.last_pp = None
+    def _inverted(self, event: Event, k: int) -> bool:
+        """``from the left comes a bus``: the subject stands after its verb."""
+        following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
+        finite = not event.nominal and event.form != "ing"
+        return bool(self._state.fronted) and finite and isinstance(following, Mention)
 
-    def _joins(self, mention: Mention, k: int) -> bool:
-        """``a car and a truck``: the second takes the role of the first."""
-        state = self._state
-        anchor = state.anchor
-        listed = "and" in state.between or "or" in state.between or state.between == {","}
-        if not (isinstance(anchor, Mention) and listed) or "sub" in state.between:
+    def _by_a_stranger(self, event: Event, k: int) -> bool:
+        """``roadworks blocking the lane``, ``a steward waves``: no participant does it."""
+        before = self._chunks[k - 1] if k else None
+        if event.nominal or before is None:
             return False
-        if mention.pronoun in {"count", "one", "another"} and "," in state.between:
-            return False  # "four vans, two turning left": some of them, not further ones
-        waiting = anchor is state.candidate and not state.candidate_done
-        waiting = waiting and not any(anchor in event.subject for event in state.events)
-        if state.between == {","} and not waiting:
+        if isinstance(before, Thing) and before.kind in {"object", "obstacle"}:
+            return event.form == "ing" and not self._state.between
+        view = _view_of(self._chunks[max(0, k - 3) : k])
+        if view is not None and event.form == "ed":
+            event.passive, event.object = True, view  # "its view blocked by a truck"
+            return "aux:be" not in self._state.between
+        unknown = isinstance(before, Word) and before.cat == "unknown" and k > 1
+        if not unknown or (self._state.candidate is not None and not self._state.candidate_done):
             return False
-        if not waiting and (finite_follows(self._chunks, k) or "," in state.between):
-            return False
-        mention.joined = anchor
-        if waiting:
-            state.candidate = mention
-        for event in state.events:
-            if event.object is anchor:
-                event.object = mention
-        state.anchor = mention
-        state.between = set()
-        return True
-
-    def _start_clause(self, mention: Mention) -> None:
-        state = self._state
-        mention.denied = "neg:not" in state.between
-        state.candidate = mention
-        state.candidate_done = False
-        for event in state.pending:
-            event.subject = [mention]
-        state.pending = []
-
-    def _prepositional(self, mention: Mention, k: int) -> None:
-        state = self._state
-        prep = state.prep
-        state.prep = None
-        if prep is None:
-            return
-        prep.target = mention
-        mention.prep = prep.word
-        self._attach_prep(prep)
-        last = state.events[-1] if state.events else None
-        if last and last.nominal and prep.value in {"by", "of"} and not last.subject:
-            last.subject = [mention]
-        named = prep.value in {"with", "due", "against"}
-        if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:
-            prep.on_mention.partitive = True
-            return
-        pending = state.candidate is not None and not state.candidate_done
-        if pending and finite_follows(self._chunks, k):
-            state.last_pp = mention
-            return
-        if named and state.candidate is None:
-            self._start_clause(mention)
-        state.anchor = mention
-        state.between = set()
-        state.last_pp = None
-
-    def _noun(self, noun: NounPhrase, k: int) -> None:
-        state = self._state
-        opens = not state.events or bool(state.between & {"sub", ",", "conj"})
-        if state.prep is None and opens and finite_follows(self._chunks, k):
-            opens = not (state.events and "," in state.between and "sub" not in state.between)
-            state.inanimate = opens and (state.candidate is None or "sub" in state.between)
-        if state.prep is not None:
-            state.prep.target = noun
-            noun.prep = state.prep.word
-            self._attach_prep(state.prep)
-            state.prep = None
-            return
-        if also_from(noun, state):
-            return
-        anchor = state.anchor
-        direct = isinstance(anchor, Event) and anchor.object is None
-        if isinstance(anchor, Event) and direct and not (state.between - {"or", "either"}):
-            anchor.object = noun
-            state.anchor = noun
-            state.between = set()
-        elif not state.events and state.candidate is None:
-            state.anchor = noun
-            state.between = set()
+        opener = self._chunks[k - 2]
+        named = isinstance(opener, Place) or (isinstance(opener, Word) and opener.cat == "det")
+        return named and event.form in {"s", "ed"}
 
     def _premodifiers(self, mention: Mention) -> None:
         """``a speeding car``, ``the left turning truck``: events of the noun itself."""
@@ -281,19 +183,42 @@ class ClauseReader:
         state = self._state
         event.reduced = state.anchor is state.candidate and main_verb_follows(self._chunks, k)
         if state.prep is not None and state.prep.word.cat == "locus":
-            self._release_prep()
+            release(self._state)
         event.sentence = self._sentence
         event.mods += state.ahead
         state.ahead = []
-        subjects.link(event, state)
-        event.negated = any(word.startswith("neg:") for word in state.between) or event.negated
+        if self._inverted(event, k):
+            event.finite = True
+            state.pending.append(event)
+        elif not self._by_a_stranger(event, k):
+            subjects.link(event, state)
+            event.pps += state.opening
+            state.opening = []
+        following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
+        if isinstance(following, Word) and following.value == "by":
+            subjects.before_by(event)
+        negated = any(word.startswith("neg:") for word in state.between)
+        event.unable = negated and bool({"neg:unable", "aux:can"} & state.between)
+        event.negated = negated or event.negated
         event.negated = event.negated or any(
             m.denied or m.pronoun == "neither" for m in event.subject
         )
+        event.perfect = "aux:have" in state.between
         event.modal = event.modal or "aux:modal" in state.between
-        self._release_prep()
+        release(self._state)
         state.events.append(event)
         self.events.append(event)
         state.anchor = event
         state.between = set()
         state.last_pp = None
+
+
+def _view_of(before: list[Chunk]) -> Thing | None:
+    """``its view blocked``, ``his view of the road blocked``."""
+    last = before[-1] if before else None
+    if isinstance(last, Thing) and last.kind == "view":
+        return last
+    if len(before) == _VIEW_OF and isinstance(before[1], Word) and before[1].value == "of":
+        first = before[0]
+        return first if isinstance(first, Thing) and first.kind == "view" else None
+    return None

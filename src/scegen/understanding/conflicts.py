@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding import encounters, movements
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.movements import into_lane
+
+_CERTAIN = frozenset({"walk", "breach", "obey", "encounter", "overlook"})
+"""Verbs that, with a sign or a light, mean that it is not heeded, whatever its colour."""
+_ACROSS = {"left": Maneuver.LEFT, "right": Maneuver.RIGHT}
 
 
 def turn(scene: Scene, context: Context) -> None:
@@ -19,7 +23,10 @@ def turn(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.UNPROTECTED_LEFT_TURN, scene.words, scene.drivers)
         return
     into_way = any(p.kind == "path" for p in scene.places())
-    if event.dirs and scene.drivers and into_way:
+    known = {m for e in scene.drivers for m in e.maneuvers}
+    left = left or (not event.dirs and _ACROSS[context.across] in known)
+    settled = event.dirs or known & {Maneuver.LEFT, Maneuver.RIGHT}
+    if settled and scene.drivers and into_way:
         kind = HazardKind.UNPROTECTED_LEFT_TURN if left else HazardKind.FAILURE_TO_YIELD
         context.draft.hazard(kind, scene.words, scene.drivers)
         return
@@ -30,7 +37,8 @@ def turn(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.UNPROTECTED_LEFT_TURN, basis, scene.drivers, to)
         return
     sudden = scene.sudden
-    encroaches = into_lane(event) is not None and not event.dirs
+    lane = into_lane(event)
+    encroaches = lane is not None and "opposite" not in lane.dirs and not event.dirs
     if scene.drivers and not scene.reaction and (sudden is not None or encroaches):
         context.draft.hazard(HazardKind.SUDDEN_TURN, sudden or scene.words, scene.drivers)
 
@@ -44,6 +52,8 @@ def lane_change(scene: Scene, context: Context) -> None:
     owners = _owners(lane, scene, context)
     in_front = [p for p in scene.event.pps if p.word.cat == "locus" and p.value == "ahead"]
     own_will = not scene.reaction and not all(e.ego for e in scene.drivers)
+    if lane is not None and any(against(e, lane) for e in scene.drivers):
+        return  # into the oncoming lane
     if sudden is not None and not scene.reaction:
         context.draft.hazard(
             HazardKind.CUT_IN, sudden, scene.drivers, _owners(lane, scene, context)
@@ -52,6 +62,19 @@ def lane_change(scene: Scene, context: Context) -> None:
         context.draft.hazard(
             HazardKind.CUT_IN, scene.words, scene.drivers, _owners(lane, scene, context)
         )
+
+
+def against(entity: Entity, place: Place) -> bool:
+    """Whether a lane leads the other way than somebody is headed ("the northbound lane").
+
+    Args:
+        entity: who drives into it.
+        place: the lane.
+    """
+    ways = {m.value for m in place.mods if m.cat == "compass"}
+    opposed = {"north": "south", "south": "north", "east": "west", "west": "east"}
+    heading = entity.heading or ""
+    return place.kind == "lane" and opposed.get(heading, "") in ways
 
 
 def _owners(lane: Place | None, scene: Scene, context: Context) -> list[Entity]:
@@ -76,7 +99,9 @@ def cut_in(scene: Scene, context: Context) -> None:
         return
     to = scene.targets or _mentioned(scene.event)
     turning = any(e.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT} for e in scene.drivers)
-    if turning or any(context.comes_across(e) for e in scene.drivers):
+    words = {t.low for t in context.tokens[scene.event.i : scene.event.j]}
+    across = "across" in words and context.junction.crossing
+    if turning or across or any(context.comes_across(e) for e in scene.drivers):
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, to)
         return
     basis = scene.words
@@ -97,7 +122,13 @@ def enter(scene: Scene, context: Context) -> None:
     """``enters the lane in front of V1``: a cut-in; from the front, the oncoming lane is used."""
     lane = into_lane(scene.event)
     others = [e for e in scene.drivers if not e.ego]
-    if lane is None or lane.kind != "lane" or not others or scene.reaction:
+    _enter_in_front(scene, context)
+    if lane is None or not others or scene.reaction:
+        return
+    if lane.kind == "path" and _owners(lane, scene, context):
+        to = _owners(lane, scene, context)
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, others, to)
+    if lane.kind != "lane":
         return
     in_front = any(
         p.word.cat == "locus" and p.value == "ahead" for p in (*scene.event.pps, *lane.pps)
@@ -110,6 +141,14 @@ def enter(scene: Scene, context: Context) -> None:
         return
     context.draft.hazard(HazardKind.CUT_IN, scene.words, others, owners or _mentioned(scene.event))
     movements.lane_change(scene, context)
+
+
+def _enter_in_front(scene: Scene, context: Context) -> None:
+    """``pulls into the junction in front of the bus``: the bus had to be let through."""
+    to = _mentioned(scene.event)
+    meets = any(p.kind == "junction" for p in scene.places())
+    if meets and to and scene.drivers and not scene.reaction:
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, to)
 
 
 def unpark(scene: Scene, context: Context) -> None:
@@ -133,6 +172,10 @@ def merge(scene: Scene, context: Context) -> None:
         return
     lane = into_lane(scene.event)
     basis = scene.how("sudden", "aggressive") or scene.words
+    ahead = [p for p in scene.event.pps if p.word.cat == "locus" and p.value == "ahead"]
+    if ahead and _mentioned(scene.event) and not context.junction.crossing:
+        context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, _mentioned(scene.event))
+        return  # "merges in front of the bus"
     if lane is not None and (lane.owner is not None or lane.dirs):
         context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, _owners(lane, scene, context))
         return
@@ -155,15 +198,35 @@ def overtake(scene: Scene, context: Context) -> None:
 
 def pull_out(scene: Scene, context: Context) -> None:
     """Leaving a side road or a parking space without giving way."""
-    if scene.drivers:
-        context.draft.hazard(
-            HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, _mentioned(scene.event)
-        )
+    out_of_sight = any(p.word.cat == "locus" and p.outer == "from" for p in scene.event.pps)
+    drivers = [e for e in scene.drivers if not (out_of_sight and context.is_cyclist(e))]
+    along = any(context.placed(e, a) for e in drivers for a in (Approach.BEHIND, Approach.AHEAD))
+    if drivers and not along and not _to_overtake(scene, context):
+        to = [] if out_of_sight else _mentioned(scene.event)
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, drivers, to)
+
+
+def _to_overtake(scene: Scene, context: Context) -> bool:
+    """``pulls out to pass``, ``from behind a bus``: out of a lane, not out of a side road."""
+    around = {"around", "round", "past"}
+    if any(context.tokens[p.word.i].low in around for p in scene.event.pps):
+        return True
+    following = [c.name for c in scene.event.children]
+    purpose = scene.event.parent.name if scene.event.parent is not None else ""
+    return bool({*following, purpose} & {"overtake", "bypass", "pass"})
 
 
 def fail_to_yield(scene: Scene, context: Context) -> None:
     """Yielding that does not happen."""
     context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, scene.targets)
+    _from_the_side(scene, context)
+
+
+def _from_the_side(scene: Scene, context: Context) -> None:
+    """Who has to give way and comes from the side comes from another road."""
+    sides = (Approach.LEFT, Approach.RIGHT)
+    if any(context.placed(e, side) for e in scene.drivers for side in sides):
+        context.crossing_implied(scene.words, "who does not give way comes from the side")
 
 
 def subsume(context: Context) -> None:
@@ -181,18 +244,49 @@ def subsume(context: Context) -> None:
     ]
 
 
-def breach(scene: Scene, context: Context) -> None:
-    """``runs the red light``, ``ignores a stop sign``, ``violates the right of way``."""
+def turns_across(scene: Scene, context: Context) -> bool:
+    """A turn across the oncoming lane, which a red light forbids everywhere."""
+    event = scene.event
+    side = event.object.dirs if isinstance(event.object, Place) else []
+    return event.name in {"turn", "light"} and context.across in {
+        *(t.value for t in event.dirs),
+        *side,
+    }
+
+
+def _breach_of_control(scene: Scene, context: Context) -> None:
+    """``a stop sign … a car ignores it``, ``ignores the tram``: who has to wait does not."""
+    signals = context.junction.control is Control.SIGNALS
+    pronoun = isinstance(scene.event.object, Mention) and scene.event.object.pronoun is not None
+    if signals and pronoun:
+        context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, scene.words, scene.drivers)
+    else:
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers)
+
+
+def breach(scene: Scene, context: Context) -> bool:
+    """``runs the red light``, ``ignores a stop sign``, ``violates the right of way``.
+
+    Returns:
+        Whether a rule is broken.
+    """
+    before = len(context.draft.dangers)
     driven_through = {
         id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low == "through"
     }
+    ignored = isinstance(scene.event.object, Mention)
+    if scene.event.name == "breach" and ignored and context.junction.crossing:
+        _breach_of_control(scene, context)
     for place in scene.places():
-        certain = scene.event.name in {"walk", "breach", "obey"} or id(place) in driven_through
+        certain = scene.event.name in _CERTAIN or id(place) in driven_through
         basis = Basis(scene.event.i, max(place.j, scene.event.j))
         words = {t.low for t in context.tokens[place.i : place.j]}
         if place.kind == "signal":
             if "green" in words or not (certain or "red" in words):
                 continue
-            context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
+            if scene.drivers or not scene.walkers:
+                context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
         elif certain and place.kind in {"stop_sign", "yield_sign", "right_of_way"}:
             context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers)
+            _from_the_side(scene, context)
+    return len(context.draft.dangers) > before

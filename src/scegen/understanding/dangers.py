@@ -8,6 +8,7 @@ from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
 from scegen.understanding import conflicts, encounters
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
+from scegen.understanding.movements import into_lane
 
 _REGULATED = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_stop", "parking",
                         "shoulder", "sidewalk", "crosswalk"})  # fmt: skip
@@ -36,7 +37,8 @@ def brake(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.DELAYED_BRAKING, late, scene.drivers)
         return
     sudden = scene.sudden
-    if sudden is None and scene.reaction:
+    answer = scene.reaction or any(p.value == "for" for p in scene.event.pps)
+    if sudden is None and answer:
         return
     if sudden is None and not scene.drivers:
         return
@@ -44,7 +46,9 @@ def brake(scene: Scene, context: Context) -> None:
 
 
 def hard_brake(scene: Scene, context: Context) -> None:
-    """``slams on the brakes``, ``emergency braking``."""
+    """``slams on the brakes``, ``emergency braking``; what one is forced to is no danger."""
+    if scene.event.modal and not scene.event.nominal and any(e.ego for e in scene.actors):
+        return
     context.draft.hazard(HazardKind.HARD_BRAKING, scene.words, scene.drivers)
 
 
@@ -57,37 +61,65 @@ def slow(scene: Scene, context: Context) -> None:
         p.entity in scene.drivers and Approach.AHEAD in p.approaches
         for p in context.draft.placements
     )
+    if scene.event.perfect and sudden is None:
+        if leads:
+            context.draft.hazard(HazardKind.SLOW_DRIVING, scene.words, scene.drivers)
+        return
     if sudden is not None or (leads and not scene.reaction):
         context.draft.hazard(HazardKind.HARD_BRAKING, sudden or scene.words, scene.drivers)
 
 
 def stop(scene: Scene, context: Context) -> None:
     """Stopping where traffic moves; at a sign or light it is no danger."""
-    if any(p.kind in _REGULATED for p in scene.places()):
-        return
     sudden = scene.sudden
     motor = [e for e in scene.drivers if e.kind is not ParticipantKind.BICYCLE]
     if sudden is not None and motor:
         context.draft.hazard(HazardKind.HARD_BRAKING, sudden, motor)
+    if any(p.kind in _REGULATED for p in scene.places()):
+        return
     if scene.reaction or not scene.actors or any(e.ego for e in scene.actors):
         return
     context.draft.hazard(HazardKind.STOPPING, sudden or scene.words, scene.actors)
 
 
+def move(scene: Scene, context: Context) -> None:
+    """``moves left into the lane of the van``: a change of lane."""
+    lane = into_lane(scene.event)
+    sideways = any(t.value in {"left", "right"} for t in scene.event.dirs)
+    if sideways and lane is not None and lane.kind == "lane":
+        conflicts.lane_change(scene, context)
+    encounters.ride(scene, context)
+
+
+def too_late(scene: Scene, context: Context) -> None:
+    """``notices the queue too late``, ``reacts late``."""
+    late = scene.how("late")
+    if late is not None and scene.drivers:
+        context.draft.hazard(HazardKind.DELAYED_BRAKING, late, scene.drivers)
+
+
+def crawl(scene: Scene, context: Context) -> None:
+    """Verbs that say that somebody drives slowly."""
+    if scene.drivers and not scene.reaction:
+        context.draft.hazard(HazardKind.SLOW_DRIVING, scene.words, scene.drivers)
+
+
 def swerve(scene: Scene, context: Context) -> None:
-    """Swerving, weaving, drifting."""
-    if scene.reaction or not scene.drivers:
+    """Swerving, weaving, drifting; what the ego does to avoid another danger is its answer."""
+    drivers = [e for e in scene.drivers if not (scene.reaction and e.ego)]
+    if scene.event.modal or not drivers:
         return
-    context.draft.hazard(HazardKind.SWERVING, scene.words, scene.drivers, scene.targets)
+    context.draft.hazard(HazardKind.SWERVING, scene.words, drivers, scene.targets)
 
 
 def oncoming_lane(scene: Scene, context: Context) -> None:
     """A movement into or along the lane of oncoming traffic."""
     for place in scene.places():
         lane = place.kind == "lane" and "opposite" in place.dirs and place.owner is None
-        if lane or place.kind == "centerline":
-            over = place.kind == "centerline"
-            by = [e for e in scene.drivers if over or not context.oncoming(e)]
+        against = [e for e in scene.drivers if conflicts.against(e, place)]
+        if lane or against or place.kind == "centerline":
+            over = place.kind == "centerline" or bool(against)
+            by = [e for e in against or scene.drivers if over or not context.oncoming(e)]
             if by:
                 basis = Basis(place.i, place.j)
                 context.draft.hazard(HazardKind.ONCOMING_LANE, basis, by)
@@ -110,6 +142,19 @@ def follow(scene: Scene, context: Context) -> None:
     close = scene.how("close")
     if close is not None:
         context.draft.hazard(HazardKind.TAILGATING, close, scene.drivers, scene.targets)
+
+
+def undertake(scene: Scene, context: Context) -> None:
+    """``undertakes me``: overtaking on the near side; "undertakes a turn" is none."""
+    if scene.targets:
+        conflicts.overtake(scene, context)
+
+
+def swerve_around(scene: Scene, context: Context) -> None:
+    """``swerves around the ego``: getting past somebody, but swerving it is."""
+    others = [e for e in scene.drivers if not e.ego]
+    if others and context.tokens[scene.event.i].forms[-1][0] == "swerve":
+        context.draft.hazard(HazardKind.SWERVING, scene.words, others, scene.targets)
 
 
 def reverse(scene: Scene, context: Context) -> None:
@@ -153,13 +198,18 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "cross": encounters.cross,
     "walk": encounters.walk,
     "enter": enter,
-    "move": encounters.ride,
+    "move": move,
     "unpark": conflicts.unpark,
     "appear": encounters.appear,
     "block": encounters.block,
     "hide": encounters.occlude,
     "cause": encounters.cause,
     "door": encounters.door,
+    "encounter": too_late,
+    "react": too_late,
+    "crawl": crawl,
+    "bypass": swerve_around,
+    "undertake": undertake,
     "reverse": reverse,
     "lose_control": lose_control,
     "delay": delay,

@@ -5,22 +5,14 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
-from scegen.understanding.groups import vehicle_around
+from scegen.understanding.groups import Group, vehicle_around
 from scegen.understanding.mention_words import DEFAULT_COUNT, Reading, read_mention
+from scegen.understanding.pronouns import POSITIONS, Pronouns
 from scegen.understanding.roster import Roster
 from scegen.understanding.tokens import Token
 
 _MOTOR = frozenset(ParticipantKind) - {ParticipantKind.PEDESTRIAN}
-_POSITIONS = {
-    "first": 0,
-    "second": 1,
-    "third": 2,
-    "fourth": 3,
-    "fifth": 4,
-    "former": 0,
-    "latter": -1,
-}
-"""Place within those spoken of last; "the former" and "the latter" are of two."""
+_MOST = 20
 
 
 class Discourse:
@@ -37,6 +29,7 @@ class Discourse:
         self._tokens = tokens
         self._arms = arms
         self._roster = Roster(draft, tokens)
+        self._pronouns = Pronouns(draft, self._roster, tokens)
 
     def resolve(
         self,
@@ -44,7 +37,7 @@ class Discourse:
         *,
         subject: bool,
         exclude: list[Entity],
-        all_directions: bool = False,
+        sides: int | None = None,
         settled: bool = False,
     ) -> list[Entity]:
         """The participants that a mention refers to.
@@ -53,7 +46,7 @@ class Discourse:
             mention: the mention; its ``entities`` are set.
             subject: it is the subject of its clause.
             exclude: participants that it cannot mean (the subject, for an object).
-            all_directions: its members come one from each arm.
+            sides: its members come one from each of so many sides; 0: from each arm.
             settled: the text says which way all its members go.
         """
         if mention.entities:
@@ -64,17 +57,20 @@ class Discourse:
             return mention.entities
         if _refers_to_nobody(mention):
             return []
-        if any(p.word.cat == "locus" and _is_pronoun(p.target) for p in mention.pps):
+        located = any(p.word.cat == "locus" and _is_pronoun(p.target) for p in mention.pps)
+        if located or mention.besides:
             exclude = [*exclude, *self._roster.subject]  # "the car behind it" is not "it"
         if mention.pronoun is not None:
-            found = self._pronoun(mention, exclude)
+            found = self._we(mention) or self._pronouns.resolve(mention, exclude)
         else:
             found = self._noun(
-                read_mention(mention, self._tokens, self._arms if all_directions else None),
+                read_mention(mention, self._tokens, self._arms if sides == 0 else sides),
                 mention,
                 exclude,
             )
         mention.entities = list(found)
+        if mention.landmark:
+            self._roster.landmark = list(found)
         for entity in found:
             entity.loci |= _loci(mention)
         self._roster.spoken_of(found, subject=subject, settled=settled)
@@ -90,43 +86,19 @@ class Discourse:
                 entity.kind, entity.basis = reading.kind, Basis(mention.i, mention.j)
             entity.labels |= reading.labels
 
-    def _pronoun(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
-        which = mention.pronoun
-        if which in {"it", "him"}:
-            options = (
-                self._roster.subject if len(self._roster.subject) == 1 else self._roster.recent[-1:]
-            )
-            before = self._roster.before if len(self._roster.before) == 1 else []
-            left = [e for e in (*before, *reversed(self._roster.recent)) if e not in exclude]
-            return [e for e in options if e not in exclude] or left[:1]
-        if which in {"they", "both", "all", "neither"}:
-            return self._roster.together()
-        count = 1
-        if which == "count":
-            count = int(mention.mods[0].data["number"])
-        basis = Basis(mention.i, mention.j)
-        if which == "other":
-            rest = self._roster.claim(1, exclude) or self._roster.rest(exclude)
-            return rest or [self._roster.new(ParticipantKind.CAR, basis)]
-        if which == "ordinal":
-            position = _POSITIONS[mention.label or "first"]
-            group = self._roster.groups[-1].members if self._roster.groups else self._draft.entities
-            if position < 0 or mention.label == "former":
-                group = (group if len(group) > 1 else self._draft.entities)[-2:]
-                position %= max(len(group), 1)
-            if position < len(group):
-                group[position].claimed = True
-                return [group[position]]
-        if which == "another":
-            return self._roster.further(exclude, basis)
-        claimed = self._roster.claim(count, exclude)
-        if claimed or which == "count":
-            return claimed
-        return (
-            [self._roster.new(ParticipantKind.CAR, basis)]
-            if which != "one" or self._roster.recent
-            else []
-        )
+    def _we(self, mention: Mention) -> list[Entity]:
+        """``three of us``: the ego and two more."""
+        whole = mention.whole
+        if mention.pronoun != "count" or whole is None or not any(e.ego for e in whole.entities):
+            return []
+        count, basis = int(mention.mods[0].data["number"]), Basis(mention.i, whole.j)
+        ego = self._ego(ParticipantKind.CAR, basis)
+        others = [
+            self._roster.new(ParticipantKind.CAR, basis) for _ in range(min(count, _MOST) - 1)
+        ]
+        if others:
+            self._roster.groups.append(Group(others, vague=False, unnamed=True))
+        return [ego, *others]
 
     def _noun(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         basis = Basis(mention.i, mention.j)
@@ -138,6 +110,11 @@ class Discourse:
         inside = vehicle_around(reading, mention)
         if inside is not None:
             return self.resolve(inside, subject=False, exclude=[])
+        if _own_vehicle(reading, mention) and len(self._roster.subject) == 1:
+            owner = self._roster.subject[0]
+            if owner.is_vehicle:
+                owner.parked = owner.parked or (reading.parked and not owner.ego)
+                return [owner]
         known = self._known(reading, mention, exclude)
         if known:
             self._roster.enrich(known, reading)
@@ -168,12 +145,19 @@ class Discourse:
         names = {label for label in reading.labels if label.startswith("#")}
         if names:
             known = [e for e in self._draft.entities if names & e.labels][:1]
-            return known or self._roster.named(reading, names)
+            return known or self._roster.named(reading, names, exclude)
+        counted = self._counted(reading, mention)
+        if counted is not None:
+            return counted
         included = self._roster.included(reading, mention)
         if included:
             return included
         if reading.plural:
             return self._known_plural(reading)
+        if det == "def" and not reading.driver:
+            told = self._roster.told_what(reading, Basis(mention.i, mention.j))
+            if told:
+                return told
         if det == "other":
             claimed = self._roster.claim(1, exclude, reading)
             rest = [e for e in self._roster.rest(exclude) if self._roster.compatible(e, reading)]
@@ -184,6 +168,28 @@ class Discourse:
             member = self._member(reading, mention, exclude)
             return member or self._roster.from_title(reading, mention)
         return self._definite(reading, mention, exclude)
+
+    def _counted(self, reading: Reading, mention: Mention) -> list[Entity] | None:
+        """``the first car``, ``the second truck``: by the order in which they came up."""
+        which = next((m.value for m in mention.mods if m.value in POSITIONS), None)
+        if which is None or reading.det not in {"def", "ordinal"} or reading.plural:
+            return None
+        if mention.mods[0].value != "def":
+            return None
+        for group in reversed(self._roster.groups):
+            alike = [e for e in group.members if self._roster.compatible(e, reading)]
+            if len(alike) > abs(POSITIONS[which]):
+                return self._claimed(alike[POSITIONS[which]])
+        alike = [e for e in self._draft.entities if self._roster.compatible(e, reading)]
+        alike = [e for e in alike if not e.ego]
+        if not alike:
+            return None
+        known = alike[POSITIONS[which] :][:1] if POSITIONS[which] < len(alike) else []
+        return self._claimed(known[0]) if known else []
+
+    def _claimed(self, entity: Entity) -> list[Entity]:
+        entity.claimed = True
+        return [entity]
 
     def _known_plural(self, reading: Reading) -> list[Entity]:
         if reading.det != "def" and reading.count != DEFAULT_COUNT:
@@ -242,10 +248,18 @@ class Discourse:
         loci = _loci(mention)
         options = [e for e in options if not (loci and e.loci) or loci & e.loci]
         others = [e for e in options if not e.ego]
-        restricted = reading.dirs or reading.labels or mention.pps
+        restricted = reading.dirs or reading.labels or mention.pps or mention.elsewhere
+        restricted = restricted or mention.narrowed
         if others or reading.det == "bare" or restricted:
             return others[:1]
         return options[:1]
+
+
+def _own_vehicle(reading: Reading, mention: Mention) -> bool:
+    """``the driver opens the door of his vehicle``: what the driver stands for."""
+    possessed = bool(mention.mods) and mention.mods[0].cat == "possessive"
+    whose = possessed and mention.mods[0].value == "its"
+    return whose and reading.generic and not reading.plural and not reading.dirs
 
 
 def _is_pronoun(target: object) -> bool:
@@ -254,7 +268,8 @@ def _is_pronoun(target: object) -> bool:
 
 def _loci(mention: Mention) -> set[str]:
     """Where a noun is said to be: "the car behind" is not "the car in front"."""
-    return {p.value for p in mention.pps if p.word.cat == "locus"}
+    loci = {p.value for p in mention.pps if p.word.cat == "locus"}
+    return loci | ({"elsewhere"} if mention.elsewhere else set())
 
 
 def _refers_to_nobody(mention: Mention) -> bool:

@@ -52,6 +52,7 @@ class Entity:
     counted: Basis | None = None
     moves: Basis | None = None
     on_straight: bool = False
+    through: Basis | None = None
     claimed: bool = False
     opposed: set[int] = field(default_factory=set)
     name: str = ""
@@ -109,6 +110,8 @@ class Draft:
     crossing_implied: Basis | None = None
     lanes_implied: Basis | None = None
     access: Basis | None = None
+    side_road: Basis | None = None
+    """Somebody comes from the left or right, which takes a road there unless lanes are meant."""
     screened: list[tuple[Entity, Basis, list[Entity]]] = field(default_factory=list)
     """Who waits behind something, the words for it, and which vehicles screen them."""
 

@@ -9,7 +9,9 @@ from scegen.understanding.draft import Basis, Entity
 
 _HIDING = frozenset({"behind", "between"})
 _CARRIAGEWAY = frozenset({"road", "crosswalk", "highway"})
+_WAY = frozenset({"crosswalk", "road", "lane", "path", "highway"})
 _OPAQUE_PLACES = frozenset({"bus_stop", "feature", "parking"})
+_NARROWING = frozenset({"limit", "restrict", "impair", "hinder"})
 _SPRINGING = frozenset({"cross", "appear"})
 _COMING = frozenset({"move", "enter", "pull_out"})
 _WAITING = frozenset({"wait", "locate", "walk", "move", "stop", "park", "appear"})
@@ -25,10 +27,53 @@ def cross(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.CROSSING_CYCLIST, basis, cyclists)
 
 
+def on_the_road(mention: Mention, context: Context) -> None:
+    """``a pedestrian on the crosswalk``, ``brakes for a child``: they cross.
+
+    Args:
+        mention: who is spoken of.
+        context: the scenario in the making.
+    """
+    walkers = [e for e in mention.entities if not e.is_vehicle]
+    if not walkers:
+        return
+    for prep in mention.pps:
+        place = prep.target
+        on = prep.value == "in" and isinstance(place, Place) and place.kind in _WAY
+        if on and isinstance(place, Place) and context.tokens[prep.word.i].low in {"on", "in"}:
+            basis = Basis(mention.i, place.j)
+            context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, basis, walkers)
+
+
+def onto_the_road(scene: Scene, context: Context) -> None:
+    """Whoever is on foot and gets onto the road or into somebody's way crosses, by any verb."""
+    onto = any(
+        p.value == "into" and isinstance(p.target, Place) and p.target.kind in _WAY
+        for p in scene.event.pps
+    )
+    if onto and scene.walkers:
+        for entity in scene.walkers:
+            context.draft.maneuver(entity, {Maneuver.CROSS}, scene.words)
+        context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, scene.words, scene.walkers)
+
+
+def answered(scene: Scene, context: Context) -> None:
+    """``brakes for a child``, ``yields to pedestrians``: somebody crosses."""
+    for prep in scene.event.pps:
+        if prep.value not in {"for", "to"} or not isinstance(prep.target, Mention):
+            continue
+        walkers = [e for e in prep.target.entities if not e.is_vehicle]
+        if walkers:
+            basis = Basis(scene.event.i, prep.target.j)
+            context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, basis, walkers)
+
+
 def walk(scene: Scene, context: Context) -> None:
     """Walking counts as crossing unless it stays on the sidewalk."""
     if any(p.kind == "sidewalk" for p in scene.places()):
         return
+    if any(p.value == "into" and isinstance(p.target, Mention) for p in scene.event.pps):
+        return  # "ran into me": contact
     basis = scene.words
     for entity in scene.walkers:
         context.draft.maneuver(entity, {Maneuver.CROSS}, basis)
@@ -39,7 +84,10 @@ def walk(scene: Scene, context: Context) -> None:
 def appear(scene: Scene, context: Context) -> None:
     """Coming into sight: people step into the way, vehicles come out of a side road."""
     walk(scene, context)
-    hidden = any(p.outer == "from" and p.value in _HIDING for p in scene.event.pps)
+    hidden = any(
+        p.value in _HIDING and (p.outer == "from" or context.tokens[p.word.i].low == "from")
+        for p in scene.event.pps
+    )
     if hidden:
         _cyclists_cross(scene, context)
         return
@@ -60,7 +108,8 @@ def ride(scene: Scene, context: Context) -> None:
     aside = any(p.kind in {"sidewalk", "access", "parking"} for p in scene.places())
     direct = scene.event.object if scene.event.name == "enter" else None
     onto = onto or (isinstance(direct, Place) and direct.kind in _CARRIAGEWAY)
-    onto = onto or (aside and any(p.kind == "path" for p in scene.places()))
+    springs = scene.event.name == "appear" or any(p.kind == "path" for p in scene.places())
+    onto = onto or (aside and springs)
     away = {"off", "from"}
     onto = onto or any(
         context.tokens[p.word.i].low in away
@@ -86,6 +135,10 @@ def block(scene: Scene, context: Context) -> None:
     if isinstance(scene.event.object, Thing) and scene.event.object.kind == "view":
         occlude(scene, context)
         return
+    screened = [e for e in scene.targets if not e.is_vehicle or context.is_cyclist(e)]
+    if scene.event.passive and screened:
+        context.draft.hazard(HazardKind.OCCLUSION, scene.words, scene.actors)
+        return  # "a child obstructed by a van"
     prevents = any(c.link == "ing" for c in scene.event.children)
     if prevents and not scene.places():
         return
@@ -99,10 +152,15 @@ def block(scene: Scene, context: Context) -> None:
 
 def occlude(scene: Scene, context: Context) -> None:
     """``hides the pedestrian``, ``is hidden behind a truck``, ``blocks the view``."""
+    seen = scene.event.object
+    narrow = context.tokens[scene.event.i].forms[-1][0] in _NARROWING
+    if narrow and not (isinstance(seen, Thing) and seen.kind == "view"):
+        return  # "limits the space"
     walkers = [e for e in scene.actors if not e.is_vehicle]
     by = [e for e in scene.actors if e.is_vehicle and not e.ego]
     by += [e for e in _behind(scene.event) if e not in by]
-    if walkers or by or isinstance(scene.event.object, Thing):
+    hidden = bool(scene.targets) and not scene.actors  # "a hedge hiding two cyclists"
+    if walkers or by or hidden or isinstance(scene.event.object, Thing):
         context.draft.hazard(HazardKind.OCCLUSION, scene.words, by)
 
 
@@ -126,6 +184,7 @@ def from_behind(scene: Scene, context: Context) -> None:
         out = prep.outer == "from" or context.tokens[prep.word.i].low == "from"
         sprung = out or scene.event.name == "appear"
         sprung = sprung or (prep.value == "between" and bool(scene.walkers))
+        sprung = sprung or (isinstance(prep.target, Thing) and scene.event.name == "cross")
         if sprung:
             basis, by = _screen(prep, scene.actors)
             context.draft.hazard(HazardKind.OCCLUSION, basis, by)
@@ -153,8 +212,10 @@ def wait_behind(prep: Prep, entities: list[Entity], context: Context) -> None:
 
 def come_out(context: Context) -> None:
     """Who waited out of sight and crosses after all was hidden."""
+    backing = [e for d in context.draft.dangers if d.kind is HazardKind.REVERSING for e in d.by]
     for entity, basis, by in context.draft.screened:
-        if Maneuver.CROSS in entity.maneuvers:
+        seen = bool(by) and all(e in backing for e in by)  # "walks behind a reversing van"
+        if Maneuver.CROSS in entity.maneuvers and not seen:
             context.draft.hazard(HazardKind.OCCLUSION, basis, by)
 
 

@@ -22,6 +22,8 @@ class Group:
     specific: bool = False
     settled: bool = False
     """What they do is said of all of them, so that "one car" is somebody else."""
+    unnamed: bool = False
+    """It is not said what they drive ("three of us")."""
 
     @property
     def free(self) -> list[Entity]:

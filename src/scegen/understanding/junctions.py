@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from scegen.errors import InfeasibleError
 from scegen.scenario.functional import ARM_COUNTS, MAX_ARMS
 from scegen.scenario.vocabulary import Control, JunctionKind
+from scegen.understanding.angles import kind_of
 from scegen.understanding.draft import Basis
 from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
@@ -14,6 +15,7 @@ from scegen.understanding.tokens import Token
 _ARM_NOUNS = frozenset({"exit", "road", "leg"})
 _ASSUMED_EXITS = 4
 _WINDOW = 6
+_FEWEST_ARMS = 3
 
 
 @dataclass(slots=True)
@@ -29,6 +31,8 @@ class JunctionReading:
         control_basis: the words for it.
         named: some word for a junction occurs, even if not its shape.
         straight: the words for a straight road.
+        angles_deg: directions of the arms, rising.
+        angles_basis: the words for them.
         road: the first word for a road.
     """
 
@@ -41,6 +45,8 @@ class JunctionReading:
     named: Basis | None = None
     road: Basis | None = None
     straight: Basis | None = None
+    angles_deg: tuple[float, ...] = ()
+    angles_basis: Basis | None = None
 
     @property
     def crossing(self) -> bool:
@@ -68,8 +74,12 @@ def read_junction(terms: list[Term], tokens: list[Token]) -> JunctionReading:
             _set_kind(reading, JunctionKind.SKEWED, Basis(term.i, term.j), override=True)
         elif term.cat == "control" and not _negated(terms, k):
             _set_control(reading, Control(term.value), Basis(term.i, term.j))
+        elif term.cat == "angles":
+            reading.angles_deg = term.data["degrees"]
+            reading.angles_basis = Basis(term.i, term.j)
         elif term.cat in {"num", "quant"}:
             _counted_arms(reading, terms, k)
+    _shaped_by_angles(reading)
     _reconcile(reading, tokens)
     return reading
 
@@ -156,12 +166,26 @@ def _counted_arms(reading: JunctionReading, terms: list[Term], k: int) -> None:
     if not joined and not meets:
         return
     basis = Basis(number.i, noun.j)
+    definite = bool(k) and terms[k - 1].cat == "det" and terms[k - 1].value == "def"
+    if number.cat == "num" and number.data["number"] < _FEWEST_ARMS and definite:
+        return  # "where the two branches meet": some of them
     if number.cat == "num":
         reading.arms, reading.arms_basis = int(min(number.data["number"], 999)), basis
     elif number.value == "vague":
         reason = f"several exits without a number are read as {_ASSUMED_EXITS}"
         reading.arms, reading.arms_basis = _ASSUMED_EXITS, Basis(basis.i, basis.j, reason)
     reading.named = reading.named or basis
+
+
+def _shaped_by_angles(reading: JunctionReading) -> None:
+    """Listed directions say how many arms there are, and the shape unless it is named."""
+    if not reading.angles_deg:
+        return
+    if reading.arms is None:
+        reading.arms, reading.arms_basis = len(reading.angles_deg), reading.angles_basis
+    if reading.kind in {None, JunctionKind.FOUR_WAY}:
+        reading.kind, reading.kind_basis = kind_of(reading.angles_deg), reading.angles_basis
+    reading.named = reading.named or reading.angles_basis
 
 
 def _reconcile(reading: JunctionReading, tokens: list[Token]) -> None:

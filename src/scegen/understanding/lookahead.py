@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 
 BOUNDARIES = frozenset({".", ";", "!", "?", ":"})
 ADVERBS = frozenset(
@@ -43,13 +43,19 @@ def finite_follows(chunks: list[Chunk], k: int) -> bool:
                 return False
             if chunk.cat == "punct" and chunk.value in BOUNDARIES:
                 return False
-            if chunk.value == "to" and chunk.cat == "prep":
+            if chunk.value == "to" and chunk.cat == "prep" and not _place_after(chunks, chunk):
                 return False
             auxiliary = auxiliary or chunk.cat == "aux"
             preposed = chunk.cat in GOVERNING
         elif isinstance(chunk, Mention) and not chunk.possessor and not preposed:
             return False
     return False
+
+
+def _place_after(chunks: list[Chunk], word: Word) -> bool:
+    """``the view to the left``: no infinitive."""
+    k = next(k for k, chunk in enumerate(chunks) if chunk is word)
+    return k + 1 < len(chunks) and isinstance(chunks[k + 1], Place)
 
 
 def main_verb_follows(chunks: list[Chunk], k: int) -> bool:

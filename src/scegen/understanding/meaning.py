@@ -3,22 +3,26 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind
-from scegen.understanding import conflicts, dangers, encounters
-from scegen.understanding.chunks import Chunk, Event, Mention, Prep, Thing
+from scegen.understanding import conflicts, dangers, encounters, implied, side_roads
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.movements import MOVEMENTS
 from scegen.understanding.omissions import not_done
 from scegen.understanding.placing import Placer, thing_sides
 from scegen.understanding.resolving import from_everywhere
+from scegen.understanding.roadside import read_thing
+from scegen.understanding.subjects import chain
 from scegen.understanding.terms import Term
 
+_PASSING = frozenset({"overtake", "pass", "bypass", "undertake"})
+_ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
 _BREACHING = frozenset({"walk", "breach", "move", "enter", "cross", "speed", "accelerate"})
 _ON_THE_MOVE = frozenset({"swerve", "use", "enter", "move", "cross", "lose_control", "lane_change",
-                          "merge", "overtake", "bypass", "turn"})  # fmt: skip
+                          "merge", "overtake", "bypass", "turn", "sharp_turn"})  # fmt: skip
 _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
-                       "pull_out"})  # fmt: skip
+                       "pull_out", "collide"})  # fmt: skip
 _TRAVEL = frozenset({"move", "approach", "enter", "merge", "turn", "cross", "follow", "overtake",
                      "bypass", "leave", "lane_change", "accelerate", "speed", "try"})  # fmt: skip
 
@@ -36,6 +40,8 @@ class Interpreter:
         self._draft = context.draft
         self._placer = Placer(context.draft)
         self._limit = limit
+        self._scenes: list[Scene] = []
+        self._of_verbs: set[int] = set()
 
     def run(self, chunks: list[Chunk], events: list[Event]) -> None:
         """All statements of a text.
@@ -44,23 +50,39 @@ class Interpreter:
             chunks: its chunks, mentions resolved.
             events: its events.
         """
+        self._of_verbs = {
+            id(p)
+            for e in events
+            for p in e.pps
+            if p.on_mention is e.object
+            and (self._starts(e, p) or (e.name in _PASSING and _is_side(p)))
+        }
+        handled = {id(e.object) for e in events if e.name == "inert"}  # "kicks a ball"
         for chunk in chunks:
             if isinstance(chunk, Mention) and chunk.entities:
                 self._mention(chunk)
-            elif isinstance(chunk, Thing):
-                self._thing(chunk, chunks)
+            elif isinstance(chunk, Thing) and id(chunk) not in handled:
+                read_thing(chunk, chunks, self._draft)
         for chunk in chunks:
             if isinstance(chunk, Mention):
                 self._share_sides(chunk.pps, chunk.entities, hidden=False)
+        _mark_answers(events)
         for event in events:
             self._event(event)
         encounters.come_out(self._context)
+        implied.positions(self._scenes, self._context)
         conflicts.subsume(self._context)
 
     def _mention(self, mention: Mention) -> None:
         self._placer.adjectives(mention)
+        encounters.on_the_road(mention, self._context)
+        sides = [p for p in mention.pps if p.value in {"from", "in"} and _is_side(p)]
         for prep in mention.pps:
-            self._placer.phrase(prep, mention.entities, None)
+            if id(prep) in self._of_verbs:
+                continue  # "approaches the ego from the left": not the ego comes from there
+            shared = len(sides) == len(mention.entities) > 1 and prep in sides
+            whom = [mention.entities[sides.index(prep)]] if shared else mention.entities
+            self._placer.phrase(prep, whom, None)
             encounters.wait_behind(prep, mention.entities, self._context)
         for term in mention.mods:
             self._quality(term, mention.entities)
@@ -101,31 +123,12 @@ class Interpreter:
                 entity.speed = quantity.value
                 entity.speed_basis = Basis(term.i, term.j, quantity.note)
 
-    def _thing(self, thing: Thing, chunks: list[Chunk]) -> None:
-        basis = Basis(thing.i, thing.j)
-        if thing.kind == "obstacle":
-            self._draft.hazard(HazardKind.OBSTACLE, basis, [])
-            self._draft.note(
-                thing.i, thing.j, "things on the road are kept as the hazard 'obstacle' only"
-            )
-        elif thing.kind == "door":
-            whose = [
-                e for p in thing.pps if isinstance(p.target, Mention) for e in p.target.entities
-            ]
-            whose += thing.owner.entities if thing.owner is not None else []
-            self._draft.hazard(HazardKind.OBSTACLE, basis, whose)
-            self._draft.note(thing.i, thing.j, "doors are not modelled; an obstacle is")
-        elif thing.kind == "object":
-            self._draft.note(
-                thing.i, thing.j, "things beside the road are not built; what they hide is kept"
-            )
-        elif thing.kind == "view" and any(m.cat == "verb" for m in thing.mods):
-            self._draft.hazard(HazardKind.OCCLUSION, basis, _owing_to(thing, chunks))
-
     def _scene(self, event: Event) -> Scene:
         actors = [e for m in event.subject for e in m.entities]
         direct = event.object
-        targets = list(direct.entities) if isinstance(direct, Mention) else []
+        targets = (
+            [e for m in chain(direct) for e in m.entities] if isinstance(direct, Mention) else []
+        )
         if event.passive:
             agents = [
                 e
@@ -133,6 +136,8 @@ class Interpreter:
                 if p.value == "by" and isinstance(p.target, Mention)
                 for e in p.target.entities
             ]
+            if not agents and isinstance(direct, Mention):
+                agents = targets  # "is passed by a bus": the verb has taken the "by"
             if event.name != "hide":
                 return Scene(event, agents, actors)
             return Scene(event, actors, [])
@@ -147,24 +152,29 @@ class Interpreter:
 
     def _event(self, event: Event) -> None:
         scene = self._scene(event)
+        self._scenes.append(scene)
         for prep in event.pps:
             if from_everywhere(prep):
-                self._spread(prep, scene.actors)
+                side_roads.spread(prep, scene.actors, self._context)
             elif prep.on_mention is None or self._starts(event, prep):
                 turned = event.passive and event.name != "hide"
                 whom = scene.targets if turned and prep.value != "behind" else scene.actors
                 self._placer.phrase(prep, whom, event)
-        self._access(scene)
+                side_roads.side_road(prep, event, whom, self._context)
+        side_roads.access(scene, self._context)
         failed = event.parent is not None and event.parent.name == "fail"
-        if event.negated or failed:
+        if event.name in _ANSWERS:
+            encounters.answered(scene, self._context)
+        if event.negated or failed or event.name == "overlook":
             not_done(scene, self._context)
             return
-        if event.name in _BREACHING:
+        if event.name in _BREACHING or conflicts.turns_across(scene, self._context):
             conflicts.breach(scene, self._context)
         self._manner(scene)
         movement = MOVEMENTS.get(event.name)
         if movement is not None:
             movement(scene, self._context)
+        encounters.onto_the_road(scene, self._context)
         danger = dangers.DANGERS.get(event.name)
         if danger is not None and not self._overruled(scene):
             danger(scene, self._context)
@@ -183,29 +193,13 @@ class Interpreter:
         moved = event.name in _UNDERWAY and (named is event.object or event.object is None)
         return prep.value == "from" and not (target and not moved)
 
-    def _access(self, scene: Scene) -> None:
-        """A vehicle that comes out of a side road needs that road."""
-        for place in scene.places():
-            if place.kind == "lane" and "adjacent" in place.dirs:
-                basis = Basis(place.i, place.j)
-                self._context.lanes_implied(basis, "there is a lane beside")
-            if place.kind == "access" and scene.drivers and self._draft.access is None:
-                self._draft.access = Basis(place.i, place.j)
-
     def _overruled(self, scene: Scene) -> bool:
         """``runs the red light`` is no walk."""
-        return scene.event.name == "walk" and any(
-            p.kind in {"signal", "stop_sign"} for p in scene.places()
+        return (
+            scene.event.name == "walk"
+            and not scene.walkers
+            and any(p.kind in {"signal", "stop_sign"} for p in scene.places())
         )
-
-    def _spread(self, prep: Prep, actors: list[Entity]) -> None:
-        """One vehicle to each arm."""
-        target = prep.target
-        end = target.j if target is not None else prep.word.j
-        arms = self._context.junction.arms or max(len(actors), 1)
-        for number, entity in enumerate(actors):
-            entity.entries = {number % arms}
-            entity.entry_basis = Basis(prep.word.i, end)
 
     def _manner(self, scene: Scene) -> None:
         event = scene.event
@@ -250,12 +244,15 @@ class Interpreter:
                         self._draft.place(entity, None, sides, basis)
 
 
-def _owing_to(thing: Thing, chunks: list[Chunk]) -> list[Entity]:
-    """``obstructed views due to parked cars``: the mention right after, with "due to" or "by"."""
-    position = next(k for k, c in enumerate(chunks) if c is thing)
-    for chunk in chunks[position + 1 : position + 4]:
-        if isinstance(chunk, Mention):
-            prep = chunk.prep
-            causal = prep is not None and prep.value in {"due", "by"}
-            return [e for e in chunk.entities if causal]
-    return []
+def _is_side(prep: Prep) -> bool:
+    return isinstance(prep.target, Place) and prep.target.kind == "side"
+
+
+def _mark_answers(events: list[Event]) -> None:
+    """``braked but could not avoid the van``: who tries to avoid something brakes as an answer."""
+    avoiding = [e for e in events if e.name == "avoid"]
+    for event in events:
+        if event.name in {"brake", "slow", "stop"} and not event.nominal:
+            event.modal = event.modal or any(
+                e.sentence == event.sentence and e.subject == event.subject for e in avoiding
+            )

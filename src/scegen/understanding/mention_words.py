@@ -49,7 +49,8 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
     mass = any(h.data.get("mass") for h in heads)
     driver = any(h.data.get("driver") for h in heads)
     kind = (specific or kinds or [ParticipantKind.CAR])[0]
-    if kind is ParticipantKind.PEDESTRIAN and mention.drives:
+    afoot = any("afoot" in h.data for h in heads)
+    if kind is ParticipantKind.PEDESTRIAN and mention.drives and not afoot:
         kind, driver, kinds = ParticipantKind.CAR, True, []
     if heads[-1].value == "rider" and not kinds:
         kind = ParticipantKind.MOTORCYCLE
@@ -98,7 +99,7 @@ def _count(
         words = {t.low for t in tokens[quant.i : quant.j]}
         count = next((n for w, n in _VAGUE_COUNTS.items() if w in words), _MANY)
         return count, True, f"'{word}' is read as {count}"
-    if quant is not None and quant.value == "both":
+    if quant is not None and quant.value == "both" and plural:
         return DEFAULT_COUNT, False, None
     if not plural:
         return 1, False, None

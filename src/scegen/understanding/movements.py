@@ -14,6 +14,9 @@ _DIRECTIONS = {
     "right": Maneuver.RIGHT,
     "straight": Maneuver.STRAIGHT,
 }
+_ASIDE = frozenset({"move", "shift", "steer", "edge", "ease"})
+"""Verbs that on an open road mean a shift to the side, not a turn."""
+_THROUGH = frozenset({"through", "across"})
 _ORDINALS = {
     "first": Maneuver.EXIT_1,
     "second": Maneuver.EXIT_2,
@@ -47,7 +50,8 @@ def turn(scene: Scene, context: Context) -> None:
         return
     values = set(directions) or {Maneuver.LEFT, Maneuver.RIGHT}
     if not directions:
-        if any(entity.maneuvers for entity in scene.actors) or event.nominal:
+        made = event.parent is not None and event.parent.name in {"light", "try"}
+        if any(entity.maneuvers for entity in scene.actors) or (event.nominal and not made):
             return
         basis = Basis(basis.i, basis.j, "the text does not say which way it turns")
     context.crossing_implied(basis, "vehicles turn")
@@ -77,7 +81,17 @@ def move(scene: Scene, context: Context) -> None:
     event = scene.event
     directions = _directions(event)
     straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in scene.places())
+    aside = context.tokens[event.i].forms[-1][0] in _ASIDE and not context.junction.crossing
+    sideways = set(directions) & {Maneuver.LEFT, Maneuver.RIGHT}
+    lane = into_lane(event)
+    if sideways and (aside or (lane is not None and lane.kind == "lane")):
+        lane_change(scene, context)  # "moves left into the next lane"
+        return
+    if any(p.kind == "exit" for p in scene.places()):
+        leave(scene, context)
+    through = _through_junction(event, context)
     for entity in scene.drivers:
+        entity.through = entity.through or through
         entity.moves = entity.moves or Basis(event.i, event.j)
         entity.on_straight = entity.on_straight or straight
     if not directions:
@@ -87,6 +101,23 @@ def move(scene: Scene, context: Context) -> None:
     if values & {Maneuver.LEFT, Maneuver.RIGHT}:
         context.crossing_implied(basis, "vehicles turn")
     _apply(scene, context, values, basis)
+
+
+def _through_junction(event: Event, context: Context) -> Basis | None:
+    """``drives through the intersection``; a roundabout is left by one of its exits."""
+    if context.junction.kind is JunctionKind.ROUNDABOUT:
+        return None
+    words = {t.low for t in context.tokens[event.i : event.j]}
+    if words & _THROUGH and isinstance(event.object, Place) and event.object.kind == "junction":
+        return Basis(event.i, event.object.j)
+    for prep in event.pps:
+        place, word = prep.target, context.tokens[prep.word.i].low
+        if isinstance(place, Place) and (
+            (word in _THROUGH and place.kind == "junction")
+            or (word == "along" and place.kind == "road")
+        ):
+            return span(event, prep.word.i, place.j)
+    return None
 
 
 def u_turn(scene: Scene, context: Context) -> None:
@@ -127,6 +158,12 @@ def overtake(scene: Scene, context: Context) -> None:
         context.ahead(scene.targets, scene.actors, basis)
 
 
+def undertake(scene: Scene, context: Context) -> None:
+    """Overtaking on the near side, if it is done to somebody."""
+    if scene.targets:
+        overtake(scene, context)
+
+
 def _changes_lane(event: Event) -> bool:
     """``changes lanes to get past``: the change of lane is the movement, the rest its purpose."""
     return event.name == "lane_change" or any(c.name == "lane_change" for c in event.children)
@@ -136,7 +173,9 @@ def cross(scene: Scene, context: Context) -> None:
     """Who walks, crosses; a vehicle that crosses a junction goes straight through."""
     basis = Basis(scene.event.i, scene.event.j)
     for entity in scene.actors:
-        if not entity.is_vehicle or (context.is_cyclist(entity) and _onto_road(scene.event)):
+        open_road = not context.junction.crossing and context.draft.crossing_implied is None
+        onto = _onto_road(scene.event) or (open_road and scene.event.object is None)
+        if not entity.is_vehicle or (context.is_cyclist(entity) and onto):
             context.draft.maneuver(entity, {Maneuver.CROSS}, basis)
     drivers = [e for e in scene.drivers if Maneuver.CROSS not in e.maneuvers]
     if _directions(scene.event) and drivers:
@@ -162,6 +201,8 @@ def _onto_road(event: Event) -> bool:
 def leave(scene: Scene, context: Context) -> None:
     """``takes the second exit`` of a roundabout."""
     target = scene.event.object
+    exits = [p for p in scene.places() if p.kind == "exit"]
+    target = exits[0] if exits else target
     if not isinstance(target, Place):
         return
     if target.kind == "side":
@@ -241,10 +282,13 @@ MOVEMENTS: dict[str, Callable[[Scene, Context], None]] = {
     "u_turn": u_turn,
     "lane_change": lane_change,
     "overtake": overtake,
+    "undertake": undertake,
+    "crawl": move,
     "bypass": overtake,
     "pass": overtake,
     "cross": cross,
     "leave": leave,
+    "try": leave,
     "light": leave,
     "use": use,
     "follow": follow,

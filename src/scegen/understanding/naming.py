@@ -69,6 +69,13 @@ class Namer:
     def _listed(self, m: int) -> bool:
         return self._joint(m) and self._name(m + 1) is not None
 
+    def _model(self, i: int) -> bool:
+        """``F-150``: a letter joined to a number is a model, not a name."""
+        after = self.tokens[i + 1] if i + 1 < len(self.tokens) else None
+        joined = after is not None and after.start == self.tokens[i].end + 1
+        written = after is not None and after.kind == "number"
+        return joined and written and self.tokens[i].text != "A"
+
     def _name(self, m: int) -> str | None:
         """The name that the term is, if it is one."""
         if m >= len(self.terms):
@@ -80,6 +87,7 @@ class Namer:
         if term.cat == "num" and spoken and term.j - term.i == 1 and follows != "actor":
             return f"#{term.data['number']:g}"
         letter = len(token.text) == 1 and token.text.isupper() and token.text != "I"
+        letter = letter and not self._model(term.i)
         if letter and follows not in {"actor", "place", "dir", "shape", "manner", "state"}:
             return f"#{token.low}"
         return None

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Control, HazardKind
+from scegen.scenario.vocabulary import Approach, Control, HazardKind
 from scegen.understanding import conflicts
+from scegen.understanding.chunks import Mention
 from scegen.understanding.context import Context, Scene
-from scegen.understanding.draft import Basis
+from scegen.understanding.draft import Basis, Entity
 
 _SIGNED = frozenset({Control.STOP, Control.ALL_WAY_STOP})
 _SIGNS = frozenset({"stop_sign", "stop_line", "yield_sign"})
-_STOPPING = frozenset({"stop", "brake", "wait"})
+_SEEING = frozenset({"encounter", "overlook"})
+_STOPPING = frozenset({"stop", "brake", "wait", "slow"})
 _HARMLESS = frozenset({"light", "inert", "return", "move", "encounter", "try"})
 
 
@@ -22,7 +24,11 @@ def not_done(scene: Scene, context: Context) -> None:
     """
     event = scene.event
     basis = Basis(event.i, event.j)
-    if event.name == "yield":
+    if event.unable:
+        _unable(scene, context)
+    elif event.name in _SEEING and conflicts.breach(scene, context):
+        return
+    elif event.name == "yield":
         conflicts.fail_to_yield(scene, context)
     elif event.name == "obey":
         conflicts.breach(scene, context)
@@ -30,10 +36,37 @@ def not_done(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
     elif event.name in _STOPPING and _has_to_wait(scene, context):
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers)
-    elif event.name in {"brake", "stop", "slow"} and scene.drivers:
+    elif (event.name in _SEEING and scene.drivers and _ahead(scene, context)) or (
+        event.name in {"brake", "stop", "slow"} and scene.drivers
+    ):
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name not in _HARMLESS:
         context.draft.note(event.i, event.j, "said not to happen; left out")
+
+
+def _unable(scene: Scene, context: Context) -> None:
+    """``cannot stop in time``, ``could not see the car because of the van``."""
+    event = scene.event
+    basis = Basis(event.i, event.j)
+    if event.name in {"brake", "stop", "slow"} and scene.drivers:
+        context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
+    elif event.name == "encounter":
+        context.draft.hazard(HazardKind.OCCLUSION, basis, _in_the_way(scene, context))
+    elif event.name not in _HARMLESS:
+        context.draft.note(event.i, event.j, "said not to happen; left out")
+
+
+def _in_the_way(scene: Scene, context: Context) -> list[Entity]:
+    """Who is said to keep somebody from seeing; else the one that is parked there."""
+    named = [
+        e
+        for p in scene.event.pps
+        if isinstance(p.target, Mention) and p.value in {"due", "with", "for", "by"}
+        for e in p.target.entities
+        if e.is_vehicle and not e.ego
+    ]
+    parked = [e for e in context.draft.entities if e.parked and e not in scene.targets]
+    return named or (parked if len(parked) == 1 else [])
 
 
 def _at_signals(scene: Scene, context: Context) -> bool:
@@ -42,11 +75,17 @@ def _at_signals(scene: Scene, context: Context) -> bool:
     return named or regulated
 
 
+def _ahead(scene: Scene, context: Context) -> bool:
+    """Whether what is overlooked drives in front."""
+    overlooked = scene.targets or [e for e in context.draft.entities if e not in scene.actors]
+    return any(context.placed(e, Approach.AHEAD) for e in overlooked)
+
+
 def _has_to_wait(scene: Scene, context: Context) -> bool:
     """A sign, another road, or a crossing that is driven over "without stopping"."""
     if any(p.kind in _SIGNS for p in scene.places()):
         return True
-    if scene.event.name != "stop":
+    if scene.event.name not in {"stop", "slow", "brake", "wait"}:
         return False
     if context.junction.control in _SIGNED:
         return True

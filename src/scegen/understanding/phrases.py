@@ -35,15 +35,19 @@ def also_from(noun: NounPhrase, state: State) -> bool:
         noun: the noun just read.
         state: what the clause reader remembers.
     """
-    pps = state.events[-1].pps if state.events else []
-    if not (pps and isinstance(noun, Place) and noun.kind == "side"):
+    last = state.last_prep
+    if last is None or not (isinstance(noun, Place) and noun.kind == "side"):
         return False
-    last = pps[-1]
-    joined = state.between & {"and", "or"} and isinstance(last.target, Place)
-    if joined and last.target is not None and last.target.j == noun.i - 1:
-        pps.append(Prep(last.word, noun, last.outer, last.on_mention))
-        return True
-    return False
+    joined = state.between & {"and", "or", ","} and isinstance(last.target, Place)
+    if not joined or last.target is None or last.target.j != noun.i - 1:
+        return False
+    further = Prep(last.word, noun, last.outer, last.on_mention)
+    listed = [e.pps for e in state.events[-1:]] + [m.pps for m in state.mentions]
+    for phrases in listed:
+        if last in phrases:
+            phrases.append(further)
+    state.last_prep = further
+    return True
 
 
 def bracketed(chunks: list[Chunk], k: int) -> bool:
@@ -63,7 +67,8 @@ def _names_before(chunks: list[Chunk], k: int, state: State) -> bool:
     if state.between != {","} or not isinstance(before, Mention) or not isinstance(here, Mention):
         return False
     named = (before.label or "").startswith("#") and not (here.label or "").startswith("#")
-    closes = k + 1 >= len(chunks) or (
-        isinstance(chunks[k + 1], Word) and getattr(chunks[k + 1], "value", "") in {",", ".", ";"}
-    )
-    return named and closes and any(m.value == "indef" for m in here.mods)
+    following = chunks[k + 1] if k + 1 < len(chunks) else None
+    listed = isinstance(following, Word) and following.cat == "conj"
+    indefinite = any(m.value == "indef" for m in here.mods)
+    acts = isinstance(following, Event) and following.form != "ing"
+    return named and indefinite and not listed and not acts

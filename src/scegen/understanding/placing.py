@@ -16,10 +16,20 @@ _BY_DIR: dict[str, frozenset[Approach]] = {
     "rear": frozenset({Approach.BEHIND}),
     "front": frozenset({Approach.AHEAD}),
 }
+INVERSE = {
+    Approach.AHEAD: Approach.BEHIND,
+    Approach.BEHIND: Approach.AHEAD,
+    Approach.LEFT: Approach.RIGHT,
+    Approach.RIGHT: Approach.LEFT,
+    Approach.OPPOSITE: Approach.OPPOSITE,
+    Approach.ADJACENT: Approach.ADJACENT,
+}
+"""How one sees another, by how the other sees the one."""
 _SIDES = {"left": Approach.LEFT, "right": Approach.RIGHT}
 _STEADY = frozenset(
     {"move", "stop", "brake", "hard_brake", "slow", "locate", "wait", "park", "accelerate",
-     "approach", "speed", "tailgate", "follow", "light", "hide", "appear", "walk"}
+     "approach", "speed", "tailgate", "follow", "light", "hide", "appear", "walk",
+     "unknown", "inert", "pass", "lose_control", "swerve", "reverse", "crawl"}
 )  # fmt: skip
 _PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane"})
 _OPPOSED = "opposed"
@@ -40,6 +50,8 @@ def adjective_approaches(dirs: list[str]) -> frozenset[Approach]:
 
 
 def _place_approaches(place: Place, prep: str) -> frozenset[Approach]:
+    if place.kind == "access" and prep == "from":
+        return frozenset(_SIDES[d] for d in place.dirs if d in _SIDES)
     if place.kind not in _PLACES:
         return frozenset()
     dirs = place.dirs
@@ -145,6 +157,9 @@ class Placer:
         for entity in entities:
             if entity.is_vehicle or prep.value != "ahead":
                 self._draft.place(entity, reference, approaches, basis)
+        further = target.entities[1:] if isinstance(target, Mention) else []
+        for other in further if len(entities) == 1 else []:
+            self._draft.place(other, entities[0], {INVERSE[a] for a in approaches}, basis)
 
     def _head(self, entities: list[Entity], heading: str, basis: Basis) -> None:
         for entity in entities:

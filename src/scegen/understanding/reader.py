@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.errors import InputError
 from scegen.scenario.functional import ARM_COUNTS, FunctionalScenario
 from scegen.scenario.vocabulary import DrivingSide, JunctionKind
+from scegen.understanding.angles import read_angles, set_apart
 from scegen.understanding.building import Builder
 from scegen.understanding.chunking import Chunker
 from scegen.understanding.clauses import ClauseReader
@@ -12,12 +13,16 @@ from scegen.understanding.context import Context
 from scegen.understanding.coverage import unattached
 from scegen.understanding.discourse import Discourse
 from scegen.understanding.draft import Draft
+from scegen.understanding.ellipsis import fill_in
+from scegen.understanding.headings import silence
 from scegen.understanding.junctions import JunctionReading, read_junction
 from scegen.understanding.leftovers import report
 from scegen.understanding.meaning import Interpreter
 from scegen.understanding.relevance import require_traffic
+from scegen.understanding.repeated import repeat
 from scegen.understanding.resolving import resolve_mentions
 from scegen.understanding.respectively import share_out
+from scegen.understanding.sides import settle_sides
 from scegen.understanding.surroundings import read_surroundings
 from scegen.understanding.tagging import tag
 from scegen.understanding.tokens import tokenize
@@ -55,12 +60,15 @@ def read(text: str) -> FunctionalScenario:
         msg = f"the description has {len(text)} characters, more than {MAX_CHARACTERS}"
         raise InputError(msg, where="description", hint="Describe one situation at a time.")
     tokens = tokenize(text)
-    terms = tag(tokens)
+    terms = set_apart(tag(tokens), read_angles(tokens, text))
     require_traffic(terms, tokens)
     junction = read_junction(terms, tokens)
     surroundings = read_surroundings(terms, tokens)
+    terms = settle_sides(terms, surroundings.side)
     chunks = Chunker(terms, tokens).run()
-    events = ClauseReader(chunks).run()
+    silence(chunks)
+    repeat(chunks, tokens)
+    events = fill_in(chunks, ClauseReader(chunks).run())
     draft = Draft(text, tokens)
     resolve_mentions(chunks, events, Discourse(draft, tokens, _arms(junction)))
     across = "right" if surroundings.side is DrivingSide.LEFT else "left"

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
+from scegen.understanding.describing import describe
 from scegen.understanding.discourse import Discourse
+from scegen.understanding.terms import Term
 
-_ONLY_VEHICLES = frozenset(
-    {"brake", "hard_brake", "overtake", "merge", "lane_change", "accelerate", "tailgate", "cut_off",
-     "cut_in", "pull_out", "park", "swerve", "u_turn"}
-)  # fmt: skip
-
+_A_PAIR = 2
+"""Of two sides named, there may still be any number of vehicles."""
 _PARTS = frozenset({"one", "count", "both", "other", "another", "ordinal"})
 
 
@@ -21,18 +20,24 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         events: its events.
         discourse: the participants so far.
     """
-    for event in events:
-        for mention in event.subject:
-            failing = event.negated and event.name in {"stop", "yield"}
-            alone = event.drives or event.name in _ONLY_VEHICLES
-            mention.drives = mention.drives or failing or alone
-    subjects = {id(m) for event in events for m in event.subject}
+    describe(chunks, events)
+    objects = {id(e.object) for e in events}
+    subjects = {
+        id(m) for e in events for m in e.subject if e.finite or id(m) not in objects
+    }  # "meets a van blocking the lane": the sentence is not about the van
     acted_on = {id(e.object): e for e in events if e.object is not None}
-    everywhere = _from_everywhere(events)
+    everywhere = _sides(events)
     beside = _beside(chunks)
     settled = _settled(events)
     around = {id(p.target): e for e in events for p in e.pps if _is_it(p.target)}
     acted_on = {**around, **acted_on}
+    heads = {
+        id(p.target): c
+        for c in chunks
+        if isinstance(c, Mention)
+        for p in c.pps
+        if p.word.cat == "locus" and isinstance(p.target, Mention)
+    }
     waiting: list[Mention] = []
     for chunk in chunks:
         if isinstance(chunk, Place) and any(m.value == "first_person" for m in chunk.mods):
@@ -42,12 +47,12 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         if chunk.partitive and chunk.pronoun in _PARTS:
             waiting.append(chunk)
             continue
-        _resolve(chunk, discourse, subjects, acted_on, everywhere, beside, settled)
+        _resolve(chunk, discourse, subjects, acted_on, everywhere, beside, settled, heads)
         for earlier in waiting:
-            _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled)
+            _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads)
         waiting = []
     for earlier in waiting:
-        _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled)
+        _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads)
 
 
 def _resolve(
@@ -55,14 +60,18 @@ def _resolve(
     discourse: Discourse,
     subjects: set[int],
     acted_on: dict[int, Event],
-    everywhere: set[int],
+    everywhere: dict[int, int],
     beside: dict[int, Mention],
     settled: set[int],
+    heads: dict[int, Mention],
 ) -> None:
     event = acted_on.get(id(mention))
     exclude = [e for m in event.subject for e in m.entities] if event else []
     if mention.joined is not None and mention.pronoun is None:
         exclude = [*exclude, *mention.joined.entities]  # "a van and the van behind": two
+    described = heads.get(id(mention))
+    if described is not None:
+        exclude = [*exclude, *described.entities]  # "a bus behind it": "it" is not the bus
     placed = beside.get(id(mention))
     if placed is not None:
         exclude = [*exclude, *placed.entities]
@@ -70,7 +79,7 @@ def _resolve(
         mention,
         subject=id(mention) in subjects,
         exclude=exclude,
-        all_directions=id(mention) in everywhere,
+        sides=everywhere.get(id(mention)),
         settled=id(mention) in settled,
     )
 
@@ -106,9 +115,18 @@ def from_everywhere(prep: Prep) -> bool:
     return quantified and target.kind in {"direction", "side", "exit"}
 
 
-def _from_everywhere(events: list[Event]) -> set[int]:
-    found: set[int] = set()
+def _sides(events: list[Event]) -> dict[int, int]:
+    """Mentions of those who come one from each of some sides -> how many sides; 0: all."""
+    found: dict[int, int] = {}
     for event in events:
+        sides = {m.value for p in event.pps if p.value == "from" for m in _compass(p)}
         if any(from_everywhere(p) for p in event.pps):
-            found |= {id(m) for m in event.subject}
+            found |= {id(m): 0 for m in event.subject}
+        elif len(sides) > _A_PAIR:
+            found |= {id(m): len(sides) for m in event.subject}
     return found
+
+
+def _compass(prep: Prep) -> list[Term]:
+    target = prep.target
+    return [m for m in target.mods if m.cat == "compass"] if isinstance(target, Place) else []

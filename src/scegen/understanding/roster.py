@@ -26,6 +26,7 @@ class Roster:
         recent: everybody, the one spoken of last at the end.
         subject: who acted last.
         before: who acted before them.
+        landmark: who others were placed by last.
     """
 
     draft: Draft
@@ -34,6 +35,7 @@ class Roster:
     recent: list[Entity] = field(default_factory=list)
     subject: list[Entity] = field(default_factory=list)
     before: list[Entity] = field(default_factory=list)
+    landmark: list[Entity] = field(default_factory=list)
 
     def spoken_of(self, found: list[Entity], *, subject: bool, settled: bool) -> None:
         """Remembers a mention.
@@ -91,13 +93,15 @@ class Roster:
         alike = [e.kind for e in self.recent if e.is_vehicle] or [ParticipantKind.CAR]
         return [self.new(alike[-1], basis)]
 
-    def named(self, reading: Reading, names: set[str]) -> list[Entity]:
+    def named(self, reading: Reading, names: set[str], exclude: list[Entity]) -> list[Entity]:
         """``Two cars collided. Vehicle 1 …``: a new name goes to one without a name."""
         for group in reversed(self.groups):
             nameless = [
                 e
                 for e in group.free
-                if self.fits(e, reading) and not any(n.startswith("#") for n in e.labels)
+                if e not in exclude
+                and self.fits(e, reading)
+                and not any(n.startswith("#") for n in e.labels)
             ]
             if nameless:
                 nameless[0].claimed = True
@@ -113,6 +117,7 @@ class Roster:
         word = head.prep
         listed = word is not None and self.tokens[word.i].low in _INCLUDING
         listed = listed or (head.i > 0 and self.tokens[head.i - 1].low == ":")
+        listed = listed or self._after_colon(reading, mention)
         if not listed or reading.generic:
             return []
         for group in reversed(self.groups):
@@ -122,6 +127,24 @@ class Roster:
                     entity.kind, entity.claimed = reading.kind, True
                     entity.basis, entity.counted = Basis(mention.i, mention.j), None
                 return free[: reading.count]
+        return []
+
+    def _after_colon(self, reading: Reading, mention: Mention) -> bool:
+        """``three vehicles meet: a bus turns, a taxi waits …``: each is one of the three."""
+        if reading.det not in {"indef", "one"} or not self.groups or self.groups[-1].vague:
+            return False
+        said = self.groups[-1].members[-1].basis.j or 0
+        colons = [k for k, t in enumerate(self.tokens[: mention.i]) if t.low == ":" and k >= said]
+        stops = [k for k, t in enumerate(self.tokens[: mention.i]) if t.low == "."]
+        return bool(colons) and not any(k > colons[0] for k in stops)
+
+    def told_what(self, reading: Reading, basis: Basis) -> list[Entity]:
+        """``three of us …, the van on my right``: what one of the others drives."""
+        for group in self.groups:
+            if group.unnamed and group.free and not reading.ego:
+                entity = group.free[0]
+                entity.kind, entity.basis, entity.claimed = reading.kind, basis, True
+                return [entity]
         return []
 
     def from_title(self, reading: Reading, mention: Mention) -> list[Entity]:

@@ -23,8 +23,11 @@ class State:
         ahead: adverbs that wait for the next verb.
         prep: the preposition that waits for its target.
         mentions: mentions of the sentence so far.
-        inanimate: the clause is about a thing ("the light turns green"), not a participant.
+        topic: the thing that the clause is about ("the light turns green"), no participant.
         last_pp: the mention in the prepositional phrase just read, if it is no anchor.
+        fronted: phrases of place at the start of a clause, for the mention that follows.
+        opening: the same phrases once that mention has come, for its verb.
+        last_prep: the phrase read last.
         bracket: anchor and words between, as they were when a bracket opened.
     """
 
@@ -38,6 +41,9 @@ class State:
     ahead: list[Term] = field(default_factory=list)
     prep: Prep | None = None
     mentions: list[Mention] = field(default_factory=list)
-    inanimate: bool = False
+    topic: NounPhrase | None = None
     last_pp: Mention | None = None
+    fronted: list[Prep] = field(default_factory=list)
+    opening: list[Prep] = field(default_factory=list)
+    last_prep: Prep | None = None
     bracket: tuple[Mention | NounPhrase | Event | None, set[str]] | None = None

@@ -7,10 +7,11 @@ from scegen.understanding.state import State
 
 _PASSIVE = frozenset(
     {"collide", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate", "cause",
-     "prevent", "precede", "encounter"}
+     "prevent", "precede", "encounter", "pass", "cut_in", "cut", "avoid", "approach", "undertake",
+     "enter", "use", "door"}
 )  # fmt: skip
 
-_DESCRIBING = _PASSIVE | {"locate", "park"}
+_DESCRIBING = _PASSIVE - {"enter", "use", "approach", "pass"} | {"locate", "park"}
 """Verbs whose participle describes a noun ("a man hidden behind a van")."""
 
 
@@ -44,8 +45,8 @@ def link(event: Event, state: State) -> None:
         _gerund(event, state)
     else:
         event.finite = event.form in {"s", "ed", "base"} or auxiliary
-        if event.finite and state.inanimate:
-            state.inanimate = False
+        if event.finite and state.topic is not None:
+            _said_of_a_thing(event, state)
             return
         _clause(event, state)
     if _blocked(event, state):
@@ -62,6 +63,24 @@ def link(event: Event, state: State) -> None:
     if event.finite and event.subject:
         state.main = event.subject
         state.candidate_done = True
+
+
+def before_by(event: Event) -> None:
+    """``…, obstructed by a van``: a participle with "by" after it is passive.
+
+    Args:
+        event: the verb form right before "by".
+    """
+    if event.form == "ed" and event.name in _PASSIVE and not event.nominal:
+        event.passive = True
+
+
+def _said_of_a_thing(event: Event, state: State) -> None:
+    """``the view is blocked by a van``: nobody acts but who stands after "by"."""
+    passive = event.form == "ed" or (event.form == "base" and event.name in _PASSIVE)
+    if passive and "aux:be" in state.between:
+        event.passive, event.object = event.name in _PASSIVE, state.topic
+    state.topic = None
 
 
 def _blocked(event: Event, state: State) -> bool:
@@ -102,6 +121,8 @@ def _nominal(event: Event, state: State) -> None:
         _alternative(event, state.events[-1], state)
     elif state.prep is not None and state.events and not event.subject:
         event.subject = state.events[-1].subject
+    elif not event.subject and not state.events and "sub" in state.between:
+        state.pending.append(event)  # "after a right turn, the car …"
 
 
 def _infinitive(event: Event, state: State) -> None:
@@ -149,7 +170,9 @@ def _clause(event: Event, state: State) -> None:
     anchor = state.anchor
     between = state.between
     if "rel" in between and state.mentions:
-        event.subject = chain(_antecedent(state))
+        which = _antecedent(state)
+        singular = event.form == "s" and (which.head is None or which.head.form != "s")
+        event.subject = [which] if singular else chain(which)
     elif "sub" in between:
         _subjectless(event, state)
     elif "conj" in between and state.events:
@@ -176,7 +199,7 @@ def _subjectless(event: Event, state: State) -> None:
     if candidate is not None and not state.candidate_done and event.finite:
         event.subject = chain(candidate)
     elif state.events and not event.finite and "," not in state.between:
-        event.subject = state.events[-1].subject
+        event.subject = state.main or state.events[-1].subject
     elif state.main and state.events:
         event.subject = state.main
     elif candidate is not None:
@@ -188,6 +211,10 @@ def _subjectless(event: Event, state: State) -> None:
 
 
 def _after_comma(event: Event, state: State) -> None:
+    waiting = state.candidate is not None and not state.candidate_done
+    if waiting and state.anchor is state.candidate and state.candidate is not None:
+        event.subject = chain(state.candidate)  # "when a van, turning left, fails to yield"
+        return
     if state.candidate is not None and (event.finite or not state.main):
         event.subject = chain(state.candidate)
     elif state.events:
@@ -226,7 +253,18 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     last = state.events[-1] if state.events else None
     if last is not None and last.object is anchor and last.name in {"cause", "prevent"}:
         _depend(event, last, "ing")
+    if last is not None and _pronoun_object(anchor, last) and not event.finite:
+        event.subject = last.subject  # "nearly hit me coming from the right"
+        return
     event.subject = chain(anchor)
+
+
+def _pronoun_object(anchor: Mention, verb: Event) -> bool:
+    """Pronouns are not described further, except where they are seen to do something."""
+    bare = anchor.pronoun in {"it", "him", "they"} or bool(
+        anchor.head and anchor.head.data.get("me")
+    )
+    return verb.object is anchor and bare and verb.name not in {"encounter", "cause", "prevent"}
 
 
 def _shape(event: Event) -> str:
@@ -243,7 +281,9 @@ def _coordinated(event: Event, state: State) -> None:
     else:
         wanted = "ing" if event.form == "ing" and not auxiliary else "finite"
     verbs = [e for e in state.events if not e.nominal]
-    parallel = next((e for e in reversed(verbs) if _shape(e) == wanted), None)
+    alike = [e for e in verbs if _shape(e) == wanted]
+    exact = [e for e in alike if wanted == "finite" and e.form == event.form and not e.perfect]
+    parallel = next(reversed(exact or alike), None)
     if parallel is None:
         parallel = next((e for e in reversed(verbs) if e.finite), None)
     waiting = state.candidate is not None and not state.candidate_done

@@ -28,6 +28,7 @@ class Surroundings:
         lanes_basis: the words or the reason.
         side: driving side.
         side_basis: its words.
+        two_lane: the words "two lanes" without "per direction": those of a roundabout's ring.
     """
 
     values: dict[str, str] = field(default_factory=dict)
@@ -41,6 +42,7 @@ class Surroundings:
     side_basis: Basis | None = None
     highway: Basis | None = None
     ramp: Basis | None = None
+    two_lane: Basis | None = None
 
     def environment(self) -> Environment:
         """The environment of the scenario."""
@@ -72,6 +74,8 @@ def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
             _limit(found, terms, k)
         elif term.cat == "num":
             _lanes(found, terms, k, tokens)
+        elif term.cat == "label" and tokens[term.j - 1].forms[-1][0] == "lane":
+            _two_lanes(found, term, tokens)
         elif term.cat == "place" and term.value == "highway":
             found.highway = found.highway or basis
         elif term.cat == "place" and term.value == "ramp":
@@ -94,6 +98,15 @@ def _limit(found: Surroundings, terms: list[Term], k: int) -> None:
             found.limit_basis = Basis(span[0].i, span[1].j)
             found.limit_term = term
             return
+
+
+def _two_lanes(found: Surroundings, term: Term, tokens: list[Token]) -> None:
+    """``two lanes per direction``; on a plain road "two lanes" are one for each direction."""
+    basis = Basis(term.i, term.j)
+    after = [t.low for t in tokens[term.j : term.j + 4]]
+    if "direction" in after or "way" in after or "approach" in after:
+        found.lanes, found.lanes_basis = 2, basis
+    found.two_lane = found.two_lane or basis
 
 
 def _lanes(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) -> None:

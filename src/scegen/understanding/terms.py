@@ -48,6 +48,10 @@ class Match:
         """Whether some meaning belongs to one of these classes."""
         return any(entry.cat in cats for entry in self.entries)
 
+    def only(self, *cats: str) -> bool:
+        """Whether every meaning belongs to one of these classes."""
+        return all(entry.cat in cats for entry in self.entries)
+
     def get(self, *cats: str) -> Entry:
         """The meaning of the first of these classes that has one, else the first of all."""
         return next(

@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Basis, Danger, Draft, Entity, Placement
+from scegen.understanding.placing import INVERSE
 
-_INVERSE = {
-    Approach.AHEAD: Approach.BEHIND,
-    Approach.BEHIND: Approach.AHEAD,
-    Approach.LEFT: Approach.RIGHT,
-    Approach.RIGHT: Approach.LEFT,
-    Approach.OPPOSITE: Approach.OPPOSITE,
-    Approach.ADJACENT: Approach.ADJACENT,
-}
+_IN_THE_WAY = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING, HazardKind.HARD_BRAKING})
 _COMPASS = ("north", "east", "south", "west")
 _SEEN = {1: Approach.LEFT, 2: Approach.OPPOSITE, 3: Approach.RIGHT}
 """Quarter turns clockwise from the ego's heading to the other's -> where the other comes from."""
 _FRAME = {Approach.LEFT: "east", Approach.RIGHT: "west", Approach.OPPOSITE: "south"}
 """Headings of those who come from a side, for an observer who looks north."""
+
+
+_ALONG = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE})
+_SIDEWAYS = _ALONG | {Approach.LEFT, Approach.RIGHT}
+"""A single vehicle "from the left" is seen by somebody; of two, each may see the other."""
 
 
 def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
@@ -43,7 +42,9 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     if last is not None and any(_placed(draft, e, Approach.AHEAD) for e in candidates):
         last.ego = True
         return last, Basis(reason="the text names no ego; this vehicle follows the other")
-    if all(_seen_along_the_road(draft, e) for e in candidates):
+    walkers = any(not e.is_vehicle for e in draft.entities)
+    alone = len(candidates) == 1 == len(movers) and not walkers
+    if all(_seen(draft, e, _SIDEWAYS if alone else _ALONG) for e in candidates):
         reason = "positions are given as seen from a vehicle that is not named; a car is added"
         return _added(draft, reason)
     chosen, reason = _designate(draft, candidates)
@@ -64,9 +65,8 @@ def _placed(draft: Draft, entity: Entity, approach: Approach) -> bool:
     )
 
 
-def _seen_along_the_road(draft: Draft, entity: Entity) -> bool:
+def _seen(draft: Draft, entity: Entity, seen: frozenset[Approach]) -> bool:
     """``the car ahead``, ``an oncoming van``: there is somebody from whom it is seen."""
-    seen = {Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE}
     if entity.entries or entity.heading is not None:
         return False
     return any(
@@ -173,12 +173,71 @@ def settle_positions(
             entity.approach_basis = Basis(basis.i, basis.j, reason)
             seen = ego.heading_basis or Basis()
             entity.by_heading = Basis(seen.i, seen.j, f"the ego is headed {ego.heading}")
+    _beside(draft, ego)
     ego.approaches = set()
     return relations
 
 
+def _beside(draft: Draft, ego: Entity) -> None:
+    """Who cuts in on the ego comes from the next lane, if nothing else is said."""
+    for danger in draft.dangers:
+        if danger.kind is not HazardKind.CUT_IN or (danger.to and ego not in danger.to):
+            continue
+        for entity in danger.by:
+            if entity is not ego and not entity.approaches and entity.moving_vehicle:
+                entity.approaches = {Approach.ADJACENT}
+                reason = "who cuts in comes from the next lane"
+                entity.approach_basis = Basis(danger.basis.i, danger.basis.j, reason)
+
+
+def in_the_way(draft: Draft, ego: Entity) -> None:
+    """On a straight road, who endangers the ego by going slowly or stopping is ahead of it.
+
+    Args:
+        draft: the scenario in the making, positions settled.
+        ego: its ego.
+    """
+    placed = {p.entity.index for p in draft.placements} | {
+        p.reference.index for p in draft.placements if p.reference is not None
+    }
+    for danger in draft.dangers:
+        if danger.kind not in _IN_THE_WAY or (danger.to and ego not in danger.to):
+            continue
+        for entity in danger.by:
+            free = entity.index not in placed and not entity.approaches and entity.heading is None
+            if free and entity is not ego and entity.moving_vehicle:
+                entity.approaches = {Approach.AHEAD}
+                reason = "on a straight road, who is in the way is ahead"
+                entity.approach_basis = Basis(danger.basis.i, danger.basis.j, reason)
+
+
+def abreast(draft: Draft, ego: Entity) -> None:
+    """On a straight road, a vehicle on the left is not one that comes out of a road there.
+
+    Args:
+        draft: the scenario in the making, positions settled.
+        ego: its ego.
+    """
+    for entity in draft.entities if draft.access is None else []:
+        side = entity.approaches and entity.approaches <= {Approach.LEFT, Approach.RIGHT}
+        alongside = entity.moving_vehicle and Maneuver.CROSS not in entity.maneuvers
+        if entity is ego or not side or len(entity.approaches) > 1 or not alongside:
+            continue
+        if entity.by_heading is not None:
+            continue  # headings across each other: the roads meet somewhere
+        basis = entity.approach_basis or entity.basis
+        rides = entity.kind is ParticipantKind.BICYCLE and basis.i is not None
+        if rides and draft.tokens[basis.i or 0].low == "from":
+            continue  # a cyclist comes from the right: off the pavement
+        reason = "on a straight road, who is at one's side drives in the next lane"
+        entity.approaches = {Approach.ADJACENT}
+        entity.approach_basis = Basis(basis.i, basis.j, reason)
+
+
 def _own_side(draft: Draft, ego: Entity) -> Approach | None:
     """The side that an observer gives for the ego itself ("one car from the left, …")."""
+    if "ego" in ego.named_by:
+        return None  # what is said of its place is not a view from outside
     for placement in draft.placements:
         if placement.entity is ego and placement.reference is None:
             side = next(iter(placement.approaches))
@@ -197,7 +256,7 @@ def _oriented(placement: Placement, ego: Entity) -> tuple[Entity, Entity, set[Ap
     """A position of the ego seen from another is a position of the other seen from the ego."""
     reference = placement.reference or ego
     if placement.entity is ego and reference is not ego:
-        return reference, ego, {_INVERSE[a] for a in placement.approaches}
+        return reference, ego, {INVERSE[a] for a in placement.approaches}
     return placement.entity, reference, set(placement.approaches)
 
 

@@ -1,0 +1,175 @@
+"""Attaches prepositional phrases: to the noun right before them, or to the verb."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Word
+from scegen.understanding.lookahead import GOVERNING, finite_follows
+from scegen.understanding.state import State
+
+_SIDES = frozenset({"side", "direction", "lane", "sidewalk", "shoulder", "bike_lane", "access"})
+_MEETING = frozenset({"move", "approach", "appear", "locate", "wait", "stop", "park", "hide",
+                      "walk", "cross", "follow", "brake", "slow"})  # fmt: skip
+"""Verbs that may stand before their subject ("from the left comes a bus")."""
+
+
+def preposition(word: Word, k: int, chunks: list[Chunk], state: State) -> None:
+    """Opens a phrase; what it governs comes next.
+
+    Args:
+        word: the preposition.
+        k: its index among the chunks.
+        chunks: the chunks of the text.
+        state: what the clause reader remembers.
+    """
+    outer = state.prep.value if state.prep is not None else None
+    fronted = state.prep is not None and state.prep.fronted
+    closed = state.prep is not None and (word.cat != "locus" or state.prep.word.cat == "locus")
+    if closed:
+        release(state)
+        outer = None
+    anchor = state.anchor
+    near = anchor if isinstance(anchor, Mention) and not state.between else None
+    if state.last_pp is not None and not state.between:
+        near = state.last_pp
+    state.prep = Prep(word, None, outer, near)
+    state.prep.fronted = fronted or _opens_clause(k, chunks, state)
+
+
+def release(state: State) -> None:
+    """A preposition without a target: "the car ahead", "positioned behind on the right"."""
+    if state.prep is not None:
+        if state.prep.word.cat == "locus":
+            attach(state.prep, state)
+        state.prep = None
+
+
+def attach(prep: Prep, state: State) -> None:
+    """Gives a phrase to who follows it, to the noun right before it, to the verb, or to who acts.
+
+    Args:
+        prep: the phrase, complete.
+        state: what the clause reader remembers.
+    """
+    state.last_prep = prep
+    if prep.fronted:
+        state.fronted.append(prep)
+        return
+    head = _head_of(prep, state)
+    if head is not None:
+        prep.on_mention = head
+    if prep.on_mention is not None:
+        prep.on_mention.pps.append(prep)
+    described = _described(prep, state)
+    if described is not None:
+        described.pps.append(prep)
+    elif state.events and (prep.on_mention is None or state.anchor is not state.candidate):
+        state.events[-1].pps.append(prep)
+    elif prep.on_mention is None and state.candidate is not None:
+        state.candidate.pps.append(prep)
+
+
+def _head_of(prep: Prep, state: State) -> Mention | None:
+    """``the car behind the lead vehicle in the next lane``: the car is in that lane."""
+    inner, lane = prep.on_mention, prep.target
+    if inner is None or not isinstance(lane, Place):
+        return None
+    ego = any(h.data.get("ego") for h in inner.heads)
+    if lane.kind != "lane" and not (ego and lane.kind == "side"):
+        return None
+    for mention in state.mentions:
+        if any(p.target is inner and p.word.cat == "locus" for p in mention.pps):
+            return mention
+    towards = state.events[-1] if ego and state.events else None
+    if towards is not None and any(p.target is inner for p in towards.pps) and towards.subject:
+        return towards.subject[-1]
+    return None
+
+
+def _described(prep: Prep, state: State) -> Mention | None:
+    """``a van that is behind the ego``, ``and the van is on the left``: no verb but "is"."""
+    if prep.on_mention is not None or "aux:be" not in state.between:
+        return None
+    anchor = state.anchor
+    if not isinstance(anchor, Mention):
+        return None
+    waiting = anchor is state.candidate and not state.candidate_done
+    return anchor if waiting or "rel" in state.between else None
+
+
+def _opens_clause(k: int, chunks: list[Chunk], state: State) -> bool:
+    """Whether the phrase that begins here says where the participant after it is.
+
+    "Behind the ego is a truck", "from the left comes a bus, and from the right a van".
+    """
+    begins = not state.events and state.candidate is None and not state.mentions
+    joins = {"conj", "sub", ","} & state.between and "or" not in state.between
+    if not begins and not (joins and (state.candidate_done or state.events)):
+        return False
+    m = _phrase_end(k, chunks)
+    if m is None:
+        return False
+    comma = _is(chunks, m, ",")
+    m += comma
+    spoken = comma and not begins and _speaks(chunks, m)
+    if _word_of(chunks, m, frozenset({"aux", "copy"})):
+        m += 1
+    elif m < len(chunks) and not (comma and not begins):
+        m += _stands_before_subject(chunks[m])
+    if m >= len(chunks) or (comma and not begins and not spoken):
+        return False
+    return isinstance(chunks[m], Mention) and not _possessor(chunks[m])
+
+
+def _speaks(chunks: list[Chunk], m: int) -> bool:
+    """Whether a participant with a verb of its own stands here."""
+    here = chunks[m] if m < len(chunks) else None
+    return isinstance(here, Mention) and finite_follows(chunks, m)
+
+
+def _possessor(chunk: Chunk) -> bool:
+    return isinstance(chunk, Mention) and chunk.possessor
+
+
+def _stands_before_subject(chunk: Chunk) -> bool:
+    finite = isinstance(chunk, Event) and not chunk.nominal and chunk.form != "ing"
+    return finite and isinstance(chunk, Event) and chunk.name in _MEETING
+
+
+def _is(chunks: list[Chunk], m: int, mark: str) -> bool:
+    chunk = chunks[m] if m < len(chunks) else None
+    return isinstance(chunk, Word) and chunk.value == mark
+
+
+def _word_of(chunks: list[Chunk], m: int, classes: frozenset[str]) -> bool:
+    chunk = chunks[m] if m < len(chunks) else None
+    return isinstance(chunk, Word) and chunk.cat in classes
+
+
+def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
+    """Index after a phrase of place that begins at chunk ``k``; None if none does."""
+    first = chunks[k]
+    m = k + 1
+    locus = isinstance(first, Word) and first.cat == "locus"
+    while _word_of(chunks, m, GOVERNING):
+        locus = locus or _word_of(chunks, m, frozenset({"locus"}))
+        m += 1
+    target = chunks[m] if m < len(chunks) else None
+    placed = isinstance(target, Place) and (
+        target.kind in _SIDES or any(t.cat == "compass" for t in target.mods)
+    )
+    if not placed and not (locus and isinstance(target, Mention)):
+        return None
+    m += 1
+    while _is(chunks, m, "of") and isinstance(next(iter(chunks[m + 1 :]), None), Mention | Place):
+        m += 2
+    return m
+
+
+def place_in_front(mention: Mention, state: State) -> None:
+    """Gives the phrases that opened the clause to the participant that they place.
+
+    Args:
+        mention: the first participant after them.
+        state: what the clause reader remembers.
+    """
+    mention.pps += [p for p in state.fronted if p.outer != "from"]

@@ -1,0 +1,213 @@
+"""Chooses among the meanings that a phrase has by itself, by the words around it."""
+
+from __future__ import annotations
+
+from scegen.understanding.lexicon import Entry
+from scegen.understanding.terms import Match, Term, longest_match
+from scegen.understanding.tokens import Token
+
+_NOMINAL_BEFORE = frozenset(
+    {"det", "possessive", "dir", "manner", "num", "quant", "label", "noted", "shape"}
+)
+_NO_PREMODIFIER = frozenset({"aux", "actor", "pronoun", "neg"})
+_VERBAL_BEFORE = frozenset({"actor", "pronoun", "aux", "rel", "neg"})
+_NOUNS = ("place", "inert", "thing", "view", "env")
+_ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
+
+
+def _noun_follows(tokens: list[Token], j: int) -> bool:
+    """Whether a participant or thing is named at token ``j``, adjectives skipped."""
+    for _ in range(3):
+        if j >= len(tokens):
+            return False
+        following = longest_match(tokens, j)
+        if following is None:
+            return False
+        if following.has("actor", "thing"):
+            return not _needs_no_article(following, tokens, j)
+        if not following.has("state", "label", "dir", "manner", "verb") or following.has("prep"):
+            return following.has("view")
+        if following.has("verb") and following.form not in {"ing", "ed"}:
+            return False
+        j = following.j
+    return False
+
+
+def _needs_no_article(noun: Match, tokens: list[Token], j: int) -> bool:
+    """Pronouns and names ("me", "V1", "vehicle 2"): no participle describes them."""
+    if tokens[j].kind == "label" or any("me" in e.data or "speaks" in e.data for e in noun.entries):
+        return True
+    after = tokens[noun.j] if noun.j < len(tokens) else None
+    named = after is not None and (after.kind == "number" or _letter(after))
+    return named and noun.form == "base"
+
+
+def _letter(token: Token) -> bool:
+    return len(token.text) == 1 and token.text.isupper() and token.text != "I"
+
+
+def _attributive(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """Whether a participle stands before the noun that it describes."""
+    if not (_may_describe(previous) and _noun_follows(tokens, match.j)):
+        return False
+    following = longest_match(tokens, match.j)
+    adverb = previous is not None and previous.cat in {"conj", "manner", "sub"}
+    singular = following is not None and following.has("actor") and following.form == "base"
+    return not (adverb and singular and match.form == "ed")  # "brakes and struck pedestrian"
+
+
+def _clause_follows(tokens: list[Token], j: int) -> bool:
+    """Whether the next noun has a verb of its own ("because leading vehicle brakes")."""
+    for _ in range(6):
+        if j >= len(tokens) or tokens[j].kind == "punct":
+            return False
+        following = longest_match(tokens, j)
+        if following is None:
+            j += 1
+            continue
+        if following.has("aux") or (following.has("verb") and following.form in {"s", "ed"}):
+            return not following.has("actor")
+        if following.has("sub", "conj"):
+            return False
+        j = following.j
+    return False
+
+
+def is_adverb(token: Token) -> bool:
+    """Whether a word ends like an adverb."""
+    return token.low.endswith("ly")
+
+
+def _may_describe(previous: Term | None) -> bool:
+    """Whether a participle here can describe the noun that follows.
+
+    After a subject or a comma it is a verb: "a van overtaking cars", "…, overtaking cars".
+    """
+    if previous is None:
+        return True
+    return previous.cat not in _NO_PREMODIFIER and previous.value != ","
+
+
+def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
+    """Decides between a verb and the other meanings of its form; says if it is a premodifier."""
+    before = previous.cat if previous else ""
+    verb = match.get("verb")
+    participle = match.form in {"ing", "ed"}
+    if match.has("actor") and not participle and before not in _VERBAL_BEFORE:
+        return match.get("actor"), False  # "a cycle", not "they cycle"
+    attributive = _attributive(match, tokens, previous)
+    if participle and before in {"conj", "sub"} and match.has("dir"):
+        # "turning left and following vehicle B": without an article it is no adjective
+        attributive = _clause_follows(tokens, match.j)
+    if match.has("place", "dir") and match.get("place").value == "junction":
+        shaped = before in {"shape", "control", "det"} and not attributive
+        return (match.get("place") if shaped else _without_place(match, attributive)), attributive
+    if match.has("dir") and match.get("dir").value == "left":
+        return _left(match, previous)
+    if match.form == "base" and before == "aux" and previous is not None and previous.value == "be":
+        return match.get(*_ADJECTIVE_CATS, "verb"), False
+    if participle and attributive:
+        return (match.get(*_ADJECTIVE_CATS) if match.has(*_ADJECTIVE_CATS) else verb), True
+    if match.has("dir", "state", "manner") and attributive and not participle:
+        return match.get("dir", "state", "manner"), True
+    if _must_be_verb(match, previous):
+        return verb, False
+    if match.has(*_NOUNS) and match.form in {"base", "s"} and _noun_slot(match, tokens, previous):
+        return match.get(*_NOUNS), False
+    if match.has("dir") and match.form == "base" and not _verb_slot(previous):
+        return match.get("dir"), False
+    return verb, False
+
+
+def _must_be_verb(match: Match, previous: Term | None) -> bool:
+    """``one exits``, ``a car from the left speeds through``, ``they both cross``."""
+    if previous is None:
+        return False
+    if previous.cat == "quant" and previous.value in {"all", "both"}:
+        return not (match.has(*_NOUNS) and match.form == "s")
+    if match.form != "s":
+        return False
+    one = previous.cat == "num" and previous.data.get("number") == 1
+    sided = previous.cat == "dir" and previous.value in {"left", "right"} and match.has("inert")
+    return one or sided
+
+
+def _noun_slot(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """Whether a noun may stand here: after an article, an adjective or a preposition."""
+    if previous is None:
+        return False
+    preposed = previous.cat == "prep" and previous.value != "to"
+    adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
+    compound = previous.cat == "place" and match.form == "base" and match.has("inert")
+    return (previous.cat in _NOMINAL_BEFORE and not adverb) or preposed or compound
+
+
+def _verb_slot(previous: Term | None) -> bool:
+    """Whether a verb is due: after its subject, an auxiliary, "to", or a verb that takes one."""
+    if previous is None:
+        return False
+    controls = previous.cat == "verb" and "control" in previous.data
+    controls = controls and previous.value != "unknown"
+    return controls or previous.cat in _VERBAL_BEFORE or previous.value == "to"
+
+
+def _without_place(match: Match, attributive: bool) -> Entry:
+    """``crossing`` describes a vehicle or is what somebody does, unless it is a shaped one."""
+    return match.get("dir" if attributive else "verb")
+
+
+def _left(match: Match, previous: Term | None) -> tuple[Entry, bool]:
+    """``left`` is nearly always the side; "V1 left the road" has a subject right before it."""
+    subject = previous is not None and previous.cat in {"actor", "pronoun"}
+    return (match.get("verb") if subject else match.get("dir")), False
+
+
+_PRIORITY = (
+    "noted", "cue", "control", "side", "env", "view", "actor", "possessive", "det", "pronoun",
+    "aux", "neg", "sub", "conj", "quant", "dir", "locus", "state", "place", "prep", "manner",
+    "rel", "shape", "leg", "compass", "thing", "label", "copy", "roadmod", "inert",
+)  # fmt: skip
+
+
+def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
+    """The meaning that fits the words around, and whether it is a participle before a noun.
+
+    Args:
+        match: a phrase with its meanings.
+        tokens: the tokens of the text.
+        previous: the term before.
+    """
+    if len(match.entries) == 1:
+        entry = match.entries[0]
+        premod = (
+            entry.cat == "verb"
+            and match.form in {"ing", "ed"}
+            and _attributive(match, tokens, previous)
+        )
+        return entry, premod
+    if match.has("verb"):
+        return _verb_or_other(match, tokens, previous)
+    if match.has("rel") and match.has("det"):
+        noun_before = previous is not None and previous.cat in {"actor", "place", "thing", "inert"}
+        after = longest_match(tokens, match.j) if match.j < len(tokens) else None
+        verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
+        sided = previous is not None and previous.cat in {"dir", "compass"}
+        if sided and verbal and after is not None and not after.has("actor", "place"):
+            return match.get("rel"), False  # "a bus from the right that turns"
+        return match.get("rel" if noun_before else "det"), False
+    if match.has("label") and match.has("place"):
+        bare = match.j >= len(tokens) or longest_match(tokens, match.j) is None
+        next_match = None if bare else longest_match(tokens, match.j)
+        noun = next_match is not None and next_match.has("actor", "place", "label")
+        return match.get("label" if noun else "place"), False
+    if match.has("neg") and match.has("pronoun"):
+        following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+        listed = following is not None and following.has("det", "actor", "possessive")
+        return match.get("neg" if listed else "pronoun"), False
+    if match.has("leg") and previous is not None and previous.cat == "num":
+        return match.get("leg"), False
+    if match.has("manner") and match.has("label") and previous and previous.cat == "det":
+        return match.get("label"), False
+    if match.has("det") and match.has("inert"):
+        return match.get("det"), False
+    return match.get(*_PRIORITY), False

@@ -1,0 +1,83 @@
+"""Fills in verbs that are left out: "one goes left, the other right"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
+from scegen.understanding.lookahead import BOUNDARIES
+
+_JOINTS = frozenset({"and", "but", ",", "while", "when", ";"})
+_WAYS = frozenset({"left", "right", "straight"})
+_MOST_AFTER = 3
+
+
+def fill_in(chunks: list[Chunk], events: list[Event]) -> list[Event]:
+    """The events with a copy of the verb before for each clause that leaves its verb out.
+
+    Such a clause is a participant after "and" or a comma, followed by nothing but a direction,
+    an exit or a phrase of place: what the verb before says of somebody else.
+
+    Args:
+        chunks: the chunks of the text; an ordinal that stands for an exit is replaced by it.
+        events: its events.
+    """
+    acting = {id(m) for e in events for m in e.subject}
+    found = list(events)
+    for k, chunk in enumerate(chunks):
+        if not isinstance(chunk, Mention) or id(chunk) in acting or chunk.prep is not None:
+            continue
+        joint = chunks[k - 1] if k else None
+        if not isinstance(joint, Word) or joint.value not in _JOINTS:
+            continue
+        verb = _verb_before(chunk, events)
+        if verb is None or not _ends(chunks, k + 2):
+            continue
+        copy = _copy(verb, chunk, chunks, k + 1)
+        if copy is not None:
+            found.append(copy)
+    return found
+
+
+def _verb_before(mention: Mention, events: list[Event]) -> Event | None:
+    before = [e for e in events if e.j <= mention.i and e.subject and not e.nominal]
+    return before[-1] if before and before[-1].premod_of is None else None
+
+
+def _ends(chunks: list[Chunk], k: int) -> bool:
+    """Whether the clause ends before a verb comes: nothing but a phrase of place may follow."""
+    for chunk in chunks[k : k + _MOST_AFTER]:
+        if isinstance(chunk, Word) and (chunk.value in _JOINTS or chunk.value in BOUNDARIES):
+            return True
+        if isinstance(chunk, Event | Mention) or (isinstance(chunk, Word) and chunk.cat == "aux"):
+            return False
+    return True
+
+
+def _copy(verb: Event, who: Mention, chunks: list[Chunk], k: int) -> Event | None:
+    rest = chunks[k] if k < len(chunks) else None
+    fresh = replace(verb, subject=[who], parent=None, children=[], alternative=None)
+    if isinstance(rest, Word) and rest.cat == "dir" and rest.value in _WAYS:
+        kept = [m for m in verb.mods if m.cat != "dir"]
+        who.mods = [m for m in who.mods if m is not rest.term]
+        return replace(fresh, i=rest.i, j=rest.j, mods=[*kept, rest.term])
+    if isinstance(rest, Mention) and rest.pronoun == "ordinal" and isinstance(verb.object, Place):
+        chunks[k] = place = Place(rest.i, rest.j, rest.mods, verb.object.head, None)
+        place.kind = verb.object.kind
+        return replace(fresh, i=rest.i, j=rest.j, object=place)
+    if isinstance(rest, NounPhrase) and type(rest) is type(verb.object):
+        return replace(fresh, i=rest.i, j=rest.j, object=rest)
+    if isinstance(rest, Word) and rest.cat == "prep" and k + 1 < len(chunks):
+        return _copy_phrase(fresh, rest, chunks[k + 1])
+    return None
+
+
+def _copy_phrase(fresh: Event, word: Word, target: Chunk) -> Event | None:
+    """``a car comes from the left and a van from the right``."""
+    if not isinstance(target, Place):
+        return None
+    alike = any(p.value == word.value for p in fresh.pps)
+    kept = [p for p in fresh.pps if p.value != word.value]
+    if not alike:
+        return None
+    return replace(fresh, i=word.i, j=target.j, pps=[*kept, Prep(word, target)])

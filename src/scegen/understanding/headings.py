@@ -1,0 +1,62 @@
+"""Headings: "Car-to-car rear braking: the test vehicle follows …" names nobody new."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Word
+from scegen.understanding.lookahead import BOUNDARIES
+
+_SPECIFIC = frozenset({"pedestrian", "bicycle", "motorcycle", "truck", "bus"})
+_FIRST_WORDS = frozenset({"det", "num", "quant", "possessive"})
+
+
+def silence(chunks: list[Chunk]) -> None:
+    """Marks the participants of a heading as nobody, if the sentence after it names its own.
+
+    A heading has no verb of its own, and its nouns stand without article or number.
+
+    Args:
+        chunks: the chunks of the text; mentions in a heading are marked as ``negated``.
+    """
+    begin = 0
+    for k, chunk in enumerate(chunks):
+        if not isinstance(chunk, Word) or chunk.value not in BOUNDARIES:
+            continue
+        if chunk.value == ":" and _is_heading(chunks[begin:k], chunks[k + 1 :]):
+            _silence(chunks[begin:k], chunks[k + 1 :])
+        begin = k + 1
+
+
+def _silence(title: list[Chunk], rest: list[Chunk]) -> None:
+    """Those of whom a heading says more are the same as those of their kind after it."""
+    mentions = [c for c in title if isinstance(c, Mention)]
+    for mention in mentions:
+        kind = mention.head.value if mention.head is not None else ""
+        alone = sum(m.head is not None and m.head.value == kind for m in mentions) == 1
+        told = title[title.index(mention) + 1 :][:1]
+        described = bool(told) and isinstance(told[0], Event)
+        same = next((c for c in rest if isinstance(c, Mention) and _of_kind(c, kind)), None)
+        if alone and described and same is not None and kind in _SPECIFIC:
+            same.same_as = mention
+        else:
+            mention.negated = True
+
+
+def _of_kind(mention: Mention, kind: str) -> bool:
+    return mention.head is not None and mention.head.value == kind and not mention.label
+
+
+def _is_heading(title: list[Chunk], rest: list[Chunk]) -> bool:
+    spoken = any(_finite(c) for c in title) or any(
+        isinstance(c, Word) and c.cat in {"aux", "copy"} for c in title
+    )
+    bare = all(c.pronoun is None and not _introduced(c) for c in title if isinstance(c, Mention))
+    named = any(isinstance(c, Mention) and c.pronoun is None for c in rest)
+    return not spoken and bare and named and any(isinstance(c, Event) for c in rest)
+
+
+def _finite(chunk: Chunk) -> bool:
+    return isinstance(chunk, Event) and not chunk.nominal and chunk.form == "s"
+
+
+def _introduced(mention: Mention) -> bool:
+    return any(m.cat in _FIRST_WORDS for m in mention.mods) or bool(mention.label)

@@ -1,0 +1,119 @@
+"""Positions that follow from what happens: who is driven up to is ahead."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
+from scegen.understanding.chunks import Mention, Place
+from scegen.understanding.context import Context, Scene
+from scegen.understanding.draft import Basis, Danger, Entity
+
+_CLOSING = frozenset({"approach", "encounter", "collide", "move", "brake", "hard_brake", "slow"})
+_TOWARDS = frozenset({"to", "into", "in", "for", "with"})
+_HEAD_ON = frozenset({"towards", "toward"})
+_SLOWER = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
+
+
+def positions(scenes: list[Scene], context: Context) -> None:
+    """Places who is driven up to, and who comes out of the next lane or the oncoming one.
+
+    Args:
+        scenes: what happens, in the order of the text.
+        context: the scenario in the making.
+    """
+    for scene in scenes:
+        _driven_up_to(scene, context)
+        parked = [e for e in scene.targets if e.parked]
+        if scene.event.name == "bypass" and parked and not scene.event.negated:
+            context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
+    for danger in context.draft.dangers:
+        if danger.kind is HazardKind.ONCOMING_LANE:
+            _face_to_face(danger, context)
+
+
+def _driven_up_to(scene: Scene, context: Context) -> None:
+    """``closes in on a stopped van``, ``encounters a slow tractor``: it is ahead."""
+    event = scene.event
+    if event.name not in _CLOSING or event.negated or not scene.drivers:
+        return
+    targets = list(scene.targets)
+    for prep in event.pps:
+        towards = prep.value in _TOWARDS or context.tokens[prep.word.i].low == "on"
+        if towards and isinstance(prep.target, Mention):
+            targets += [e for e in prep.target.entities if e not in scene.actors]
+    driver = scene.drivers[0]
+    if any(e.ego for e in targets):
+        _comes_towards(scene, driver, context)
+        targets = [e for e in targets if not e.ego or _from_the_rear(scene, context)]
+    certain = _from_the_rear(scene, context) or _along_the_road(scene, context)
+    for target in targets:
+        slower = certain or _slower(target, context)
+        if target.moving_vehicle and _on_the_wrong_side(driver, context):
+            basis = Basis(event.i, event.j, "who drives on the wrong side comes head-on")
+            context.draft.place(driver, target, {Approach.OPPOSITE}, basis)
+            continue
+        crosses = Maneuver.CROSS in target.maneuvers
+        if target.is_vehicle and slower and not crosses and not _placed(target, driver, context):
+            reason = "who is driven up to is ahead"
+            context.ahead([target], [driver], Basis(event.i, event.j, reason))
+
+
+def _on_the_wrong_side(entity: Entity, context: Context) -> bool:
+    dangers = [d for d in context.draft.dangers if d.kind is HazardKind.ONCOMING_LANE]
+    passing = Maneuver.OVERTAKE in entity.maneuvers
+    return not passing and any(entity in d.by for d in dangers)
+
+
+def _comes_towards(scene: Scene, driver: Entity, context: Context) -> None:
+    """``drives towards the ego``: head-on, unless it comes from somewhere else."""
+    towards = [p for p in scene.event.pps if context.tokens[p.word.i].low in _HEAD_ON]
+    ego = next(e for e in context.draft.entities if e.ego)
+    if towards and not _placed(driver, ego, context) and not context.junction.crossing:
+        basis = Basis(scene.event.i, towards[0].word.j, "comes towards the ego")
+        context.draft.place(driver, None, {Approach.OPPOSITE}, basis)
+
+
+def _from_the_rear(scene: Scene, context: Context) -> bool:
+    """``rear-ends``, ``runs into the back of``."""
+    event = scene.event
+    ends = [event.object, *(p.target for p in event.pps)]
+    words = {t.low for t in context.tokens[event.i : event.j]}
+    rear = any(isinstance(c, Place) and "rear" in c.dirs for c in ends)
+    return event.name == "collide" and (rear or bool(words & {"rear", "back"}))
+
+
+def _along_the_road(scene: Scene, context: Context) -> bool:
+    """Closing in on another where no roads meet: in the same lane."""
+    meet = context.junction.crossing or context.draft.crossing_implied is not None
+    towards = any(context.tokens[p.word.i].low in _HEAD_ON for p in scene.event.pps)
+    return not meet and (scene.event.name == "approach" or towards)
+
+
+def _slower(entity: Entity, context: Context) -> bool:
+    """Whether somebody stands or drives slowly, so that others close in from behind."""
+    return entity.parked or any(entity in d.by and d.kind in _SLOWER for d in context.draft.dangers)
+
+
+def _placed(entity: Entity, observer: Entity, context: Context) -> bool:
+    """Whether something is already said of where one is, seen from the other or from the ego."""
+    across = {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE, Approach.AHEAD, Approach.BEHIND}
+    for p in context.draft.placements:
+        pair = p.entity is entity and p.reference in {None, observer}
+        turned = p.entity is observer and p.reference is entity
+        if (pair or turned) and p.approaches & across:
+            return True
+    return entity.heading is not None and observer.heading is not None
+
+
+def _face_to_face(danger: Danger, context: Context) -> None:
+    """Who drives in the lane of oncoming traffic and who suffers it come towards each other."""
+    victims = danger.to or [e for e in context.draft.entities if e.ego and e not in danger.by]
+    for culprit in danger.by:
+        for victim in victims:
+            both = culprit.moving_vehicle and victim.moving_vehicle
+            if (
+                both
+                and not _placed(culprit, victim, context)
+                and not _placed(victim, culprit, context)
+            ):
+                basis = Basis(danger.basis.i, danger.basis.j, "they use the same lane head-on")
+                context.draft.place(culprit, victim, {Approach.OPPOSITE}, basis)

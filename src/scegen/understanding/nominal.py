@@ -1,0 +1,81 @@
+"""Verb forms that stand as nouns: "a sudden stop", "a left turn"."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Place, Word
+from scegen.understanding.terms import Term
+from scegen.understanding.tokens import Token
+
+OPENERS = frozenset({"det", "possessive", "num", "quant"})
+_SIDE_ONLY = 2
+_NAMED_BY_SIDE = frozenset({"turn", "u_turn", "lane_change", "sharp_turn", "merge", "leave"})
+"""Actions that a side tells apart: "the left turn"."""
+VERBAL_LINKS = frozenset({"prep", "locus"})
+ORDINALS = frozenset({"first", "second", "third", "fourth", "fifth", "former", "latter"})
+
+
+def is_nominal(
+    mods: list[Term],
+    head: Term,
+    following: Term | None,
+    chunks: list[Chunk],
+    tokens: list[Token],
+) -> bool:
+    """Whether a verb form after these words is a noun ("a sudden stop").
+
+    Args:
+        mods: the words before it.
+        head: the verb form.
+        following: the term after it.
+        chunks: the chunks read so far.
+        tokens: the tokens of the text.
+    """
+    if head.cat != "verb" or head.form == "ed":
+        return False
+    if mods and mods[-1].cat == "quant" and mods[-1].value in {"both", "all"}:
+        return False  # "both go"
+    if not any(m.cat in {*OPENERS, "dir", "manner"} for m in mods):
+        return False
+    previous = chunks[-1] if chunks else None
+    if mods[0].cat == "dir" and isinstance(previous, Event) and previous.control is None:
+        return False
+    if mods[0].cat == "dir" and isinstance(previous, Word) and previous.cat == "aux":
+        return False
+    after_prep = isinstance(previous, Word) and previous.cat in VERBAL_LINKS
+    placed = has_dir(mods) or mods[-1].cat == "compass"
+    turned = head.value == "turn" and _way(following)
+    turned = turned or mods[-1].cat == "compass" or mods[-1].value in {"front", "rear"}
+    listed = _after_a_side(chunks)
+    sided = placed and (head.form == "s" or turned or listed)
+    after_prep = after_prep or listed
+    if after_prep and placed and len(mods) <= _SIDE_ONLY and head.value not in _NAMED_BY_SIDE:
+        return False  # "cars from the right enter"
+    if after_prep and (sided or (has_dir(mods) and "control" in head.data)):
+        return False
+    if tokens[mods[-1].i].low == "others":
+        return False  # "two others turn"
+    pronominal = mods[-1].cat == "num" or mods[-1].value in {"another", "other", *ORDINALS}
+    if pronominal and head.form != "base":
+        return False
+    return not (mods[0].cat == "manner" and head.form == "s")
+
+
+def _after_a_side(chunks: list[Chunk]) -> bool:
+    """``from the left and the right stop …``: the second side, not a noun."""
+    if len(chunks) < 2:
+        return False
+    place, joint = chunks[-2:]
+    joined = isinstance(joint, Word) and joint.value in {"and", "or"}
+    if not joined or not isinstance(place, Place) or place.kind != "side":
+        return False
+    return bool(place.mods) and place.mods[0].value != "indef"  # "either a left or a right turn"
+
+
+def _way(follows: Term | None) -> bool:
+    """``cars from the left turn right``: a noun would not say which way."""
+    return follows is not None and follows.cat == "dir"
+
+
+def has_dir(mods: list[Term]) -> bool:
+    """Whether a direction stands among the words before a noun."""
+    return any(m.cat == "dir" for m in mods)

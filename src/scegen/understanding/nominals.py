@@ -1,0 +1,240 @@
+"""Reads nouns within a clause: who acts, who is acted on, who is only named along the way."""
+
+from __future__ import annotations
+
+from scegen.understanding.attachment import attach, place_in_front
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
+from scegen.understanding.lookahead import finite_follows
+from scegen.understanding.phrases import also_from, apposes, bracketed
+from scegen.understanding.state import State
+
+_COMING = frozenset({"approach", "collide", "overtake", "pass", "cut_in", "cut_off", "follow"})
+_OWNED = frozenset({"side", "lane", "path"})
+
+
+def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
+    """A participant: as the subject, an object, an apposition, or in a phrase of place.
+
+    Args:
+        mention: the noun.
+        k: its index among the chunks.
+        chunks: the chunks of the text.
+        state: what the clause reader remembers.
+    """
+    state.mentions.append(mention)
+    state.topic = None
+    if mention.possessor:
+        return
+    if state.prep is not None:
+        _prepositional(mention, k, chunks, state)
+        return
+    anchor = state.anchor
+    direct = isinstance(anchor, Event) and not anchor.nominal and not state.between
+    whole = _partitive_before(k, chunks)
+    if whole is not None and (mention.mods == [] or mention.mods[0].value == "indef"):
+        mention.same_as = whole
+        return
+    if _further_ones(mention, k, chunks, state):
+        mention.pronoun = "further"
+    if state.fronted:
+        _start_clause(mention, state)
+    elif isinstance(anchor, Event) and direct and anchor.object is None:
+        anchor.object = mention
+    elif _is_predicate(mention, k, chunks, state):
+        mention.same_as = state.candidate
+        return
+    elif bracketed(chunks, k) and isinstance(anchor, Mention):
+        mention.same_as = anchor
+        return
+    elif apposes(chunks, k, state):
+        mention.same_as = anchor if isinstance(anchor, Mention) else state.candidate
+        return
+    elif _joins(mention, k, chunks, state):
+        return
+    else:
+        _start_clause(mention, state)
+    state.anchor = mention
+    state.between = set()
+    state.last_pp = None
+
+
+def _partitive_before(k: int, chunks: list[Chunk]) -> Mention | None:
+    """``four of them trucks``, ``one of which a bus``: the noun says what kind they are."""
+    if k < 3:
+        return None
+    part, of, whole = chunks[k - 3 : k]
+    if not isinstance(part, Mention) or not isinstance(of, Word) or of.value != "of":
+        return None
+    named = isinstance(whole, Mention) and whole.pronoun == "they"
+    return part if named or (isinstance(whole, Word) and whole.cat == "rel") else None
+
+
+def _further_ones(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+    """``two cars coming from the left and one from the right``: three cars, not two."""
+    if mention.pronoun not in {"one", "count"} or state.between - {"and", "conj"}:
+        return False
+    last = state.events[-1] if state.events else None
+    if last is None or last.form != "ing" or last.finite or len(last.subject) != 1:
+        return False
+    following = chunks[k + 1] if k + 1 < len(chunks) else None
+    described = isinstance(following, Event) and following.form == "ing"
+    described = described or (isinstance(following, Word) and following.cat == "prep")
+    number = last.subject[0].mod("num")
+    several = number is not None and number.data["number"] > 1 and bool(last.subject[0].heads)
+    return described and several and "and" in state.between
+
+
+def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+    """``vehicle 1 is a pickup truck``: the noun after "is" says what the subject is."""
+    who = state.candidate
+    if who is None or state.candidate_done or state.anchor is not who:
+        return False
+    bare = not mention.mods or mention.mods[0].value == "indef" or mention.mods[0].cat != "det"
+    named = (mention.label or "").startswith("#")
+    if "aux:be" not in state.between or mention.pronoun or named or not bare:
+        return False
+    if state.between & {"copy", "conj", "sub"} or who.pronoun in {"it", "they"}:
+        return False
+    return not finite_follows(chunks, k)
+
+
+def _joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+    """``a car and a truck``: the second takes the role of the first."""
+    anchor = state.anchor
+    listed = "and" in state.between or "or" in state.between or state.between == {","}
+    if not (isinstance(anchor, Mention) and listed) or "sub" in state.between:
+        return False
+    if mention.pronoun in {"count", "one", "another"} and "," in state.between:
+        return False  # "four vans, two turning left": some of them, not further ones
+    waiting = anchor is state.candidate and not state.candidate_done
+    waiting = waiting and not any(anchor in event.subject for event in state.events)
+    if state.between == {","} and not waiting:
+        return False
+    if not waiting and (finite_follows(chunks, k) or "," in state.between):
+        return False
+    if _in_parallel(anchor, k, chunks, state):
+        return False
+    mention.joined = anchor
+    mention.pps += [p for p in anchor.pps if p.fronted]
+    for event in state.events:
+        if event.finite and event.i < anchor.i and event.subject[-1:] == [anchor]:
+            event.subject.append(mention)  # "from the left come a bus and a van"
+    if waiting:
+        state.candidate = mention
+    for event in state.events:
+        if event.object is anchor:
+            event.object = mention
+    state.anchor = mention
+    state.between = set()
+    return True
+
+
+def _in_parallel(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+    """``a bus hits me from the left and a taxi from the right``: the taxi hits, too."""
+    last = state.events[-1] if state.events else None
+    if last is None or last.object is not anchor or last.name not in _COMING or k < 3:
+        return False
+    before, after = chunks[k - 3], chunks[k + 1] if k + 1 < len(chunks) else None
+    if not isinstance(before, Word) or not isinstance(after, Word) or before.cat != "prep":
+        return False
+    return before.value == after.value and isinstance(chunks[k - 2], Place)
+
+
+def _start_clause(mention: Mention, state: State) -> None:
+    mention.denied = "neg:not" in state.between
+    exists = "copy" in state.between or ("aux:be" in state.between and bool(state.fronted))
+    state.candidate = mention
+    state.candidate_done = exists  # "there is a van": that is all of its clause
+    for event in state.pending:
+        event.subject = [mention]
+        inverted = event.finite and bool(state.fronted)
+        event.pps += state.fronted if inverted else []
+        state.candidate_done = state.candidate_done or inverted
+    state.pending = []
+    place_in_front(mention, state)
+    state.opening, state.fronted = ([] if state.candidate_done else state.fronted), []
+
+
+def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
+    prep = state.prep
+    state.prep = None
+    if prep is None:
+        return
+    prep.target = mention
+    mention.prep = prep.word
+    if not (prep.value == "of" and _owns_place(mention, k, chunks)):
+        attach(prep, state)
+    mention.landmark = prep.fronted and prep.word.cat == "locus"
+    if prep.fronted:
+        return
+    last = state.events[-1] if state.events else None
+    if last and last.nominal and prep.value in {"by", "of"} and not last.subject:
+        last.subject = [mention]
+    named = prep.value in {"with", "due", "against"}
+    if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:
+        prep.on_mention.partitive, prep.on_mention.whole = True, mention
+        return
+    pending = state.candidate is not None and not state.candidate_done
+    if pending and finite_follows(chunks, k):
+        state.last_pp = mention
+        return
+    if named and state.candidate is None:
+        _start_clause(mention, state)
+    state.anchor = mention
+    state.between = set()
+    state.last_pp = None
+
+
+def _owns_place(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
+    """``the path of the bus``, ``to the left of the truck``: whose place it is."""
+    place = chunks[k - 2] if k > 1 else None
+    if not isinstance(place, Place) or place.kind not in _OWNED or place.owner is not None:
+        return False
+    place.owner = mention
+    return True
+
+
+def _side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
+    """``a driveway on the right``: the side at which the place lies."""
+    place = chunks[k - 2] if k > 1 else None
+    if not isinstance(place, Place) or place.kind != "access" or not isinstance(noun, Place):
+        return False
+    if noun.kind != "side":
+        return False
+    place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
+    place.j = noun.j
+    return True
+
+
+def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> None:
+    """A place or thing: what a preposition or verb governs.
+
+    Args:
+        noun: the noun.
+        k: its index among the chunks.
+        chunks: the chunks of the text.
+        state: what the clause reader remembers.
+    """
+    opens = not state.events or bool(state.between & {"sub", ",", "conj"})
+    if state.prep is None and opens and finite_follows(chunks, k):
+        opens = not (state.events and "," in state.between and "sub" not in state.between)
+        opens = opens and (state.candidate is None or "sub" in state.between)
+        state.topic = noun if opens else None
+    if state.prep is not None:
+        state.prep.target = noun
+        noun.prep = state.prep.word
+        if not _side_of_place(noun, k, chunks):
+            attach(state.prep, state)
+        state.prep = None
+        return
+    if also_from(noun, state):
+        return
+    anchor = state.anchor
+    direct = isinstance(anchor, Event) and anchor.object is None
+    if isinstance(anchor, Event) and direct and not (state.between - {"or", "either"}):
+        anchor.object = noun
+        state.anchor = noun
+        state.between = set()
+    elif not state.events and state.candidate is None:
+        state.anchor = noun
+        state.between = set()

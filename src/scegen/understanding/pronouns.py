@@ -1,0 +1,99 @@
+"""Decides whom "it", "they", "one", "the other", "the second" and the like mean."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.chunks import Mention
+from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.roster import Roster
+from scegen.understanding.tokens import Token
+
+POSITIONS = {
+    "first": 0,
+    "second": 1,
+    "third": 2,
+    "fourth": 3,
+    "fifth": 4,
+    "former": 0,
+    "latter": -1,
+}
+"""Place within those spoken of last; "the former" and "the latter" are of two."""
+_MOST = 20
+
+
+@dataclass(frozen=True, slots=True)
+class Pronouns:
+    """Looks up whom a pronoun means.
+
+    Attributes:
+        draft: where participants are kept.
+        roster: who is known, and who was spoken of last.
+        tokens: the tokens of the text.
+    """
+
+    draft: Draft
+    roster: Roster
+    tokens: list[Token]
+
+    def resolve(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
+        """The participants that a pronoun refers to.
+
+        Args:
+            mention: the pronoun.
+            exclude: participants that it cannot mean.
+        """
+        which = mention.pronoun
+        basis = Basis(mention.i, mention.j)
+        if which in {"it", "him"}:
+            return self._single(mention, exclude)
+        if which in {"they", "both", "all", "neither"}:
+            return self.roster.together()
+        if which == "other":
+            rest = self.roster.claim(1, exclude) or self.roster.rest(exclude)
+            return rest or [self.roster.new(ParticipantKind.CAR, basis)]
+        if which == "ordinal":
+            found = self._ordinal(mention)
+            if found:
+                return found
+        if which == "another":
+            return self.roster.further(exclude, basis)
+        return self._counted(mention, exclude, basis)
+
+    def _single(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
+        if mention.landmark and mention.pronoun == "it" and self.roster.landmark:
+            return self.roster.landmark
+        subject, recent = self.roster.subject, self.roster.recent
+        if self.tokens[mention.i].low == "it":
+            recent = [e for e in recent if e.is_vehicle] or recent
+        options = subject if len(subject) == 1 else recent[-1:]
+        before = self.roster.before if len(self.roster.before) == 1 else []
+        left = [e for e in (*before, *reversed(recent)) if e not in exclude]
+        return [e for e in options if e not in exclude] or left[:1]
+
+    def _ordinal(self, mention: Mention) -> list[Entity]:
+        position = POSITIONS[mention.label or "first"]
+        vehicles = [e for e in self.draft.entities if e.moving_vehicle]
+        everybody = vehicles or self.draft.entities
+        group = self.roster.groups[-1].members if self.roster.groups else everybody
+        if position < 0 or mention.label == "former":
+            group = (group if len(group) > 1 else self.draft.entities)[-2:]
+            position %= max(len(group), 1)
+        if position >= len(group):
+            return []
+        group[position].claimed = True
+        return [group[position]]
+
+    def _counted(self, mention: Mention, exclude: list[Entity], basis: Basis) -> list[Entity]:
+        which = mention.pronoun
+        count = 1
+        if which in {"count", "others", "further"}:
+            count = int(mention.mods[0].data["number"])
+        claimed = self.roster.claim(count, exclude) if which != "further" else []
+        if which in {"others", "further"} and not claimed:
+            return [self.roster.new(ParticipantKind.CAR, basis) for _ in range(min(count, _MOST))]
+        if claimed or which == "count":
+            return claimed
+        new = which != "one" or bool(self.roster.recent)
+        return [self.roster.new(ParticipantKind.CAR, basis)] if new else []

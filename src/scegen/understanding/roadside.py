@@ -1,0 +1,52 @@
+"""Things on and beside the road: what blocks, what hides, what somebody only carries."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import HazardKind
+from scegen.understanding.chunks import Chunk, Mention, Thing
+from scegen.understanding.draft import Basis, Draft, Entity
+
+
+def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
+    """What a thing on or beside the road means.
+
+    Args:
+        thing: the thing.
+        chunks: the chunks of the text, mentions resolved.
+        draft: the scenario in the making.
+    """
+    basis = Basis(thing.i, thing.j)
+    possessed = thing.owner is not None or any(m.cat == "possessive" for m in thing.mods)
+    if thing.kind == "obstacle" and (possessed or _carried(thing, chunks)):
+        return  # "its tyre bursts", "a man with a dog": a part of somebody
+    if thing.kind == "obstacle":
+        draft.hazard(HazardKind.OBSTACLE, basis, [])
+        draft.note(thing.i, thing.j, "things on the road are kept as the hazard 'obstacle' only")
+    elif thing.kind == "door":
+        whose = [e for p in thing.pps if isinstance(p.target, Mention) for e in p.target.entities]
+        whose += thing.owner.entities if thing.owner is not None else []
+        draft.hazard(HazardKind.OBSTACLE, basis, whose)
+        draft.note(thing.i, thing.j, "doors are not modelled; an obstacle is")
+    elif thing.kind == "object":
+        draft.note(thing.i, thing.j, "things beside the road are not built; what they hide is kept")
+    elif thing.kind == "view" and any(m.cat == "verb" for m in thing.mods):
+        draft.hazard(HazardKind.OCCLUSION, basis, _owing_to(thing, chunks))
+
+
+def _carried(thing: Thing, chunks: list[Chunk]) -> bool:
+    """Whether it is with somebody on foot."""
+    k = next(k for k, c in enumerate(chunks) if c is thing)
+    who = chunks[k - 2] if k > 1 else None
+    along = thing.prep is not None and thing.prep.value == "with"
+    return along and isinstance(who, Mention) and any(not e.is_vehicle for e in who.entities)
+
+
+def _owing_to(thing: Thing, chunks: list[Chunk]) -> list[Entity]:
+    """``obstructed views due to parked cars``: the mention right after, with "due to" or "by"."""
+    position = next(k for k, c in enumerate(chunks) if c is thing)
+    for chunk in chunks[position + 1 : position + 4]:
+        if isinstance(chunk, Mention):
+            prep = chunk.prep
+            causal = prep is not None and prep.value in {"due", "by"}
+            return [e for e in chunk.entities if causal]
+    return []

@@ -1,0 +1,71 @@
+"""Roads that vehicles come out of: at the side, from a driveway, from everywhere."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Approach
+from scegen.understanding.chunks import Event, Place, Prep
+from scegen.understanding.context import Context, Scene
+from scegen.understanding.draft import Basis, Entity
+
+_COMING = frozenset({"move", "approach", "appear", "enter"})
+
+
+def side_road(prep: Prep, event: Event, whom: list[Entity], context: Context) -> None:
+    """``a bus comes from the left``: there must be a road on the left.
+
+    Args:
+        prep: a phrase of place.
+        event: the event that it belongs to.
+        whom: whom it places.
+        context: the scenario in the making.
+    """
+    place = prep.target
+    side = isinstance(place, Place) and place.kind == "side" and bool(place.dirs)
+    side = side and set(place.dirs) <= {"left", "right"} if place is not None else False
+    motor = [e for e in whom if e.moving_vehicle and not context.is_cyclist(e)]
+    if prep.value == "from" and side and motor and event.name in _COMING:
+        reason = "a vehicle comes from the side"
+        end = place.j if place is not None else prep.word.j
+        context.draft.side_road = context.draft.side_road or Basis(prep.word.i, end, reason)
+
+
+def access(scene: Scene, context: Context) -> None:
+    """A vehicle that comes out of a side road needs that road.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    for place in scene.places():
+        if place.kind == "lane" and "adjacent" in place.dirs:
+            basis = Basis(place.i, place.j)
+            context.lanes_implied(basis, "there is a lane beside")
+        if place.kind == "access" or (place.kind == "sidewalk" and place is scene.event.object):
+            _from_access(place, scene, context)
+        if place.kind == "access" and scene.drivers and context.draft.access is None:
+            context.draft.access = Basis(place.i, place.j)
+
+
+def _from_access(place: Place, scene: Scene, context: Context) -> None:
+    """``backs out of a driveway on the right``: it comes from there."""
+    sides = {Approach(d) for d in place.dirs if d in {"left", "right"}}
+    goal = any(p.target is place and p.value in {"to", "into"} for p in scene.event.pps)
+    if sides and not goal:
+        for entity in scene.actors:
+            context.draft.place(entity, None, sides, Basis(place.i, place.j))
+
+
+def spread(prep: Prep, actors: list[Entity], context: Context) -> None:
+    """One vehicle to each arm.
+
+    Args:
+        prep: the phrase ("from all directions").
+        actors: the vehicles.
+        context: the scenario in the making.
+    """
+    target = prep.target
+    end = target.j if target is not None else prep.word.j
+    arms = context.junction.arms or max(len(actors), 1)
+    for number, entity in enumerate(actors):
+        entity.entries = {number % arms}
+        entity.entry_basis = Basis(prep.word.i, end)
