@@ -77,7 +77,8 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
     place_standers(scene)
     for drive in scene.logical.drives:
         scene.drives[drive.participant] = _draft(scene, drive)
-    for draft in scene.drives.values():
+    # Those beside others take what lane is left.
+    for draft in sorted(scene.drives.values(), key=lambda draft: draft.drive.beside is not None):
         choose_lanes(scene, draft)
     for rule, hazard in rules:
         if rule.prepare is not None:

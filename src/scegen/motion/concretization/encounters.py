@@ -3,7 +3,13 @@
 from __future__ import annotations
 
 from scegen.motion.concretization.drafts import DriveDraft, Scene
-from scegen.motion.concretization.hazards.rule import Rule, event_s_m, pairs, same_arm
+from scegen.motion.concretization.hazards.rule import (
+    Rule,
+    event_s_m,
+    in_line_before,
+    pairs,
+    same_arm,
+)
 from scegen.motion.concretization.limits import APPROACH_S, CLOSE_FOLLOWING_S, PASSING_LAG_S
 from scegen.motion.concretization.meetings import (
     BYSTANDER,
@@ -39,7 +45,7 @@ def conflict_meetings(
             continue
         for cause, sufferer in pairs(scene, hazard):
             key = frozenset((cause.id, sufferer.id))
-            if key not in involved:
+            if key not in involved and not _others_between(scene, cause, sufferer):
                 priority = DANGER if scene.ego.id in key else DANGER_TO_OTHERS
                 reason = f"{hazard.kind}: arrives together"
                 if same_arm(cause, sufferer):
@@ -52,6 +58,13 @@ def conflict_meetings(
     together = _brake_together(scene)
     involved |= {frozenset((m.first, m.second)) for m in together}
     return [*together, *meetings, *_ordinary(scene, involved, named)]
+
+
+def _others_between(scene: Scene, one: DriveDraft, other: DriveDraft) -> bool:
+    """Whether somebody drives between two in one lane: each keeps its distance from the next."""
+    first, last = sorted((one, other), key=lambda draft: draft.drive.rank)
+    line = in_line_before(scene, last)
+    return first in line and line[-1] is not first
 
 
 def _brake_together(scene: Scene) -> list[Meeting]:

@@ -93,6 +93,11 @@ def _free_change(scene: Scene, draft: DriveDraft) -> None:
             where=draft.id,
         )
     draft.entry_lane = start
+    for other in scene.drives.values():
+        # Who travels beside it is in the lane that it wants.
+        if other.drive.beside == draft.id and goal in entry_lanes(scene, other):
+            other.entry_lane = goal
+            other.lay(scene.network)
     length = change_length_m(draft.cruise_mps)
     end = slowing_s_m(draft) - 3.0
     if scene.road.kind is JunctionKind.STRAIGHT:

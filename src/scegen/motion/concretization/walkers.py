@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
 
 from scegen.errors import MotionInfeasibleError
@@ -17,7 +18,7 @@ from scegen.road.model import LaneType
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import AtTime, CrossingMotion, SpeedPhase, Travelled
 from scegen.scenario.functional import Participant
-from scegen.scenario.logical import Crossing
+from scegen.scenario.logical import Crossing, Side
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 
 _SETBACK_M = 1.5
@@ -30,6 +31,7 @@ _INTO_PATH_M = 1.0
 """The walker is in the driver's line when the bumper is this close (both at their speed)."""
 _STEPS_OFF_M = 0.5
 _SETTLE_S = 0.5
+_ABREAST_M = 0.9
 
 _HAZARD = {
     ParticipantKind.PEDESTRIAN: HazardKind.CROSSING_PEDESTRIAN,
@@ -48,12 +50,16 @@ class Appointment:
 
 def place_walkers(scene: Scene) -> None:
     """On the crosswalk if the arm has one, from behind a parked vehicle if one hides them."""
+    side_by_side: Counter[tuple[int, Side]] = Counter()
     for crossing in scene.logical.crossings:
+        place = (crossing.arm, crossing.start)
+        aside = _abreast_m(side_by_side[place])
+        side_by_side[place] += 1
         participant = scene.functional.participant(crossing.participant)
         motion = CrossingMotion(
             arm=crossing.arm,
             start_side=crossing.start,
-            from_junction_m=round(_from_junction_m(scene, crossing), 3),
+            from_junction_m=round(max(0.0, _from_junction_m(scene, crossing) + aside), 3),
             setback_m=_setback_m(scene, crossing.arm),
         )
         path = crossing_path(scene.network, motion, participant.id)
@@ -61,6 +67,11 @@ def place_walkers(scene: Scene) -> None:
         scene.walks[participant.id] = WalkDraft(
             participant.id, participant.kind, crossing, speed, motion, path
         )
+
+
+def _abreast_m(number: int) -> float:
+    """How far aside the next of several walks: 0, one to the left, one to the right, and so on."""
+    return (number + 1) // 2 * _ABREAST_M * (1 if number % 2 else -1)
 
 
 def _speed(scene: Scene, participant: Participant) -> float:

@@ -5,7 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.motion.concretization.drafts import DriveDraft, Scene
-from scegen.motion.concretization.hazards.rule import Rule, culprits, event_s_m, victims
+from scegen.motion.concretization.hazards.rule import (
+    Rule,
+    culprits,
+    event_s_m,
+    in_line_before,
+    victims,
+)
 from scegen.motion.concretization.limits import HARD_BRAKING_MPS2, STOPPING_MPS2
 from scegen.motion.concretization.marks import Mark
 from scegen.motion.concretization.meetings import drives_meet, meeting_point
@@ -21,6 +27,7 @@ _CLEAR_OF_WALKER_M = 2.0
 _CLEAR_OF_OTHER_M = 3.0
 """From the front bumper of one who stops to the line of another's way: half a width and 2 m."""
 _LEAST_STOP_M = 20.0
+_IN_LINE_M = 3.0
 _AFTER_WALKER_S = 0.5
 
 
@@ -71,6 +78,13 @@ def _hard(scene: Scene, hazard: Hazard) -> None:
         hold = _HARD_HOLD_S
         if walkers is not None and walkers[0] > _LEAST_STOP_M:
             stop, clear = walkers
+            # One behind another that stops for them stops behind it.
+            stopping = {other.id for other in culprits(scene, hazard)}
+            stop -= sum(
+                other.body.length_m + _IN_LINE_M
+                for other in in_line_before(scene, draft)
+                if other.id in stopping
+            )
             braking = draft.course.speed_at(stop - 5.0) / rate
             hold = max(hold, clear - braking + _AFTER_WALKER_S)
         else:

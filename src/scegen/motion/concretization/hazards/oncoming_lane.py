@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.hazards.rule import Rule, culprits
 from scegen.motion.concretization.lane_choice import change_lanes, entry_lanes
-from scegen.motion.concretization.limits import LANE_CHANGE_S
+from scegen.motion.concretization.limits import ABRUPT_LANE_CHANGE_S, LANE_CHANGE_S
 from scegen.motion.concretization.meetings import Meeting
 from scegen.motion.concretization.passing import change_length_m, slowing_s_m
 from scegen.motion.concretization.room import NeedsLongerArms
@@ -14,12 +14,14 @@ from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
 
 _STAYS_S = 2.0
+_ABRUPT = frozenset({HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL, HazardKind.SUDDEN_TURN})
 
 
 def _stray(scene: Scene, draft: DriveDraft) -> None:
     draft.entry_lane = min(entry_lanes(scene, draft))
     lane = draft.entry_lane
-    change = change_length_m(draft.cruise_mps, LANE_CHANGE_S)
+    quick = any(h.kind in _ABRUPT and draft.id in h.by for h in scene.functional.hazards)
+    change = change_length_m(draft.cruise_mps, ABRUPT_LANE_CHANGE_S if quick else LANE_CHANGE_S)
     whole = 2 * change + _STAYS_S * draft.cruise_mps
     if scene.network.junctions:
         end = slowing_s_m(draft) - 2.0

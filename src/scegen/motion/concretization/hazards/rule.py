@@ -78,6 +78,19 @@ def same_arm(first: DriveDraft, second: DriveDraft) -> bool:
     return first.drive.entry == second.drive.entry
 
 
+def in_line_before(scene: Scene, draft: DriveDraft) -> list[DriveDraft]:
+    """Those ahead on the same arm and lane, the first in line first."""
+    ahead = [
+        other
+        for other in scene.drives.values()
+        if other is not draft
+        and same_arm(other, draft)
+        and other.entry_lane == draft.entry_lane
+        and other.drive.rank < draft.drive.rank
+    ]
+    return sorted(ahead, key=lambda other: other.drive.rank)
+
+
 def event_s_m(scene: Scene, draft: DriveDraft, hazard: Hazard) -> float:
     """Where on its way a driver's danger happens.
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from scegen.errors import MotionInfeasibleError
 from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.hazards.rule import Rule, culprits
 from scegen.motion.concretization.lane_choice import change_lanes, neighbour_lane
@@ -18,7 +17,13 @@ _STAYS_M = 1.0
 
 
 def swerve(scene: Scene, draft: DriveDraft, kind: HazardKind) -> None:
-    """Out of the lane and back before the junction, or around the middle of a plain road."""
+    """Out of the lane and back before the junction, or around the middle of a plain road.
+
+    One that leaves its lane for another danger (cuts in, strays into oncoming traffic) does both
+    in one.
+    """
+    if draft.lane_changes:
+        return
     length = change_length_m(draft.cruise_mps, ABRUPT_LANE_CHANGE_S)
     whole = 2 * length + _STAYS_M
     if scene.network.junctions:
@@ -28,8 +33,6 @@ def swerve(scene: Scene, draft: DriveDraft, kind: HazardKind) -> None:
     start = end - whole
     if start < 10.0:
         raise NeedsLongerArms(15.0 - start, draft.id)
-    if draft.lane_changes:
-        raise MotionInfeasibleError("swerves and changes lanes on the same arm", where=draft.id)
     lane = draft.entry_lane
     aside = neighbour_lane(scene, draft, oncoming=scene.road.kind is not JunctionKind.ROUNDABOUT)
     change_lanes(scene, draft, [(start, length, aside), (end - length, length, lane)], kind)
@@ -50,7 +53,7 @@ def _losing(scene: Scene, hazard: Hazard) -> list[Meeting]:
 def _brake(scene: Scene, hazard: Hazard) -> None:
     """Loss of control ends in hard braking to walking pace."""
     for draft in culprits(scene, hazard):
-        changes = [c for c in draft.lane_changes if c.hazard is HazardKind.LOSS_OF_CONTROL]
+        changes = draft.lane_changes
         if not changes:
             continue
         place = draft.laid.path_s_m(changes[-1].position_m)
