@@ -203,3 +203,25 @@ def test_a_clash_names_the_hazard_and_what_it_clashes_with(describe):
     assert "car comes from left" in caught.value.message
     assert "speeding" not in caught.value.message
     assert "right" not in caught.value.message
+
+
+@pytest.mark.parametrize("kind", ["merging_conflict", "failure_to_yield"])
+def test_on_a_road_without_a_junction_one_merges_from_beside(describe, kind):
+    found = listed(describe("straight", 2, [EGO, CAR], [hazard(kind)]))
+    assert found
+    for _, car, ego in found:
+        assert car.entry == ego.entry
+        assert car.beside == "ego"
+
+
+def test_who_comes_the_other_way_cannot_merge(describe):
+    car = CAR | {"approaches": ["opposite"]}
+    with pytest.raises(NoScenarioError, match="merging_conflict"):
+        enumerate_scenarios(describe("straight", 2, [EGO, car], [hazard("merging_conflict")]))
+
+
+def test_who_brakes_beside_the_ego_stays_beside_it(describe):
+    car = CAR | {"approaches": ["adjacent"]}
+    found = listed(describe("straight", 2, [EGO, car], [hazard("hard_braking")]))
+    assert found
+    assert all(drive.beside == "ego" for _, drive, _ in found)

@@ -301,3 +301,22 @@ def test_one_concretization_is_quick(cases):
     for made in cases.values():
         run(concretize(*made))
     assert (time.perf_counter() - begin) / len(cases) < 0.3
+
+
+def test_on_a_plain_road_one_merges_from_the_lane_beside(scenario):
+    drives = [{"entry": 0, "move": 1, "beside": "ego"}, {"entry": 0, "move": 1}]
+    concrete = concretize(
+        *scenario("straight", 2, drives, [("merging_conflict", ["car_1"], ["ego"])])
+    )
+    (change,) = concrete.participant("car_1").motion.lane_changes
+    assert change.lane_after == concrete.ego.motion.entry_lane
+    assert concrete.participant("car_1").motion.entry_lane != change.lane_after
+
+
+def test_those_who_cross_together_walk_abreast(scenario):
+    walks = [(0, "right"), (0, "right"), (0, "right"), (0, "left")]
+    concrete = concretize(*scenario("four_way", 4, [{"entry": 0, "move": 2}], crossings=walks))
+    places = [concrete.participant(f"ped_{n}").motion.from_junction_m for n in range(4)]
+    first, second, third, from_the_left = places
+    assert sorted(round(p - first, 3) for p in (second, third)) == [-0.9, 0.9]
+    assert from_the_left == first

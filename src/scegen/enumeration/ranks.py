@@ -8,6 +8,11 @@ from scegen.enumeration.problem import Problem
 from scegen.enumeration.reading import Solution
 from scegen.scenario.vocabulary import Approach, HazardKind
 
+_FROM_BESIDE = frozenset(
+    {HazardKind.CUT_IN, HazardKind.MERGING_CONFLICT, HazardKind.FAILURE_TO_YIELD}
+)
+"""Dangers between two on one arm that come from the lane beside."""
+
 
 @dataclass
 class Queue:
@@ -78,9 +83,9 @@ def _sayings(problem: Problem, solution: Solution) -> list[tuple[str, str, str]]
 
 
 def _cutting_in(problem: Problem) -> list[tuple[str, str]]:
-    """Who cuts in comes from the lane beside, unless the order said does not let it."""
+    """Who cuts in or merges comes from the lane beside, unless the order said does not let it."""
     lanes = problem.functional.junction.lanes
     if lanes and min(lanes) == 1:
         return []
     together = [d for d in problem.demands if d.what == "together"]
-    return [(d.by, d.to) for d in together if d.kind is HazardKind.CUT_IN]
+    return [(d.by, d.to) for d in together if d.kind in _FROM_BESIDE]

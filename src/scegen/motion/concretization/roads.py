@@ -18,6 +18,8 @@ _RING_CHANGE_ROOM_M = 16.0
 _RING_RADII_M = (20.0, 24.0, 28.0, 32.0, 36.0, 40.0, 50.0)
 _SIDE_BY_SIDE = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 _SIDE_BY_SIDE_HAZARDS = frozenset({HazardKind.CUT_IN, HazardKind.OVERTAKING})
+_FROM_BESIDE = frozenset({HazardKind.MERGING_CONFLICT, HazardKind.FAILURE_TO_YIELD})
+"""Side by side, too, where there is no junction."""
 
 _SWERVING_HAZARDS = frozenset({HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL})
 
@@ -59,7 +61,9 @@ def _min_lanes(functional: FunctionalScenario, logical: LogicalScenario) -> int:
     kinds = {hazard.kind for hazard in functional.hazards}
     beside = any(drive.beside for drive in drives)
     sideways = any(drive.maneuver in _SIDE_BY_SIDE and _among(drive, drives) for drive in drives)
-    together = len(set(entries)) < len(entries) and bool(kinds & _SIDE_BY_SIDE_HAZARDS)
+    plain = functional.junction.kind is JunctionKind.STRAIGHT
+    beside_kinds = _SIDE_BY_SIDE_HAZARDS | (_FROM_BESIDE if plain else frozenset())
+    together = len(set(entries)) < len(entries) and bool(kinds & beside_kinds)
     oncoming = HazardKind.ONCOMING_LANE in kinds
     swerves = roundabout and bool(kinds & _SWERVING_HAZARDS)
     wide = sideways or swerves or (together and not roundabout)

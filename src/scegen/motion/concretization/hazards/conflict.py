@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from scegen.motion.concretization.drafts import Scene
+from scegen.motion.concretization.hazards.cut_in import CUT_IN
 from scegen.motion.concretization.hazards.rule import Rule, culprits
+from scegen.motion.concretization.meetings import Meeting
 from scegen.scenario.functional import Hazard
 
 
@@ -12,7 +14,15 @@ def _keep_going(scene: Scene, hazard: Hazard) -> None:
         draft.stops_at_line = False
 
 
-ARRIVES_TOGETHER = Rule(prepare=_keep_going)
+def _from_beside(scene: Scene, hazard: Hazard) -> list[Meeting]:
+    """Where no junction is, one merges from the lane beside, unless it changes lanes anyway."""
+    changes = any(draft.lane_changes for draft in culprits(scene, hazard))
+    if scene.network.junctions or changes or CUT_IN.shape is None:
+        return []
+    return CUT_IN.shape(scene, hazard)
+
+
+ARRIVES_TOGETHER = Rule(prepare=_keep_going, shape=_from_beside)
 """Merging conflict, unprotected left turn, red-light running, failure to yield."""
 
 STANDS_OR_WALKS = Rule(meets=False)
