@@ -32,7 +32,8 @@ from scegen.criticality import raise_criticality
 from scegen.criticality.friction import friction_of
 from scegen.criticality.search.optimize import Best, _evolve
 from scegen.criticality.search.proving import examine
-from scegen.criticality.search.raising import Raised, _Stage
+from scegen.criticality.search.raising import Raised
+from scegen.criticality.search.stage import Stage
 from scegen.criticality.target import COLLISION, NEAR_MISS, parse_target
 from scegen.errors import InfeasibleError
 from scegen.motion import build_paths, concretize
@@ -82,7 +83,7 @@ def swept(participant: ConcreteParticipant, way: Way) -> BaseGeometry:
 def refuted(functional: FunctionalScenario, concrete: ConcreteScenario, target: str) -> bool:
     """Whether much more effort finds what the search did not, or ways that never meet do meet."""
     network = build_network(concrete.road, name=concrete.name)
-    stage = _Stage(functional, concrete, network, parse_target(target))
+    stage = Stage(functional, concrete, network, parse_target(target))
     if stage.blocked:
         ways = build_paths(concrete, network)
         grounds = [swept(p, ways[p.id]) for p in concrete.participants]
