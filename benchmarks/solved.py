@@ -5,7 +5,7 @@
 N scenarios of every junction kind with at least two cars in conflict (see drawing.py), each from
 the logical scenario to numbers and on to a near-miss and to a collision. "reasons" are what the
 program says of those that fail, names and numbers left out. "at once": those solved by cars that
-are nearest in the very first second, already close at the start. --doubt gives every search that
+are nearest in the very first second, as they start. --doubt gives every search that
 found nothing forty times the effort, by plain random search and CMA-ES from random places, and lays
 out the ground that bodies sweep where paths are said never to meet: a reason that this refutes is
 untrue, and makes the exit code 1.
