@@ -28,7 +28,7 @@ from drawing import draw
 from scegen.criticality.search import optimize
 from scegen.criticality.search.optimize import Best, _evolve, halton, search
 from scegen.criticality.search.problem import Outcome, Problem
-from scegen.criticality.search.raising import _Stage
+from scegen.criticality.search.stage import Stage
 from scegen.criticality.target import COLLISION, NEAR_MISS, parse_target
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import InfeasibleError
@@ -131,7 +131,7 @@ def problem_of(
 ) -> Watched | None:
     """The search problem; None where there is nothing to search for."""
     network = build_network(concrete.road, name=concrete.name)
-    stage = _Stage(functional, concrete, network, parse_target(target))
+    stage = Stage(functional, concrete, network, parse_target(target))
     if stage.blocked:
         return None
     made = stage.problem()

@@ -5,7 +5,7 @@
 N scenarios of every junction kind with at least two cars in conflict (see drawing.py), each from
 the logical scenario to numbers and on to a near-miss and to a collision. "reasons" are what the
 program says of those that fail, names and numbers left out. "at once": those solved by cars that
-are nearest in the very first second, already close at the start. --doubt gives every search that
+are nearest in the very first second, as they start. --doubt gives every search that
 found nothing forty times the effort, by plain random search and CMA-ES from random places, and lays
 out the ground that bodies sweep where paths are said never to meet: a reason that this refutes is
 untrue, and makes the exit code 1.
@@ -31,7 +31,8 @@ from shapely.geometry.base import BaseGeometry
 from scegen.criticality import raise_criticality
 from scegen.criticality.search.optimize import Best, _evolve
 from scegen.criticality.search.proving import examine
-from scegen.criticality.search.raising import Raised, _Stage
+from scegen.criticality.search.raising import Raised
+from scegen.criticality.search.stage import Stage
 from scegen.criticality.target import COLLISION, NEAR_MISS, parse_target
 from scegen.errors import InfeasibleError
 from scegen.motion import build_paths, concretize
@@ -82,7 +83,7 @@ def swept(participant: ConcreteParticipant, way: Way) -> BaseGeometry:
 def refuted(functional: FunctionalScenario, concrete: ConcreteScenario, target: str) -> bool:
     """Whether much more effort finds what the search did not, or ways that never meet do meet."""
     network = build_network(concrete.road, name=concrete.name)
-    stage = _Stage(functional, concrete, network, parse_target(target))
+    stage = Stage(functional, concrete, network, parse_target(target))
     if stage.blocked:
         ways = build_paths(concrete, network)
         grounds = [swept(p, ways[p.id]) for p in concrete.participants]

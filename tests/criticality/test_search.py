@@ -238,7 +238,7 @@ def test_paths_that_never_meet_cannot_collide():
 
 
 def test_those_who_keep_to_lanes_of_their_own_never_meet():
-    """Lanes lead to lanes: the outer lane turns right, the inner one left."""
+    """Lanes lead to lanes: the outermost turns right, the innermost left, one lies in between."""
     functional = two_cars(JunctionKind.Y, 3)
     people = (
         Participant(
@@ -246,7 +246,7 @@ def test_those_who_keep_to_lanes_of_their_own_never_meet():
         ),
         Participant(id="other", entries=frozenset({2}), maneuvers=frozenset({Maneuver.LEFT})),
     )
-    junction = functional.junction.model_copy(update={"lanes": (2, 2, 2)})
+    junction = functional.junction.model_copy(update={"lanes": (3, 3, 3)})
     update = {"participants": people, "junction": junction}
     reason = refused(functional.model_copy(update=update), "collision")
     assert "never meet: where their ways meet, each has a lane of its own" in reason
@@ -279,6 +279,13 @@ def test_who_creeps_over_a_stop_line_is_searched_for_in_the_steps_of_the_proof()
 def test_nobody_is_in_danger_alone():
     alone = two_cars().model_copy(update={"participants": (Participant(id="ego", role=Role.EGO),)})
     assert "nobody else is on the road" in refused(alone, "collision")
+
+
+def test_nobody_is_in_danger_of_what_is_parked_beside_its_way():
+    text = "A parked van stands on a straight road while the ego drives past at 10 m/s."
+    proof = raise_criticality(*made(read(text))).proof
+    assert not proof.in_band
+    assert "nobody else moves" in proof.blocked_by
 
 
 def test_nothing_is_dangerous_at_a_crawl():

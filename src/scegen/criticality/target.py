@@ -3,7 +3,8 @@
 near-miss: nobody touches anybody, and the pair comes as close as in a serious conflict, by one
 of several measures. PET below 1 s is serious (Allen, Shin, Cooper 1978); the least values keep
 it from being a contact by chance; the distances are this program's own choice. A small TTC
-alone says little at crossings, so it counts only together with a distance below 2 m.
+alone says little at crossings, so it counts only together with a distance below 2 m. All of it must
+happen after a lead-in (``search.lead_in``).
 """
 
 from __future__ import annotations

@@ -119,7 +119,7 @@ def held_back(
     latest_m = min([way.turn_start_m, *(c.start_m for c in way.changes)]) - _BEFORE_CHANGE_M
     if not 0.0 <= nearer_m <= latest_m:
         return None
-    waits = _waits_until(ego, ways[concrete.ego.id].path, go_s, meeting_s)
+    waits = waits_until(ego, ways[concrete.ego.id].path, go_s, meeting_s)
     if waits is None:
         return None
     go = SpeedPhase(
@@ -153,7 +153,7 @@ def held_back(
     )
 
 
-def _waits_until(
+def waits_until(
     ego: Trace, path: Path, go_s: float, meeting_s: float
 ) -> tuple[float, float] | None:
     """(place on the ego's way, time to arrival there) that come true at ``go_s`` and not before."""

@@ -12,6 +12,7 @@ from scegen.criticality.hazards.judging import hazard_pairs, relative_margins
 from scegen.criticality.hazards.view import View
 from scegen.criticality.hazards.ways import Way
 from scegen.criticality.scene import Scene
+from scegen.criticality.search.lead_in import early_contact_missing, early_missing
 from scegen.criticality.search.variables import Space
 from scegen.criticality.target import Band, Target
 from scegen.motion.batch.arrays import BatchTraces, Bools, Candidates, Floats, Program
@@ -40,7 +41,6 @@ CLEAR_M = 0.2
 AFTER_S = 1.0
 """The scenario goes on this long after everybody has left."""
 LATERAL_ROOM = 1.03
-_EARLIEST_CONTACT_S = 1.0
 _NEVER = 3.0
 _STRANGE = 0.02
 _SPREAD = 0.12
@@ -176,11 +176,14 @@ def band_missing(values: Floats, band: Band, room: float) -> Floats:
 def choice_missing(
     view: View, choice: Sequence[Band], pair: tuple[str, str], room: float
 ) -> Floats:
-    """How far a pair is from bands that must hold together."""
+    """How far a pair is from bands that must hold together, after the lead-in."""
     missing: Floats = np.max(
         [
-            band_missing(view.of_pair(MEASURE_FIELDS[band.measure][0], *pair), band, room)
-            for band in choice
+            *(
+                band_missing(view.of_pair(MEASURE_FIELDS[band.measure][0], *pair), band, room)
+                for band in choice
+            ),
+            early_missing(view, choice, pair, room),
         ],
         axis=0,
     )
@@ -192,7 +195,7 @@ def target_missing(view: View, target: Target, pair: tuple[str, str], *, room: f
     if target.contact:
         contact = view.of_pair("contact_s", *pair)
         apart = view.of_pair("distance_m", *pair)
-        early = np.maximum(0.0, _EARLIEST_CONTACT_S - contact)
+        early = early_contact_missing(view, pair, room)
         return np.where(np.isnan(contact), 0.3 + np.log1p(apart), early)
     missing: Floats = np.min([choice_missing(view, c, pair, room) for c in target.choices], axis=0)
     return missing

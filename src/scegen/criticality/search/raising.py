@@ -10,7 +10,9 @@ from scegen.criticality.hazards.ways import paths_of, ways_of
 from scegen.criticality.proposals.advising import Advised
 from scegen.criticality.proposals.proposal import Proposer
 from scegen.criticality.search.blocking import blocking
+from scegen.criticality.search.braking_leader import braking_leaders
 from scegen.criticality.search.optimize import Best, follow, search
+from scegen.criticality.search.pairs import candidate_pairs
 from scegen.criticality.search.problem import (
     SEARCH_DT_S,
     Problem,
@@ -54,9 +56,10 @@ def raise_criticality(
 ) -> Raised:
     """Make every danger asked for happen at once, and bring the pair's measure into its band.
 
-    Numbers change as little as that needs, within what is realistic. The result is proved by
-    simulating it anew from its own numbers at 0.01 s. Where it cannot be done, the scenario comes
-    back as it was, and the proof says what blocked it.
+    Numbers change as little as that needs, within what is realistic; where no numbers do it and
+    no danger is asked for that could, a leader brakes (see ``braking_leader``). The result is
+    proved by simulating it anew from its own numbers at 0.01 s. Where it cannot be done, the
+    scenario comes back as it was, and the proof says what blocked it.
 
     Args:
         functional: what the description says; None if unknown.
@@ -85,22 +88,51 @@ def raise_criticality(
             return Raised(*found[0])
     problem = stage.problem()
     rng = np.random.Generator(np.random.PCG64(seed))
-    advice, blocked = None, None
+    advice = None
     if found:
         problem.known.append(problem.space.origin)
     elif proposer is not None:
         advice = stage.ask(proposer, problem, before, seed)
+    blocked = _fill(found, solutions, stage, problem, before, rng, advice)
+    evaluations = problem.evaluations
+    if not found:
+        for pair, braking in braking_leaders(
+            before, network, wanted, candidate_pairs(concrete), stage.friction
+        ):
+            other = Stage(functional, braking, network, wanted, pair)
+            if other.blocked is None:
+                problem = other.problem()
+                problem.evaluations = evaluations
+                seen = examine(concrete, network, other.focus, other.friction)
+                _fill(found, solutions, other, problem, seen, rng, None)
+                evaluations = problem.evaluations
+            if found:
+                found = [(made, _with_advice(proof, advice, led=False)) for made, proof in found]
+                break
+    if not found:
+        proof = stage.proof(before, before, evaluations, blocked)
+        return Raised(concrete, _with_advice(proof, advice, led=False))
+    return Raised(*found[0], others=tuple(found[1:]))
+
+
+def _fill(
+    found: list[tuple[ConcreteScenario, Proof]],
+    solutions: int,
+    stage: Stage,
+    problem: Problem,
+    before: Evidence,
+    rng: np.random.Generator,
+    advice: Advised | None,
+) -> str | None:
+    """Search until so many solutions are found; the reason why there is not one more, if so."""
     while len(found) < solutions:
         made, blocked = _solve(stage, problem, rng, None if found else advice)
         if made is None:
-            break
+            return blocked
         evidence = stage.bound(made.evidence)
         proof = stage.proof(before, evidence, problem.evaluations, None)
         found.append((evidence.concrete, _with_advice(proof, advice, led=made.led)))
-    if not found:
-        proof = stage.proof(before, before, problem.evaluations, blocked)
-        return Raised(concrete, _with_advice(proof, advice, led=False))
-    return Raised(*found[0], others=tuple(found[1:]))
+    return None
 
 
 @dataclass(frozen=True, slots=True)

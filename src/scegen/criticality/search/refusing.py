@@ -60,6 +60,8 @@ def measurable(target: Target, scene: Scene, p: int) -> bool:
 
 def never_meet(target: Target, pairs: list[Pair], concrete: ConcreteScenario) -> str:
     """The reason where no pair can be measured."""
+    if not pairs and len(concrete.participants) > 1:
+        return f"nobody else moves, and what is parked is no danger asked for: no {target.text}"
     if not pairs:
         return f"nobody else is on the road, so nothing can be a {target.text}"
     shown = ", ".join(f"{a} and {b}" for a, b in pairs[:3])

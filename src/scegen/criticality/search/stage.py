@@ -14,6 +14,7 @@ from scegen.criticality.proposals.advising import Advised, advised
 from scegen.criticality.proposals.proposal import Proposer
 from scegen.criticality.reactivity.binding import bind_to_ego
 from scegen.criticality.search.bounds import build_space
+from scegen.criticality.search.lead_in import tailgates
 from scegen.criticality.search.pairs import Pair, candidate_pairs, judged_pairs, scene_of
 from scegen.criticality.search.problem import (
     Problem,
@@ -31,7 +32,6 @@ from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.proof import Proof
-from scegen.scenario.vocabulary import HazardKind
 
 _FOCUS = 3
 """Pairs that are looked at for the target at first; more only where none of them will do."""
@@ -40,7 +40,7 @@ _LONGER_S = 1.0
 
 
 class Stage:
-    """What every part of one search shares."""
+    """What every part of one search shares; ``pair`` is whom it is about, None to choose."""
 
     def __init__(
         self,
@@ -48,6 +48,7 @@ class Stage:
         concrete: ConcreteScenario,
         network: RoadNetwork,
         target: Target,
+        pair: Pair | None = None,
     ) -> None:
         self.functional = functional
         self.concrete = concrete
@@ -57,7 +58,7 @@ class Stage:
         self.ways: Mapping[str, Way] = ways_of(self.full, network)
         self.pair: Pair = ()  # type: ignore[assignment]
         self.blocked: str | None = None
-        pairs = candidate_pairs(concrete)
+        pairs = candidate_pairs(concrete) if pair is None else [pair]
         self.focus = list(dict.fromkeys([*judged_pairs(concrete), *pairs[:_FOCUS]]))
         self.scene = scene_of(concrete, paths_of(self.ways), self.focus, self.friction)
         self._choose_pair(target, pairs)
@@ -87,11 +88,7 @@ class Stage:
 
     def _with_headway(self, target: Target) -> Target:
         """One who tailgates comes near enough by its headway."""
-        follows_closely = any(
-            hazard.kind is HazardKind.TAILGATING and set(self.pair) <= {*hazard.by, *hazard.to}
-            for hazard in self.concrete.hazards
-        )
-        if target.text == NEAR_MISS and self.pair and follows_closely:
+        if target.text == NEAR_MISS and self.pair and tailgates(self.concrete, self.pair):
             return replace(target, choices=(*target.choices, HEADWAY))
         return target
 

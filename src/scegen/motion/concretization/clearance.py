@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
@@ -65,17 +65,22 @@ def clear_offset(
     *,
     direction: int = 1,
     within_s: float = LONGEST_S,
+    companions: Sequence[tuple[DriveDraft, float]] = (),
 ) -> float:
     """The offset next to ``offset_s`` at which a drive touches none of the others.
 
-    ``direction`` 1 looks later, -1 earlier, 0 both ways. Where none ``within_s`` is free, the
-    offset stays.
+    Nor do its ``companions``, each with how much later its own offset is. ``direction`` 1 looks
+    later, -1 earlier, 0 both ways. Where none ``within_s`` is free, the offset stays.
     """
     placed = [(other, offsets_s[other.id]) for other in others]
     for k in range(int(within_s / _STEP_S) + 1):
         signs = (direction,) if direction else (1, -1)
         for sign in signs:
             tried = offset_s + sign * k * _STEP_S
-            if not any(touch(draft, tried, other, at) for other, at in placed):
+            if not any(
+                touch(one, tried + later, other, at)
+                for one, later in ((draft, 0.0), *companions)
+                for other, at in placed
+            ):
                 return tried
     return offset_s

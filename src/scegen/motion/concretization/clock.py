@@ -44,13 +44,19 @@ def arrange(scene: Scene, meetings: Sequence[Meeting]) -> dict[str, float]:
     offsets = {scene.ego.id: 0.0}
     ordered = sorted(meetings, key=lambda m: m.priority)
     while len(offsets) < len(scene.drives):
-        if _arrange_one(scene, ordered, offsets) or _queue_one(scene, offsets):
+        if _arrange_one(scene, ordered, offsets) or _queue_one(scene, ordered, offsets):
             continue
         free = [n for n in scene.drives if n not in offsets]
         name = min(free, key=lambda n: scene.drives[n].drive.rank)
         draft = scene.drives[name]
         offset = _like_the_ego(scene, draft)
-        offsets[name] = clear_offset(draft, offset, _placed(scene, offsets), offsets)
+        offsets[name] = clear_offset(
+            draft,
+            offset,
+            _placed(scene, offsets),
+            offsets,
+            companions=_companions(scene, ordered, name, offsets),
+        )
     return offsets
 
 
@@ -58,6 +64,23 @@ def _partners(meetings: Sequence[Meeting], name: str) -> set[str]:
     """Those whom one meets in danger."""
     risky = [m for m in meetings if m.priority < ORDINARY and name in {m.first, m.second}]
     return {other for m in risky for other in (m.first, m.second) if other != name}
+
+
+def _companions(
+    scene: Scene, meetings: Sequence[Meeting], name: str, offsets: dict[str, float]
+) -> list[tuple[DriveDraft, float]]:
+    """Those whose place follows from one's own, as an overtaker's does, and how much later (s)."""
+    return [
+        (scene.drives[m.second], m.lag_s - _gap_s(scene, m))
+        for m in meetings
+        if m.priority < 0 and m.first == name and m.second not in offsets
+    ]
+
+
+def _gap_s(scene: Scene, meeting: Meeting) -> float:
+    """How much longer the second of a meeting is on its way there than the first."""
+    first, second = scene.drives[meeting.first], scene.drives[meeting.second]
+    return second.course.time_at(meeting.second_s_m) - first.course.time_at(meeting.first_s_m)
 
 
 def _placed(
@@ -73,7 +96,7 @@ def _arrange_one(scene: Scene, meetings: Sequence[Meeting], offsets: dict[str, f
         if known == other:
             continue
         first, second = scene.drives[meeting.first], scene.drives[meeting.second]
-        gap = second.course.time_at(meeting.second_s_m) - first.course.time_at(meeting.first_s_m)
+        gap = _gap_s(scene, meeting)
         if known:
             partner, draft = first, second
             offset = offsets[first.id] + meeting.lag_s - gap
@@ -111,7 +134,7 @@ def _keep_apart(scene: Scene, draft: DriveDraft, offsets: dict[str, float], part
             offsets[draft.id] = behind if after else before
 
 
-def _queue_one(scene: Scene, offsets: dict[str, float]) -> bool:
+def _queue_one(scene: Scene, meetings: Sequence[Meeting], offsets: dict[str, float]) -> bool:
     """Line one vehicle up behind or before those of its arm and lane that are fixed."""
     for name, draft in sorted(scene.drives.items(), key=lambda item: item[1].drive.rank):
         if name in offsets:
@@ -127,7 +150,14 @@ def _queue_one(scene: Scene, offsets: dict[str, float]) -> bool:
             offset = min(offsets[d.id] - headway_s(draft, d) for d in same)
             direction = -1
         others = _placed(scene, offsets)
-        offsets[name] = clear_offset(draft, offset, others, offsets, direction=direction)
+        offsets[name] = clear_offset(
+            draft,
+            offset,
+            others,
+            offsets,
+            direction=direction,
+            companions=_companions(scene, meetings, name, offsets),
+        )
         return True
     return False
 

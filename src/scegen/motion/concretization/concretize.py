@@ -14,6 +14,7 @@ from scegen.motion.concretization.encounters import conflict_meetings
 from scegen.motion.concretization.hazards.table import ordered_rules
 from scegen.motion.concretization.lane_choice import choose_lanes
 from scegen.motion.concretization.maneuvers import prepare_maneuvers, shape_maneuvers
+from scegen.motion.concretization.meeting_lanes import choose_lanes_that_meet
 from scegen.motion.concretization.meetings import Meeting
 from scegen.motion.concretization.roads import FIRST_ARM_M, LONGEST_ARM_M, plan
 from scegen.motion.concretization.room import NeedsLongerArms
@@ -27,7 +28,7 @@ from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.vocabulary import Control
 
-_ATTEMPTS = 12
+_ATTEMPTS = 30
 _ARM_STEP_M = 10.0
 
 
@@ -80,6 +81,7 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
     # Those beside others take what lane is left.
     for draft in sorted(scene.drives.values(), key=lambda draft: draft.drive.beside is not None):
         choose_lanes(scene, draft)
+    choose_lanes_that_meet(scene, rules)
     for rule, hazard in rules:
         if rule.prepare is not None:
             rule.prepare(scene, hazard)

@@ -101,6 +101,9 @@ def _ordinary(scene: Scene, involved: set[frozenset[str]], named: set[str]) -> l
         bystander = bool(scene.functional.hazards) and draft.id not in named
         priority = BYSTANDER if bystander else ORDINARY
         lag = PASSING_LAG_S if bystander else 0.0
+        point = drives_meet(scene.ego, draft)
+        if point is not None and point.opposed:
+            continue  # an overtaker in the oncoming lane: nobody said that it is met there
         found = _meeting(priority, scene.ego, draft, lag, "arrives together")
         if found:
             meetings += found

@@ -40,7 +40,7 @@ def shape_maneuvers(scene: Scene) -> list[Meeting]:
                 oncoming=lanes_in(scene, draft) == 1,
                 comes_back=draft.drive.maneuver is Maneuver.OVERTAKE,
             )
-        elif not _goes_round_somebody_standing(scene, draft):
+        elif not (_goes_round_somebody_standing(scene, draft) or _drives_past(scene, draft)):
             _free_change(scene, draft)
     return [*meetings, *_side_by_side(scene)]
 
@@ -79,6 +79,14 @@ def _goes_round_somebody_standing(scene: Scene, draft: DriveDraft) -> bool:
     )
 
 
+def _drives_past(scene: Scene, draft: DriveDraft) -> bool:
+    """Whether it "overtakes" one who is parked beside its lane, which needs no other lane."""
+    return draft.drive.maneuver is Maneuver.OVERTAKE and any(
+        not stand.standing.in_lane and stand.standing.arm in {draft.drive.entry, draft.drive.exit}
+        for stand in scene.stands.values()
+    )
+
+
 def _free_change(scene: Scene, draft: DriveDraft) -> None:
     """A change into the lane that leads on, with nobody to pass."""
     if scene.road.kind is JunctionKind.ROUNDABOUT and lanes_in(scene, draft) < 2:
@@ -87,6 +95,12 @@ def _free_change(scene: Scene, draft: DriveDraft) -> None:
     count = lanes_in(scene, draft)
     goal = draft.entry_lane if draft.entry_lane in goals else goals[0]
     start = goal - 1 if goal > 1 else goal + 1
+    if start > count and draft.drive.maneuver is Maneuver.OVERTAKE:
+        raise MotionInfeasibleError(
+            f"nobody is ahead of it on arm {draft.drive.entry} whom it could overtake",
+            where=draft.id,
+            hint="Let another vehicle enter on that arm before it, or let it drive straight on.",
+        )
     if start > count:
         raise MotionInfeasibleError(
             f"arm {draft.drive.entry} has one lane: there is no lane to change into",

@@ -39,10 +39,11 @@ class Meeting:
 
 @dataclass(frozen=True, slots=True)
 class MeetingPoint:
-    """Arc lengths on two paths at which they first come together."""
+    """Arc lengths on two paths at which they first come together; ``opposed``: head-on."""
 
     first_s_m: float
     second_s_m: float
+    opposed: bool = False
 
 
 def sampled(path: Path) -> tuple[Array, Array, Array, Array]:
@@ -68,16 +69,18 @@ def meeting_point(first: Path, second: Path) -> MeetingPoint | None:
     nearest = distance.argmin(axis=1)
     gaps = distance[np.arange(len(s1)), nearest]
     touching = np.flatnonzero(gaps < _TOUCH_M)
+    opposed = False
     if touching.size:
         i = int(touching[0])
         turn = (h1[i] - h2[nearest[i]] + np.pi) % (2 * np.pi) - np.pi
-        if abs(turn) > _OPPOSED_RAD:
+        opposed = bool(abs(turn) > _OPPOSED_RAD)
+        if opposed:
             i = int(touching[touching.size // 2])
     else:
         i = int(gaps.argmin())
         if gaps[i] > _GRAZE_M:
             return None
-    return MeetingPoint(float(s1[i]), float(s2[nearest[i]]))
+    return MeetingPoint(float(s1[i]), float(s2[nearest[i]]), opposed)
 
 
 def nearest_s_m(path: Path, x_m: float, y_m: float) -> tuple[float, float]:
@@ -101,7 +104,16 @@ def drives_meet(first: DriveDraft, second: DriveDraft) -> MeetingPoint | None:
     return MeetingPoint(
         max(0.0, point.first_s_m - first.body.centre_ahead_m),
         max(0.0, point.second_s_m - second.body.centre_ahead_m),
+        point.opposed,
     )
+
+
+def ways_touch(first: DriveDraft, second: DriveDraft) -> bool:
+    """Whether bodies on two ways can touch: the lines come closer than half of both widths."""
+    _, x1, y1, _ = sampled(first.laid.path)
+    _, x2, y2, _ = sampled(second.laid.path)
+    gaps = np.hypot(x1[:, None] - x2[None, :], y1[:, None] - y2[None, :])
+    return bool(gaps.min() < (first.body.width_m + second.body.width_m) / 2)
 
 
 def shared_length_m(first: DriveDraft, second: DriveDraft) -> float:
