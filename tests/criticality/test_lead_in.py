@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from scegen.criticality.friction import friction_of
 
 from scegen.criticality import raise_criticality
 from scegen.criticality.search.braking_leader import REASON
@@ -12,6 +11,7 @@ from scegen.criticality.search.variables import LEAD_IN_S
 from scegen.criticality.target import COLLISION, NEAR_MISS, parse_target
 from scegen.enumeration import enumerate_scenarios
 from scegen.motion import concretize
+from scegen.motion.friction import friction_of
 from scegen.motion.ties import STEP_S
 from scegen.pipeline.picking import pick
 from scegen.road import build_network
