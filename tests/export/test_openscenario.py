@@ -288,3 +288,15 @@ def test_an_external_ego_is_valid_against_the_schema(version):
     schema = etree.XMLSchema(etree.parse(SCHEMAS[0] / f"{version}.0" / "OpenSCENARIO.xsd"))
     root = external(version)
     assert schema.validate(root), schema.error_log
+
+
+def test_the_end_waits_for_an_ego_that_is_late_but_not_for_ever():
+    root = written()
+    story = root.find(".//Storyboard/StopTrigger")
+    in_time, at_last = story.findall("ConditionGroup")
+    assert in_time.find(".//TraveledDistanceCondition") is not None
+    times = [g.find(".//SimulationTimeCondition").get("value") for g in (in_time, at_last)]
+    assert [float(t) for t in times] == pytest.approx([12.0, 1.3 * 12.0], abs=1e-4)
+    (act,) = root.findall(".//Act/StopTrigger")
+    # scenario_runner ends an act when any condition of a group holds: there is one only.
+    assert len(act.findall(".//Condition")) == 1

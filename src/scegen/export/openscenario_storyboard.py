@@ -12,6 +12,7 @@ from scegen.export.openscenario_position import vertex_position
 from scegen.export.openscenario_triggers import (
     at_end,
     at_once,
+    at_the_latest,
     phase_event_name,
     phase_trigger,
     when_complete,
@@ -41,7 +42,7 @@ def storyboard(
     act = xosc.Act(
         "act",
         at_once("act_starts", duration),
-        at_end("act_over", concrete, goes_m, minor),
+        at_the_latest("act_over", concrete, minor),
     )
     for participant in moving:
         act.add_maneuver_group(_maneuver_group(participant, paths, duration, minor))

@@ -79,12 +79,26 @@ def at_end(name: str, concrete: ConcreteScenario, ego_goes_m: float, minor: int)
     in_time.add_condition(_value(f"{name}_in_time", _reached(concrete.duration_s, minor)))
     gone = xosc.TraveledDistanceCondition(round(ego_goes_m, 3))
     in_time.add_condition(_entity(f"{name}_ego_has_passed", gone, concrete.ego.id))
-    at_last = xosc.ConditionGroup("stop")
-    latest = _reached(concrete.latest_end_s, minor)
-    at_last.add_condition(_value(f"{name}_at_last", latest))
     trigger.add_conditiongroup(in_time)
-    trigger.add_conditiongroup(at_last)
+    trigger.add_conditiongroup(_at_last(name, concrete, minor))
     return trigger
+
+
+def at_the_latest(name: str, concrete: ConcreteScenario, minor: int) -> xosc.Trigger:
+    """True when even an ego that is late is waited for no longer.
+
+    One condition alone: scenario_runner ends an act when any condition of a group holds.
+    """
+    trigger = xosc.Trigger("stop")
+    trigger.add_conditiongroup(_at_last(name, concrete, minor))
+    return trigger
+
+
+def _at_last(name: str, concrete: ConcreteScenario, minor: int) -> xosc.ConditionGroup:
+    group = xosc.ConditionGroup("stop")
+    latest = _reached(concrete.latest_end_s, minor)
+    group.add_condition(_value(f"{name}_at_last", latest))
+    return group
 
 
 def _reached(time_s: float, minor: int) -> xosc.SimulationTimeCondition:
