@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding import encounters, movements
-from scegen.understanding.chunks import Event, Mention, Place
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.movements import into_lane
@@ -54,6 +54,8 @@ def lane_change(scene: Scene, context: Context) -> None:
     own_will = not scene.reaction and not all(e.ego for e in scene.drivers)
     if lane is not None and any(against(e, lane) for e in scene.drivers):
         return  # into the oncoming lane
+    if head_on(scene, lane, context):
+        return  # an oncoming vehicle uses the wrong lane
     if sudden is not None and not scene.reaction:
         context.draft.hazard(
             HazardKind.CUT_IN, sudden, scene.drivers, _owners(lane, scene, context)
@@ -89,6 +91,20 @@ def _owners(lane: Place | None, scene: Scene, context: Context) -> list[Entity]:
     return egos if possessed and not kept else []
 
 
+def head_on(scene: Scene, place: Place | None, context: Context) -> bool:
+    """``an oncoming van drifts into the ego's lane``: it has no business there.
+
+    Args:
+        scene: what happens.
+        place: where it ends.
+        context: the scenario in the making.
+    """
+    if place is None or place.kind != "lane" or not _owners(place, scene, context):
+        return False
+    sideways = any(t.value in _ACROSS for t in scene.event.dirs)
+    return not sideways and any(context.oncoming(e) and not e.ego for e in scene.drivers)
+
+
 def cut_in(scene: Scene, context: Context) -> None:
     """``cuts in`` from the next lane; across a junction the same words mean not giving way."""
     if not scene.drivers:
@@ -96,6 +112,9 @@ def cut_in(scene: Scene, context: Context) -> None:
     if _cuts_across_the_road(scene):
         movements.cross(scene, context)
         encounters.cross(scene, context)
+        return
+    if head_on(scene, into_lane(scene.event), context):
+        context.draft.hazard(HazardKind.ONCOMING_LANE, scene.words, scene.drivers, scene.targets)
         return
     to = scene.targets or _mentioned(scene.event)
     turning = any(e.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT} for e in scene.drivers)
@@ -264,6 +283,11 @@ def _breach_of_control(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers)
 
 
+def _sign(noun: NounPhrase | None, context: Context) -> bool:
+    """``ignores its sign``: one that says who waits."""
+    return isinstance(noun, Thing) and context.tokens[noun.j - 1].forms[-1][0] == "sign"
+
+
 def breach(scene: Scene, context: Context) -> bool:
     """``runs the red light``, ``ignores a stop sign``, ``violates the right of way``.
 
@@ -277,6 +301,8 @@ def breach(scene: Scene, context: Context) -> bool:
     ignored = isinstance(scene.event.object, Mention)
     if scene.event.name == "breach" and ignored and context.junction.crossing:
         _breach_of_control(scene, context)
+    if scene.event.name == "breach" and _sign(scene.event.object, context):
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers)
     for place in scene.places():
         certain = scene.event.name in _CERTAIN or id(place) in driven_through
         basis = Basis(scene.event.i, max(place.j, scene.event.j))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding import conflicts, encounters
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
@@ -107,7 +107,7 @@ def crawl(scene: Scene, context: Context) -> None:
 def swerve(scene: Scene, context: Context) -> None:
     """Swerving, weaving, drifting; what the ego does to avoid another danger is its answer."""
     drivers = [e for e in scene.drivers if not (scene.reaction and e.ego)]
-    if scene.event.modal or not drivers:
+    if not drivers or (scene.event.modal and any(e.ego for e in drivers)):
         return
     context.draft.hazard(HazardKind.SWERVING, scene.words, drivers, scene.targets)
 
@@ -116,10 +116,13 @@ def oncoming_lane(scene: Scene, context: Context) -> None:
     """A movement into or along the lane of oncoming traffic."""
     for place in scene.places():
         lane = place.kind == "lane" and "opposite" in place.dirs and place.owner is None
+        lane = lane or conflicts.head_on(scene, place, context)
         against = [e for e in scene.drivers if conflicts.against(e, place)]
         if lane or against or place.kind == "centerline":
-            over = place.kind == "centerline" or bool(against)
+            over = place.kind == "centerline" or bool(against) or "opposite" not in place.dirs
             by = [e for e in against or scene.drivers if over or not context.oncoming(e)]
+            meets = scene.event.name == "approach"
+            by = [e for e in by if not meets or Maneuver.OVERTAKE in e.maneuvers]
             if by:
                 basis = Basis(place.i, place.j)
                 context.draft.hazard(HazardKind.ONCOMING_LANE, basis, by)

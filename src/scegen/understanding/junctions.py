@@ -106,7 +106,8 @@ def _place(reading: JunctionReading, terms: list[Term], k: int) -> None:
         if before is not None and before.value == "straight":
             reading.straight = Basis(before.i, term.j)
     control = term.data.get("control")
-    if control and k and terms[k - 1].cat == "possessive":
+    lamps = control == Control.SIGNALS
+    if lamps and k and terms[k - 1].cat == "possessive":
         return  # "its lights" are a vehicle's
     if control and _negated(terms, k):
         _set_control(reading, Control.UNCONTROLLED, Basis(terms[k - 1].i, term.j))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach
+from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.terms import Term
@@ -31,7 +31,8 @@ _STEADY = frozenset(
      "approach", "speed", "tailgate", "follow", "light", "hide", "appear", "walk",
      "unknown", "inert", "pass", "lose_control", "swerve", "reverse", "crawl"}
 )  # fmt: skip
-_PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane"})
+_PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane",
+                     "leg"})  # fmt: skip
 _OPPOSED = "opposed"
 
 
@@ -136,7 +137,10 @@ class Placer:
                 entity.approach_basis = basis
             return
         reference = target.owner.entities[0] if target.owner and target.owner.entities else None
+        wrong = target.kind == "lane" and approaches == _BY_DIR["opposite"]
         for entity in entities:
+            if wrong and Maneuver.OVERTAKE in entity.maneuvers:
+                continue  # who overtakes is in the oncoming lane, but does not come from there
             self._draft.place(entity, reference, set(approaches), basis)
 
     def _locus(self, prep: Prep, entities: list[Entity], event: Event | None) -> None:

@@ -12,6 +12,7 @@ from scegen.understanding.mention_words import Reading
 from scegen.understanding.tokens import Token
 
 _MOTOR = frozenset(ParticipantKind) - {ParticipantKind.PEDESTRIAN}
+_RIDDEN = ParticipantKind.MOTORCYCLE
 _INCLUDING = frozenset({"including", "among", "amongst"})
 
 
@@ -171,7 +172,8 @@ class Roster:
     def compatible(self, entity: Entity, reading: Reading) -> bool:
         """Whether the words of a mention can stand for a known participant."""
         if reading.driver or reading.generic:
-            kind = entity.kind in _MOTOR
+            rides = entity.kind is ParticipantKind.BICYCLE and not reading.plural
+            kind = entity.kind in _MOTOR and (not rides or reading.kind is _RIDDEN)
         else:
             kind = entity.kind is reading.kind
         adversary = reading.labels == {"adversary"} and not reading.plural
