@@ -86,8 +86,11 @@ def move(scene: Scene, context: Context) -> None:
     """``moves left into the lane of the van``: a change of lane."""
     lane = into_lane(scene.event)
     sideways = any(t.value in {"left", "right"} for t in scene.event.dirs)
-    if sideways and lane is not None and lane.kind == "lane":
-        conflicts.lane_change(scene, context)
+    if lane is not None and lane.kind == "lane":
+        if sideways or scene.how("sudden", "emergency", "aggressive") is not None:
+            conflicts.lane_change(scene, context)
+        elif lane is not scene.event.object:
+            conflicts.enter(scene, context)
     encounters.ride(scene, context)
 
 

@@ -108,6 +108,7 @@ class Draft:
     placements: list[Placement] = field(default_factory=list)
     notes: list[Note] = field(default_factory=list)
     crossing_implied: Basis | None = None
+    from_kerb: bool = False
     lanes_implied: Basis | None = None
     access: Basis | None = None
     side_road: Basis | None = None

@@ -48,6 +48,8 @@ def turn(scene: Scene, context: Context) -> None:
     basis = next(iter(directions.values()), Basis(event.i, event.j))
     if not directions and into_lane(event):
         return
+    if _only_signalled(event, context):
+        return
     values = set(directions) or {Maneuver.LEFT, Maneuver.RIGHT}
     if not directions:
         made = event.parent is not None and event.parent.name in {"light", "try"}
@@ -56,6 +58,13 @@ def turn(scene: Scene, context: Context) -> None:
         basis = Basis(basis.i, basis.j, "the text does not say which way it turns")
     context.crossing_implied(basis, "vehicles turn")
     _apply(scene, context, values, basis)
+
+
+def _only_signalled(event: Event, context: Context) -> bool:
+    """``signals a right turn but carries straight on``: a turn that is not made."""
+    after = [t.low for t in context.tokens[event.j : event.j + 2] if t.low != ","]
+    signalled = event.parent is not None and event.parent.name == "inert"
+    return signalled and after[:1] != [] and after[0] in {"but", "yet", "however", "though"}
 
 
 def _apply(scene: Scene, context: Context, values: set[Maneuver], basis: Basis) -> None:
@@ -233,6 +242,10 @@ def use(scene: Scene, context: Context) -> None:
 
 def follow(scene: Scene, context: Context) -> None:
     """One drives behind another."""
+    straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in scene.places())
+    for entity in scene.drivers:
+        entity.moves = entity.moves or Basis(scene.event.i, scene.event.j)
+        entity.on_straight = entity.on_straight or straight
     context.ahead(scene.targets, scene.actors, Basis(scene.event.i, scene.event.j))
 
 
@@ -270,6 +283,10 @@ def through_junction(scene: Scene, context: Context) -> None:
     event = scene.event
     for entity in scene.drivers:
         entity.moves = entity.moves or Basis(event.i, event.j)
+    lane = event.object if event.name == "enter" else None
+    beside = isinstance(lane, Place) and lane.kind == "lane" and "adjacent" in lane.dirs
+    if beside and not context.junction.crossing:
+        lane_change(scene, context)
     if isinstance(event.object, Mention) and event.name == "approach":
         targets = [e for e in scene.targets if e.parked]
         context.ahead(targets, scene.actors, Basis(event.i, event.j))

@@ -74,14 +74,25 @@ def _further_ones(mention: Mention, k: int, chunks: list[Chunk], state: State) -
     if mention.pronoun not in {"one", "count"} or state.between - {"and", "conj"}:
         return False
     last = state.events[-1] if state.events else None
+    following = chunks[k + 1] if k + 1 < len(chunks) else None
+    if "and" in state.between and _in_the_same_words(state.anchor, following):
+        return True
     if last is None or last.form != "ing" or last.finite or len(last.subject) != 1:
         return False
-    following = chunks[k + 1] if k + 1 < len(chunks) else None
     described = isinstance(following, Event) and following.form == "ing"
     described = described or (isinstance(following, Word) and following.cat == "prep")
     number = last.subject[0].mod("num")
     several = number is not None and number.data["number"] > 1 and bool(last.subject[0].heads)
     return described and several and "and" in state.between
+
+
+def _in_the_same_words(before: object, following: Chunk | None) -> bool:
+    """``two cars from the left and one from the right``: each with a place of its own."""
+    if not isinstance(before, Mention) or not before.heads or not before.pps:
+        return False
+    number, prep = before.mod("num"), before.pps[-1]
+    several = number is not None and number.data["number"] > 1
+    return several and isinstance(following, Word) and following.value == prep.value == "from"
 
 
 def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Word
 from scegen.understanding.describing import describe
 from scegen.understanding.discourse import Discourse
 from scegen.understanding.terms import Term
@@ -41,6 +41,8 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     waiting: list[Mention] = []
     for chunk in chunks:
         if isinstance(chunk, Place) and any(m.value == "first_person" for m in chunk.mods):
+            discourse.observer(chunk.i, chunk.j)
+        if isinstance(chunk, Word) and discourse.tells(chunk.i, chunk.j):
             discourse.observer(chunk.i, chunk.j)
         if not isinstance(chunk, Mention):
             continue
@@ -82,6 +84,18 @@ def _resolve(
         sides=everywhere.get(id(mention)),
         settled=id(mention) in settled,
     )
+    _seen_from_the_ego(mention, described)
+
+
+def _seen_from_the_ego(mention: Mention, described: Mention | None) -> None:
+    """``I am behind a lorry``: the lorry is not "the car behind me"."""
+    if described is None or not any(e.ego for e in described.entities):
+        return
+    for prep in described.pps:
+        if prep.target is mention and prep.value in {"ahead", "behind"}:
+            side = "behind" if prep.value == "ahead" else "ahead"
+            for entity in mention.entities:
+                entity.loci.add(side)
 
 
 def _settled(events: list[Event]) -> set[int]:

@@ -79,11 +79,11 @@ class Roster:
         rest = [e for e in self.draft.entities if e.index not in out and e.is_vehicle]
         return rest if len(rest) == 1 else []
 
-    def together(self) -> list[Entity]:
+    def together(self, exclude: list[Entity]) -> list[Entity]:
         """The last group, or the last two."""
         if self.groups and len(self.groups[-1].members) > 1:
             return list(self.groups[-1].members)
-        return list(self.draft.entities[-2:])
+        return [e for e in self.draft.entities if e not in exclude][-2:]
 
     def further(self, exclude: list[Entity], basis: Basis) -> list[Entity]:
         """``another``, ``a third one``: of a group that is being picked apart, else a new one."""
@@ -180,10 +180,16 @@ class Roster:
         if adversary:
             if entity.ego or (reading.generic is False and not kind):
                 return False
-            return "adversary" in entity.labels
+            return "adversary" in entity.labels or (kind and self._same_place(entity, reading))
         if reading.labels and not reading.labels <= entity.labels:
             return False
         return kind and (entity.parked or not reading.parked)
+
+    def _same_place(self, entity: Entity, reading: Reading) -> bool:
+        """``the adversarial leading car``: the "leading car" named before, if nobody has the role."""
+        taken = any("adversary" in e.labels for e in self.draft.entities)
+        alike = bool(reading.dirs) and entity.dirs == reading.dirs
+        return reading.det == "def" and alike and not taken
 
     def enrich(self, known: list[Entity], reading: Reading) -> None:
         """What a further mention says of known participants."""

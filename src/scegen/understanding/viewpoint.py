@@ -218,7 +218,8 @@ def abreast(draft: Draft, ego: Entity) -> None:
         draft: the scenario in the making, positions settled.
         ego: its ego.
     """
-    for entity in draft.entities if draft.access is None else []:
+    along = draft.access is None and not draft.from_kerb
+    for entity in draft.entities if along else []:
         side = entity.approaches and entity.approaches <= {Approach.LEFT, Approach.RIGHT}
         alongside = entity.moving_vehicle and Maneuver.CROSS not in entity.maneuvers
         if entity is ego or not side or len(entity.approaches) > 1 or not alongside:
