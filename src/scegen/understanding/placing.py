@@ -78,6 +78,12 @@ def _compass(place: Place) -> Term | None:
     return next((m for m in place.mods if m.cat == "compass"), None)
 
 
+def _differ(place: Place) -> bool:
+    """``different arms``, ``each from a different direction``."""
+    apart = any(m.value in {"different", "another"} for m in place.mods)
+    return apart and place.kind in {"leg", "direction", "side", "road"}
+
+
 _FROM = {"north": "south", "south": "north", "east": "west", "west": "east"}
 
 
@@ -126,6 +132,9 @@ class Placer:
             return
         if event is not None and prep.value == "in" and event.name not in _STEADY | {"cross"}:
             return
+        if len(entities) > 1 and _differ(target):
+            self._apart(entities, basis)
+            return
         approaches = _place_approaches(target, prep.value)
         if not approaches:
             return
@@ -142,6 +151,13 @@ class Placer:
             if wrong and Maneuver.OVERTAKE in entity.maneuvers:
                 continue  # who overtakes is in the oncoming lane, but does not come from there
             self._draft.place(entity, reference, set(approaches), basis)
+
+    def _apart(self, entities: list[Entity], basis: Basis) -> None:
+        """``from different arms``: no two come from the same one."""
+        elsewhere = {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
+        for number, entity in enumerate(entities):
+            for other in entities[:number]:
+                self._draft.place(entity, other, elsewhere, basis)
 
     def _locus(self, prep: Prep, entities: list[Entity], event: Event | None) -> None:
         target = prep.target
