@@ -19,7 +19,8 @@ _PASSING = frozenset({"overtake", "pass", "bypass", "undertake"})
 _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
 _BREACHING = frozenset({"walk", "breach", "move", "enter", "cross", "speed", "accelerate"})
 _ON_THE_MOVE = frozenset({"swerve", "use", "enter", "move", "cross", "lose_control", "lane_change",
-                          "merge", "overtake", "bypass", "turn", "sharp_turn", "approach"})  # fmt: skip
+                          "merge", "overtake", "bypass", "turn", "sharp_turn", "approach",
+                          "unknown"})  # fmt: skip
 _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
                        "pull_out", "collide"})  # fmt: skip
@@ -191,7 +192,8 @@ class Interpreter:
         named = prep.on_mention
         target = named is not None and named not in event.subject
         moved = event.name in _UNDERWAY and (named is event.object or event.object is None)
-        return prep.value == "from" and not (target and not moved)
+        source = prep.value == "from" or (prep.outer == "from" and prep.target is None)
+        return source and not (target and not moved)
 
     def _overruled(self, scene: Scene) -> bool:
         """``runs the red light`` is no walk."""
