@@ -117,6 +117,9 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         return verb, False
     if match.has(*_NOUNS) and match.form in {"base", "s"} and _noun_slot(match, tokens, previous):
         return match.get(*_NOUNS), False
+    if before == "conj" and match.get("dir").value == "lateral":
+        if not _noun_follows(tokens, match.j):
+            return verb, False  # "get off and cross"
     if match.has("dir") and match.form == "base" and not _verb_slot(previous):
         return match.get("dir"), False
     return verb, False

@@ -99,7 +99,11 @@ def head_on(scene: Scene, place: Place | None, context: Context) -> bool:
         place: where it ends.
         context: the scenario in the making.
     """
-    if place is None or place.kind != "lane" or not _owners(place, scene, context):
+    if place is None or not _owners(place, scene, context):
+        return False
+    if place.kind == "side" and not place.dirs:  # "comes onto the ego's side"
+        return any(p.target is place and p.value == "into" for p in scene.event.pps)
+    if place.kind != "lane":
         return False
     sideways = any(t.value in _ACROSS for t in scene.event.dirs)
     return not sideways and any(context.oncoming(e) and not e.ego for e in scene.drivers)

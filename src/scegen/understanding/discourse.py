@@ -261,6 +261,9 @@ class Discourse:
             for e in reversed(self._roster.recent)
             if e not in exclude and self._roster.compatible(e, reading)
         ]
+        told = any(m.cat in {"verb", "manner", "state"} for m in mention.mods)
+        narrowed = bool(mention.pps) or mention.narrowed or told
+        options = options or self._roster.cast(reading, narrowed=narrowed)
         if reading.dirs:
             options = [e for e in options if e.dirs == reading.dirs]
         loci = _loci(mention)

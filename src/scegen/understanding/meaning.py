@@ -159,7 +159,8 @@ class Interpreter:
                 side_roads.spread(prep, scene.actors, self._context)
             elif prep.on_mention is None or self._starts(event, prep):
                 turned = event.passive and event.name != "hide"
-                whom = scene.targets if turned and prep.value != "behind" else scene.actors
+                turned = turned and prep.value not in {"behind", "from"}
+                whom = scene.targets if turned else scene.actors
                 self._placer.phrase(prep, whom, event)
                 side_roads.side_road(prep, event, whom, self._context)
         side_roads.access(scene, self._context)

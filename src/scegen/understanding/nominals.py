@@ -121,7 +121,8 @@ def _joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     waiting = waiting and not any(anchor in event.subject for event in state.events)
     if state.between == {","} and not waiting:
         return False
-    if not waiting and (finite_follows(chunks, k) or "," in state.between):
+    let = _let(anchor, k, chunks, state)
+    if not waiting and ((finite_follows(chunks, k) and not let) or "," in state.between):
         return False
     if _in_parallel(anchor, k, chunks, state):
         return False
@@ -138,6 +139,15 @@ def _joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     state.anchor = mention
     state.between = set()
     return True
+
+
+def _let(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+    """``lets two people and a cyclist cross``: both are let."""
+    last = state.events[-1] if state.events else None
+    if last is None or last.control != "object" or last.object is not anchor:
+        return False
+    verb = next((c for c in chunks[k + 1 : k + 4] if isinstance(c, Event)), None)
+    return verb is not None and verb.form == "base"
 
 
 def _in_parallel(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:

@@ -35,7 +35,8 @@ def _described_role(chunks: list[Chunk], k: int, state: State) -> bool:
     role, noun = state.candidate, chunks[k]
     if role is None or not role.heads or not isinstance(noun, Mention) or not noun.mods:
         return False
-    bare = role.heads[-1].value in {"adversary", "ego"} and noun.mods[0].value == "indef"
+    named = any(h.value in {"adversary", "ego"} for h in role.heads)
+    bare = named and noun.mods[0].value == "indef"
     after = chunks[k + 1 : k + 9]
     ends = next((m for m, c in enumerate(after) if isinstance(c, Word) and c.value == ","), None)
     if not bare or ends is None or ends + 1 >= len(after):

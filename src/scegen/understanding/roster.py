@@ -180,16 +180,32 @@ class Roster:
         if adversary:
             if entity.ego or (reading.generic is False and not kind):
                 return False
-            return "adversary" in entity.labels or (kind and self._same_place(entity, reading))
+            return "adversary" in entity.labels
         if reading.labels and not reading.labels <= entity.labels:
             return False
         return kind and (entity.parked or not reading.parked)
 
-    def _same_place(self, entity: Entity, reading: Reading) -> bool:
-        """``the adversarial leading car``: the "leading car" named before, if nobody has the role."""
-        taken = any("adversary" in e.labels for e in self.draft.entities)
-        alike = bool(reading.dirs) and entity.dirs == reading.dirs
-        return reading.det == "def" and alike and not taken
+    def cast(self, reading: Reading, *, narrowed: bool) -> list[Entity]:
+        """``a leading car … the adversarial leading car``: somebody known gets the role.
+
+        Args:
+            reading: what the words say.
+            narrowed: further words say which one is meant.
+        """
+        if reading.det != "def" or reading.plural or reading.labels != {"adversary"}:
+            return []
+        if any("adversary" in e.labels for e in self.draft.entities):
+            return []
+        alike = [
+            e
+            for e in self.draft.entities
+            if not e.ego
+            and (e.kind is reading.kind or (reading.generic and e.is_vehicle))
+            and e.dirs == reading.dirs
+            and not e.parked
+        ]
+        unclear = narrowed or (reading.generic and not reading.dirs)
+        return alike if len(alike) == 1 and (reading.dirs or not unclear) else []
 
     def enrich(self, known: list[Entity], reading: Reading) -> None:
         """What a further mention says of known participants."""

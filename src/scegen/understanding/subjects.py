@@ -49,6 +49,9 @@ def link(event: Event, state: State) -> None:
             _said_of_a_thing(event, state)
             return
         _clause(event, state)
+    parent = event.parent
+    if parent is not None and parent.control == "object" and event.form == "base":
+        event.finite = event.finite and auxiliary  # "lets them cross": no clause of its own
     if _blocked(event, state):
         return
     if event.form == "base" and "aux:be" in state.between and event.name in _PASSIVE:
