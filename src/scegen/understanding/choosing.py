@@ -117,10 +117,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         return verb, False
     if match.has(*_NOUNS) and match.form in {"base", "s"} and _noun_slot(match, tokens, previous):
         return match.get(*_NOUNS), False
-    if before == "conj" and match.get("dir").value == "lateral":
-        if not _noun_follows(tokens, match.j):
-            return verb, False  # "get off and cross"
-    if match.has("dir") and match.form == "base" and not _verb_slot(previous):
+    if match.has("dir") and match.form == "base" and not _second_verb(match, tokens, previous):
         return match.get("dir"), False
     return verb, False
 
@@ -162,6 +159,13 @@ def _verb_slot(previous: Term | None) -> bool:
     controls = previous.cat == "verb" and "control" in previous.data
     controls = controls and previous.value != "unknown"
     return controls or previous.cat in _VERBAL_BEFORE or previous.value == "to"
+
+
+def _second_verb(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """Whether a verb is due, also as the second of two ("get off and cross")."""
+    joined = previous is not None and previous.cat == "conj"
+    joined = joined and match.get("dir").value == "lateral"
+    return _verb_slot(previous) or (joined and not _noun_follows(tokens, match.j))
 
 
 def _without_place(match: Match, attributive: bool) -> Entry:

@@ -8,7 +8,7 @@ from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Participa
 from scegen.understanding import conflicts, encounters
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
-from scegen.understanding.movements import into_lane
+from scegen.understanding.ways import into_lane
 
 _REGULATED = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_stop", "parking",
                         "shoulder", "sidewalk", "crosswalk"})  # fmt: skip

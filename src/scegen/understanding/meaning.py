@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind
-from scegen.understanding import conflicts, dangers, encounters, implied, side_roads
+from scegen.understanding import breaches, dangers, encounters, implied, side_roads
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
@@ -72,7 +72,7 @@ class Interpreter:
             self._event(event)
         encounters.come_out(self._context)
         implied.positions(self._scenes, self._context)
-        conflicts.subsume(self._context)
+        breaches.subsume(self._context)
 
     def _mention(self, mention: Mention) -> None:
         self._placer.adjectives(mention)
@@ -170,8 +170,8 @@ class Interpreter:
         if event.negated or failed or event.name == "overlook":
             not_done(scene, self._context)
             return
-        if event.name in _BREACHING or conflicts.turns_across(scene, self._context):
-            conflicts.breach(scene, self._context)
+        if event.name in _BREACHING or breaches.turns_across(scene, self._context):
+            breaches.breach(scene, self._context)
         self._manner(scene)
         movement = MOVEMENTS.get(event.name)
         if movement is not None:

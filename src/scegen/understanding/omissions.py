@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, Control, HazardKind
-from scegen.understanding import conflicts
+from scegen.understanding import breaches
 from scegen.understanding.chunks import Mention
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
@@ -27,12 +27,12 @@ def not_done(scene: Scene, context: Context) -> None:
     basis = Basis(event.i, event.j)
     if event.unable:
         _unable(scene, context)
-    elif event.name in _SEEING and conflicts.breach(scene, context):
+    elif event.name in _SEEING and breaches.breach(scene, context):
         return
     elif event.name == "yield":
-        conflicts.fail_to_yield(scene, context)
+        breaches.fail_to_yield(scene, context)
     elif event.name == "obey":
-        conflicts.breach(scene, context)
+        breaches.breach(scene, context)
     elif event.name in _STOPPING and _at_signals(scene, context):
         context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
     elif event.name in _BRAKING and scene.drivers and _behind_or_late(scene, context):
