@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding import conflicts, encounters
+from scegen.understanding.chunks import Mention
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
 from scegen.understanding.ways import into_lane
@@ -77,6 +78,8 @@ def stop(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.HARD_BRAKING, sudden, motor)
     if any(p.kind in _REGULATED for p in scene.places()):
         return
+    if any(p.value == "for" and isinstance(p.target, Mention) for p in scene.event.pps):
+        return  # "stops for her"
     if scene.reaction or not scene.actors or any(e.ego for e in scene.actors):
         return
     context.draft.hazard(HazardKind.STOPPING, sudden or scene.words, scene.actors)

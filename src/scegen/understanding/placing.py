@@ -57,6 +57,8 @@ def _place_approaches(place: Place, prep: str) -> frozenset[Approach]:
         return frozenset()
     dirs = place.dirs
     sides = {_SIDES[d] for d in dirs if d in _SIDES}
+    if place.kind == "direction" and any(m.cat == "det" and m.value == "other" for m in place.mods):
+        return _BY_DIR["opposite"]
     if place.kind in {"lane", "bike_lane"}:
         if "opposite" in dirs:
             return _BY_DIR["opposite"]
