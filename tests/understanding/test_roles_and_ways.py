@@ -68,6 +68,8 @@ def test_participants(text, expected):
         ("Two children get off and cross in front of a bus.", {"crossing_pedestrian"}),
         ("A car lets a girl and a cyclist cross.", {"crossing_pedestrian", "crossing_cyclist"}),
         ("A car waits after letting a bus go by.", set()),
+        ("The ego follows a bus; behind it a taxi drives too close.", {"tailgating"}),
+        ("A bus goes so slowly that overtaking is hard.", {"slow_driving"}),
         ("At a junction the tram disregards its red light.", {"red_light_running"}),
     ],
 )

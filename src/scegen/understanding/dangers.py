@@ -95,6 +95,10 @@ def move(scene: Scene, context: Context) -> None:
         elif lane is not scene.event.object:
             conflicts.enter(scene, context)
     encounters.ride(scene, context)
+    close = scene.how("close")
+    behind = [e for e in scene.drivers if context.placed(e, Approach.BEHIND)]
+    if close is not None and behind:
+        context.draft.hazard(HazardKind.TAILGATING, close, behind)
 
 
 def too_late(scene: Scene, context: Context) -> None:
