@@ -17,7 +17,9 @@ from scegen.understanding.terms import Term
 
 _PASSING = frozenset({"overtake", "pass", "bypass", "undertake"})
 _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
-_BREACHING = frozenset({"walk", "breach", "move", "enter", "cross", "speed", "accelerate"})
+_BREACHING = frozenset(
+    {"walk", "follow", "breach", "move", "enter", "cross", "speed", "accelerate"}
+)
 _ON_THE_MOVE = frozenset({"swerve", "use", "enter", "move", "cross", "lose_control", "lane_change",
                           "merge", "overtake", "bypass", "turn", "sharp_turn", "approach",
                           "unknown"})  # fmt: skip
