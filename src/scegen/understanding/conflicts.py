@@ -101,8 +101,11 @@ def head_on(scene: Scene, place: Place | None, context: Context) -> bool:
         return False
     if place.kind == "side" and not place.dirs:  # "comes onto the ego's side"
         return any(p.target is place and p.value == "into" for p in scene.event.pps)
-    if place.kind != "lane":
-        return False
+    entered = place is scene.event.object or any(
+        p.target is place and p.value == "into" for p in scene.event.pps
+    )
+    if place.kind != "lane" or not (entered or place.owner is not None):
+        return False  # "stays in its lane"
     sideways = any(t.value in _ACROSS for t in scene.event.dirs)
     return not sideways and any(context.oncoming(e) and not e.ego for e in scene.drivers)
 

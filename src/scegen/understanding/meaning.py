@@ -159,6 +159,10 @@ class Interpreter:
         for prep in event.pps:
             if from_everywhere(prep):
                 side_roads.spread(prep, scene.actors, self._context)
+            elif self._from_behind_somebody(scene, prep):
+                self._context.ahead(
+                    scene.targets[:1], scene.actors, Basis(prep.word.i, prep.word.j)
+                )
             elif prep.on_mention is None or self._starts(event, prep):
                 turned = event.passive and event.name != "hide"
                 turned = turned and prep.value not in {"behind", "from"}
@@ -186,6 +190,11 @@ class Interpreter:
             dangers.oncoming_lane(scene, self._context)
         encounters.from_behind(scene, self._context)
         self._share_sides(event.pps, scene.actors, hidden=event.name == "hide")
+
+    def _from_behind_somebody(self, scene: Scene, prep: Prep) -> bool:
+        """``hits the van from behind``: behind the van."""
+        behind = prep.outer == "from" and prep.value == "behind" and prep.target is None
+        return behind and bool(scene.targets) and scene.event.name in _UNDERWAY
 
     def _starts(self, event: Event, prep: Prep) -> bool:
         """``overtakes the bus from the left`` says where the one who moves comes from.

@@ -38,13 +38,14 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         for p in c.pps
         if p.word.cat == "locus" and isinstance(p.target, Mention)
     }
+    owners = {id(c.owner) for c in chunks if isinstance(c, Mention)}
     waiting: list[Mention] = []
     for chunk in chunks:
         if isinstance(chunk, Place) and any(m.value == "first_person" for m in chunk.mods):
             discourse.observer(chunk.i, chunk.j)
         if isinstance(chunk, Word) and discourse.tells(chunk.i, chunk.j):
             discourse.observer(chunk.i, chunk.j)
-        if not isinstance(chunk, Mention):
+        if not isinstance(chunk, Mention) or (id(chunk) in owners and _on_no_road(chunk)):
             continue
         if chunk.partitive and chunk.pronoun in _PARTS:
             waiting.append(chunk)
@@ -96,6 +97,12 @@ def _seen_from_the_ego(mention: Mention, described: Mention | None) -> None:
             side = "behind" if prep.value == "ahead" else "ahead"
             for entity in mention.entities:
                 entity.loci.add(side)
+
+
+def _on_no_road(owner: Mention) -> bool:
+    """``the neighbour's van``: the van takes part, the neighbour does not."""
+    head = owner.head
+    return head is not None and head.value == "pedestrian" and "afoot" not in head.data
 
 
 def _settled(events: list[Event]) -> set[int]:

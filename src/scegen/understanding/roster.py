@@ -205,7 +205,9 @@ class Roster:
             and not e.parked
         ]
         unclear = narrowed or (reading.generic and not reading.dirs)
-        return alike if len(alike) == 1 and (reading.dirs or not unclear) else []
+        together = any(all(e in g.members for e in alike) for g in self.groups)
+        certain = len(alike) == 1 or (together and bool(alike))
+        return alike[:1] if certain and (reading.dirs or not unclear) else []
 
     def enrich(self, known: list[Entity], reading: Reading) -> None:
         """What a further mention says of known participants."""
