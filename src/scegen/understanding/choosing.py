@@ -163,7 +163,7 @@ def _verb_slot(previous: Term | None) -> bool:
 
 def _second_verb(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     """Whether a verb is due, also as the second of two ("get off and cross")."""
-    joined = previous is not None and previous.cat == "conj"
+    joined = previous is not None and (previous.cat == "conj" or previous.value == ",")
     joined = joined and match.get("dir").value == "lateral"
     return _verb_slot(previous) or (joined and not _noun_follows(tokens, match.j))
 

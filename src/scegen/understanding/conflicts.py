@@ -52,6 +52,10 @@ def lane_change(scene: Scene, context: Context) -> None:
     own_will = not scene.reaction and not all(e.ego for e in scene.drivers)
     if lane is not None and any(against(e, lane) for e in scene.drivers):
         return  # into the oncoming lane
+    oncoming = any(context.oncoming(e) for e in scene.drivers) and not context.junction.crossing
+    if lane is not None and lane.kind == "path" and owners and oncoming:
+        context.draft.hazard(HazardKind.ONCOMING_LANE, scene.words, scene.drivers, owners)
+        return
     if head_on(scene, lane, context):
         return  # an oncoming vehicle uses the wrong lane
     if sudden is not None and not scene.reaction:

@@ -17,6 +17,8 @@ POSITIONS = {
     "fourth": 3,
     "fifth": 4,
     "sixth": 5,
+    "seventh": 6,
+    "eighth": 7,
     "former": 0,
     "latter": -1,
 }
