@@ -9,7 +9,7 @@ these decide who acts in participles ("a car turning left"), infinitives ("tries
 
 from __future__ import annotations
 
-from scegen.understanding import subjects
+from scegen.understanding import relatives, subjects
 from scegen.understanding.attachment import preposition, release
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, Word
 from scegen.understanding.lookahead import (
@@ -198,6 +198,9 @@ class ClauseReader:
         event.sentence = self._sentence
         event.mods += state.ahead
         state.ahead = []
+        if relatives.close(event, state):
+            self.events.append(event)
+            return
         if self._is_spoken_of(event, k):
             event.name, event.nominal = "inert", True
         elif self._inverted(event, k):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from scegen.understanding import relatives
 from scegen.understanding.attachment import attach, place_in_front
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
 from scegen.understanding.lookahead import finite_follows
@@ -27,6 +28,8 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         return
     if state.prep is not None:
         _prepositional(mention, k, chunks, state)
+        return
+    if relatives.opens(mention, k, chunks, state):
         return
     anchor = state.anchor
     direct = isinstance(anchor, Event) and not anchor.nominal and not state.between
