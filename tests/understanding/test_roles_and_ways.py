@@ -36,6 +36,8 @@ def other(text, kind):
         ("The other van ran the red light.", {"car": 1, "van": 1}),
         ("The ego moves into the neighbouring lane.", {"car": 1}),
         ("A car brakes and a drunk wanders over the road.", {"car": 1, "pedestrian": 1}),
+        ("The neighbours' van reverses past a bus.", {"van": 1, "bus": 1}),
+        ("Six vans wait at the lights when a seventh arrives.", {"van": 7}),
         ("A bus lets a cyclist and two vans go by.", {"bus": 1, "bicycle": 1, "van": 2}),
         ("The ego is behind a lorry and the guy behind me overtakes.", {"car": 2, "truck": 1}),
     ],
@@ -70,6 +72,8 @@ def test_participants(text, expected):
         ("A car waits after letting a bus go by.", set()),
         ("The ego follows a bus; behind it a taxi drives too close.", {"tailgating"}),
         ("A bus goes so slowly that overtaking is hard.", {"slow_driving"}),
+        ("An oncoming lorry moves over into the ego's path.", {"oncoming_lane"}),
+        ("An oncoming lorry stays in its lane as a bus waits.", set()),
         ("At a junction the tram disregards its red light.", {"red_light_running"}),
     ],
 )
@@ -91,6 +95,7 @@ def test_dangers(text, expected):
     [
         ("The ego overtakes a van while a bus comes towards them.", "bus", {"opposite"}),
         ("A bus approaches the ego from behind.", "bus", {"behind"}),
+        ("The ego is struck from behind by a bus.", "bus", {"behind"}),
         ("At a junction the ego is hit from the left by a bus.", "bus", {"left"}),
         ("At a Y-junction a bus on the left-hand branch waits for the ego.", "bus", {"left"}),
         ("A cyclist darts across from the right in front of the ego.", "bicycle", {"right"}),
@@ -114,6 +119,7 @@ def test_where_they_come_from(text, kind, approaches):
         ("At a junction a bus signals and makes a right turn.", {"right"}),
         ("At a junction a bus sails straight through.", {"straight"}),
         ("A bus moves into the next lane.", {"lane_change"}),
+        ("At a junction a bus cuts in and turns right.", {"right"}),
     ],
 )
 def test_ways(text, maneuvers):

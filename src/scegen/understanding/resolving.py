@@ -30,6 +30,12 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     beside = _beside(chunks)
     settled = _settled(events)
     around = {id(p.target): e for e in events for p in e.pps if _is_it(p.target)}
+    relative = {
+        id(m): e.object
+        for e in events
+        for m in e.subject
+        if m.pronoun and isinstance(e.object, Mention) and e.object.i < m.i
+    }  # "the van it is following": "it" is not the van
     acted_on = {**around, **acted_on}
     heads = {
         id(p.target): c
@@ -37,7 +43,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         if isinstance(c, Mention)
         for p in c.pps
         if p.word.cat == "locus" and isinstance(p.target, Mention)
-    }
+    } | relative
     owners = {id(c.owner) for c in chunks if isinstance(c, Mention)}
     waiting: list[Mention] = []
     for chunk in chunks:
