@@ -65,7 +65,7 @@ def link(event: Event, state: State) -> None:
         event.passive = "aux:be" in state.between or (reduced and _bare_participle(event, state))
     if event.finite and event.subject:
         state.main = event.subject
-        waits = event.passive and "rel" in state.between and event.subject[-1] is state.candidate
+        waits = "rel" in state.between and event.subject[-1] is state.candidate
         state.candidate_done = state.candidate_done or not waits
 
 
