@@ -160,6 +160,10 @@ def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
     if not placed and not (locus and isinstance(target, Mention)):
         return None
     m += 1
+    aside = isinstance(target, Place) and target.kind == "access" and _is(chunks, m, "in")
+    side = chunks[m + 1] if aside and m + 1 < len(chunks) else None
+    if isinstance(side, Place) and side.kind == "side":
+        m += 2  # "from a driveway on the left a van …"
     while _is(chunks, m, "of") and isinstance(next(iter(chunks[m + 1 :]), None), Mention | Place):
         m += 2
     return m

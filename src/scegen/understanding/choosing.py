@@ -17,10 +17,13 @@ _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
 
 def _noun_follows(tokens: list[Token], j: int) -> bool:
     """Whether a participant or thing is named at token ``j``, adjectives skipped."""
-    for _ in range(3):
+    for step in range(3):
         if j >= len(tokens):
             return False
         following = longest_match(tokens, j)
+        if following is None and step == 0 and tokens[j].kind == "word":
+            j += 1  # "a slow milk truck"
+            continue
         if following is None:
             return False
         if following.has("actor", "thing"):
@@ -110,16 +113,16 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         return (match.get(*_ADJECTIVE_CATS) if match.has(*_ADJECTIVE_CATS) else verb), True
     if match.has("dir", "state", "manner") and attributive and not participle:
         return match.get("dir", "state", "manner"), True
-    if _must_be_verb(match, previous):
+    if _must_be_verb(match, tokens, previous):
         return verb, False
     if match.has(*_NOUNS) and match.form in {"base", "s"} and _noun_slot(match, tokens, previous):
         return match.get(*_NOUNS), False
-    if match.has("dir") and match.form == "base" and not _verb_slot(previous):
+    if match.has("dir") and match.form == "base" and not _second_verb(match, tokens, previous):
         return match.get("dir"), False
     return verb, False
 
 
-def _must_be_verb(match: Match, previous: Term | None) -> bool:
+def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     """``one exits``, ``a car from the left speeds through``, ``they both cross``."""
     if previous is None:
         return False
@@ -127,9 +130,16 @@ def _must_be_verb(match: Match, previous: Term | None) -> bool:
         return not (match.has(*_NOUNS) and match.form == "s")
     if match.form != "s":
         return False
+    if previous.cat in {"dir", "compass"} and _article(tokens, match.j):
+        return True  # "a car from the opposite direction signals a turn"
     one = previous.cat == "num" and previous.data.get("number") == 1
     sided = previous.cat == "dir" and previous.value in {"left", "right"} and match.has("inert")
     return one or sided
+
+
+def _article(tokens: list[Token], j: int) -> bool:
+    """Whether an article stands there: no noun is followed by one."""
+    return j < len(tokens) and tokens[j].low in {"a", "an", "the", "its"}
 
 
 def _noun_slot(match: Match, tokens: list[Token], previous: Term | None) -> bool:
@@ -151,6 +161,13 @@ def _verb_slot(previous: Term | None) -> bool:
     return controls or previous.cat in _VERBAL_BEFORE or previous.value == "to"
 
 
+def _second_verb(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """Whether a verb is due, also as the second of two ("get off and cross")."""
+    joined = previous is not None and (previous.cat == "conj" or previous.value == ",")
+    joined = joined and match.get("dir").value == "lateral"
+    return _verb_slot(previous) or (joined and not _noun_follows(tokens, match.j))
+
+
 def _without_place(match: Match, attributive: bool) -> Entry:
     """``crossing`` describes a vehicle or is what somebody does, unless it is a shaped one."""
     return match.get("dir" if attributive else "verb")
@@ -160,6 +177,21 @@ def _left(match: Match, previous: Term | None) -> tuple[Entry, bool]:
     """``left`` is nearly always the side; "V1 left the road" has a subject right before it."""
     subject = previous is not None and previous.cat in {"actor", "pronoun"}
     return (match.get("verb") if subject else match.get("dir")), False
+
+
+def _not_inflected(match: Match) -> Match:
+    """``the neighbouring lane``: no noun has such a form."""
+    kept = tuple(e for e in match.entries if e.cat != "actor")
+    inflected = match.form in {"ing", "ed"} and kept
+    return Match(kept, match.j, match.form) if inflected else match
+
+
+def _describes(match: Match, tokens: list[Token]) -> bool:
+    """Whether a role name stands before another adjective and a noun."""
+    following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    if following is None or following.has("actor"):
+        return False
+    return _noun_follows(tokens, match.j)
 
 
 _PRIORITY = (
@@ -177,6 +209,11 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
         tokens: the tokens of the text.
         previous: the term before.
     """
+    match = _not_inflected(match)
+    if match.has("actor") and match.has("label") and _describes(match, tokens):
+        return match.get("label"), False  # "the adversarial leading car"
+    if match.has("noted") and match.has("actor") and previous and previous.cat == "det":
+        return match.get("noted" if _noun_follows(tokens, match.j) else "actor"), False
     if len(match.entries) == 1:
         entry = match.entries[0]
         premod = (

@@ -260,14 +260,14 @@ class Chunker:
 
     def _thing(self, mods: list[Term], head: Term, m: int, owner: Mention | None) -> int:
         start = mods[0].i if mods else head.i
-        if head.cat == "place":
+        if head.cat in {"place", "leg"}:
             place = Place(start, head.j, mods, head, owner, kind=head.value)
             self._chunks.append(place)
             if self._numbered(head, m + 1):
                 place.j = self._terms[m + 1].j
                 return m + 2
         else:
-            kind = head.cat if head.cat in {"view", "leg"} else head.value
+            kind = head.cat if head.cat == "view" else head.value
             self._chunks.append(Thing(start, head.j, mods, head, owner, kind=kind))
         return m + 1
 

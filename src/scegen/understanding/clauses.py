@@ -9,7 +9,7 @@ these decide who acts in participles ("a car turning left"), infinitives ("tries
 
 from __future__ import annotations
 
-from scegen.understanding import subjects
+from scegen.understanding import relatives, subjects
 from scegen.understanding.attachment import preposition, release
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, Word
 from scegen.understanding.lookahead import (
@@ -150,6 +150,17 @@ class ClauseReader:
         finite = not event.nominal and event.form != "ing"
         return bool(self._state.fronted) and finite and isinstance(following, Mention)
 
+    def _is_spoken_of(self, event: Event, k: int) -> bool:
+        """``so that overtaking is impossible``: a doing that the clause is about, not done."""
+        before, after = (
+            self._chunks[m] if 0 <= m < len(self._chunks) else None for m in (k - 1, k + 1)
+        )
+        opens = before is None or (
+            isinstance(before, Word) and before.cat in {"sub", "conj", "punct"}
+        )
+        said = isinstance(after, Word) and (after.cat, after.value) == ("aux", "be")
+        return event.form == "ing" and opens and said
+
     def _by_a_stranger(self, event: Event, k: int) -> bool:
         """``roadworks blocking the lane``, ``a steward waves``: no participant does it."""
         before = self._chunks[k - 1] if k else None
@@ -187,7 +198,12 @@ class ClauseReader:
         event.sentence = self._sentence
         event.mods += state.ahead
         state.ahead = []
-        if self._inverted(event, k):
+        if relatives.close(event, state):
+            self.events.append(event)
+            return
+        if self._is_spoken_of(event, k):
+            event.name, event.nominal = "inert", True
+        elif self._inverted(event, k):
             event.finite = True
             state.pending.append(event)
         elif not self._by_a_stranger(event, k):

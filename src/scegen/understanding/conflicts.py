@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding import encounters, movements
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.movements import into_lane
+from scegen.understanding.ways import into_lane
 
-_CERTAIN = frozenset({"walk", "breach", "obey", "encounter", "overlook"})
-"""Verbs that, with a sign or a light, mean that it is not heeded, whatever its colour."""
 _ACROSS = {"left": Maneuver.LEFT, "right": Maneuver.RIGHT}
 
 
@@ -54,6 +52,12 @@ def lane_change(scene: Scene, context: Context) -> None:
     own_will = not scene.reaction and not all(e.ego for e in scene.drivers)
     if lane is not None and any(against(e, lane) for e in scene.drivers):
         return  # into the oncoming lane
+    oncoming = any(context.oncoming(e) for e in scene.drivers) and not context.junction.crossing
+    if lane is not None and lane.kind == "path" and owners and oncoming:
+        context.draft.hazard(HazardKind.ONCOMING_LANE, scene.words, scene.drivers, owners)
+        return
+    if head_on(scene, lane, context):
+        return  # an oncoming vehicle uses the wrong lane
     if sudden is not None and not scene.reaction:
         context.draft.hazard(
             HazardKind.CUT_IN, sudden, scene.drivers, _owners(lane, scene, context)
@@ -89,6 +93,27 @@ def _owners(lane: Place | None, scene: Scene, context: Context) -> list[Entity]:
     return egos if possessed and not kept else []
 
 
+def head_on(scene: Scene, place: Place | None, context: Context) -> bool:
+    """``an oncoming van drifts into the ego's lane``: it has no business there.
+
+    Args:
+        scene: what happens.
+        place: where it ends.
+        context: the scenario in the making.
+    """
+    if place is None or not _owners(place, scene, context):
+        return False
+    if place.kind == "side" and not place.dirs:  # "comes onto the ego's side"
+        return any(p.target is place and p.value == "into" for p in scene.event.pps)
+    entered = place is scene.event.object or any(
+        p.target is place and p.value == "into" for p in scene.event.pps
+    )
+    if place.kind != "lane" or not (entered or place.owner is not None):
+        return False  # "stays in its lane"
+    sideways = any(t.value in _ACROSS for t in scene.event.dirs)
+    return not sideways and any(context.oncoming(e) and not e.ego for e in scene.drivers)
+
+
 def cut_in(scene: Scene, context: Context) -> None:
     """``cuts in`` from the next lane; across a junction the same words mean not giving way."""
     if not scene.drivers:
@@ -96,6 +121,9 @@ def cut_in(scene: Scene, context: Context) -> None:
     if _cuts_across_the_road(scene):
         movements.cross(scene, context)
         encounters.cross(scene, context)
+        return
+    if head_on(scene, into_lane(scene.event), context):
+        context.draft.hazard(HazardKind.ONCOMING_LANE, scene.words, scene.drivers, scene.targets)
         return
     to = scene.targets or _mentioned(scene.event)
     turning = any(e.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT} for e in scene.drivers)
@@ -214,79 +242,3 @@ def _to_overtake(scene: Scene, context: Context) -> bool:
     following = [c.name for c in scene.event.children]
     purpose = scene.event.parent.name if scene.event.parent is not None else ""
     return bool({*following, purpose} & {"overtake", "bypass", "pass"})
-
-
-def fail_to_yield(scene: Scene, context: Context) -> None:
-    """Yielding that does not happen."""
-    context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, scene.targets)
-    _from_the_side(scene, context)
-
-
-def _from_the_side(scene: Scene, context: Context) -> None:
-    """Who has to give way and comes from the side comes from another road."""
-    sides = (Approach.LEFT, Approach.RIGHT)
-    if any(context.placed(e, side) for e in scene.drivers for side in sides):
-        context.crossing_implied(scene.words, "who does not give way comes from the side")
-
-
-def subsume(context: Context) -> None:
-    """Who runs a red light does not give way either; the first says it all."""
-    red = {
-        e.index
-        for d in context.draft.dangers
-        if d.kind is HazardKind.RED_LIGHT_RUNNING
-        for e in d.by
-    }
-    context.draft.dangers[:] = [
-        d
-        for d in context.draft.dangers
-        if d.kind is not HazardKind.FAILURE_TO_YIELD or not d.by or {e.index for e in d.by} - red
-    ]
-
-
-def turns_across(scene: Scene, context: Context) -> bool:
-    """A turn across the oncoming lane, which a red light forbids everywhere."""
-    event = scene.event
-    side = event.object.dirs if isinstance(event.object, Place) else []
-    return event.name in {"turn", "light"} and context.across in {
-        *(t.value for t in event.dirs),
-        *side,
-    }
-
-
-def _breach_of_control(scene: Scene, context: Context) -> None:
-    """``a stop sign … a car ignores it``, ``ignores the tram``: who has to wait does not."""
-    signals = context.junction.control is Control.SIGNALS
-    pronoun = isinstance(scene.event.object, Mention) and scene.event.object.pronoun is not None
-    if signals and pronoun:
-        context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, scene.words, scene.drivers)
-    else:
-        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers)
-
-
-def breach(scene: Scene, context: Context) -> bool:
-    """``runs the red light``, ``ignores a stop sign``, ``violates the right of way``.
-
-    Returns:
-        Whether a rule is broken.
-    """
-    before = len(context.draft.dangers)
-    driven_through = {
-        id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low == "through"
-    }
-    ignored = isinstance(scene.event.object, Mention)
-    if scene.event.name == "breach" and ignored and context.junction.crossing:
-        _breach_of_control(scene, context)
-    for place in scene.places():
-        certain = scene.event.name in _CERTAIN or id(place) in driven_through
-        basis = Basis(scene.event.i, max(place.j, scene.event.j))
-        words = {t.low for t in context.tokens[place.i : place.j]}
-        if place.kind == "signal":
-            if "green" in words or not (certain or "red" in words):
-                continue
-            if scene.drivers or not scene.walkers:
-                context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
-        elif certain and place.kind in {"stop_sign", "yield_sign", "right_of_way"}:
-            context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers)
-            _from_the_side(scene, context)
-    return len(context.draft.dangers) > before

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding import conflicts, encounters
+from scegen.understanding.chunks import Mention
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
-from scegen.understanding.movements import into_lane
+from scegen.understanding.ways import into_lane
 
 _REGULATED = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_stop", "parking",
                         "shoulder", "sidewalk", "crosswalk"})  # fmt: skip
@@ -77,6 +78,8 @@ def stop(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.HARD_BRAKING, sudden, motor)
     if any(p.kind in _REGULATED for p in scene.places()):
         return
+    if any(p.value == "for" and isinstance(p.target, Mention) for p in scene.event.pps):
+        return  # "stops for her"
     if scene.reaction or not scene.actors or any(e.ego for e in scene.actors):
         return
     context.draft.hazard(HazardKind.STOPPING, sudden or scene.words, scene.actors)
@@ -86,9 +89,16 @@ def move(scene: Scene, context: Context) -> None:
     """``moves left into the lane of the van``: a change of lane."""
     lane = into_lane(scene.event)
     sideways = any(t.value in {"left", "right"} for t in scene.event.dirs)
-    if sideways and lane is not None and lane.kind == "lane":
-        conflicts.lane_change(scene, context)
+    if lane is not None and lane.kind == "lane":
+        if sideways or scene.how("sudden", "emergency", "aggressive") is not None:
+            conflicts.lane_change(scene, context)
+        elif lane is not scene.event.object:
+            conflicts.enter(scene, context)
     encounters.ride(scene, context)
+    close = scene.how("close")
+    behind = [e for e in scene.drivers if context.placed(e, Approach.BEHIND)]
+    if close is not None and behind:
+        context.draft.hazard(HazardKind.TAILGATING, close, behind)
 
 
 def too_late(scene: Scene, context: Context) -> None:
@@ -107,7 +117,7 @@ def crawl(scene: Scene, context: Context) -> None:
 def swerve(scene: Scene, context: Context) -> None:
     """Swerving, weaving, drifting; what the ego does to avoid another danger is its answer."""
     drivers = [e for e in scene.drivers if not (scene.reaction and e.ego)]
-    if scene.event.modal or not drivers:
+    if not drivers or (scene.event.modal and any(e.ego for e in drivers)):
         return
     context.draft.hazard(HazardKind.SWERVING, scene.words, drivers, scene.targets)
 
@@ -116,10 +126,13 @@ def oncoming_lane(scene: Scene, context: Context) -> None:
     """A movement into or along the lane of oncoming traffic."""
     for place in scene.places():
         lane = place.kind == "lane" and "opposite" in place.dirs and place.owner is None
+        lane = lane or conflicts.head_on(scene, place, context)
         against = [e for e in scene.drivers if conflicts.against(e, place)]
         if lane or against or place.kind == "centerline":
-            over = place.kind == "centerline" or bool(against)
+            over = place.kind == "centerline" or bool(against) or "opposite" not in place.dirs
             by = [e for e in against or scene.drivers if over or not context.oncoming(e)]
+            meets = scene.event.name == "approach"
+            by = [e for e in by if not meets or Maneuver.OVERTAKE in e.maneuvers]
             if by:
                 basis = Basis(place.i, place.j)
                 context.draft.hazard(HazardKind.ONCOMING_LANE, basis, by)

@@ -55,7 +55,7 @@ class Discourse:
             mention.entities = list(mention.same_as.entities)
             self._refine(mention)
             return mention.entities
-        if _refers_to_nobody(mention):
+        if _refers_to_nobody(mention) or self._their_own_queue(mention):
             return []
         located = any(p.word.cat == "locus" and _is_pronoun(p.target) for p in mention.pps)
         if located or mention.besides:
@@ -75,6 +75,12 @@ class Discourse:
             entity.loci |= _loci(mention)
         self._roster.spoken_of(found, subject=subject, settled=settled)
         return found
+
+    def _their_own_queue(self, mention: Mention) -> bool:
+        """``five cars wait in a queue``: they are the queue."""
+        mass = bool(mention.head and mention.head.data.get("mass"))
+        within = mention.prep is not None and mention.prep.value == "in"
+        return mass and within and len(self._roster.subject) > 1
 
     def _refine(self, mention: Mention) -> None:
         """``vehicle 1, a pickup truck, …``: the apposition says what kind it is."""
@@ -121,6 +127,15 @@ class Discourse:
             return known
         return self._roster.introduce(reading, basis)
 
+    def tells(self, i: int, j: int) -> bool:
+        """Whether words name the one who tells it ("on my side of the road").
+
+        Args:
+            i: index of the first token of the words.
+            j: index after the last one.
+        """
+        return any(t.low in {"my", "our"} for t in self._tokens[i:j])
+
     def observer(self, i: int, j: int) -> None:
         """``our lane``: whoever tells it takes part.
 
@@ -159,6 +174,9 @@ class Discourse:
             if told:
                 return told
         if det == "other":
+            if not self._draft.entities and not reading.plural:
+                self.observer(mention.i, mention.j)
+                return []  # "the other car": other than mine
             claimed = self._roster.claim(1, exclude, reading)
             rest = [e for e in self._roster.rest(exclude) if self._roster.compatible(e, reading)]
             return claimed or rest
@@ -243,6 +261,9 @@ class Discourse:
             for e in reversed(self._roster.recent)
             if e not in exclude and self._roster.compatible(e, reading)
         ]
+        told = any(m.cat in {"verb", "manner", "state"} for m in mention.mods)
+        narrowed = bool(mention.pps) or mention.narrowed or told
+        options = options or self._roster.cast(reading, narrowed=narrowed)
         if reading.dirs:
             options = [e for e in options if e.dirs == reading.dirs]
         loci = _loci(mention)

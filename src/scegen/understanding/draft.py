@@ -12,6 +12,8 @@ from scegen.understanding.tokens import Token
 MAX_PARTICIPANTS = 60
 _TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
 _OVERRIDABLE = frozenset({Maneuver.STRAIGHT})
+_ON_THE_WAY = frozenset({Maneuver.LANE_CHANGE})
+"""What comes before a turn at the junction ("cuts in and turns right")."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,6 +110,7 @@ class Draft:
     placements: list[Placement] = field(default_factory=list)
     notes: list[Note] = field(default_factory=list)
     crossing_implied: Basis | None = None
+    from_kerb: bool = False
     lanes_implied: Basis | None = None
     access: Basis | None = None
     side_road: Basis | None = None
@@ -183,7 +186,7 @@ class Draft:
         if both_ways and not either:
             self._contradiction(entity, values, basis)
         if alternative is None and values & _TURNS:
-            known = known - _OVERRIDABLE if entity.turn_alternative is None else known
+            known = known - _OVERRIDABLE - _ON_THE_WAY if entity.turn_alternative is None else known
         if alternative is None and values == _OVERRIDABLE and known & _TURNS:
             return
         if Maneuver.CROSS in values:

@@ -14,6 +14,7 @@ _OPAQUE_PLACES = frozenset({"bus_stop", "feature", "parking"})
 _NARROWING = frozenset({"limit", "restrict", "impair", "hinder"})
 _SPRINGING = frozenset({"cross", "appear"})
 _COMING = frozenset({"move", "enter", "pull_out"})
+_OVER = frozenset({"over", "across"})
 _WAITING = frozenset({"wait", "locate", "walk", "move", "stop", "park", "appear"})
 
 
@@ -48,7 +49,9 @@ def on_the_road(mention: Mention, context: Context) -> None:
 def onto_the_road(scene: Scene, context: Context) -> None:
     """Whoever is on foot and gets onto the road or into somebody's way crosses, by any verb."""
     onto = any(
-        p.value == "into" and isinstance(p.target, Place) and p.target.kind in _WAY
+        (p.value == "into" or context.tokens[p.word.i].low in _OVER)
+        and isinstance(p.target, Place)
+        and p.target.kind in _WAY
         for p in scene.event.pps
     )
     if onto and scene.walkers:
@@ -110,6 +113,7 @@ def ride(scene: Scene, context: Context) -> None:
     onto = onto or (isinstance(direct, Place) and direct.kind in _CARRIAGEWAY)
     springs = scene.event.name == "appear" or any(p.kind == "path" for p in scene.places())
     onto = onto or (aside and springs)
+    onto = onto or _across_the_path(scene, context)
     away = {"off", "from"}
     onto = onto or any(
         context.tokens[p.word.i].low in away
@@ -119,6 +123,17 @@ def ride(scene: Scene, context: Context) -> None:
     )
     if onto and not any(t.value in {"left", "right"} for t in scene.event.dirs):
         _cyclists_cross(scene, context)
+
+
+def _across_the_path(scene: Scene, context: Context) -> bool:
+    """``rides straight across the ego's path``: whose path it is has to look out."""
+    event = scene.event
+    words = {context.tokens[m.j - 1].low for m in event.dirs} | {
+        context.tokens[p.word.i].low for p in event.pps
+    }
+    paths = [p for p in scene.places() if p.kind == "path"]
+    owned = any(p.owner is not None or any(m.cat == "possessive" for m in p.mods) for p in paths)
+    return owned and "across" in words
 
 
 def _cyclists_cross(scene: Scene, context: Context) -> None:

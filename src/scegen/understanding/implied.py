@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
-from scegen.understanding.chunks import Mention, Place
+from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Danger, Entity
 
@@ -65,18 +65,23 @@ def _on_the_wrong_side(entity: Entity, context: Context) -> bool:
 
 def _comes_towards(scene: Scene, driver: Entity, context: Context) -> None:
     """``drives towards the ego``: head-on, unless it comes from somewhere else."""
-    towards = [p for p in scene.event.pps if context.tokens[p.word.i].low in _HEAD_ON]
+    towards = [p.word.j for p in scene.event.pps if context.tokens[p.word.i].low in _HEAD_ON]
+    towards += [scene.event.j for t in _own(scene.event, context) if t in _HEAD_ON]
     ego = next(e for e in context.draft.entities if e.ego)
     if towards and not _placed(driver, ego, context) and not context.junction.crossing:
-        basis = Basis(scene.event.i, towards[0].word.j, "comes towards the ego")
+        basis = Basis(scene.event.i, towards[0], "comes towards the ego")
         context.draft.place(driver, None, {Approach.OPPOSITE}, basis)
+
+
+def _own(event: Event, context: Context) -> set[str]:
+    return {t.low for t in context.tokens[event.i : event.j]}
 
 
 def _from_the_rear(scene: Scene, context: Context) -> bool:
     """``rear-ends``, ``runs into the back of``."""
     event = scene.event
     ends = [event.object, *(p.target for p in event.pps)]
-    words = {t.low for t in context.tokens[event.i : event.j]}
+    words = _own(event, context)
     rear = any(isinstance(c, Place) and "rear" in c.dirs for c in ends)
     return event.name == "collide" and (rear or bool(words & {"rear", "back"}))
 
@@ -85,6 +90,8 @@ def _along_the_road(scene: Scene, context: Context) -> bool:
     """Closing in on another where no roads meet: in the same lane."""
     meet = context.junction.crossing or context.draft.crossing_implied is not None
     towards = any(context.tokens[p.word.i].low in _HEAD_ON for p in scene.event.pps)
+    if _own(scene.event, context) & _HEAD_ON:
+        return False  # "comes towards them"
     return not meet and (scene.event.name == "approach" or towards)
 
 

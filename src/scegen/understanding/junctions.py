@@ -96,6 +96,8 @@ def _negated(terms: list[Term], k: int) -> bool:
 def _place(reading: JunctionReading, terms: list[Term], k: int) -> None:
     term = terms[k]
     basis = Basis(term.i, term.j)
+    if term.value == "junction" and _away_from(terms, k):
+        return
     if term.value == "junction":
         reading.named = reading.named or basis
         if "kind" in term.data:
@@ -106,12 +108,20 @@ def _place(reading: JunctionReading, terms: list[Term], k: int) -> None:
         if before is not None and before.value == "straight":
             reading.straight = Basis(before.i, term.j)
     control = term.data.get("control")
-    if control and k and terms[k - 1].cat == "possessive":
+    plural = term.form == "s" or term.j - term.i == 1
+    lamps = control == Control.SIGNALS and plural
+    if lamps and k and terms[k - 1].cat == "possessive":
         return  # "its lights" are a vehicle's
     if control and _negated(terms, k):
         _set_control(reading, Control.UNCONTROLLED, Basis(terms[k - 1].i, term.j))
     elif control:
         _set_control(reading, Control(control), basis)
+
+
+def _away_from(terms: list[Term], k: int) -> bool:
+    """``outside a junction``: the road between junctions."""
+    before = [t for t in terms[max(0, k - 3) : k] if t.cat not in {"det", "shape"}]
+    return bool(before) and before[-1].value == "outside"
 
 
 def _shape(reading: JunctionReading, terms: list[Term], k: int) -> None:

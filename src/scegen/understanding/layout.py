@@ -92,7 +92,7 @@ class Layout:
         """``a bus comes from the left``: not on a highway, and not one that changes lanes."""
         along = self._reading.straight is not None or self._around.highway is not None
         lanes = any(d.kind in _ALONG_LANES for d in self._draft.dangers)
-        return None if along or lanes else self._draft.side_road
+        return None if along or lanes or self._draft.from_kerb else self._draft.side_road
 
     def _regulated(self) -> Basis | None:
         basis = self._reading.control_basis

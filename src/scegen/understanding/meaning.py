@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind
-from scegen.understanding import conflicts, dangers, encounters, implied, side_roads
+from scegen.understanding import breaches, dangers, encounters, implied, side_roads
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
@@ -17,9 +17,12 @@ from scegen.understanding.terms import Term
 
 _PASSING = frozenset({"overtake", "pass", "bypass", "undertake"})
 _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
-_BREACHING = frozenset({"walk", "breach", "move", "enter", "cross", "speed", "accelerate"})
+_BREACHING = frozenset(
+    {"walk", "follow", "breach", "move", "enter", "cross", "speed", "accelerate"}
+)
 _ON_THE_MOVE = frozenset({"swerve", "use", "enter", "move", "cross", "lose_control", "lane_change",
-                          "merge", "overtake", "bypass", "turn", "sharp_turn"})  # fmt: skip
+                          "merge", "overtake", "bypass", "turn", "sharp_turn", "approach",
+                          "unknown"})  # fmt: skip
 _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
                        "pull_out", "collide"})  # fmt: skip
@@ -71,7 +74,7 @@ class Interpreter:
             self._event(event)
         encounters.come_out(self._context)
         implied.positions(self._scenes, self._context)
-        conflicts.subsume(self._context)
+        breaches.subsume(self._context)
 
     def _mention(self, mention: Mention) -> None:
         self._placer.adjectives(mention)
@@ -156,9 +159,14 @@ class Interpreter:
         for prep in event.pps:
             if from_everywhere(prep):
                 side_roads.spread(prep, scene.actors, self._context)
+            elif self._from_behind_somebody(scene, prep):
+                self._context.ahead(
+                    scene.targets[:1], scene.actors, Basis(prep.word.i, prep.word.j)
+                )
             elif prep.on_mention is None or self._starts(event, prep):
                 turned = event.passive and event.name != "hide"
-                whom = scene.targets if turned and prep.value != "behind" else scene.actors
+                turned = turned and prep.value not in {"behind", "from"}
+                whom = scene.targets if turned else scene.actors
                 self._placer.phrase(prep, whom, event)
                 side_roads.side_road(prep, event, whom, self._context)
         side_roads.access(scene, self._context)
@@ -168,8 +176,8 @@ class Interpreter:
         if event.negated or failed or event.name == "overlook":
             not_done(scene, self._context)
             return
-        if event.name in _BREACHING or conflicts.turns_across(scene, self._context):
-            conflicts.breach(scene, self._context)
+        if event.name in _BREACHING or breaches.turns_across(scene, self._context):
+            breaches.breach(scene, self._context)
         self._manner(scene)
         movement = MOVEMENTS.get(event.name)
         if movement is not None:
@@ -183,6 +191,11 @@ class Interpreter:
         encounters.from_behind(scene, self._context)
         self._share_sides(event.pps, scene.actors, hidden=event.name == "hide")
 
+    def _from_behind_somebody(self, scene: Scene, prep: Prep) -> bool:
+        """``hits the van from behind``: behind the van."""
+        behind = prep.outer == "from" and prep.value == "behind" and prep.target is None
+        return behind and bool(scene.targets) and scene.event.name in _UNDERWAY
+
     def _starts(self, event: Event, prep: Prep) -> bool:
         """``overtakes the bus from the left`` says where the one who moves comes from.
 
@@ -191,7 +204,8 @@ class Interpreter:
         named = prep.on_mention
         target = named is not None and named not in event.subject
         moved = event.name in _UNDERWAY and (named is event.object or event.object is None)
-        return prep.value == "from" and not (target and not moved)
+        source = prep.value == "from" or (prep.outer == "from" and prep.target is None)
+        return source and not (target and not moved)
 
     def _overruled(self, scene: Scene) -> bool:
         """``runs the red light`` is no walk."""

@@ -5,18 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import JunctionKind, Maneuver
+from scegen.understanding import ways
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene, span
 from scegen.understanding.draft import Basis
 
-_DIRECTIONS = {
-    "left": Maneuver.LEFT,
-    "right": Maneuver.RIGHT,
-    "straight": Maneuver.STRAIGHT,
-}
 _ASIDE = frozenset({"move", "shift", "steer", "edge", "ease"})
 """Verbs that on an open road mean a shift to the side, not a turn."""
-_THROUGH = frozenset({"through", "across"})
 _ORDINALS = {
     "first": Maneuver.EXIT_1,
     "second": Maneuver.EXIT_2,
@@ -27,26 +22,14 @@ _ORDINALS = {
 }
 
 
-def _directions(event: Event) -> dict[Maneuver, Basis]:
-    """Directions that belong to a verb of motion, with their words."""
-    found = {
-        _DIRECTIONS[t.value]: span(event, t.i, t.j) for t in event.dirs if t.value in _DIRECTIONS
-    }
-    for prep in event.pps:
-        target = prep.target
-        if prep.value in {"to", "into"} and isinstance(target, Place) and target.kind == "side":
-            for value in target.dirs:
-                if value in {"left", "right"}:
-                    found[_DIRECTIONS[value]] = span(event, target.i, target.j)
-    return found
-
-
 def turn(scene: Scene, context: Context) -> None:
     """``turns left``, ``a right turn``, ``turns to the left``; without a side, either one."""
     event = scene.event
-    directions = _directions(event)
+    directions = ways.directions(event)
     basis = next(iter(directions.values()), Basis(event.i, event.j))
-    if not directions and into_lane(event):
+    if not directions and ways.into_lane(event):
+        return
+    if ways.only_signalled(event, context):
         return
     values = set(directions) or {Maneuver.LEFT, Maneuver.RIGHT}
     if not directions:
@@ -65,31 +48,20 @@ def _apply(scene: Scene, context: Context, values: set[Maneuver], basis: Basis) 
         context.draft.maneuver(entity, values, basis, alternative, later=later)
 
 
-def into_lane(event: Event) -> Place | None:
-    """The lane or path that a movement ends in ("into the ego's path")."""
-    for prep in event.pps:
-        target = prep.target
-        goal = prep.value in {"into", "to"} and isinstance(target, Place)
-        if goal and isinstance(target, Place) and target.kind in {"lane", "path"}:
-            return target
-    direct = event.object
-    return direct if isinstance(direct, Place) and direct.kind in {"lane", "path"} else None
-
-
 def move(scene: Scene, context: Context) -> None:
     """``goes straight``, ``drives``, ``continues to the left``."""
     event = scene.event
-    directions = _directions(event)
+    directions = ways.directions(event)
     straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in scene.places())
     aside = context.tokens[event.i].forms[-1][0] in _ASIDE and not context.junction.crossing
     sideways = set(directions) & {Maneuver.LEFT, Maneuver.RIGHT}
-    lane = into_lane(event)
+    lane = ways.into_lane(event)
     if sideways and (aside or (lane is not None and lane.kind == "lane")):
         lane_change(scene, context)  # "moves left into the next lane"
         return
     if any(p.kind == "exit" for p in scene.places()):
         leave(scene, context)
-    through = _through_junction(event, context)
+    through = ways.through(event, context)
     for entity in scene.drivers:
         entity.through = entity.through or through
         entity.moves = entity.moves or Basis(event.i, event.j)
@@ -101,23 +73,6 @@ def move(scene: Scene, context: Context) -> None:
     if values & {Maneuver.LEFT, Maneuver.RIGHT}:
         context.crossing_implied(basis, "vehicles turn")
     _apply(scene, context, values, basis)
-
-
-def _through_junction(event: Event, context: Context) -> Basis | None:
-    """``drives through the intersection``; a roundabout is left by one of its exits."""
-    if context.junction.kind is JunctionKind.ROUNDABOUT:
-        return None
-    words = {t.low for t in context.tokens[event.i : event.j]}
-    if words & _THROUGH and isinstance(event.object, Place) and event.object.kind == "junction":
-        return Basis(event.i, event.object.j)
-    for prep in event.pps:
-        place, word = prep.target, context.tokens[prep.word.i].low
-        if isinstance(place, Place) and (
-            (word in _THROUGH and place.kind == "junction")
-            or (word == "along" and place.kind == "road")
-        ):
-            return span(event, prep.word.i, place.j)
-    return None
 
 
 def u_turn(scene: Scene, context: Context) -> None:
@@ -178,7 +133,7 @@ def cross(scene: Scene, context: Context) -> None:
         if not entity.is_vehicle or (context.is_cyclist(entity) and onto):
             context.draft.maneuver(entity, {Maneuver.CROSS}, basis)
     drivers = [e for e in scene.drivers if Maneuver.CROSS not in e.maneuvers]
-    if _directions(scene.event) and drivers:
+    if ways.directions(scene.event) and drivers:
         move(scene, context)
         return
     for entity in drivers:
@@ -206,7 +161,7 @@ def leave(scene: Scene, context: Context) -> None:
     if not isinstance(target, Place):
         return
     if target.kind == "side":
-        sides = {_DIRECTIONS[d] for d in target.dirs if d in {"left", "right"}}
+        sides = {ways.DIRECTIONS[d] for d in target.dirs if d in {"left", "right"}}
         if sides:
             basis = span(scene.event, target.i, target.j)
             context.crossing_implied(basis, "vehicles turn")
@@ -233,6 +188,10 @@ def use(scene: Scene, context: Context) -> None:
 
 def follow(scene: Scene, context: Context) -> None:
     """One drives behind another."""
+    straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in scene.places())
+    for entity in scene.drivers:
+        entity.moves = entity.moves or Basis(scene.event.i, scene.event.j)
+        entity.on_straight = entity.on_straight or straight
     context.ahead(scene.targets, scene.actors, Basis(scene.event.i, scene.event.j))
 
 
@@ -261,7 +220,7 @@ def park(scene: Scene, _context: Context) -> None:
 
 def merge(scene: Scene, context: Context) -> None:
     """Merging on a road without a junction, or into a lane, is a lane change."""
-    if into_lane(scene.event) is not None or context.junction.kind is JunctionKind.STRAIGHT:
+    if ways.into_lane(scene.event) is not None or context.junction.kind is JunctionKind.STRAIGHT:
         lane_change(scene, context)
 
 
@@ -270,6 +229,10 @@ def through_junction(scene: Scene, context: Context) -> None:
     event = scene.event
     for entity in scene.drivers:
         entity.moves = entity.moves or Basis(event.i, event.j)
+    lane = event.object if event.name == "enter" else None
+    beside = isinstance(lane, Place) and lane.kind == "lane" and "adjacent" in lane.dirs
+    if beside and not context.junction.crossing:
+        lane_change(scene, context)
     if isinstance(event.object, Mention) and event.name == "approach":
         targets = [e for e in scene.targets if e.parked]
         context.ahead(targets, scene.actors, Basis(event.i, event.j))

@@ -11,7 +11,8 @@ _SIDE_ONLY = 2
 _NAMED_BY_SIDE = frozenset({"turn", "u_turn", "lane_change", "sharp_turn", "merge", "leave"})
 """Actions that a side tells apart: "the left turn"."""
 VERBAL_LINKS = frozenset({"prep", "locus"})
-ORDINALS = frozenset({"first", "second", "third", "fourth", "fifth", "former", "latter"})
+ORDINALS = frozenset({"first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth",
+                      "former", "latter"})  # fmt: skip
 
 
 def is_nominal(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from scegen.understanding import relatives
 from scegen.understanding.attachment import attach, place_in_front
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
 from scegen.understanding.lookahead import finite_follows
@@ -27,6 +28,8 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         return
     if state.prep is not None:
         _prepositional(mention, k, chunks, state)
+        return
+    if relatives.opens(mention, k, chunks, state):
         return
     anchor = state.anchor
     direct = isinstance(anchor, Event) and not anchor.nominal and not state.between
@@ -74,14 +77,25 @@ def _further_ones(mention: Mention, k: int, chunks: list[Chunk], state: State) -
     if mention.pronoun not in {"one", "count"} or state.between - {"and", "conj"}:
         return False
     last = state.events[-1] if state.events else None
+    following = chunks[k + 1] if k + 1 < len(chunks) else None
+    if "and" in state.between and _in_the_same_words(state.anchor, following):
+        return True
     if last is None or last.form != "ing" or last.finite or len(last.subject) != 1:
         return False
-    following = chunks[k + 1] if k + 1 < len(chunks) else None
     described = isinstance(following, Event) and following.form == "ing"
     described = described or (isinstance(following, Word) and following.cat == "prep")
     number = last.subject[0].mod("num")
     several = number is not None and number.data["number"] > 1 and bool(last.subject[0].heads)
     return described and several and "and" in state.between
+
+
+def _in_the_same_words(before: object, following: Chunk | None) -> bool:
+    """``two cars from the left and one from the right``: each with a place of its own."""
+    if not isinstance(before, Mention) or not before.heads or not before.pps:
+        return False
+    number, prep = before.mod("num"), before.pps[-1]
+    several = number is not None and number.data["number"] > 1
+    return several and isinstance(following, Word) and following.value == prep.value == "from"
 
 
 def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
@@ -110,7 +124,8 @@ def _joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     waiting = waiting and not any(anchor in event.subject for event in state.events)
     if state.between == {","} and not waiting:
         return False
-    if not waiting and (finite_follows(chunks, k) or "," in state.between):
+    let = _let(anchor, k, chunks, state)
+    if not waiting and ((finite_follows(chunks, k) and not let) or "," in state.between):
         return False
     if _in_parallel(anchor, k, chunks, state):
         return False
@@ -127,6 +142,15 @@ def _joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     state.anchor = mention
     state.between = set()
     return True
+
+
+def _let(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+    """``lets two people and a cyclist cross``: both are let."""
+    last = state.events[-1] if state.events else None
+    if last is None or last.control != "object" or last.object is not anchor:
+        return False
+    verb = next((c for c in chunks[k + 1 : k + 4] if isinstance(c, Event)), None)
+    return verb is not None and verb.form == "base"
 
 
 def _in_parallel(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, Control, HazardKind
-from scegen.understanding import conflicts
+from scegen.understanding import breaches
 from scegen.understanding.chunks import Mention
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
@@ -11,6 +11,7 @@ from scegen.understanding.draft import Basis, Entity
 _SIGNED = frozenset({Control.STOP, Control.ALL_WAY_STOP})
 _SIGNS = frozenset({"stop_sign", "stop_line", "yield_sign"})
 _SEEING = frozenset({"encounter", "overlook"})
+_BRAKING = frozenset({"stop", "brake", "slow"})
 _STOPPING = frozenset({"stop", "brake", "wait", "slow"})
 _HARMLESS = frozenset({"light", "inert", "return", "move", "encounter", "try"})
 
@@ -26,14 +27,16 @@ def not_done(scene: Scene, context: Context) -> None:
     basis = Basis(event.i, event.j)
     if event.unable:
         _unable(scene, context)
-    elif event.name in _SEEING and conflicts.breach(scene, context):
+    elif event.name in _SEEING and breaches.breach(scene, context):
         return
     elif event.name == "yield":
-        conflicts.fail_to_yield(scene, context)
+        breaches.fail_to_yield(scene, context)
     elif event.name == "obey":
-        conflicts.breach(scene, context)
+        breaches.breach(scene, context)
     elif event.name in _STOPPING and _at_signals(scene, context):
         context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
+    elif event.name in _BRAKING and scene.drivers and _behind_or_late(scene, context):
+        context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name in _STOPPING and _has_to_wait(scene, context):
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers)
     elif (event.name in _SEEING and scene.drivers and _ahead(scene, context)) or (
@@ -79,6 +82,14 @@ def _ahead(scene: Scene, context: Context) -> bool:
     """Whether what is overlooked drives in front."""
     overlooked = scene.targets or [e for e in context.draft.entities if e not in scene.actors]
     return any(context.placed(e, Approach.AHEAD) for e in overlooked)
+
+
+def _behind_or_late(scene: Scene, context: Context) -> bool:
+    """``does not brake in time``: for whoever is in front, not for a sign."""
+    if any(p.kind in _SIGNS for p in scene.places()):
+        return False
+    late = any(context.tokens[m.j - 1].low == "time" for m in scene.event.mods)
+    return late or all(context.placed(e, Approach.BEHIND) for e in scene.drivers)
 
 
 def _has_to_wait(scene: Scene, context: Context) -> bool:

@@ -21,11 +21,29 @@ def apposes(chunks: list[Chunk], k: int, state: State) -> bool:
         return False
     following = chunks[k + 1 : k + 3]
     comma = bool(following) and isinstance(following[0], Word) and following[0].value == ","
+    if not comma and _described_role(chunks, k, state):
+        return True
     if not comma or len(following) < 2:
         return False
     after = following[1]
     verb = isinstance(after, Event) and after.form != "ing"
     return verb or (isinstance(after, Word) and after.cat == "aux")
+
+
+def _described_role(chunks: list[Chunk], k: int, state: State) -> bool:
+    """``the adversary, a van stopped ahead, blocks …``: a role, then what plays it."""
+    role, noun = state.candidate, chunks[k]
+    if role is None or not role.heads or not isinstance(noun, Mention) or not noun.mods:
+        return False
+    named = any(h.value in {"adversary", "ego"} for h in role.heads)
+    bare = named and noun.mods[0].value == "indef"
+    after = chunks[k + 1 : k + 9]
+    ends = next((m for m, c in enumerate(after) if isinstance(c, Word) and c.value == ","), None)
+    if not bare or ends is None or ends + 1 >= len(after):
+        return False
+    joined = any(isinstance(c, Word) and c.cat in {"conj", "sub", "copy"} for c in after[:ends])
+    verb = after[ends + 1]
+    return not joined and isinstance(verb, Event) and verb.form in {"s", "ed"}
 
 
 def also_from(noun: NounPhrase, state: State) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach
+from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.terms import Term
@@ -31,7 +31,8 @@ _STEADY = frozenset(
      "approach", "speed", "tailgate", "follow", "light", "hide", "appear", "walk",
      "unknown", "inert", "pass", "lose_control", "swerve", "reverse", "crawl"}
 )  # fmt: skip
-_PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane"})
+_PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane",
+                     "leg"})  # fmt: skip
 _OPPOSED = "opposed"
 
 
@@ -56,6 +57,8 @@ def _place_approaches(place: Place, prep: str) -> frozenset[Approach]:
         return frozenset()
     dirs = place.dirs
     sides = {_SIDES[d] for d in dirs if d in _SIDES}
+    if place.kind == "direction" and any(m.cat == "det" and m.value == "other" for m in place.mods):
+        return _BY_DIR["opposite"]
     if place.kind in {"lane", "bike_lane"}:
         if "opposite" in dirs:
             return _BY_DIR["opposite"]
@@ -75,6 +78,12 @@ def _place_approaches(place: Place, prep: str) -> frozenset[Approach]:
 
 def _compass(place: Place) -> Term | None:
     return next((m for m in place.mods if m.cat == "compass"), None)
+
+
+def _differ(place: Place) -> bool:
+    """``different arms``, ``each from a different direction``."""
+    apart = any(m.value in {"different", "another"} for m in place.mods)
+    return apart and place.kind in {"leg", "direction", "side", "road"}
 
 
 _FROM = {"north": "south", "south": "north", "east": "west", "west": "east"}
@@ -125,6 +134,9 @@ class Placer:
             return
         if event is not None and prep.value == "in" and event.name not in _STEADY | {"cross"}:
             return
+        if len(entities) > 1 and _differ(target):
+            self._apart(entities, basis)
+            return
         approaches = _place_approaches(target, prep.value)
         if not approaches:
             return
@@ -136,8 +148,18 @@ class Placer:
                 entity.approach_basis = basis
             return
         reference = target.owner.entities[0] if target.owner and target.owner.entities else None
+        wrong = target.kind == "lane" and approaches == _BY_DIR["opposite"]
         for entity in entities:
+            if wrong and Maneuver.OVERTAKE in entity.maneuvers:
+                continue  # who overtakes is in the oncoming lane, but does not come from there
             self._draft.place(entity, reference, set(approaches), basis)
+
+    def _apart(self, entities: list[Entity], basis: Basis) -> None:
+        """``from different arms``: no two come from the same one."""
+        elsewhere = {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
+        for number, entity in enumerate(entities):
+            for other in entities[:number]:
+                self._draft.place(entity, other, elsewhere, basis)
 
     def _locus(self, prep: Prep, entities: list[Entity], event: Event | None) -> None:
         target = prep.target

@@ -16,6 +16,9 @@ POSITIONS = {
     "third": 2,
     "fourth": 3,
     "fifth": 4,
+    "sixth": 5,
+    "seventh": 6,
+    "eighth": 7,
     "former": 0,
     "latter": -1,
 }
@@ -49,7 +52,7 @@ class Pronouns:
         if which in {"it", "him"}:
             return self._single(mention, exclude)
         if which in {"they", "both", "all", "neither"}:
-            return self.roster.together()
+            return self.roster.together(exclude)
         if which == "other":
             rest = self.roster.claim(1, exclude) or self.roster.rest(exclude)
             return rest or [self.roster.new(ParticipantKind.CAR, basis)]
@@ -57,6 +60,9 @@ class Pronouns:
             found = self._ordinal(mention)
             if found:
                 return found
+            if mention.mods and mention.mods[0].value == "indef":
+                alike = [e.kind for e in self.roster.recent if e.is_vehicle]
+                return [self.roster.new((alike or [ParticipantKind.CAR])[-1], basis)]
         if which == "another":
             return self.roster.further(exclude, basis)
         return self._counted(mention, exclude, basis)
@@ -92,7 +98,9 @@ class Pronouns:
             count = int(mention.mods[0].data["number"])
         claimed = self.roster.claim(count, exclude) if which != "further" else []
         if which in {"others", "further"} and not claimed:
-            return [self.roster.new(ParticipantKind.CAR, basis) for _ in range(min(count, _MOST))]
+            alike = [e.kind for e in self.roster.recent if e.is_vehicle and which == "further"]
+            kind = (alike or [ParticipantKind.CAR])[-1]
+            return [self.roster.new(kind, basis) for _ in range(min(count, _MOST))]
         if claimed or which == "count":
             return claimed
         new = which != "one" or bool(self.roster.recent)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Word
 from scegen.understanding.describing import describe
 from scegen.understanding.discourse import Discourse
 from scegen.understanding.terms import Term
@@ -30,6 +30,12 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     beside = _beside(chunks)
     settled = _settled(events)
     around = {id(p.target): e for e in events for p in e.pps if _is_it(p.target)}
+    relative = {
+        id(m): e.object
+        for e in events
+        for m in e.subject
+        if m.pronoun and isinstance(e.object, Mention) and e.object.i < m.i
+    }  # "the van it is following": "it" is not the van
     acted_on = {**around, **acted_on}
     heads = {
         id(p.target): c
@@ -37,12 +43,15 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         if isinstance(c, Mention)
         for p in c.pps
         if p.word.cat == "locus" and isinstance(p.target, Mention)
-    }
+    } | relative
+    owners = {id(c.owner) for c in chunks if isinstance(c, Mention)}
     waiting: list[Mention] = []
     for chunk in chunks:
         if isinstance(chunk, Place) and any(m.value == "first_person" for m in chunk.mods):
             discourse.observer(chunk.i, chunk.j)
-        if not isinstance(chunk, Mention):
+        if isinstance(chunk, Word) and discourse.tells(chunk.i, chunk.j):
+            discourse.observer(chunk.i, chunk.j)
+        if not isinstance(chunk, Mention) or (id(chunk) in owners and _on_no_road(chunk)):
             continue
         if chunk.partitive and chunk.pronoun in _PARTS:
             waiting.append(chunk)
@@ -82,6 +91,24 @@ def _resolve(
         sides=everywhere.get(id(mention)),
         settled=id(mention) in settled,
     )
+    _seen_from_the_ego(mention, described)
+
+
+def _seen_from_the_ego(mention: Mention, described: Mention | None) -> None:
+    """``I am behind a lorry``: the lorry is not "the car behind me"."""
+    if described is None or not any(e.ego for e in described.entities):
+        return
+    for prep in described.pps:
+        if prep.target is mention and prep.value in {"ahead", "behind"}:
+            side = "behind" if prep.value == "ahead" else "ahead"
+            for entity in mention.entities:
+                entity.loci.add(side)
+
+
+def _on_no_road(owner: Mention) -> bool:
+    """``the neighbour's van``: the van takes part, the neighbour does not."""
+    head = owner.head
+    return head is not None and head.value == "pedestrian" and "afoot" not in head.data
 
 
 def _settled(events: list[Event]) -> set[int]:

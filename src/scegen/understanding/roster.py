@@ -12,6 +12,7 @@ from scegen.understanding.mention_words import Reading
 from scegen.understanding.tokens import Token
 
 _MOTOR = frozenset(ParticipantKind) - {ParticipantKind.PEDESTRIAN}
+_RIDDEN = ParticipantKind.MOTORCYCLE
 _INCLUDING = frozenset({"including", "among", "amongst"})
 
 
@@ -78,11 +79,11 @@ class Roster:
         rest = [e for e in self.draft.entities if e.index not in out and e.is_vehicle]
         return rest if len(rest) == 1 else []
 
-    def together(self) -> list[Entity]:
+    def together(self, exclude: list[Entity]) -> list[Entity]:
         """The last group, or the last two."""
         if self.groups and len(self.groups[-1].members) > 1:
             return list(self.groups[-1].members)
-        return list(self.draft.entities[-2:])
+        return [e for e in self.draft.entities if e not in exclude][-2:]
 
     def further(self, exclude: list[Entity], basis: Basis) -> list[Entity]:
         """``another``, ``a third one``: of a group that is being picked apart, else a new one."""
@@ -171,7 +172,8 @@ class Roster:
     def compatible(self, entity: Entity, reading: Reading) -> bool:
         """Whether the words of a mention can stand for a known participant."""
         if reading.driver or reading.generic:
-            kind = entity.kind in _MOTOR
+            rides = entity.kind is ParticipantKind.BICYCLE and not reading.plural
+            kind = entity.kind in _MOTOR and (not rides or reading.kind is _RIDDEN)
         else:
             kind = entity.kind is reading.kind
         adversary = reading.labels == {"adversary"} and not reading.plural
@@ -182,6 +184,30 @@ class Roster:
         if reading.labels and not reading.labels <= entity.labels:
             return False
         return kind and (entity.parked or not reading.parked)
+
+    def cast(self, reading: Reading, *, narrowed: bool) -> list[Entity]:
+        """``a leading car … the adversarial leading car``: somebody known gets the role.
+
+        Args:
+            reading: what the words say.
+            narrowed: further words say which one is meant.
+        """
+        if reading.det != "def" or reading.plural or reading.labels != {"adversary"}:
+            return []
+        if any("adversary" in e.labels for e in self.draft.entities):
+            return []
+        alike = [
+            e
+            for e in self.draft.entities
+            if not e.ego
+            and (e.kind is reading.kind or (reading.generic and e.is_vehicle))
+            and e.dirs == reading.dirs
+            and not e.parked
+        ]
+        unclear = narrowed or (reading.generic and not reading.dirs)
+        together = any(all(e in g.members for e in alike) for g in self.groups)
+        certain = len(alike) == 1 or (together and bool(alike))
+        return alike[:1] if certain and (reading.dirs or not unclear) else []
 
     def enrich(self, known: list[Entity], reading: Reading) -> None:
         """What a further mention says of known participants."""

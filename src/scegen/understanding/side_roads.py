@@ -7,6 +7,7 @@ from scegen.understanding.chunks import Event, Place, Prep
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
 
+_LEAVING = frozenset({"reverse", "pull_out", "leave", "unpark"})
 _COMING = frozenset({"move", "approach", "appear", "enter"})
 
 
@@ -42,6 +43,8 @@ def access(scene: Scene, context: Context) -> None:
             context.lanes_implied(basis, "there is a lane beside")
         if place.kind == "access" or (place.kind == "sidewalk" and place is scene.event.object):
             _from_access(place, scene, context)
+        if place.kind == "parking" and any(e.ego for e in scene.drivers):
+            context.draft.from_kerb = context.draft.from_kerb or scene.event.name in _LEAVING
         if place.kind == "access" and scene.drivers and context.draft.access is None:
             context.draft.access = Basis(place.i, place.j)
 

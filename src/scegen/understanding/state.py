@@ -29,6 +29,7 @@ class State:
         opening: the same phrases once that mention has come, for its verb.
         last_prep: the phrase read last.
         bracket: anchor and words between, as they were when a bracket opened.
+        relative: who acts in a relative clause, and on whom ("the van that the ego follows").
     """
 
     candidate: Mention | None = None
@@ -47,3 +48,4 @@ class State:
     opening: list[Prep] = field(default_factory=list)
     last_prep: Prep | None = None
     bracket: tuple[Mention | NounPhrase | Event | None, set[str]] | None = None
+    relative: tuple[Mention, Mention] | None = None

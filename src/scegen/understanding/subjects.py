@@ -49,6 +49,9 @@ def link(event: Event, state: State) -> None:
             _said_of_a_thing(event, state)
             return
         _clause(event, state)
+    parent = event.parent
+    if parent is not None and parent.control == "object" and event.form == "base":
+        event.finite = event.finite and auxiliary  # "lets them cross": no clause of its own
     if _blocked(event, state):
         return
     if event.form == "base" and "aux:be" in state.between and event.name in _PASSIVE:
@@ -62,7 +65,8 @@ def link(event: Event, state: State) -> None:
         event.passive = "aux:be" in state.between or (reduced and _bare_participle(event, state))
     if event.finite and event.subject:
         state.main = event.subject
-        state.candidate_done = True
+        waits = "rel" in state.between and event.subject[-1] is state.candidate
+        state.candidate_done = state.candidate_done or not waits
 
 
 def before_by(event: Event) -> None:

@@ -51,7 +51,7 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
     if infinitive or previous.cat in {"aux", "neg"}:
         return _suffix_form(token) or "base"
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
-    if previous.cat in {"actor", "pronoun"} or adverb:
+    if previous.cat in {"actor", "pronoun", "rel"} or adverb:
         return _suffix_form(token)
     return None
 
@@ -66,7 +66,7 @@ def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term | None)
     if match.j - i != 2 or match.form != "s" or not match.only(*_NOUNS):
         return False
     alone = longest_match(tokens[: i + 1], i)
-    singular = previous is not None and previous.cat == "det"
+    singular = previous is not None and previous.cat in {"det", "dir", "label"}
     rest = longest_match(tokens, i + 1)
     verbal = rest is not None and rest.has("verb")
     return singular and verbal and alone is not None and alone.has("actor")
@@ -88,6 +88,10 @@ def tag(tokens: list[Token]) -> list[Term]:
             term = Term("place", "bus_stop", term.i, term.j)  # "pulls away from the stop"
         if (term.cat, term.value) == ("verb", "yield") and _a_noun(terms, tokens, term):
             term = Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
+        if (term.cat, tokens[term.i].low) == ("possessive", "her") and _alone(tokens, term.j):
+            term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
+        if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
+            terms[-1] = replace(terms[-1], value="move", data={})  # "carries straight on"
         terms.append(term)
         i = terms[-1].j
     return _crossings(terms, tokens)
@@ -97,7 +101,17 @@ def _at_a(terms: list[Term], tokens: list[Token]) -> bool:
     """Whether "at the" or "from a" stands before."""
     if len(terms) < 2 or terms[-1].cat not in {"det", "possessive"}:
         return False
+    if terms[-1].cat == "possessive" and terms[-2].value in {"leave", "approach", "pull_out"}:
+        return True  # "leaves its stop"
     return tokens[terms[-2].i].low in {"at", "from"}
+
+
+def _alone(tokens: list[Token], j: int) -> bool:
+    """Whether no noun follows that a possessive could belong to."""
+    if j >= len(tokens) or tokens[j].kind == "punct":
+        return True
+    following = longest_match(tokens, j)
+    return following is not None and following.only("prep", "conj", "sub", "locus", "aux")
 
 
 def _a_noun(terms: list[Term], tokens: list[Token], term: Term) -> bool:
@@ -154,6 +168,20 @@ def _turning(previous: Term | None) -> bool:
     return previous is not None and previous.cat in {"verb", "prep", "det", "possessive"}
 
 
+def _then_a_side(tokens: list[Token], match: Match) -> bool:
+    """Whether a phrase ends in "from" and a side comes next: "from" belongs to the side."""
+    if tokens[match.j - 1].low != "from" or match.j + 1 >= len(tokens):
+        return False
+    side = longest_match(tokens, match.j + 1)
+    return tokens[match.j].low == "the" and side is not None and side.has("dir")
+
+
+def _in_front(tokens: list[Token], match: Match) -> bool:
+    """Whether "in" at the end of a verb belongs to "in front of" as well."""
+    after = [t.low for t in tokens[match.j : match.j + 2]]
+    return tokens[match.j - 1].low == "in" and after == ["front", "of"]
+
+
 def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | None:
     """The phrase at a token, cut down where its words are no phrase here."""
     token = tokens[i]
@@ -162,6 +190,10 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
         match = longest_match(tokens[: i + 1], i)
     if match and token.low == "right" and match.only("sub") and _turning(previous):
         match = longest_match(tokens[: i + 1], i)  # "turns right when …"
+    if match and match.only("locus") and _then_a_side(tokens, match):
+        match = longest_match(tokens[: match.j - 1], i)  # "darts across from the left"
+    if match and match.only("verb") and _in_front(tokens, match):
+        match = replace(match, j=match.j + 2)  # "forces its way in front of"
     plural = any(form == "s" for _, form in token.forms)
     if match and match.j > i + 1 and plural and match.only(*_NOUNS):
         match = longest_match(tokens[: i + 1], i)  # "two pedestrians crossing", no crossing

@@ -163,6 +163,7 @@ def settle_positions(
         elif not any(r[0] is entity and r[1] is reference for r in relations):
             relations.append((entity, reference, set(approaches), placement.basis))
     _opposed(draft, ego, relations)
+    _against_the_ego(draft, ego)
     if ego.heading is not None:
         for entity in draft.entities:
             if entity is ego or entity.heading is None or entity.approaches:
@@ -176,6 +177,18 @@ def settle_positions(
     _beside(draft, ego)
     ego.approaches = set()
     return relations
+
+
+def _against_the_ego(draft: Draft, ego: Entity) -> None:
+    """``while the ego comes from the opposite direction``: then the other one faces it."""
+    said = [
+        p.basis
+        for p in draft.placements
+        if p.entity is ego and p.reference is None and p.approaches == {Approach.OPPOSITE}
+    ]
+    others = [e for e in draft.entities if e.moving_vehicle and e is not ego]
+    if said and len(others) == 1 and not others[0].approaches and others[0].heading is None:
+        _allow(others[0], {Approach.OPPOSITE}, said[0])
 
 
 def _beside(draft: Draft, ego: Entity) -> None:
@@ -218,7 +231,8 @@ def abreast(draft: Draft, ego: Entity) -> None:
         draft: the scenario in the making, positions settled.
         ego: its ego.
     """
-    for entity in draft.entities if draft.access is None else []:
+    along = draft.access is None and not draft.from_kerb
+    for entity in draft.entities if along else []:
         side = entity.approaches and entity.approaches <= {Approach.LEFT, Approach.RIGHT}
         alongside = entity.moving_vehicle and Maneuver.CROSS not in entity.maneuvers
         if entity is ego or not side or len(entity.approaches) > 1 or not alongside:

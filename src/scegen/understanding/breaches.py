@@ -1,0 +1,94 @@
+"""Rules that are broken: red lights, signs, the right of way."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Approach, Control, HazardKind
+from scegen.understanding.chunks import Mention, NounPhrase, Place, Thing
+from scegen.understanding.context import Context, Scene
+from scegen.understanding.draft import Basis
+
+_CERTAIN = frozenset({"walk", "breach", "obey", "encounter", "overlook"})
+"""Verbs that, with a sign or a light, mean that it is not heeded, whatever its colour."""
+
+
+def fail_to_yield(scene: Scene, context: Context) -> None:
+    """Yielding that does not happen."""
+    context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, scene.targets)
+    _from_the_side(scene, context)
+
+
+def _from_the_side(scene: Scene, context: Context) -> None:
+    """Who has to give way and comes from the side comes from another road."""
+    sides = (Approach.LEFT, Approach.RIGHT)
+    if any(context.placed(e, side) for e in scene.drivers for side in sides):
+        context.crossing_implied(scene.words, "who does not give way comes from the side")
+
+
+def subsume(context: Context) -> None:
+    """Who runs a red light does not give way either; the first says it all."""
+    red = {
+        e.index
+        for d in context.draft.dangers
+        if d.kind is HazardKind.RED_LIGHT_RUNNING
+        for e in d.by
+    }
+    context.draft.dangers[:] = [
+        d
+        for d in context.draft.dangers
+        if d.kind is not HazardKind.FAILURE_TO_YIELD or not d.by or {e.index for e in d.by} - red
+    ]
+
+
+def turns_across(scene: Scene, context: Context) -> bool:
+    """A turn across the oncoming lane, which a red light forbids everywhere."""
+    event = scene.event
+    side = event.object.dirs if isinstance(event.object, Place) else []
+    return event.name in {"turn", "light"} and context.across in {
+        *(t.value for t in event.dirs),
+        *side,
+    }
+
+
+def _breach_of_control(scene: Scene, context: Context) -> None:
+    """``a stop sign … a car ignores it``, ``ignores the tram``: who has to wait does not."""
+    signals = context.junction.control is Control.SIGNALS
+    pronoun = isinstance(scene.event.object, Mention) and scene.event.object.pronoun is not None
+    if signals and pronoun:
+        context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, scene.words, scene.drivers)
+    else:
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers)
+
+
+def _sign(noun: NounPhrase | None, context: Context) -> bool:
+    """``ignores its sign``: one that says who waits."""
+    return isinstance(noun, Thing) and context.tokens[noun.j - 1].forms[-1][0] == "sign"
+
+
+def breach(scene: Scene, context: Context) -> bool:
+    """``runs the red light``, ``ignores a stop sign``, ``violates the right of way``.
+
+    Returns:
+        Whether a rule is broken.
+    """
+    before = len(context.draft.dangers)
+    driven_through = {
+        id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low == "through"
+    }
+    ignored = isinstance(scene.event.object, Mention)
+    if scene.event.name == "breach" and ignored and context.junction.crossing:
+        _breach_of_control(scene, context)
+    if scene.event.name == "breach" and _sign(scene.event.object, context):
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers)
+    for place in scene.places():
+        certain = scene.event.name in _CERTAIN or id(place) in driven_through
+        basis = Basis(scene.event.i, max(place.j, scene.event.j))
+        words = {t.low for t in context.tokens[place.i : place.j]}
+        if place.kind == "signal":
+            if "green" in words or not (certain or "red" in words):
+                continue
+            if scene.drivers or not scene.walkers:
+                context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
+        elif certain and place.kind in {"stop_sign", "yield_sign", "right_of_way"}:
+            context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers)
+            _from_the_side(scene, context)
+    return len(context.draft.dangers) > before

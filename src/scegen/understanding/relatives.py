@@ -1,0 +1,71 @@
+"""Relative clauses about their object: "the van that the ego is following brakes"."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Word
+from scegen.understanding.state import State
+
+_DONE_TO_SOMEBODY = frozenset({"follow", "overtake", "pass", "bypass", "tailgate", "encounter",
+                               "approach", "avoid", "collide", "cut_off", "undertake"})  # fmt: skip
+_REACH = 4
+
+
+def opens(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+    """Whether a noun begins a clause that says what is done to the noun before it.
+
+    Args:
+        mention: who does it ("the ego").
+        k: its index among the chunks.
+        chunks: the chunks of the text.
+        state: what the clause reader remembers; it keeps both nouns.
+    """
+    before = chunks[max(0, k - 3) : k]
+    marked = bool(before) and isinstance(before[-1], Word) and before[-1].cat == "rel"
+    if marked:
+        before.pop()
+        if before and isinstance(before[-1], Word) and before[-1].value == ",":
+            before.pop()
+    about = before[-1] if before else None
+    if not isinstance(about, Mention) or not about.heads or about.possessor:
+        return False
+    waits = about is state.candidate and not state.candidate_done and not state.between
+    if not (marked or waits) or not _acts(k, chunks):
+        return False
+    state.relative = (mention, about)
+    return True
+
+
+def _acts(k: int, chunks: list[Chunk]) -> bool:
+    """Whether a verb follows that wants an object and does not get one."""
+    auxiliary = False
+    for m, chunk in enumerate(chunks[k + 1 : k + 1 + _REACH], start=k + 1):
+        if isinstance(chunk, Event):
+            after = chunks[m + 1] if m + 1 < len(chunks) else None
+            passive = auxiliary and chunk.form == "ed"
+            free = not isinstance(after, Mention) and not passive
+            return chunk.name in _DONE_TO_SOMEBODY and free and not chunk.nominal
+        if not isinstance(chunk, Word) or chunk.cat not in {"aux", "manner", "neg"}:
+            return False
+        auxiliary = auxiliary or (chunk.cat, chunk.value) == ("aux", "be")
+    return False
+
+
+def close(event: Event, state: State) -> bool:
+    """Gives the verb of such a clause its subject and object; the clause around it goes on.
+
+    Args:
+        event: the verb.
+        state: what the clause reader remembers.
+
+    Returns:
+        Whether there was such a clause.
+    """
+    if state.relative is None:
+        return False
+    actor, about = state.relative
+    event.subject, event.object = [actor], about
+    event.negated = any(word.startswith("neg:") for word in state.between)
+    state.relative = None
+    state.events.append(event)
+    state.anchor, state.between, state.last_pp = about, set(), None
+    return True

@@ -1,0 +1,64 @@
+"""Which way a verb of motion leads, by the words around it."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import JunctionKind, Maneuver
+from scegen.understanding.chunks import Event, Place
+from scegen.understanding.context import Context, span
+from scegen.understanding.draft import Basis
+
+DIRECTIONS = {
+    "left": Maneuver.LEFT,
+    "right": Maneuver.RIGHT,
+    "straight": Maneuver.STRAIGHT,
+}
+_THROUGH = frozenset({"through", "across"})
+
+
+def directions(event: Event) -> dict[Maneuver, Basis]:
+    """Directions that belong to a verb of motion, with their words."""
+    found = {
+        DIRECTIONS[t.value]: span(event, t.i, t.j) for t in event.dirs if t.value in DIRECTIONS
+    }
+    for prep in event.pps:
+        target = prep.target
+        if prep.value in {"to", "into"} and isinstance(target, Place) and target.kind == "side":
+            for value in target.dirs:
+                if value in {"left", "right"}:
+                    found[DIRECTIONS[value]] = span(event, target.i, target.j)
+    return found
+
+
+def into_lane(event: Event) -> Place | None:
+    """The lane or path that a movement ends in ("into the ego's path")."""
+    for prep in event.pps:
+        target = prep.target
+        goal = prep.value in {"into", "to"} and isinstance(target, Place)
+        if goal and isinstance(target, Place) and target.kind in {"lane", "path"}:
+            return target
+    direct = event.object
+    return direct if isinstance(direct, Place) and direct.kind in {"lane", "path"} else None
+
+
+def through(event: Event, context: Context) -> Basis | None:
+    """``drives through the intersection``; a roundabout is left by one of its exits."""
+    if context.junction.kind is JunctionKind.ROUNDABOUT:
+        return None
+    words = {t.low for t in context.tokens[event.i : event.j]}
+    if words & _THROUGH and isinstance(event.object, Place) and event.object.kind == "junction":
+        return Basis(event.i, event.object.j)
+    for prep in event.pps:
+        place, word = prep.target, context.tokens[prep.word.i].low
+        if isinstance(place, Place) and (
+            (word in _THROUGH and place.kind == "junction")
+            or (word == "along" and place.kind == "road")
+        ):
+            return span(event, prep.word.i, place.j)
+    return None
+
+
+def only_signalled(event: Event, context: Context) -> bool:
+    """``signals a right turn but carries straight on``: a turn that is not made."""
+    after = [t.low for t in context.tokens[event.j : event.j + 2] if t.low != ","]
+    signalled = event.parent is not None and event.parent.name == "inert"
+    return signalled and after[:1] != [] and after[0] in {"but", "yet", "however", "though"}
