@@ -15,12 +15,14 @@ def proof_lines(proof: Proof) -> Iterator[str]:
     values = ""
     if measure is not None:
         values = f" ({_value(measure.before)} → {_value(measure.after)} {measure.unit})"
-    pair = " and ".join(proof.pair) or "nobody"
+    pair = " and ".join(proof.pair)
     happened = ""
     if proof.hazards:
         happened = f"; {proof.hazards_happened} of {len(proof.hazards)} dangers happen"
     if proof.in_band:
         yield f"{proof.target} of {pair}: {proof.measure}{values}{happened}"
+    elif not pair:
+        yield f"TARGET NOT REACHED: {proof.target}: {proof.blocked_by or 'there is no pair'}"
     else:
         yield (
             f"TARGET NOT REACHED: {proof.target} of {pair}: {proof.measure}{values}{happened}; "
