@@ -37,6 +37,7 @@ def test_a_role_is_the_one_who_is_already_there(text, expected):
         ("Two vans meet at a three-leg Y-junction.", JunctionKind.Y),
         ("Two vans meet at a three-leg junction.", JunctionKind.T),
         ("Two vans meet at a four-leg junction.", JunctionKind.FOUR_WAY),
+        ("Two vans meet at a four-way T-junction.", JunctionKind.T),
     ],
 )
 def test_arms_are_counted_but_the_noun_says_what_kind_it_is(text, kind):
@@ -95,7 +96,8 @@ def test_where_they_come_from(text, kind, approaches):
     assert who.approaches == approaches
 
 
-def test_a_noun_after_a_colon_is_what_the_one_before_it_does():
-    text = "Signalised crossroads. Ego: right turn. Other party: oncoming bus, going straight."
+@pytest.mark.parametrize("what", ["right turn", "turning right"])
+def test_what_stands_after_a_colon_is_what_the_one_before_it_does(what):
+    text = f"Signalised crossroads. Ego: {what}. Other party: oncoming bus, going straight."
     going = {p.role == "ego": p.maneuvers for p in read(text).participants}
     assert going == {True: {Maneuver.RIGHT}, False: {Maneuver.STRAIGHT}}

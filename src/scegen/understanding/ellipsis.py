@@ -48,10 +48,14 @@ def _telegraphic(chunks: list[Chunk]) -> None:
         opener = chunks[k - 3] if k > _OPENING else None
         first = opener is None or (isinstance(opener, Word) and opener.value in BOUNDARIES)
         named = isinstance(who, Mention) and isinstance(colon, Word) and colon.value == ":"
-        if not (first and named and isinstance(event, Event) and event.nominal):
+        if not (first and named and isinstance(event, Event) and _doing(event)):
             continue
         if isinstance(who, Mention) and not event.subject and not who.negated:
             event.subject = [who]
+
+
+def _doing(event: Event) -> bool:
+    return event.nominal or event.form == "ing"
 
 
 def _verb_before(mention: Mention, events: list[Event]) -> Event | None:

@@ -159,6 +159,9 @@ def _only_counts(reading: JunctionReading, terms: list[Term], k: int, tokens: li
             break
     if named is None or named in {kind, JunctionKind.FOUR_WAY}:
         return False
+    fewest, most = ARM_COUNTS[JunctionKind(named)]
+    if not fewest <= _ARMS_SAID[kind] <= most:
+        return False
     reading.arms, reading.arms_basis = _ARMS_SAID[kind], Basis(term.i, term.j)
     return True
 
