@@ -17,7 +17,7 @@ _REGULATED = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_s
 
 def accelerate(scene: Scene, context: Context) -> None:
     """Speeding up is a danger unless it is an answer to one."""
-    if not scene.reaction and scene.drivers:
+    if not scene.reaction and scene.drivers and scene.how("slow") is None:
         basis = scene.sudden or scene.words
         context.draft.hazard(HazardKind.SUDDEN_ACCELERATION, basis, scene.drivers)
 
@@ -181,6 +181,15 @@ def lose_control(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.LOSS_OF_CONTROL, scene.words, scene.drivers)
 
 
+def park(scene: Scene, context: Context) -> None:
+    """``parked in its lane``: whoever drives there has to get past it."""
+    lanes = [p for p in scene.places() if p.kind == "lane"]
+    driven = any(p.owner is not None or any(m.cat == "possessive" for m in p.mods) for p in lanes)
+    parked = [e for e in scene.actors if e.parked]
+    if driven and parked:
+        context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
+
+
 def delay(scene: Scene, context: Context) -> None:
     """``delays braking``, ``hesitates to brake``."""
     if any(c.name in {"brake", "slow", "stop"} for c in scene.event.children):
@@ -226,5 +235,6 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "reverse": reverse,
     "lose_control": lose_control,
     "delay": delay,
+    "park": park,
 }
 """Event -> what it means for danger."""

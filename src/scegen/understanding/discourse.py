@@ -263,10 +263,13 @@ class Discourse:
         ]
         told = any(m.cat in {"verb", "manner", "state"} for m in mention.mods)
         narrowed = bool(mention.pps) or mention.narrowed or told
-        options = options or self._roster.cast(reading, narrowed=narrowed)
+        loci = _loci(mention)
+        only_placed = bool(loci) and not (mention.narrowed or told) and _as_the_ego_sees(mention)
+        options = options or self._roster.cast(
+            reading, narrowed=narrowed, loci=loci if only_placed else set()
+        )
         if reading.dirs:
             options = [e for e in options if e.dirs == reading.dirs]
-        loci = _loci(mention)
         options = [e for e in options if not (loci and e.loci) or loci & e.loci]
         others = [e for e in options if not e.ego]
         restricted = reading.dirs or reading.labels or mention.pps or mention.elsewhere
@@ -285,6 +288,18 @@ def _own_vehicle(reading: Reading, mention: Mention) -> bool:
 
 def _is_pronoun(target: object) -> bool:
     return isinstance(target, Mention) and target.pronoun in {"it", "him", "they"}
+
+
+def _as_the_ego_sees(mention: Mention) -> bool:
+    """``the car ahead``, ``the car ahead of the ego``: placed by nobody but the ego."""
+    return all(
+        p.word.cat == "locus"
+        and (
+            p.target is None
+            or (isinstance(p.target, Mention) and any(h.data.get("ego") for h in p.target.heads))
+        )
+        for p in mention.pps
+    )
 
 
 def _loci(mention: Mention) -> set[str]:

@@ -12,6 +12,7 @@ _CARRIAGEWAY = frozenset({"road", "crosswalk", "highway"})
 _WAY = frozenset({"crosswalk", "road", "lane", "path", "highway"})
 _OPAQUE_PLACES = frozenset({"bus_stop", "feature", "parking"})
 _NARROWING = frozenset({"limit", "restrict", "impair", "hinder"})
+_SHELTERING = frozenset({"shield", "cover"})
 _SPRINGING = frozenset({"cross", "appear"})
 _COMING = frozenset({"move", "enter", "pull_out"})
 _OVER = frozenset({"over", "across"})
@@ -150,6 +151,8 @@ def block(scene: Scene, context: Context) -> None:
     if isinstance(scene.event.object, Thing) and scene.event.object.kind == "view":
         occlude(scene, context)
         return
+    if scene.event.nominal and not scene.targets and not scene.places():
+        return  # "in the middle of the block"
     screened = [e for e in scene.targets if not e.is_vehicle or context.is_cyclist(e)]
     if scene.event.passive and screened:
         context.draft.hazard(HazardKind.OCCLUSION, scene.words, scene.actors)
@@ -175,8 +178,17 @@ def occlude(scene: Scene, context: Context) -> None:
     by = [e for e in scene.actors if e.is_vehicle and not e.ego]
     by += [e for e in _behind(scene.event) if e not in by]
     hidden = bool(scene.targets) and not scene.actors  # "a hedge hiding two cyclists"
+    hidden = hidden or _screened_by_a_thing(scene, context)
     if walkers or by or hidden or isinstance(scene.event.object, Thing):
         context.draft.hazard(HazardKind.OCCLUSION, scene.words, by)
+
+
+def _screened_by_a_thing(scene: Scene, context: Context) -> bool:
+    """``whose left side is screened by a wall``: whatever it is, it is out of sight."""
+    sheltered = context.tokens[scene.event.i].forms[-1][0] in _SHELTERING
+    by = [p.target for p in scene.event.pps if p.value in {"by", "behind"}]
+    things = any(isinstance(t, Thing) and t.kind == "object" for t in by)
+    return scene.event.passive and things and not sheltered
 
 
 def _behind(event: Event) -> list[Entity]:

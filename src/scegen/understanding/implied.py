@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
+from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Danger, Entity
@@ -25,9 +25,52 @@ def positions(scenes: list[Scene], context: Context) -> None:
         parked = [e for e in scene.targets if e.parked]
         if scene.event.name == "bypass" and parked and not scene.event.negated:
             context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
+        _hidden_behind(scene, context)
+        _across(scene, context)
     for danger in context.draft.dangers:
         if danger.kind is HazardKind.ONCOMING_LANE:
             _face_to_face(danger, context)
+
+
+def _hidden_behind(scene: Scene, context: Context) -> None:
+    """``a motorcycle hidden behind an oncoming bus``: it comes the same way as the bus."""
+    if scene.event.name != "hide" or not scene.event.passive:
+        return
+    for prep in scene.event.pps:
+        if prep.value != "behind" or not isinstance(prep.target, Mention):
+            continue
+        if not any(context.oncoming(e) for e in prep.target.entities):
+            continue
+        basis = Basis(scene.event.i, prep.target.j, "what hides it comes from the front")
+        for entity in scene.drivers:
+            said = [p for p in context.draft.placements if p.entity is entity]
+            if not entity.ego and all(p.reference in prep.target.entities for p in said):
+                context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
+
+
+def _across(scene: Scene, context: Context) -> None:
+    """Who crosses on red, or leaves the side road of a T, comes from the left or the right."""
+    event = scene.event
+    ego = next((e for e in context.draft.entities if e.ego), None)
+    if ego is None or ego in scene.actors or not context.junction.crossing:
+        return
+    on_red = event.name == "cross" and any(
+        scene.drivers == d.by and d.kind is HazardKind.RED_LIGHT_RUNNING
+        for d in context.draft.dangers
+    )
+    sources = [*event.pps, *(p for m in event.subject for p in m.pps)]
+    stem = [
+        p
+        for p in sources
+        if p.value == "from" and isinstance(p.target, Place) and p.target.kind == "access"
+    ]
+    along = context.junction.kind is JunctionKind.T and ego.maneuvers == {Maneuver.STRAIGHT}
+    if not on_red and not (stem and along):
+        return
+    basis = Basis(event.i, event.j, "it comes across the way of the ego")
+    for entity in scene.drivers:
+        if entity.heading is None and not any(p.entity is entity for p in context.draft.placements):
+            context.draft.place(entity, None, {Approach.LEFT, Approach.RIGHT}, basis)
 
 
 def _driven_up_to(scene: Scene, context: Context) -> None:

@@ -69,7 +69,7 @@ def read_junction(terms: list[Term], tokens: list[Token]) -> JunctionReading:
         if term.cat == "place":
             _place(reading, terms, k)
         elif term.cat == "shape":
-            _shape(reading, terms, k)
+            _shape(reading, terms, k, tokens)
         elif term.cat == "cue":
             _set_kind(reading, JunctionKind.SKEWED, Basis(term.i, term.j), override=True)
         elif term.cat == "control" and not _negated(terms, k):
@@ -124,9 +124,11 @@ def _away_from(terms: list[Term], k: int) -> bool:
     return bool(before) and before[-1].value == "outside"
 
 
-def _shape(reading: JunctionReading, terms: list[Term], k: int) -> None:
+def _shape(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Token]) -> None:
     """A shape counts where a junction is named after it or said to be so."""
     term = terms[k]
+    if _only_counts(reading, terms, k, tokens):
+        return
     following = next(
         (t for t in terms[k + 1 : k + 4] if t.cat == "place" and t.value == "junction"), None
     )
@@ -138,6 +140,30 @@ def _shape(reading: JunctionReading, terms: list[Term], k: int) -> None:
     if kind is JunctionKind.SKEWED and following is None and reading.named is None:
         return
     _set_kind(reading, kind, Basis(term.i, end), override=True)
+
+
+_ARMS_SAID = {JunctionKind.T: 3, JunctionKind.FOUR_WAY: 4}
+_COUNTING = frozenset({"arm", "armed", "leg", "legged", "way"})
+
+
+def _only_counts(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Token]) -> bool:
+    """``a four-arm roundabout``: the arms are counted, the noun says what kind it is."""
+    term = terms[k]
+    kind = JunctionKind(term.value)
+    if kind not in _ARMS_SAID or tokens[term.j - 1].low not in _COUNTING:
+        return False
+    named: str | None = None
+    for after in terms[k + 1 : k + 4]:
+        if after.cat == "shape" or (after.cat == "place" and after.value == "junction"):
+            named = after.value if after.cat == "shape" else after.data.get("kind")
+            break
+    if named is None or named in {kind, JunctionKind.FOUR_WAY}:
+        return False
+    fewest, most = ARM_COUNTS[JunctionKind(named)]
+    if not fewest <= _ARMS_SAID[kind] <= most:
+        return False
+    reading.arms, reading.arms_basis = _ARMS_SAID[kind], Basis(term.i, term.j)
+    return True
 
 
 def _set_kind(

@@ -9,6 +9,7 @@ from scegen.understanding.terms import Term
 
 _A_PAIR = 2
 """Of two sides named, there may still be any number of vehicles."""
+_BEHIND = frozenset({"follow", "tailgate"})
 _PARTS = frozenset({"one", "count", "both", "other", "another", "ordinal"})
 
 
@@ -30,6 +31,12 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     beside = _beside(chunks)
     settled = _settled(events)
     around = {id(p.target): e for e in events for p in e.pps if _is_it(p.target)}
+    behind = {
+        id(p.target): e
+        for e in events
+        for p in e.pps
+        if (p.word.cat, p.value, p.outer) == ("locus", "behind", None) and p.on_mention is None
+    }
     relative = {
         id(m): e.object
         for e in events
@@ -56,12 +63,14 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         if chunk.partitive and chunk.pronoun in _PARTS:
             waiting.append(chunk)
             continue
-        _resolve(chunk, discourse, subjects, acted_on, everywhere, beside, settled, heads)
+        _resolve(chunk, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
         for earlier in waiting:
-            _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads)
+            _resolve(
+                earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind
+            )
         waiting = []
     for earlier in waiting:
-        _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads)
+        _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
 
 
 def _resolve(
@@ -73,6 +82,7 @@ def _resolve(
     beside: dict[int, Mention],
     settled: set[int],
     heads: dict[int, Mention],
+    behind: dict[int, Event],
 ) -> None:
     event = acted_on.get(id(mention))
     exclude = [e for m in event.subject for e in m.entities] if event else []
@@ -92,6 +102,19 @@ def _resolve(
         settled=id(mention) in settled,
     )
     _seen_from_the_ego(mention, described)
+    if event is not None and event.name in _BEHIND and mention is event.object:
+        _in_front_of_the_ego(mention, event)
+    driving = behind.get(id(mention))
+    if driving is not None:
+        _in_front_of_the_ego(mention, driving)
+
+
+def _in_front_of_the_ego(mention: Mention, event: Event) -> None:
+    """``the ego follows a car``, ``drives behind a car``: that is "the car ahead"."""
+    egos = [e for m in event.subject for e in m.entities if e.ego]
+    if egos and not event.passive and not event.negated:
+        for entity in mention.entities:
+            entity.loci.add("ahead")
 
 
 def _seen_from_the_ego(mention: Mention, described: Mention | None) -> None:

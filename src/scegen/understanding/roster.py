@@ -185,12 +185,13 @@ class Roster:
             return False
         return kind and (entity.parked or not reading.parked)
 
-    def cast(self, reading: Reading, *, narrowed: bool) -> list[Entity]:
+    def cast(self, reading: Reading, *, narrowed: bool, loci: set[str]) -> list[Entity]:
         """``a leading car … the adversarial leading car``: somebody known gets the role.
 
         Args:
             reading: what the words say.
             narrowed: further words say which one is meant.
+            loci: where these words put it, if they say no more than that.
         """
         if reading.det != "def" or reading.plural or reading.labels != {"adversary"}:
             return []
@@ -207,7 +208,8 @@ class Roster:
         unclear = narrowed or (reading.generic and not reading.dirs)
         together = any(all(e in g.members for e in alike) for g in self.groups)
         certain = len(alike) == 1 or (together and bool(alike))
-        return alike[:1] if certain and (reading.dirs or not unclear) else []
+        agrees = len(alike) == 1 and bool(loci & alike[0].loci)
+        return alike[:1] if certain and (reading.dirs or agrees or not unclear) else []
 
     def enrich(self, known: list[Entity], reading: Reading) -> None:
         """What a further mention says of known participants."""
