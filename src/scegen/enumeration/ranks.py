@@ -6,12 +6,7 @@ from dataclasses import dataclass, field
 
 from scegen.enumeration.problem import Problem
 from scegen.enumeration.reading import Solution
-from scegen.scenario.vocabulary import Approach, HazardKind
-
-_FROM_BESIDE = frozenset(
-    {HazardKind.CUT_IN, HazardKind.MERGING_CONFLICT, HazardKind.FAILURE_TO_YIELD}
-)
-"""Dangers between two on one arm that come from the lane beside."""
+from scegen.scenario.vocabulary import FROM_BESIDE, Approach, HazardKind
 
 
 @dataclass
@@ -88,4 +83,4 @@ def _cutting_in(problem: Problem) -> list[tuple[str, str]]:
     if lanes and min(lanes) == 1:
         return []
     together = [d for d in problem.demands if d.what == "together"]
-    return [(d.by, d.to) for d in together if d.kind in _FROM_BESIDE]
+    return [(d.by, d.to) for d in together if d.kind in {HazardKind.CUT_IN, *FROM_BESIDE}]

@@ -10,7 +10,7 @@ from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.control import has_crosswalk
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
-from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
+from scegen.scenario.vocabulary import FROM_BESIDE, HazardKind, JunctionKind, Maneuver
 
 FIRST_ARM_M = 100.0
 LONGEST_ARM_M = 900.0
@@ -18,8 +18,6 @@ _RING_CHANGE_ROOM_M = 16.0
 _RING_RADII_M = (20.0, 24.0, 28.0, 32.0, 36.0, 40.0, 50.0)
 _SIDE_BY_SIDE = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 _SIDE_BY_SIDE_HAZARDS = frozenset({HazardKind.CUT_IN, HazardKind.OVERTAKING})
-_FROM_BESIDE = frozenset({HazardKind.MERGING_CONFLICT, HazardKind.FAILURE_TO_YIELD})
-"""Side by side, too, where there is no junction."""
 
 _SWERVING_HAZARDS = frozenset({HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL})
 
@@ -62,7 +60,7 @@ def _min_lanes(functional: FunctionalScenario, logical: LogicalScenario) -> int:
     beside = any(drive.beside for drive in drives)
     sideways = any(drive.maneuver in _SIDE_BY_SIDE and _among(drive, drives) for drive in drives)
     plain = functional.junction.kind is JunctionKind.STRAIGHT
-    beside_kinds = _SIDE_BY_SIDE_HAZARDS | (_FROM_BESIDE if plain else frozenset())
+    beside_kinds = _SIDE_BY_SIDE_HAZARDS | (FROM_BESIDE if plain else frozenset())
     together = len(set(entries)) < len(entries) and bool(kinds & beside_kinds)
     oncoming = HazardKind.ONCOMING_LANE in kinds
     swerves = roundabout and bool(kinds & _SWERVING_HAZARDS)

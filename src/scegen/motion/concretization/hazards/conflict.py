@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.motion.concretization.drafts import Scene
-from scegen.motion.concretization.hazards.cut_in import CUT_IN
+from scegen.motion.concretization.hazards.cut_in import come_in
 from scegen.motion.concretization.hazards.rule import Rule, culprits
 from scegen.motion.concretization.meetings import Meeting
 from scegen.scenario.functional import Hazard
@@ -17,9 +17,7 @@ def _keep_going(scene: Scene, hazard: Hazard) -> None:
 def _from_beside(scene: Scene, hazard: Hazard) -> list[Meeting]:
     """Where no junction is, one merges from the lane beside, unless it changes lanes anyway."""
     changes = any(draft.lane_changes for draft in culprits(scene, hazard))
-    if scene.network.junctions or changes or CUT_IN.shape is None:
-        return []
-    return CUT_IN.shape(scene, hazard)
+    return [] if scene.network.junctions or changes else come_in(scene, hazard)
 
 
 ARRIVES_TOGETHER = Rule(prepare=_keep_going, shape=_from_beside)

@@ -44,7 +44,8 @@ def _prepare(scene: Scene, hazard: Hazard) -> None:
         draft.stops_at_line = False
 
 
-def _shape(scene: Scene, hazard: Hazard) -> list[Meeting]:
+def come_in(scene: Scene, hazard: Hazard) -> list[Meeting]:
+    """The changes of lane into the sufferers' way, and the meetings that they need."""
     meetings: list[Meeting] = []
     done: set[str] = set()
     for culprit, victim in pairs(scene, hazard):
@@ -123,4 +124,4 @@ def _room_m(piece: Stretch) -> float:
     return piece.end_m - piece.start_m - 2 * _RING_MARGIN_M
 
 
-CUT_IN = Rule(prepare=_prepare, shape=_shape)
+CUT_IN = Rule(prepare=_prepare, shape=come_in)
