@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from scegen.scenario.vocabulary import JunctionKind, Maneuver
+from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding import ways
-from scegen.understanding.chunks import Event, Mention, Place
+from scegen.understanding.chunks import Event, Mention, Place, Thing
 from scegen.understanding.context import Context, Scene, span
 from scegen.understanding.draft import Basis
 
@@ -186,6 +186,14 @@ def use(scene: Scene, context: Context) -> None:
     leave(scene, context)
 
 
+def hold(scene: Scene, context: Context) -> None:
+    """``keeps to the left lane``, ``maintains its course``: it drives on."""
+    places = [p for p in scene.places() if p.kind in {"lane", "path", "road", "side"}]
+    course = isinstance(scene.event.object, Thing) and not places
+    for entity in scene.drivers if places or course else []:
+        entity.moves = entity.moves or Basis(scene.event.i, scene.event.j)
+
+
 def follow(scene: Scene, context: Context) -> None:
     """One drives behind another."""
     straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in scene.places())
@@ -220,7 +228,7 @@ def park(scene: Scene, _context: Context) -> None:
 
 def merge(scene: Scene, context: Context) -> None:
     """Merging on a road without a junction, or into a lane, is a lane change."""
-    if ways.into_lane(scene.event) is not None or context.junction.kind is JunctionKind.STRAIGHT:
+    if ways.into_lane(scene.event) is not None or not context.junction.crossing:
         lane_change(scene, context)
 
 
@@ -254,6 +262,7 @@ MOVEMENTS: dict[str, Callable[[Scene, Context], None]] = {
     "try": leave,
     "light": leave,
     "use": use,
+    "match": hold,
     "follow": follow,
     "tailgate": follow,
     "precede": precede,

@@ -182,6 +182,14 @@ def _in_front(tokens: list[Token], match: Match) -> bool:
     return tokens[match.j - 1].low == "in" and after == ["front", "of"]
 
 
+def _needs_infinitive(tokens: list[Token], match: Match) -> bool:
+    """``continues to the third exit``: "to" leads to a place, not to another verb."""
+    if tokens[match.j - 1].low != "to" or match.j >= len(tokens):
+        return False
+    following = longest_match(tokens, match.j)
+    return following is None or not following.has("verb", "neg", "manner")
+
+
 def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | None:
     """The phrase at a token, cut down where its words are no phrase here."""
     token = tokens[i]
@@ -194,6 +202,8 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
         match = longest_match(tokens[: match.j - 1], i)  # "darts across from the left"
     if match and match.only("verb") and _in_front(tokens, match):
         match = replace(match, j=match.j + 2)  # "forces its way in front of"
+    if match and match.j > i + 1 and match.only("verb") and _needs_infinitive(tokens, match):
+        match = longest_match(tokens[: match.j - 1], i) or match
     plural = any(form == "s" for _, form in token.forms)
     if match and match.j > i + 1 and plural and match.only(*_NOUNS):
         match = longest_match(tokens[: i + 1], i)  # "two pedestrians crossing", no crossing
