@@ -106,9 +106,10 @@ class Mention(NounPhrase):
 
 @dataclass(slots=True, eq=False)
 class Place(NounPhrase):
-    """A place: a lane, a side, a junction, a sign."""
+    """A place: a lane, a side, a junction, a sign; ``beside`` whom it lies, if that is said."""
 
     kind: str = "side"
+    beside: Mention | None = None
 
 
 @dataclass(slots=True, eq=False)
@@ -210,3 +211,11 @@ class Prep:
 
 
 Chunk: TypeAlias = Word | Mention | Place | Thing | Event
+
+
+def chain(mention: Mention) -> list[Mention]:
+    """A mention with those that it is joined to ("a car and a truck"), in order."""
+    found = [mention]
+    while found[-1].joined is not None and len(found) < 64:
+        found.append(found[-1].joined)
+    return found[::-1]

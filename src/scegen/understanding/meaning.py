@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding import breaches, dangers, encounters, implied, side_roads
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, chain
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.movements import MOVEMENTS
@@ -12,7 +12,6 @@ from scegen.understanding.omissions import not_done
 from scegen.understanding.placing import Placer, thing_sides
 from scegen.understanding.resolving import from_everywhere
 from scegen.understanding.roadside import read_thing
-from scegen.understanding.subjects import chain
 from scegen.understanding.terms import Term
 
 _RELATIVE = frozenset({"difference", "differential", "relative", "closing", "delta"})

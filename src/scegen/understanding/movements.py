@@ -186,7 +186,7 @@ def use(scene: Scene, context: Context) -> None:
     leave(scene, context)
 
 
-def hold(scene: Scene, context: Context) -> None:
+def hold(scene: Scene, _context: Context) -> None:
     """``keeps to the left lane``, ``maintains its course``: it drives on."""
     places = [p for p in scene.places() if p.kind in {"lane", "path", "road", "side"}]
     course = isinstance(scene.event.object, Thing) and not places

@@ -219,15 +219,27 @@ def _owns_place(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
 
 
 def _side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
-    """``a driveway on the right``: the side at which the place lies."""
+    """``a driveway on the right``, ``the lane to its right``: the side at which it lies."""
     place = chunks[k - 2] if k > 1 else None
-    if not isinstance(place, Place) or place.kind != "access" or not isinstance(noun, Place):
+    if not isinstance(place, Place) or not isinstance(noun, Place) or noun.kind != "side":
         return False
-    if noun.kind != "side":
+    if place.kind != "access" and not _lane_beside(place, noun, k, chunks):
         return False
     place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
     place.j = noun.j
     return True
+
+
+def _lane_beside(lane: Place, side: Place, k: int, chunks: list[Chunk]) -> bool:
+    """``in the lane to the right of the bus``: no movement to the right."""
+    within = lane.kind == "lane" and lane.prep is not None and lane.prep.value in {"in", "into"}
+    if not within or not set(side.dirs) & {"left", "right"}:
+        return False
+    whose, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
+    owned = isinstance(whose, Word) and whose.value == "of" and isinstance(who, Mention)
+    if owned and isinstance(who, Mention):
+        lane.beside = who
+    return owned or any(m.cat == "possessive" for m in side.mods)
 
 
 def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> None:

@@ -24,7 +24,10 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     describe(chunks, events)
     objects = {id(e.object) for e in events}
     subjects = {
-        id(m) for e in events for m in e.subject if e.finite or id(m) not in objects
+        id(m)
+        for e in events
+        for m in e.subject
+        if e.finite or (id(m) not in objects and m.prep is None)
     }  # "meets a van blocking the lane": the sentence is not about the van
     acted_on = {id(e.object): e for e in events if e.object is not None}
     everywhere = _sides(events)

@@ -15,6 +15,7 @@ from scegen.understanding.tokens import Token
 _LABELLED = re.compile(r"^(?:v|veh|u|d|car|cv)\d{1,2}$")
 _WALKER = re.compile(r"^(?:p|ped)\d{1,2}$")
 _NOUNS = ("actor", "place", "thing", "inert")
+_CROSSED = frozenset({"road", "lane", "path", "highway", "crosswalk"})
 _UNIT_WORDS = frozenset({"unit", "veh", "v"})
 
 
@@ -136,8 +137,8 @@ def _list_of_doings(terms: list[Term], tokens: list[Token], term: Term) -> bool:
     """``a van turning left and a pedestrian crossing``: not the place of that name."""
     if term.j - term.i != 2 or not tokens[term.j - 1].low.endswith("ing"):
         return False
-    if term.j < len(tokens) and tokens[term.j].low == "from":
-        return True  # "pedestrian crossing from the left"
+    if _crossed(tokens, term.j):
+        return True
     if len(terms) < 3:
         return False
     counted = terms[-1].cat in {"det", "num"}
@@ -146,6 +147,21 @@ def _list_of_doings(terms: list[Term], tokens: list[Token], term: Term) -> bool:
         return True  # "a pedestrian crossing the road"
     listed = counted and terms[-2].value in {"and", ","}
     return listed and any(t.cat == "verb" and t.form == "ing" for t in terms[-8:])
+
+
+def _crossed(tokens: list[Token], j: int) -> bool:
+    """``pedestrian crossing from the left``, ``… the road``, ``… in front of the ego``."""
+    if j >= len(tokens):
+        return False
+    if tokens[j].low in {"from", "against", "into"}:
+        return True
+    following = longest_match(tokens, j)
+    if following is None:
+        return False
+    if following.has("det", "possessive"):
+        noun = longest_match(tokens, following.j) if following.j < len(tokens) else None
+        return noun is not None and any(e.value in _CROSSED for e in noun.entries)
+    return following.has("locus") and following.get("locus").value in {"ahead", "behind"}
 
 
 def _before(terms: list[Term], tokens: list[Token]) -> Term | None:

@@ -23,6 +23,8 @@ def directions(event: Event) -> dict[Maneuver, Basis]:
     for prep in event.pps:
         target = prep.target
         if prep.value in {"to", "into"} and isinstance(target, Place) and target.kind == "side":
+            if target.owner is not None:
+                continue  # "to the right of the bus": where it is
             for value in target.dirs:
                 if value in {"left", "right"}:
                     found[DIRECTIONS[value]] = span(event, target.i, target.j)
