@@ -228,8 +228,11 @@ def precede(scene: Scene, context: Context) -> None:
 
 
 def stay(scene: Scene, context: Context) -> None:
-    """Whoever waits on foot stays where they are."""
+    """Whoever waits on foot stays where they are; who drives waits for the light."""
     basis = Basis(scene.event.i, scene.event.j)
+    held = any(p.kind == "signal" for p in scene.places())
+    for entity in scene.drivers if held else []:
+        entity.waits = entity.waits or basis
     for entity in scene.actors:
         if not entity.is_vehicle and not entity.maneuvers:
             context.draft.maneuver(entity, {Maneuver.STAY}, basis)
@@ -286,6 +289,8 @@ MOVEMENTS: dict[str, Callable[[Scene, Context], None]] = {
     "tailgate": follow,
     "precede": precede,
     "wait": stay,
+    "stop": stay,
+    "slow": stay,
     "park": park,
     "merge": merge,
     "approach": through_junction,
