@@ -211,11 +211,3 @@ class Prep:
 
 
 Chunk: TypeAlias = Word | Mention | Place | Thing | Event
-
-
-def chain(mention: Mention) -> list[Mention]:
-    """A mention with those that it is joined to ("a car and a truck"), in order."""
-    found = [mention]
-    while found[-1].joined is not None and len(found) < 64:
-        found.append(found[-1].joined)
-    return found[::-1]

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, chain
+from scegen.understanding.chunks import Event, Mention
+from scegen.understanding.dependents import alternative, chain
 from scegen.understanding.state import State
 
 
@@ -57,16 +58,3 @@ def _agree(verb: Event, subject: list[Mention]) -> bool:
     plural = len(subject) > 1 or any(m.head is not None and m.head.form == "s" for m in subject)
     numbered = any((m.label or "").startswith("#") for m in subject)
     return verb.form != "s" or numbered or not plural
-
-
-def alternative(event: Event, other: Event, state: State) -> None:
-    """``turns left or right``: the text leaves open which of the two takes place.
-
-    Args:
-        event: the second verb.
-        other: the first one.
-        state: what the clause reader remembers.
-    """
-    if "or" in state.between:
-        other.alternative = other.alternative or id(other)
-        event.alternative = other.alternative

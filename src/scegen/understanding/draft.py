@@ -55,6 +55,7 @@ class Entity:
     moves: Basis | None = None
     on_straight: bool = False
     through: Basis | None = None
+    waits: Basis | None = None
     claimed: bool = False
     opposed: set[int] = field(default_factory=set)
     name: str = ""

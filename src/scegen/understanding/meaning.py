@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind
-from scegen.understanding import breaches, dangers, encounters, implied, side_roads
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, chain
+from scegen.understanding import breaches, dangers, encounters, implied, red_lights, side_roads
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
+from scegen.understanding.dependents import chain
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.movements import MOVEMENTS
 from scegen.understanding.omissions import not_done
@@ -74,6 +75,7 @@ class Interpreter:
         _mark_answers(events)
         for event in events:
             self._event(event)
+        red_lights.on_red(chunks, events, self._context)
         encounters.come_out(self._context)
         implied.positions(self._scenes, self._context)
         breaches.subsume(self._context)

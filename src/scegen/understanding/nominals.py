@@ -22,6 +22,8 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         chunks: the chunks of the text.
         state: what the clause reader remembers.
     """
+    if _emphasises(mention, state):
+        return
     state.mentions.append(mention)
     state.topic = None
     if mention.possessor:
@@ -43,14 +45,8 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         _start_clause(mention, state)
     elif isinstance(anchor, Event) and direct and anchor.object is None:
         anchor.object = mention
-    elif _is_predicate(mention, k, chunks, state):
-        mention.same_as = state.candidate
-        return
-    elif bracketed(chunks, k) and isinstance(anchor, Mention):
-        mention.same_as = anchor
-        return
-    elif apposes(chunks, k, state):
-        mention.same_as = anchor if isinstance(anchor, Mention) else state.candidate
+    elif (described := _described(mention, k, chunks, state)) is not None:
+        mention.same_as = described
         return
     elif _joins(mention, k, chunks, state):
         return
@@ -59,6 +55,24 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
     state.anchor = mention
     state.between = set()
     state.last_pp = None
+
+
+def _emphasises(mention: Mention, state: State) -> bool:
+    """``the van itself changes lanes``: the pronoun adds nothing to the noun before it."""
+    if mention.pronoun != "reflexive" or state.between or state.prep is not None:
+        return False
+    mention.same_as = state.anchor if isinstance(state.anchor, Mention) else None
+    return mention.same_as is not None
+
+
+def _described(mention: Mention, k: int, chunks: list[Chunk], state: State) -> Mention | None:
+    """Whom a noun says more of: "V1 is a taxi", "V1 (a taxi)", "V1, a taxi, …"."""
+    anchor = state.anchor if isinstance(state.anchor, Mention) else None
+    if _is_predicate(mention, k, chunks, state):
+        return state.candidate
+    if bracketed(chunks, k) and anchor is not None:
+        return anchor
+    return (anchor or state.candidate) if apposes(chunks, k, state) else None
 
 
 def _partitive_before(k: int, chunks: list[Chunk]) -> Mention | None:

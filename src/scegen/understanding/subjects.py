@@ -2,8 +2,15 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, NounPhrase, chain
-from scegen.understanding.coordination import alternative, auxiliary, coordinate
+from scegen.understanding.chunks import Event, Mention, NounPhrase
+from scegen.understanding.coordination import auxiliary, coordinate
+from scegen.understanding.dependents import (
+    chain,
+    depend,
+    gerund,
+    infinitive,
+    nominal,
+)
 from scegen.understanding.state import State
 
 _PASSIVE = frozenset(
@@ -24,14 +31,14 @@ def link(event: Event, state: State) -> None:
         state: what the clause reader remembers.
     """
     if event.nominal:
-        _nominal(event, state)
+        nominal(event, state)
         return
-    infinitive = state.prep is not None and state.prep.value == "to" and event.form == "base"
+    to = state.prep is not None and state.prep.value == "to" and event.form == "base"
     helped = auxiliary(state)
-    if infinitive:
-        _infinitive(event, state)
+    if to:
+        infinitive(event, state)
     elif state.prep is not None and event.form == "ing":
-        _gerund(event, state)
+        gerund(event, state)
     else:
         event.finite = event.form in {"s", "ed", "base"} or helped
         if event.finite and state.topic is not None:
@@ -45,9 +52,9 @@ def link(event: Event, state: State) -> None:
         return
     if event.form == "base" and "aux:be" in state.between and event.name in _PASSIVE:
         event.form = "ed"  # "is cut off", "was hit": the participle looks like the base form
-    if event.reduced and event.form == "ed" and event.name in _DESCRIBING and not helped:
+    if event.reduced and event.form == "ed" and not helped:
         event.finite = False
-        event.passive = event.name in _PASSIVE
+        event.passive = event.name in _DESCRIBING & _PASSIVE
         return
     if event.form == "ed" and event.name in _PASSIVE:
         reduced = isinstance(state.anchor, Mention) and "aux:have" not in state.between
@@ -93,72 +100,6 @@ def _bare_participle(event: Event, state: State) -> bool:
     return isinstance(anchor, Mention) and anchor is not state.candidate and not event.finite
 
 
-def _depend(event: Event, parent: Event, link_kind: str) -> None:
-    event.parent = parent
-    event.link = link_kind
-    parent.children.append(event)
-    event.modal = event.modal or parent.modal or parent.name in {"cause", "prevent"}
-
-
-def _nominal(event: Event, state: State) -> None:
-    anchor = state.anchor
-    owner = next((m for m in reversed(state.mentions) if m.possessor and m.j >= event.i - 1), None)
-    if owner is not None:
-        event.subject = [owner]
-    if isinstance(anchor, Event) and not (state.between - {"either", "or"}):
-        _depend(event, anchor, "noun")
-        if not event.subject and anchor.name not in {"cause", "prevent"}:
-            event.subject = anchor.subject
-    elif "conj" in state.between and state.events:
-        event.subject = event.subject or state.events[-1].subject
-        alternative(event, state.events[-1], state)
-    elif state.prep is not None and state.events and not event.subject:
-        event.subject = state.events[-1].subject
-    elif not event.subject and not state.events and "sub" in state.between:
-        state.pending.append(event)  # "after a right turn, the car …"
-
-
-def _infinitive(event: Event, state: State) -> None:
-    parent = state.events[-1] if state.events else None
-    anchor = state.anchor
-    if isinstance(anchor, Event):
-        parent = anchor
-    if parent is None:
-        event.subject = chain(anchor) if isinstance(anchor, Mention) else []
-        return
-    _depend(event, parent, "inf")
-    event.negated = parent.negated and parent.control == "subject"
-    controlled = parent.control == "object" and isinstance(parent.object, Mention)
-    prep = anchor.prep if isinstance(anchor, Mention) else None
-    if prep is not None and prep.value == "for" and isinstance(anchor, Mention):
-        event.subject = chain(anchor)
-    elif controlled and isinstance(parent.object, Mention):
-        event.subject = chain(parent.object)
-        event.modal = True
-    else:
-        event.subject = parent.subject
-
-
-def _gerund(event: Event, state: State) -> None:
-    """``blocking the car from returning``, ``without yielding``, ``by turning``."""
-    prep = state.prep.value if state.prep else ""
-    parent = state.events[-1] if state.events else None
-    event.negated = prep == "without"
-    if parent is None:
-        anchor = state.anchor
-        event.subject = chain(anchor) if isinstance(anchor, Mention) else []
-        if not event.subject:
-            state.pending.append(event)
-        return
-    _depend(event, parent, "ing")
-    prevented = prep == "from" and isinstance(parent.object, Mention)
-    if prevented and isinstance(parent.object, Mention):
-        event.subject = chain(parent.object)
-        event.negated = True
-    else:
-        event.subject = parent.subject
-
-
 def _clause(event: Event, state: State) -> None:
     anchor = state.anchor
     between = state.between
@@ -175,7 +116,7 @@ def _clause(event: Event, state: State) -> None:
     elif isinstance(anchor, Mention):
         _after_mention(event, anchor, state)
     elif isinstance(anchor, Event):
-        _depend(event, anchor, "ing")
+        depend(event, anchor, "ing")
         event.subject = anchor.subject
     else:
         _subjectless(event, state)
@@ -245,7 +186,7 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
         event.finite = event.finite and event.form != "ed"
     last = state.events[-1] if state.events else None
     if last is not None and last.object is anchor and last.name in {"cause", "prevent"}:
-        _depend(event, last, "ing")
+        depend(event, last, "ing")
     if last is not None and _pronoun_object(anchor, last) and not event.finite:
         event.subject = last.subject  # "nearly hit me coming from the right"
         return
