@@ -228,6 +228,8 @@ class Chunker:
             side = (mod.cat == "dir" and mod.value in _SIDE_DIRS) or mod.cat == "compass"
             if not side and (seen or mod.cat not in {"det", "possessive"}):
                 break
+            if seen and mod.value == "straight":
+                break  # "from the right straight on"
             seen = seen or side
             length += 1
         previous = self._chunks[-1] if self._chunks else None

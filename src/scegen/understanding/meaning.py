@@ -23,8 +23,8 @@ _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
 _BREACHING = frozenset(
     {"walk", "follow", "breach", "move", "enter", "cross", "speed", "accelerate"}
 )
-_ON_THE_MOVE = frozenset({"swerve", "use", "enter", "move", "cross", "lose_control", "lane_change",
-                          "merge", "overtake", "bypass", "turn", "sharp_turn", "approach",
+_ON_THE_MOVE = frozenset({"pull_out", "swerve", "use", "enter", "move", "cross", "lose_control",
+                          "lane_change", "merge", "overtake", "bypass", "turn", "sharp_turn", "approach",
                           "unknown"})  # fmt: skip
 _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
