@@ -277,7 +277,9 @@ class Chunker:
         """``lane 2``: the number is the place's name."""
         term = self._terms[m] if m < len(self._terms) else None
         follows = self._terms[m + 1].cat if m + 1 < len(self._terms) else ""
-        digits = term is not None and term.cat == "num" and self._tokens[term.i].kind == "number"
+        number = term is not None and term.cat == "num"
+        bare = self._terms[m - 2].cat not in {"det", "dir"} if m > 1 else True
+        digits = number and (bare or self._tokens[term.i].kind == "number")
         return digits and head.value in {"lane", "road"} and follows not in {"actor", "place"}
 
 

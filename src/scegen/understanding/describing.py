@@ -3,26 +3,31 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
+from scegen.understanding.tokens import Token
 
 _ONLY_VEHICLES = frozenset(
     {"brake", "hard_brake", "overtake", "merge", "lane_change", "accelerate", "tailgate", "cut_off",
      "cut_in", "pull_out", "park", "swerve", "u_turn"}
 )  # fmt: skip
 _DRIVEN = _ONLY_VEHICLES | {"reverse", "move", "turn", "stop", "speed"}
+_ABOARD = frozenset({"in", "on", "aboard", "inside"})
+_BY_TRADE = frozenset({"bus", "truck", "van", "car", "emergency_vehicle", "motorcycle", "bicycle"})
 
 
-def describe(chunks: list[Chunk], events: list[Event]) -> None:
+def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
     """Marks mentions by what they do, before it is decided whom they mean.
 
     Args:
         chunks: the chunks of the text.
         events: its events.
+        tokens: its tokens.
     """
     for event in events:
         for mention in event.subject:
             _by_doing(mention, event)
     _people_in_traffic(chunks, events)
     _own_vehicles(events)
+    _ridden(chunks, events, tokens)
 
 
 def _by_doing(mention: Mention, event: Event) -> None:
@@ -50,6 +55,39 @@ def _own_vehicles(events: list[Event]) -> None:
         if whose is not None and whose.cat == "possessive" and whose.value == "its" and what.heads:
             what.same_as = event.subject[-1]
             event.subject[-1].drives = True
+
+
+def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
+    """``I'm on a motorbike``, ``a nurse drives a van``, ``we sit in a coach``: who rides is it."""
+    for event in events:
+        what = event.object
+        if event.name == "move" and not event.passive and _vehicle(what) and event.subject:
+            _stands_for(event.subject[-1], what)
+        for prep in event.pps if event.subject else []:
+            if tokens[prep.word.i].low in _ABOARD and _tells(event.subject[-1]):
+                _stands_for(event.subject[-1], prep.target)
+    for chunk in chunks:
+        for prep in chunk.pps if isinstance(chunk, Mention) and _tells(chunk) else []:
+            if tokens[prep.word.i].low in _ABOARD:
+                _stands_for(chunk, prep.target)
+
+
+def _stands_for(who: Mention, what: object) -> None:
+    if isinstance(what, Mention) and _vehicle(what) and what.same_as is None and what is not who:
+        what.same_as = who
+        who.drives = True
+
+
+def _vehicle(noun: object) -> bool:
+    """Whether a noun names one vehicle."""
+    single = isinstance(noun, Mention) and noun.pronoun is None and noun.owner is None
+    head = noun.head if isinstance(noun, Mention) and single else None
+    return head is not None and head.value in _BY_TRADE and head.form != "s"
+
+
+def _tells(mention: Mention) -> bool:
+    """Whether it is the one who tells it ("I", "we")."""
+    return any("speaks" in h.data or "me" in h.data for h in mention.heads)
 
 
 def _on_foot(event: Event) -> bool:

@@ -26,7 +26,7 @@ class Discourse:
 
     def __init__(self, draft: Draft, tokens: list[Token], arms: int) -> None:
         self._draft = draft
-        self._tokens = tokens
+        self.tokens = tokens
         self._arms = arms
         self._roster = Roster(draft, tokens)
         self._pronouns = Pronouns(draft, self._roster, tokens)
@@ -52,7 +52,10 @@ class Discourse:
         if mention.entities:
             return mention.entities
         if mention.same_as is not None:
-            mention.entities = list(mention.same_as.entities)
+            first = mention.same_as.entities or self.resolve(
+                mention.same_as, subject=True, exclude=[]
+            )  # "riding a moped, I …"
+            mention.entities = list(first)
             self._refine(mention)
             return mention.entities
         if _refers_to_nobody(mention) or self._their_own_queue(mention):
@@ -64,7 +67,7 @@ class Discourse:
             found = self._we(mention) or self._pronouns.resolve(mention, exclude)
         else:
             found = self._noun(
-                read_mention(mention, self._tokens, self._arms if sides == 0 else sides),
+                read_mention(mention, self.tokens, self._arms if sides == 0 else sides),
                 mention,
                 exclude,
             )
@@ -86,7 +89,7 @@ class Discourse:
         """``vehicle 1, a pickup truck, …``: the apposition says what kind it is."""
         if not mention.heads:
             return
-        reading = read_mention(mention, self._tokens, None)
+        reading = read_mention(mention, self.tokens, None)
         for entity in mention.entities:
             if not reading.generic and reading.kind in _MOTOR:
                 entity.kind, entity.basis = reading.kind, Basis(mention.i, mention.j)
@@ -108,8 +111,10 @@ class Discourse:
 
     def _noun(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         basis = Basis(mention.i, mention.j)
+        if reading.ego and not reading.plural:
+            return [self._ego(reading.kind, basis, told=not reading.generic)]
         if reading.ego:
-            return [self._ego(reading.kind, basis)]
+            return self._roster.subject  # "we arrive in our cars"
         of_whom = next((p.target for p in mention.pps if p.value == "of"), None)
         if reading.driver and isinstance(of_whom, Mention):
             return self.resolve(of_whom, subject=False, exclude=[])
@@ -134,7 +139,7 @@ class Discourse:
             i: index of the first token of the words.
             j: index after the last one.
         """
-        return any(t.low in {"my", "our"} for t in self._tokens[i:j])
+        return any(t.low in {"my", "our"} for t in self.tokens[i:j])
 
     def observer(self, i: int, j: int) -> None:
         """``our lane``: whoever tells it takes part.
@@ -145,9 +150,12 @@ class Discourse:
         """
         self._ego(ParticipantKind.CAR, Basis(i, j))
 
-    def _ego(self, kind: ParticipantKind, basis: Basis) -> Entity:
+    def _ego(self, kind: ParticipantKind, basis: Basis, *, told: bool = False) -> Entity:
+        """The ego; what it drives may be said later than who it is."""
         for entity in self._draft.entities:
             if entity.ego:
+                if told and kind is not entity.kind and entity.kind is ParticipantKind.CAR:
+                    entity.kind, entity.basis = kind, basis
                 return entity
         entity = self._roster.new(kind, basis)
         entity.ego = True

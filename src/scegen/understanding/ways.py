@@ -12,6 +12,7 @@ DIRECTIONS = {
     "right": Maneuver.RIGHT,
     "straight": Maneuver.STRAIGHT,
 }
+_OTHER = {"left": "right", "right": "left"}
 _THROUGH = frozenset({"through", "across"})
 
 
@@ -23,10 +24,18 @@ def directions(event: Event) -> dict[Maneuver, Basis]:
     for prep in event.pps:
         target = prep.target
         if prep.value in {"to", "into"} and isinstance(target, Place) and target.kind == "side":
+            across = _came_from(event) & set(_OTHER.get(d, "") for d in target.dirs)
             for value in target.dirs:
                 if value in {"left", "right"}:
-                    found[DIRECTIONS[value]] = span(event, target.i, target.j)
+                    way = Maneuver.STRAIGHT if across else DIRECTIONS[value]
+                    found[way] = span(event, target.i, target.j)
     return found
+
+
+def _came_from(event: Event) -> set[str]:
+    """``from left to right``: right across, no turn."""
+    sides = [p.target for p in event.pps if p.value == "from" and isinstance(p.target, Place)]
+    return {d for side in sides for d in side.dirs}
 
 
 def into_lane(event: Event) -> Place | None:
