@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
+from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.tokens import Token
 
 _ONLY_VEHICLES = frozenset(
     {"brake", "hard_brake", "overtake", "merge", "lane_change", "accelerate", "tailgate", "cut_off",
-     "cut_in", "pull_out", "park", "swerve", "u_turn"}
+     "cut_in", "pull_out", "park", "swerve", "u_turn", "pull_over", "undertake", "unpark"}
 )  # fmt: skip
 _DRIVEN = _ONLY_VEHICLES | {"reverse", "move", "turn", "stop", "speed"}
+_ALONG = frozenset({"behind", "ahead", "adjacent", "opposite"})
 _ABOARD = frozenset({"in", "on", "aboard", "inside"})
 _BY_TRADE = frozenset({"bus", "truck", "van", "car", "emergency_vehicle", "motorcycle", "bicycle"})
 
@@ -33,9 +34,12 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
 def _by_doing(mention: Mention, event: Event) -> None:
     failing = event.negated and event.name in {"stop", "yield"}
     alone = event.drives or event.name in _ONLY_VEHICLES or _takes_a_turn(event)
+    alone = alone or _breaks_a_rule(event) or any("pace" in m.data for m in event.mods)
     vague = mention.head is not None and "vague" in mention.head.data
-    turns = vague and any(d.value in {"left", "right"} for d in event.dirs)
+    turns = vague or event.name in {"turn", "sharp_turn"}
+    turns = turns and any(d.value in {"left", "right"} for d in event.dirs)
     mention.drives = mention.drives or failing or alone or turns
+    mention.walks = mention.walks or _on_foot(event)
     close = 0 <= event.i - mention.j <= 1 and not event.finite and not event.nominal
     mention.narrowed = mention.narrowed or (close and event.premod_of is None)
     acted_on = event.object
@@ -43,6 +47,13 @@ def _by_doing(mention: Mention, event: Event) -> None:
     mention.besides = mention.besides or (close and pronoun)
     if any(p.value == "from" and isinstance(p.target, Place) for p in event.pps):
         mention.elsewhere = mention.pronoun is None
+
+
+def _breaks_a_rule(event: Event) -> bool:
+    """``runs the light``, ``blows through a stop sign``."""
+    places = [event.object, *(p.target for p in event.pps if p.value == "in")]
+    kinds = {p.kind for p in places if isinstance(p, Place)}
+    return event.name in {"breach", "dash"} and bool(kinds & {"signal", "stop_sign", "yield_sign"})
 
 
 def _own_vehicles(events: list[Event]) -> None:
@@ -66,10 +77,11 @@ def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> No
         for prep in event.pps if event.subject else []:
             if tokens[prep.word.i].low in _ABOARD and _tells(event.subject[-1]):
                 _stands_for(event.subject[-1], prep.target)
-    for chunk in chunks:
-        for prep in chunk.pps if isinstance(chunk, Mention) and _tells(chunk) else []:
+    tellers = [c for c in chunks if isinstance(c, Mention) and _tells(c)]
+    for teller in tellers:
+        for prep in teller.pps:
             if tokens[prep.word.i].low in _ABOARD:
-                _stands_for(chunk, prep.target)
+                _stands_for(teller, prep.target)
 
 
 def _stands_for(who: Mention, what: object) -> None:
@@ -102,14 +114,29 @@ def _people_in_traffic(chunks: list[Chunk], events: list[Event]) -> None:
         if isinstance(chunk, Mention) and chunk.head is not None and chunk.head.data.get("aboard"):
             chunk.negated = id(chunk) not in walking
         if isinstance(chunk, Mention) and id(chunk) not in walking:
-            along = any(
-                p.word.cat == "locus"
-                and p.value in {"behind", "ahead"}
-                and not isinstance(p.target, Place | Thing)
-                for p in chunk.pps
+            chunk.drives = chunk.drives or _along(chunk)
+
+
+def _along(mention: Mention) -> bool:
+    """Placed like a vehicle: behind, in front of, beside or across from the one who tells it."""
+    head = mention.head
+    if head is None:
+        return False
+    definite = bool(mention.mods) and (mention.mods[0].cat, mention.mods[0].value) == ("det", "def")
+    known = definite or "vague" in head.data or head.form == "s"
+    for prep in mention.pps if known else []:
+        lane = isinstance(prep.target, Place) and prep.target.kind == "lane"
+        if lane and (prep.value == "in" and isinstance(prep.target, Place) and prep.target.dirs):
+            return True
+        seen = prep.target is None or (
+            isinstance(prep.target, Mention)
+            and (
+                prep.target.pronoun is not None or any(h.data.get("ego") for h in prep.target.heads)
             )
-            vague = chunk.head is not None and bool(chunk.head.data.get("vague"))
-            chunk.drives = chunk.drives or (along and vague)
+        )
+        if prep.word.cat == "locus" and prep.value in _ALONG and seen:
+            return True
+    return False
 
 
 def _takes_a_turn(event: Event) -> bool:

@@ -8,6 +8,13 @@ from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.groups import Group, vehicle_around
 from scegen.understanding.mention_words import DEFAULT_COUNT, Reading, read_mention
 from scegen.understanding.pronouns import POSITIONS, Pronouns
+from scegen.understanding.reference import (
+    as_the_ego_sees,
+    is_pronoun,
+    loci_of,
+    own_vehicle,
+    refers_to_nobody,
+)
 from scegen.understanding.roster import Roster
 from scegen.understanding.tokens import Token
 
@@ -58,9 +65,9 @@ class Discourse:
             mention.entities = list(first)
             self._refine(mention)
             return mention.entities
-        if _refers_to_nobody(mention) or self._their_own_queue(mention):
+        if refers_to_nobody(mention) or self._their_own_queue(mention):
             return []
-        located = any(p.word.cat == "locus" and _is_pronoun(p.target) for p in mention.pps)
+        located = any(p.word.cat == "locus" and is_pronoun(p.target) for p in mention.pps)
         if located or mention.besides:
             exclude = [*exclude, *self._roster.subject]  # "the car behind it" is not "it"
         if mention.pronoun is not None:
@@ -75,7 +82,7 @@ class Discourse:
         if mention.landmark:
             self._roster.landmark = list(found)
         for entity in found:
-            entity.loci |= _loci(mention)
+            entity.loci |= loci_of(mention)
         self._roster.spoken_of(found, subject=subject, settled=settled)
         return found
 
@@ -121,7 +128,7 @@ class Discourse:
         inside = vehicle_around(reading, mention)
         if inside is not None:
             return self.resolve(inside, subject=False, exclude=[])
-        if _own_vehicle(reading, mention) and len(self._roster.subject) == 1:
+        if own_vehicle(reading, mention) and len(self._roster.subject) == 1:
             owner = self._roster.subject[0]
             if owner.is_vehicle:
                 owner.parked = owner.parked or (reading.parked and not owner.ego)
@@ -271,8 +278,8 @@ class Discourse:
         ]
         told = any(m.cat in {"verb", "manner", "state"} for m in mention.mods)
         narrowed = bool(mention.pps) or mention.narrowed or told
-        loci = _loci(mention)
-        only_placed = bool(loci) and not (mention.narrowed or told) and _as_the_ego_sees(mention)
+        loci = loci_of(mention)
+        only_placed = bool(loci) and not (mention.narrowed or told) and as_the_ego_sees(mention)
         options = options or self._roster.cast(
             reading, narrowed=narrowed, loci=loci if only_placed else set()
         )
@@ -285,42 +292,3 @@ class Discourse:
         if others or reading.det == "bare" or restricted:
             return others[:1]
         return options[:1]
-
-
-def _own_vehicle(reading: Reading, mention: Mention) -> bool:
-    """``the driver opens the door of his vehicle``: what the driver stands for."""
-    possessed = bool(mention.mods) and mention.mods[0].cat == "possessive"
-    whose = possessed and mention.mods[0].value == "its"
-    return whose and reading.generic and not reading.plural and not reading.dirs
-
-
-def _is_pronoun(target: object) -> bool:
-    return isinstance(target, Mention) and target.pronoun in {"it", "him", "they"}
-
-
-def _as_the_ego_sees(mention: Mention) -> bool:
-    """``the car ahead``, ``the car ahead of the ego``: placed by nobody but the ego."""
-    return all(
-        p.word.cat == "locus"
-        and (
-            p.target is None
-            or (isinstance(p.target, Mention) and any(h.data.get("ego") for h in p.target.heads))
-        )
-        for p in mention.pps
-    )
-
-
-def _loci(mention: Mention) -> set[str]:
-    """Where a noun is said to be: "the car behind" is not "the car in front"."""
-    loci = {p.value for p in mention.pps if p.word.cat == "locus"}
-    return loci | ({"elsewhere"} if mention.elsewhere else set())
-
-
-def _refers_to_nobody(mention: Mention) -> bool:
-    """``in traffic``, ``no pedestrians``, ``at the second``: words that name no participant."""
-    prep = mention.prep.value if mention.prep is not None else ""
-    mass = bool(mention.head and mention.head.data.get("mass")) and not mention.mods
-    if mass and prep in {"in", "of", "for"}:
-        return True
-    place = mention.pronoun == "ordinal" and prep == "in"  # "at the first junction …, the second"
-    return place or mention.negated or mention.pronoun == "reflexive"

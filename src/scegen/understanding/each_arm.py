@@ -37,9 +37,7 @@ def share_arms(chunks: list[Chunk], events: list[Event]) -> list[tuple[Mention, 
     return found
 
 
-def count_arms(
-    shared: list[tuple[Mention, list[Mention]]], junction: JunctionReading
-) -> None:
+def count_arms(shared: list[tuple[Mention, list[Mention]]], junction: JunctionReading) -> None:
     """Gives the junction an arm for each of those who come from one each.
 
     Args:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import JunctionKind, Maneuver
+from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
 from scegen.understanding.chunks import Event, Place
-from scegen.understanding.context import Context, span
+from scegen.understanding.context import Context, Scene, span
 from scegen.understanding.draft import Basis
 
 DIRECTIONS = {
@@ -24,7 +24,7 @@ def directions(event: Event) -> dict[Maneuver, Basis]:
     for prep in event.pps:
         target = prep.target
         if prep.value in {"to", "into"} and isinstance(target, Place) and target.kind == "side":
-            across = _came_from(event) & set(_OTHER.get(d, "") for d in target.dirs)
+            across = _came_from(event) & {_OTHER.get(d, "") for d in target.dirs}
             for value in target.dirs:
                 if value in {"left", "right"}:
                     way = Maneuver.STRAIGHT if across else DIRECTIONS[value]
@@ -71,3 +71,21 @@ def only_signalled(event: Event, context: Context) -> bool:
     after = [t.low for t in context.tokens[event.j : event.j + 2] if t.low != ","]
     signalled = event.parent is not None and event.parent.name == "inert"
     return signalled and after[:1] != [] and after[0] in {"but", "yet", "however", "though"}
+
+
+def overtaking(scene: Scene, context: Context) -> bool:
+    """Whether passing is overtaking: somebody is passed, or who passes was behind somebody.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    if scene.event.name != "pass" or scene.targets:
+        return True
+    over = any(p.kind == "centerline" for p in scene.places())
+    if any(p.value == "behind" for p in scene.event.pps):
+        return False  # "passes behind": across the road there
+    return over or any(
+        p.approaches == {Approach.BEHIND} and p.entity in scene.actors
+        for p in context.draft.placements
+    )
