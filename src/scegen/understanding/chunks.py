@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
+from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.terms import Term
 
 
@@ -77,6 +78,7 @@ class Mention(NounPhrase):
         elsewhere: it comes from another road ("a van from a side road").
         besides: it does something to "it", so that it is somebody else.
         narrowed: words after it say which one is meant ("the car towing it").
+        goes_by: how somebody moves who is no vehicle ("the claimant was cycling").
         negated: there is none ("no pedestrians").
         denied: it does not do what its verb says ("neither the bus nor the taxi").
         distributed: a plural noun that stands for one ("ego and adversary vehicles").
@@ -99,6 +101,7 @@ class Mention(NounPhrase):
     narrowed: bool = False
     besides: bool = False
     distributed: bool = False
+    goes_by: ParticipantKind | None = None
     negated: bool = False
     denied: bool = False
     entities: list[Any] = field(default_factory=list)

@@ -26,7 +26,7 @@ class Discourse:
 
     def __init__(self, draft: Draft, tokens: list[Token], arms: int) -> None:
         self._draft = draft
-        self._tokens = tokens
+        self.tokens = tokens
         self._arms = arms
         self._roster = Roster(draft, tokens)
         self._pronouns = Pronouns(draft, self._roster, tokens)
@@ -64,7 +64,7 @@ class Discourse:
             found = self._we(mention) or self._pronouns.resolve(mention, exclude)
         else:
             found = self._noun(
-                read_mention(mention, self._tokens, self._arms if sides == 0 else sides),
+                read_mention(mention, self.tokens, self._arms if sides == 0 else sides),
                 mention,
                 exclude,
             )
@@ -86,11 +86,13 @@ class Discourse:
         """``vehicle 1, a pickup truck, …``: the apposition says what kind it is."""
         if not mention.heads:
             return
-        reading = read_mention(mention, self._tokens, None)
+        reading = read_mention(mention, self.tokens, None)
         for entity in mention.entities:
-            if not reading.generic and reading.kind in _MOTOR:
+            afoot = any("afoot" in h.data for h in mention.heads)
+            if not reading.generic and (reading.kind in _MOTOR or afoot):
                 entity.kind, entity.basis = reading.kind, Basis(mention.i, mention.j)
             entity.labels |= reading.labels
+            entity.named_by |= reading.called
 
     def _we(self, mention: Mention) -> list[Entity]:
         """``three of us``: the ego and two more."""
@@ -134,7 +136,7 @@ class Discourse:
             i: index of the first token of the words.
             j: index after the last one.
         """
-        return any(t.low in {"my", "our"} for t in self._tokens[i:j])
+        return any(t.low in {"my", "our"} for t in self.tokens[i:j])
 
     def observer(self, i: int, j: int) -> None:
         """``our lane``: whoever tells it takes part.
@@ -272,6 +274,7 @@ class Discourse:
             options = [e for e in options if e.dirs == reading.dirs]
         options = [e for e in options if not (loci and e.loci) or loci & e.loci]
         others = [e for e in options if not e.ego]
+        others = [e for e in others if e.named_by & reading.called] or others
         restricted = reading.dirs or reading.labels or mention.pps or mention.elsewhere
         restricted = restricted or mention.narrowed
         if others or reading.det == "bare" or restricted:

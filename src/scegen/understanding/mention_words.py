@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.calling import called
 from scegen.understanding.chunks import Mention
 from scegen.understanding.tokens import Token
 
@@ -31,6 +32,7 @@ class Reading:
     ego: bool
     driver: bool
     reason: str | None
+    called: set[str] = field(default_factory=set)
 
 
 def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Reading:
@@ -54,6 +56,10 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
         kind, driver, kinds = ParticipantKind.CAR, True, []
     if heads[-1].value == "rider" and not kinds:
         kind = ParticipantKind.MOTORCYCLE
+    people = all(h.value in {"driver", "pedestrian"} for h in heads) and not afoot
+    if mention.goes_by is not None and people:
+        kind, driver, kinds = mention.goes_by, False, [mention.goes_by]
+        specific = kinds
     plural = mass or (heads[-1].form == "s" and not (mention.label or "").startswith("#"))
     count, vague, reason = _count(mention, tokens, plural, arms)
     det = next((m for m in mention.mods if m.cat in {"det", "possessive"}), None)
@@ -74,13 +80,21 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
         count=count,
         plural=count > 1 or plural,
         vague=vague,
-        labels=labels | ({mention.label} if mention.label else set()),
+        labels=labels | ({_name(mention.label, kind)} if mention.label else set()),
         dirs=set(mention.dirs),
         parked=parked,
         ego=any(h.data.get("ego") for h in heads),
         driver=driver and not kinds,
         reason=reason,
+        called=called(mention, tokens),
     )
+
+
+def _name(label: str, kind: ParticipantKind) -> str:
+    """Pedestrian 1 is not vehicle 1: people on foot and bicycles are counted for themselves."""
+    own = {ParticipantKind.PEDESTRIAN: "#p", ParticipantKind.BICYCLE: "#b"}.get(kind, "#")
+    digits = label.lstrip("#ped")
+    return f"{own}{digits}" if digits.isdigit() else label
 
 
 def _count(

@@ -6,7 +6,7 @@ from scegen.understanding import relatives
 from scegen.understanding.attachment import attach, place_in_front
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
 from scegen.understanding.lookahead import finite_follows
-from scegen.understanding.phrases import also_from, apposes, bracketed
+from scegen.understanding.phrases import also_from, apposed_to, bracketed
 from scegen.understanding.state import State
 
 _COMING = frozenset({"approach", "collide", "overtake", "pass", "cut_in", "cut_off", "follow"})
@@ -49,9 +49,10 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
     elif bracketed(chunks, k) and isinstance(anchor, Mention):
         mention.same_as = anchor
         return
-    elif apposes(chunks, k, state):
-        mention.same_as = anchor if isinstance(anchor, Mention) else state.candidate
-        return
+    elif (described := apposed_to(chunks, k, state)) is not None:
+        mention.same_as = described
+        if described is state.candidate:
+            return
     elif _joins(mention, k, chunks, state):
         return
     else:

@@ -21,7 +21,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         events: its events.
         discourse: the participants so far.
     """
-    describe(chunks, events)
+    describe(chunks, events, discourse.tokens)
     objects = {id(e.object) for e in events}
     subjects = {
         id(m) for e in events for m in e.subject if e.finite or id(m) not in objects

@@ -20,11 +20,11 @@ _UNIT_WORDS = frozenset({"unit", "veh", "v"})
 
 def _labelled(token: Token, i: int) -> Term | None:
     """``V1``, ``car2``: a participant called by a short name."""
+    digits = token.low.lstrip("abcdefghijklmnopqrstuvwxyz")
     if token.kind == "label" and _LABELLED.match(token.low):
-        digits = token.low.lstrip("abcdefghijklmnopqrstuvwxyz")
         return Term("actor", "car", i, i + 1, "base", {"label": f"#{digits}"})
     if token.kind == "label" and _WALKER.match(token.low):
-        return Term("actor", "pedestrian", i, i + 1, "base", {"label": f"#{token.low}"})
+        return Term("actor", "pedestrian", i, i + 1, "base", {"label": f"#p{digits}"})
     return None
 
 
