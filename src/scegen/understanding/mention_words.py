@@ -58,8 +58,7 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
         kind = ParticipantKind.MOTORCYCLE
     people = all(h.value in {"driver", "pedestrian"} for h in heads) and not afoot
     if mention.goes_by is not None and people:
-        kind, driver, kinds = mention.goes_by, False, [mention.goes_by]
-        specific = kinds
+        kind, driver, kinds, specific = mention.goes_by, False, [kind], [mention.goes_by]
     plural = mass or (heads[-1].form == "s" and not (mention.label or "").startswith("#"))
     count, vague, reason = _count(mention, tokens, plural, arms)
     det = next((m for m in mention.mods if m.cat in {"det", "possessive"}), None)

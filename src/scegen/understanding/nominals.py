@@ -43,15 +43,9 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         _start_clause(mention, state)
     elif isinstance(anchor, Event) and direct and anchor.object is None:
         anchor.object = mention
-    elif _is_predicate(mention, k, chunks, state):
-        mention.same_as = state.candidate
-        return
-    elif bracketed(chunks, k) and isinstance(anchor, Mention):
-        mention.same_as = anchor
-        return
-    elif (described := apposed_to(chunks, k, state)) is not None:
+    elif (described := _described(mention, k, chunks, state)) is not None:
         mention.same_as = described
-        if described is state.candidate:
+        if described is state.candidate or bracketed(chunks, k):
             return
     elif _joins(mention, k, chunks, state):
         return
@@ -60,6 +54,15 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
     state.anchor = mention
     state.between = set()
     state.last_pp = None
+
+
+def _described(mention: Mention, k: int, chunks: list[Chunk], state: State) -> Mention | None:
+    """Whom a further noun only describes."""
+    if _is_predicate(mention, k, chunks, state):
+        return state.candidate
+    if bracketed(chunks, k) and isinstance(state.anchor, Mention):
+        return state.anchor
+    return apposed_to(chunks, k, state)
 
 
 def _partitive_before(k: int, chunks: list[Chunk]) -> Mention | None:
