@@ -109,9 +109,10 @@ class Mention(NounPhrase):
 
 @dataclass(slots=True, eq=False)
 class Place(NounPhrase):
-    """A place: a lane, a side, a junction, a sign."""
+    """A place: a lane, a side, a junction, a sign; ``beside`` whom it lies, if that is said."""
 
     kind: str = "side"
+    beside: Mention | None = None
 
 
 @dataclass(slots=True, eq=False)

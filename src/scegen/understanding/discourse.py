@@ -6,6 +6,7 @@ from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.groups import Group, vehicle_around
+from scegen.understanding.located import as_the_ego_sees, loci_of
 from scegen.understanding.mention_words import DEFAULT_COUNT, Reading, read_mention
 from scegen.understanding.pronouns import POSITIONS, Pronouns
 from scegen.understanding.roster import Roster
@@ -72,7 +73,7 @@ class Discourse:
         if mention.landmark:
             self._roster.landmark = list(found)
         for entity in found:
-            entity.loci |= _loci(mention)
+            entity.loci |= loci_of(mention)
         self._roster.spoken_of(found, subject=subject, settled=settled)
         return found
 
@@ -265,8 +266,8 @@ class Discourse:
         ]
         told = any(m.cat in {"verb", "manner", "state"} for m in mention.mods)
         narrowed = bool(mention.pps) or mention.narrowed or told
-        loci = _loci(mention)
-        only_placed = bool(loci) and not (mention.narrowed or told) and _as_the_ego_sees(mention)
+        loci = loci_of(mention)
+        only_placed = bool(loci) and not (mention.narrowed or told) and as_the_ego_sees(mention)
         options = options or self._roster.cast(
             reading, narrowed=narrowed, loci=loci if only_placed else set()
         )
@@ -291,24 +292,6 @@ def _own_vehicle(reading: Reading, mention: Mention) -> bool:
 
 def _is_pronoun(target: object) -> bool:
     return isinstance(target, Mention) and target.pronoun in {"it", "him", "they"}
-
-
-def _as_the_ego_sees(mention: Mention) -> bool:
-    """``the car ahead``, ``the car ahead of the ego``: placed by nobody but the ego."""
-    return all(
-        p.word.cat == "locus"
-        and (
-            p.target is None
-            or (isinstance(p.target, Mention) and any(h.data.get("ego") for h in p.target.heads))
-        )
-        for p in mention.pps
-    )
-
-
-def _loci(mention: Mention) -> set[str]:
-    """Where a noun is said to be: "the car behind" is not "the car in front"."""
-    loci = {p.value for p in mention.pps if p.word.cat == "locus"}
-    return loci | ({"elsewhere"} if mention.elsewhere else set())
 
 
 def _refers_to_nobody(mention: Mention) -> bool:

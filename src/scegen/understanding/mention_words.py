@@ -44,10 +44,10 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
         arms: number of arms if its members come "from all directions".
     """
     heads = mention.heads
-    kinds = [KINDS[h.value] for h in heads if h.value in KINDS]
+    kinds: list[ParticipantKind] = [KINDS[h.value] for h in heads if h.value in KINDS]
     words = [tokens[h.j - 1] for h in heads]
     last = words[-1]
-    specific = [k for k in kinds if k is not ParticipantKind.CAR]
+    specific: list[ParticipantKind] = [k for k in kinds if k is not ParticipantKind.CAR]
     mass = any(h.data.get("mass") for h in heads)
     driver = any(h.data.get("driver") for h in heads)
     kind = (specific or kinds or [ParticipantKind.CAR])[0]
@@ -58,7 +58,8 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
         kind = ParticipantKind.MOTORCYCLE
     people = all(h.value in {"driver", "pedestrian"} for h in heads) and not afoot
     if mention.goes_by is not None and people:
-        kind, driver, kinds, specific = mention.goes_by, False, [kind], [mention.goes_by]
+        kind, driver = mention.goes_by, False
+        kinds, specific = [kind], [kind]
     plural = mass or (heads[-1].form == "s" and not (mention.label or "").startswith("#"))
     count, vague, reason = _count(mention, tokens, plural, arms)
     det = next((m for m in mention.mods if m.cat in {"det", "possessive"}), None)

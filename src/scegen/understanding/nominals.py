@@ -22,6 +22,8 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         chunks: the chunks of the text.
         state: what the clause reader remembers.
     """
+    if _emphasises(mention, state):
+        return
     state.mentions.append(mention)
     state.topic = None
     if mention.possessor:
@@ -56,12 +58,21 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
     state.last_pp = None
 
 
+def _emphasises(mention: Mention, state: State) -> bool:
+    """``the van itself changes lanes``: the pronoun adds nothing to the noun before it."""
+    if mention.pronoun != "reflexive" or state.between or state.prep is not None:
+        return False
+    mention.same_as = state.anchor if isinstance(state.anchor, Mention) else None
+    return mention.same_as is not None
+
+
 def _described(mention: Mention, k: int, chunks: list[Chunk], state: State) -> Mention | None:
-    """Whom a further noun only describes."""
+    """Whom a noun says more of: "V1 is a taxi", "V1 (a taxi)", "V1, a taxi, …"."""
+    anchor = state.anchor if isinstance(state.anchor, Mention) else None
     if _is_predicate(mention, k, chunks, state):
         return state.candidate
-    if bracketed(chunks, k) and isinstance(state.anchor, Mention):
-        return state.anchor
+    if bracketed(chunks, k) and anchor is not None:
+        return anchor
     return apposed_to(chunks, k, state)
 
 
@@ -223,15 +234,27 @@ def _owns_place(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
 
 
 def _side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
-    """``a driveway on the right``: the side at which the place lies."""
+    """``a driveway on the right``, ``the lane to its right``: the side at which it lies."""
     place = chunks[k - 2] if k > 1 else None
-    if not isinstance(place, Place) or place.kind != "access" or not isinstance(noun, Place):
+    if not isinstance(place, Place) or not isinstance(noun, Place) or noun.kind != "side":
         return False
-    if noun.kind != "side":
+    if place.kind != "access" and not _lane_beside(place, noun, k, chunks):
         return False
     place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
     place.j = noun.j
     return True
+
+
+def _lane_beside(lane: Place, side: Place, k: int, chunks: list[Chunk]) -> bool:
+    """``in the lane to the right of the bus``: no movement to the right."""
+    within = lane.kind == "lane" and lane.prep is not None and lane.prep.value in {"in", "into"}
+    if not within or not set(side.dirs) & {"left", "right"}:
+        return False
+    whose, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
+    owned = isinstance(whose, Word) and whose.value == "of" and isinstance(who, Mention)
+    if owned and isinstance(who, Mention):
+        lane.beside = who
+    return owned or any(m.cat == "possessive" for m in side.mods)
 
 
 def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> None:

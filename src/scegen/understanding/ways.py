@@ -12,6 +12,7 @@ DIRECTIONS = {
     "right": Maneuver.RIGHT,
     "straight": Maneuver.STRAIGHT,
 }
+_WAY = frozenset({"road", "lane", "path", "highway"})
 _THROUGH = frozenset({"through", "across"})
 
 
@@ -23,6 +24,8 @@ def directions(event: Event) -> dict[Maneuver, Basis]:
     for prep in event.pps:
         target = prep.target
         if prep.value in {"to", "into"} and isinstance(target, Place) and target.kind == "side":
+            if target.owner is not None:
+                continue  # "to the right of the bus": where it is
             for value in target.dirs:
                 if value in {"left", "right"}:
                     found[DIRECTIONS[value]] = span(event, target.i, target.j)
@@ -62,3 +65,22 @@ def only_signalled(event: Event, context: Context) -> bool:
     after = [t.low for t in context.tokens[event.j : event.j + 2] if t.low != ","]
     signalled = event.parent is not None and event.parent.name == "inert"
     return signalled and after[:1] != [] and after[0] in {"but", "yet", "however", "though"}
+
+
+def across_the_road(event: Event, context: Context) -> bool:
+    """``turns across the ego's lane`` where no roads meet: over the road, not into another.
+
+    Args:
+        event: a turn.
+        context: the scenario in the making.
+    """
+    if context.junction.crossing:
+        return False
+    for prep in event.pps:
+        place, word = prep.target, context.tokens[prep.word.i].low
+        onto = word == "across" or (prep.value == "into" and place is not None)
+        if onto and isinstance(place, Place) and place.kind in _WAY:
+            return place.kind == "path" or word == "across"
+        if prep.word.cat == "locus" and prep.value == "ahead" and place is not None:
+            return True
+    return not any(d.value in DIRECTIONS for d in event.dirs)
