@@ -11,6 +11,8 @@ _NOMINAL_BEFORE = frozenset(
 )
 _NO_PREMODIFIER = frozenset({"aux", "actor", "pronoun", "neg"})
 _VERBAL_BEFORE = frozenset({"actor", "pronoun", "aux", "rel", "neg"})
+_MEASURES = frozenset({"difference", "differential", "gap", "of", "is", "was", "about", "approx",
+                       "approximately", "around", "up"})  # fmt: skip
 _NOUNS = ("place", "inert", "thing", "view", "env")
 _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
 
@@ -115,6 +117,8 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         return match.get("dir", "state", "manner"), True
     if _must_be_verb(match, tokens, previous):
         return verb, False
+    if _measured(match, tokens, previous):
+        return match.get("inert"), False
     if match.has(*_NOUNS) and match.form in {"base", "s"} and _noun_slot(match, tokens, previous):
         return match.get(*_NOUNS), False
     if match.has("dir") and match.form == "base" and not _second_verb(match, tokens, previous):
@@ -135,6 +139,16 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> b
     one = previous.cat == "num" and previous.data.get("number") == 1
     sided = previous.cat == "dir" and previous.value in {"left", "right"} and match.has("inert")
     return one or sided
+
+
+def _measured(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """``speed 50 km/h``, ``host speed: …``, ``speed difference``: what is measured, not a verb."""
+    if not match.has("inert") or match.form != "base" or match.get("verb").value != "speed":
+        return False
+    if previous is not None and (previous.cat in {"aux", "pronoun"} or previous.value == "to"):
+        return False
+    following = tokens[match.j] if match.j < len(tokens) else None
+    return following is None or following.kind in {"number", "punct"} or following.low in _MEASURES
 
 
 def _article(tokens: list[Token], j: int) -> bool:

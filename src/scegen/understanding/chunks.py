@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
+from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.terms import Term
 
 
@@ -78,6 +79,7 @@ class Mention(NounPhrase):
         elsewhere: it comes from another road ("a van from a side road").
         besides: it does something to "it", so that it is somebody else.
         narrowed: words after it say which one is meant ("the car towing it").
+        goes_by: how somebody moves who is no vehicle ("the claimant was cycling").
         negated: there is none ("no pedestrians").
         denied: it does not do what its verb says ("neither the bus nor the taxi").
         distributed: a plural noun that stands for one ("ego and adversary vehicles").
@@ -101,6 +103,7 @@ class Mention(NounPhrase):
     narrowed: bool = False
     besides: bool = False
     distributed: bool = False
+    goes_by: ParticipantKind | None = None
     negated: bool = False
     denied: bool = False
     entities: list[Any] = field(default_factory=list)
@@ -108,9 +111,10 @@ class Mention(NounPhrase):
 
 @dataclass(slots=True, eq=False)
 class Place(NounPhrase):
-    """A place: a lane, a side, a junction, a sign."""
+    """A place: a lane, a side, a junction, a sign; ``beside`` whom it lies, if that is said."""
 
     kind: str = "side"
+    beside: Mention | None = None
 
 
 @dataclass(slots=True, eq=False)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.tokens import Token
 
@@ -9,6 +10,9 @@ _ONLY_VEHICLES = frozenset(
     {"brake", "hard_brake", "overtake", "merge", "lane_change", "accelerate", "tailgate", "cut_off",
      "cut_in", "pull_out", "park", "swerve", "u_turn", "pull_over", "undertake", "unpark"}
 )  # fmt: skip
+_CYCLING = frozenset({"cycle", "pedal"})
+_WALKING = frozenset({"walk", "jog", "stroll"})
+_OPERATING = frozenset({"drive", "ride", "operate", "pilot"})
 _DRIVEN = _ONLY_VEHICLES | {"reverse", "move", "turn", "stop", "speed"}
 _ALONG = frozenset({"behind", "ahead", "adjacent", "opposite"})
 _ABOARD = frozenset({"in", "on", "aboard", "inside"})
@@ -21,17 +25,18 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
     Args:
         chunks: the chunks of the text.
         events: its events.
-        tokens: its tokens.
+        tokens: the tokens of the text.
     """
     for event in events:
         for mention in event.subject:
-            _by_doing(mention, event)
+            _by_doing(mention, event, tokens)
     _people_in_traffic(chunks, events)
-    _own_vehicles(events)
+    _own_vehicles(events, tokens)
+    _vehicles_of_parties(chunks)
     _ridden(chunks, events, tokens)
 
 
-def _by_doing(mention: Mention, event: Event) -> None:
+def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     failing = event.negated and event.name in {"stop", "yield"}
     alone = event.drives or event.name in _ONLY_VEHICLES or _takes_a_turn(event)
     alone = alone or _breaks_a_rule(event) or any("pace" in m.data for m in event.mods)
@@ -45,6 +50,7 @@ def _by_doing(mention: Mention, event: Event) -> None:
     acted_on = event.object
     pronoun = isinstance(acted_on, Mention) and acted_on.pronoun in {"it", "him", "they"}
     mention.besides = mention.besides or (close and pronoun)
+    _by_word(mention, tokens[event.i])
     if any(p.value == "from" and isinstance(p.target, Place) for p in event.pps):
         mention.elsewhere = mention.pronoun is None
 
@@ -56,24 +62,51 @@ def _breaks_a_rule(event: Event) -> bool:
     return event.name in {"breach", "dash"} and bool(kinds & {"signal", "stop_sign", "yield_sign"})
 
 
-def _own_vehicles(events: list[Event]) -> None:
-    """``a woman backs her van out``: she stands for her van."""
+def _by_word(mention: Mention, word: Token) -> None:
+    """``the claimant was cycling``, ``the insured walked``: people who are no drivers."""
+    base = word.forms[-1][0]
+    party = any("party" in h.data for h in mention.heads)
+    if base in _CYCLING and mention.heads:
+        mention.goes_by = ParticipantKind.BICYCLE
+    elif base in _WALKING and party:
+        mention.goes_by = ParticipantKind.PEDESTRIAN
+
+
+def _own_vehicles(events: list[Event], tokens: list[Token]) -> None:
+    """``a woman backs her van out``, ``a man riding a moped``: they stand for what they drive."""
     for event in events:
         what = event.object
         if not isinstance(what, Mention) or not event.subject or event.name not in _DRIVEN:
             continue
+        who = event.subject[-1]
         whose = what.mods[0] if what.mods else None
-        if whose is not None and whose.cat == "possessive" and whose.value == "its" and what.heads:
-            what.same_as = event.subject[-1]
-            event.subject[-1].drives = True
+        own = whose is not None and whose.cat == "possessive" and whose.value == "its"
+        driven = (_is_person(who) or who.pronoun is not None or _tells(who)) and tokens[
+            event.i
+        ].forms[-1][0] in _OPERATING
+        if what.heads and not what.label and (own or driven):
+            what.same_as = who
+            who.drives = True
+
+
+def _is_person(mention: Mention) -> bool:
+    return any(h.value in {"driver", "pedestrian", "rider"} for h in mention.heads)
+
+
+def _vehicles_of_parties(chunks: list[Chunk]) -> None:
+    """``the insured's van``, ``driver 2's car``: its owner stands for it."""
+    for chunk in chunks:
+        owner = chunk.owner if isinstance(chunk, Mention) else None
+        if owner is None or not isinstance(chunk, Mention) or not chunk.heads:
+            continue
+        drives = any("driver" in h.data for h in owner.heads)
+        if drives and not _is_person(chunk):
+            chunk.same_as = owner
 
 
 def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
-    """``I'm on a motorbike``, ``a nurse drives a van``, ``we sit in a coach``: who rides is it."""
+    """``I'm on a motorbike``, ``we sit in a coach``: whoever tells it stands for it."""
     for event in events:
-        what = event.object
-        if event.name == "move" and not event.passive and _vehicle(what) and event.subject:
-            _stands_for(event.subject[-1], what)
         for prep in event.pps if event.subject else []:
             if tokens[prep.word.i].low in _ABOARD and _tells(event.subject[-1]):
                 _stands_for(event.subject[-1], prep.target)

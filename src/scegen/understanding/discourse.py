@@ -6,15 +6,10 @@ from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.groups import Group, vehicle_around
+from scegen.understanding.located import as_the_ego_sees, loci_of
 from scegen.understanding.mention_words import DEFAULT_COUNT, Reading, read_mention
 from scegen.understanding.pronouns import POSITIONS, Pronouns
-from scegen.understanding.reference import (
-    as_the_ego_sees,
-    is_pronoun,
-    loci_of,
-    own_vehicle,
-    refers_to_nobody,
-)
+from scegen.understanding.reference import is_pronoun, own_vehicle, refers_to_nobody
 from scegen.understanding.roster import Roster
 from scegen.understanding.tokens import Token
 
@@ -98,9 +93,11 @@ class Discourse:
             return
         reading = read_mention(mention, self.tokens, None)
         for entity in mention.entities:
-            if not reading.generic and reading.kind in _MOTOR:
+            afoot = any("afoot" in h.data for h in mention.heads)
+            if not reading.generic and (reading.kind in _MOTOR or afoot):
                 entity.kind, entity.basis = reading.kind, Basis(mention.i, mention.j)
             entity.labels |= reading.labels
+            entity.named_by |= reading.called
 
     def _we(self, mention: Mention) -> list[Entity]:
         """``three of us``: the ego and two more."""
@@ -287,6 +284,7 @@ class Discourse:
             options = [e for e in options if e.dirs == reading.dirs]
         options = [e for e in options if not (loci and e.loci) or loci & e.loci]
         others = [e for e in options if not e.ego]
+        others = [e for e in others if e.named_by & reading.called] or others
         restricted = reading.dirs or reading.labels or mention.pps or mention.elsewhere
         restricted = restricted or mention.narrowed
         if others or reading.det == "bare" or restricted:

@@ -93,7 +93,7 @@ def appear(scene: Scene, context: Context) -> None:
         for p in scene.event.pps
     )
     if hidden:
-        _cyclists_cross(scene, context)
+        cyclists_cross(scene, context)
         return
     ride(scene, context)
     aside = any(p.kind in {"access", "parking"} for p in scene.places())
@@ -123,7 +123,7 @@ def ride(scene: Scene, context: Context) -> None:
         for p in scene.event.pps
     )
     if onto and not any(t.value in {"left", "right"} for t in scene.event.dirs):
-        _cyclists_cross(scene, context)
+        cyclists_cross(scene, context)
 
 
 def _across_the_path(scene: Scene, context: Context) -> bool:
@@ -137,7 +137,13 @@ def _across_the_path(scene: Scene, context: Context) -> bool:
     return owned and "across" in words
 
 
-def _cyclists_cross(scene: Scene, context: Context) -> None:
+def cyclists_cross(scene: Scene, context: Context) -> None:
+    """Somebody on a bicycle gets onto the road, or over it.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
     cyclists = [e for e in scene.actors if e.kind is ParticipantKind.BICYCLE and not e.ego]
     for entity in cyclists:
         context.draft.maneuver(entity, {Maneuver.CROSS}, scene.words)
@@ -216,7 +222,7 @@ def from_behind(scene: Scene, context: Context) -> None:
             basis, by = _screen(prep, scene.actors)
             context.draft.hazard(HazardKind.OCCLUSION, basis, by)
             if scene.event.name in _COMING:
-                _cyclists_cross(scene, context)
+                cyclists_cross(scene, context)
         elif scene.event.name in _WAITING:
             wait_behind(prep, scene.actors, context)
 

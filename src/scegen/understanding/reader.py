@@ -68,7 +68,7 @@ def read(text: str) -> FunctionalScenario:
     terms = settle_sides(terms, surroundings.side)
     chunks = Chunker(terms, tokens).run()
     silence(chunks)
-    repeat(chunks, tokens)
+    chunks = repeat(chunks, tokens)
     events = fill_in(chunks, ClauseReader(chunks).run())
     draft = Draft(text, tokens)
     shared = share_arms(chunks, events)

@@ -18,24 +18,6 @@ def is_pronoun(target: object) -> bool:
     return isinstance(target, Mention) and target.pronoun in {"it", "him", "they"}
 
 
-def as_the_ego_sees(mention: Mention) -> bool:
-    """``the car ahead``, ``the car ahead of the ego``: placed by nobody but the ego."""
-    return all(
-        p.word.cat == "locus"
-        and (
-            p.target is None
-            or (isinstance(p.target, Mention) and any(h.data.get("ego") for h in p.target.heads))
-        )
-        for p in mention.pps
-    )
-
-
-def loci_of(mention: Mention) -> set[str]:
-    """Where a noun is said to be: "the car behind" is not "the car in front"."""
-    loci = {p.value for p in mention.pps if p.word.cat == "locus"}
-    return loci | ({"elsewhere"} if mention.elsewhere else set())
-
-
 def refers_to_nobody(mention: Mention) -> bool:
     """``in traffic``, ``no pedestrians``, ``at the second``: words that name no participant."""
     prep = mention.prep.value if mention.prep is not None else ""

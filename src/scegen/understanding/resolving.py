@@ -10,6 +10,7 @@ from scegen.understanding.terms import Term
 _A_PAIR = 2
 """Of two sides named, there may still be any number of vehicles."""
 _BEHIND = frozenset({"follow", "tailgate"})
+_LETTING_BY = frozenset({"wait", "yield", "stop", "brake", "slow", "hard_brake", "react"})
 _PARTS = frozenset({"one", "count", "both", "other", "another", "ordinal"})
 
 
@@ -22,10 +23,14 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         discourse: the participants so far.
     """
     describe(chunks, events, discourse.tokens)
+    _generic(chunks, events)
     objects = {id(e.object) for e in events}
     subjects = {
-        id(m) for e in events for m in e.subject if e.finite or id(m) not in objects
-    }  # "meets a van blocking the lane": the sentence is not about the van
+        id(m)
+        for e in events
+        for m in e.subject
+        if e.finite or not (id(m) in objects or m.prep is not None)
+    }  # "meets a van blocking the lane", "waits for a van to pass": not about the van
     acted_on = {id(e.object): e for e in events if e.object is not None}
     everywhere = _sides(events, chunks)
     beside = _beside(chunks)
@@ -71,6 +76,20 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         waiting = []
     for earlier in waiting:
         _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
+
+
+def _generic(chunks: list[Chunk], events: list[Event]) -> None:
+    """``red for cross traffic``, ``looks for oncoming traffic``: nobody in particular.
+
+    Traffic that somebody waits for, or gives way to, is there.
+    """
+    met = {id(p.target) for e in events if e.name in _LETTING_BY for p in e.pps}
+    for chunk in chunks:
+        mass = isinstance(chunk, Mention) and chunk.head is not None and "mass" in chunk.head.data
+        if not mass or not isinstance(chunk, Mention) or chunk.prep is None:
+            continue
+        purpose = chunk.prep.value in {"for", "against"}
+        chunk.negated = chunk.negated or (purpose and id(chunk) not in met)
 
 
 def _resolve(

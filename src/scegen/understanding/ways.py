@@ -13,6 +13,7 @@ DIRECTIONS = {
     "straight": Maneuver.STRAIGHT,
 }
 _OTHER = {"left": "right", "right": "left"}
+_WAY = frozenset({"road", "lane", "path", "highway"})
 _THROUGH = frozenset({"through", "across"})
 
 
@@ -25,6 +26,8 @@ def directions(event: Event) -> dict[Maneuver, Basis]:
         target = prep.target
         if prep.value in {"to", "into"} and isinstance(target, Place) and target.kind == "side":
             across = _came_from(event) & {_OTHER.get(d, "") for d in target.dirs}
+            if target.owner is not None:
+                continue  # "to the right of the bus": where it is
             for value in target.dirs:
                 if value in {"left", "right"}:
                     way = Maneuver.STRAIGHT if across else DIRECTIONS[value]
@@ -89,3 +92,22 @@ def overtaking(scene: Scene, context: Context) -> bool:
         p.approaches == {Approach.BEHIND} and p.entity in scene.actors
         for p in context.draft.placements
     )
+
+
+def across_the_road(event: Event, context: Context) -> bool:
+    """``turns across the ego's lane`` where no roads meet: over the road, not into another.
+
+    Args:
+        event: a turn.
+        context: the scenario in the making.
+    """
+    if context.junction.crossing:
+        return False
+    for prep in event.pps:
+        place, word = prep.target, context.tokens[prep.word.i].low
+        onto = word == "across" or (prep.value == "into" and place is not None)
+        if onto and isinstance(place, Place) and place.kind in _WAY:
+            return place.kind == "path" or word == "across"
+        if prep.word.cat == "locus" and prep.value == "ahead" and place is not None:
+            return True
+    return not any(d.value in DIRECTIONS for d in event.dirs)
