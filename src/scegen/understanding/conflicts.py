@@ -7,7 +7,7 @@ from scegen.understanding import encounters, movements
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.ways import across_the_road, into_lane
+from scegen.understanding.ways import across_the_road, into_lane, overtaking
 
 _ACROSS = {"left": Maneuver.LEFT, "right": Maneuver.RIGHT}
 
@@ -223,7 +223,7 @@ def merge(scene: Scene, context: Context) -> None:
 
 def overtake(scene: Scene, context: Context) -> None:
     """Overtaking another moving vehicle."""
-    if scene.event.name == "pass" and not scene.targets:
+    if not overtaking(scene, context):
         return
     if scene.drivers and (not scene.targets or any(not e.parked for e in scene.targets)):
         context.draft.hazard(HazardKind.OVERTAKING, scene.words, scene.drivers, scene.targets)

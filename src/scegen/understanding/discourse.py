@@ -13,8 +13,10 @@ from scegen.understanding.designating import (
 )
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.groups import Group, vehicle_around
+from scegen.understanding.located import as_the_ego_sees, loci_of
 from scegen.understanding.mention_words import DEFAULT_COUNT, Reading, read_mention
 from scegen.understanding.pronouns import POSITIONS, Pronouns
+from scegen.understanding.reference import is_pronoun, own_vehicle, refers_to_nobody
 from scegen.understanding.roster import Roster
 from scegen.understanding.tokens import Token
 
@@ -33,7 +35,7 @@ class Discourse:
 
     def __init__(self, draft: Draft, tokens: list[Token], arms: int) -> None:
         self._draft = draft
-        self._tokens = tokens
+        self.tokens = tokens
         self._arms = arms
         self._roster = Roster(draft, tokens)
         self._pronouns = Pronouns(draft, self._roster, tokens)
@@ -59,7 +61,10 @@ class Discourse:
         if mention.entities:
             return mention.entities
         if mention.same_as is not None:
-            mention.entities = list(mention.same_as.entities)
+            first = mention.same_as.entities or self.resolve(
+                mention.same_as, subject=True, exclude=[]
+            )  # "riding a moped, I …"
+            mention.entities = list(first)
             self._refine(mention)
             return mention.entities
         if refers_to_nobody(mention) or self._their_own_queue(mention):
@@ -71,7 +76,7 @@ class Discourse:
             found = self._we(mention) or self._pronouns.resolve(mention, exclude)
         else:
             found = self._noun(
-                read_mention(mention, self._tokens, self._arms if sides == 0 else sides),
+                read_mention(mention, self.tokens, self._arms if sides == 0 else sides),
                 mention,
                 exclude,
             )
@@ -93,11 +98,13 @@ class Discourse:
         """``vehicle 1, a pickup truck, …``: the apposition says what kind it is."""
         if not mention.heads:
             return
-        reading = read_mention(mention, self._tokens, None)
+        reading = read_mention(mention, self.tokens, None)
         for entity in mention.entities:
-            if not reading.generic and reading.kind in _MOTOR:
+            afoot = any("afoot" in h.data for h in mention.heads)
+            if not reading.generic and (reading.kind in _MOTOR or afoot):
                 entity.kind, entity.basis = reading.kind, Basis(mention.i, mention.j)
             entity.labels |= reading.labels
+            entity.named_by |= reading.called
 
     def _we(self, mention: Mention) -> list[Entity]:
         """``three of us``: the ego and two more."""
@@ -115,8 +122,10 @@ class Discourse:
 
     def _noun(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         basis = Basis(mention.i, mention.j)
+        if reading.ego and not reading.plural:
+            return [self._ego(reading.kind, basis, told=not reading.generic)]
         if reading.ego:
-            return [self._ego(reading.kind, basis)]
+            return self._roster.subject  # "we arrive in our cars"
         of_whom = next((p.target for p in mention.pps if p.value == "of"), None)
         if reading.driver and isinstance(of_whom, Mention):
             return self.resolve(of_whom, subject=False, exclude=[])
@@ -146,7 +155,7 @@ class Discourse:
             i: index of the first token of the words.
             j: index after the last one.
         """
-        return any(t.low in {"my", "our"} for t in self._tokens[i:j])
+        return any(t.low in {"my", "our"} for t in self.tokens[i:j])
 
     def observer(self, i: int, j: int) -> None:
         """``our lane``: whoever tells it takes part.
@@ -157,9 +166,12 @@ class Discourse:
         """
         self._ego(ParticipantKind.CAR, Basis(i, j))
 
-    def _ego(self, kind: ParticipantKind, basis: Basis) -> Entity:
+    def _ego(self, kind: ParticipantKind, basis: Basis, *, told: bool = False) -> Entity:
+        """The ego; what it drives may be said later than who it is."""
         for entity in self._draft.entities:
             if entity.ego:
+                if told and kind is not entity.kind and entity.kind is ParticipantKind.CAR:
+                    entity.kind, entity.basis = kind, basis
                 return entity
         entity = self._roster.new(kind, basis)
         entity.ego = True
@@ -284,6 +296,7 @@ class Discourse:
             options = [e for e in options if e.dirs == reading.dirs]
         options = [e for e in options if not (loci and e.loci) or loci & e.loci]
         others = [e for e in options if not e.ego]
+        others = [e for e in others if e.named_by & reading.called] or others
         restricted = reading.dirs or reading.labels or mention.pps or mention.elsewhere
         restricted = restricted or mention.narrowed
         if others or reading.det == "bare" or restricted:

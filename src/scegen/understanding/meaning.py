@@ -11,6 +11,7 @@ from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.movements import MOVEMENTS
 from scegen.understanding.omissions import not_done
 from scegen.understanding.placing import Placer, thing_sides
+from scegen.understanding.recasting import recast
 from scegen.understanding.resolving import from_everywhere
 from scegen.understanding.roadside import read_thing
 from scegen.understanding.terms import Term
@@ -162,6 +163,7 @@ class Interpreter:
 
     def _event(self, event: Event) -> None:
         scene = self._scene(event)
+        event.name = recast(scene, self._context)
         self._scenes.append(scene)
         for prep in event.pps:
             if from_everywhere(prep):

@@ -6,7 +6,7 @@ from scegen.understanding import relatives
 from scegen.understanding.attachment import attach, place_in_front
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
 from scegen.understanding.lookahead import finite_follows
-from scegen.understanding.phrases import also_from, apposes, bracketed
+from scegen.understanding.phrases import also_from, apposed_to, bracketed
 from scegen.understanding.state import State
 
 _COMING = frozenset({"approach", "collide", "overtake", "pass", "cut_in", "cut_off", "follow"})
@@ -47,7 +47,8 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         anchor.object = mention
     elif (described := _described(mention, k, chunks, state)) is not None:
         mention.same_as = described
-        return
+        if described is state.candidate or bracketed(chunks, k):
+            return
     elif _joins(mention, k, chunks, state):
         return
     else:
@@ -72,7 +73,7 @@ def _described(mention: Mention, k: int, chunks: list[Chunk], state: State) -> M
         return state.candidate
     if bracketed(chunks, k) and anchor is not None:
         return anchor
-    return (anchor or state.candidate) if apposes(chunks, k, state) else None
+    return apposed_to(chunks, k, state)
 
 
 def _partitive_before(k: int, chunks: list[Chunk]) -> Mention | None:

@@ -23,7 +23,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         events: its events.
         discourse: the participants so far.
     """
-    describe(chunks, events)
+    describe(chunks, events, discourse.tokens)
     _generic(chunks, events)
     objects = {id(e.object) for e in events}
     subjects = {
@@ -33,7 +33,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         if e.finite or not (id(m) in objects or m.prep is not None)
     }  # "meets a van blocking the lane", "waits for a van to pass": not about the van
     acted_on = {id(e.object): e for e in events if e.object is not None}
-    everywhere = _sides(events)
+    everywhere = _sides(events, chunks)
     beside = _beside(chunks)
     settled = _settled(events)
     around = {id(p.target): e for e in events for p in e.pps if _is_it(p.target)}
@@ -201,10 +201,10 @@ def from_everywhere(prep: Prep) -> bool:
     if prep.value not in {"from", "in"} or not isinstance(target, Place):
         return False
     quantified = any(m.cat == "quant" and m.value == "all" for m in target.mods)
-    return quantified and target.kind in {"direction", "side", "exit"}
+    return quantified and target.kind in {"direction", "side", "exit", "leg", "road"}
 
 
-def _sides(events: list[Event]) -> dict[int, int]:
+def _sides(events: list[Event], chunks: list[Chunk]) -> dict[int, int]:
     """Mentions of those who come one from each of some sides -> how many sides; 0: all."""
     found: dict[int, int] = {}
     for event in events:
@@ -213,6 +213,9 @@ def _sides(events: list[Event]) -> dict[int, int]:
             found |= {id(m): 0 for m in event.subject}
         elif len(sides) > _A_PAIR:
             found |= {id(m): len(sides) for m in event.subject}
+    for chunk in chunks:
+        if isinstance(chunk, Mention) and any(from_everywhere(p) for p in chunk.pps):
+            found[id(chunk)] = 0
     return found
 
 
