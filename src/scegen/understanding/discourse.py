@@ -4,13 +4,6 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
-from scegen.understanding.designating import (
-    as_the_ego_sees,
-    is_pronoun,
-    loci_of,
-    own_vehicle,
-    refers_to_nobody,
-)
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.groups import Group, vehicle_around
 from scegen.understanding.located import as_the_ego_sees, loci_of

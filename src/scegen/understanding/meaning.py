@@ -25,8 +25,8 @@ _BREACHING = frozenset(
     {"walk", "follow", "breach", "move", "enter", "cross", "speed", "accelerate"}
 )
 _ON_THE_MOVE = frozenset({"pull_out", "swerve", "use", "enter", "move", "cross", "lose_control",
-                          "lane_change", "merge", "overtake", "bypass", "turn", "sharp_turn", "approach",
-                          "unknown"})  # fmt: skip
+                          "lane_change", "merge", "overtake", "bypass", "turn", "sharp_turn",
+                          "approach", "unknown"})  # fmt: skip
 _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
                        "pull_out", "collide"})  # fmt: skip
