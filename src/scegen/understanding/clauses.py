@@ -132,8 +132,8 @@ class ClauseReader:
                 state.between.discard("or")
         elif state.candidate is not None:
             state.candidate.mods.append(word.term)
-        elif before_event:
-            state.ahead.append(word.term)
+        elif before_event or (word.cat == "manner" and isinstance(following, Mention)):
+            state.ahead.append(word.term)  # "Suddenly a van …"
         elif self.events and not state.mentions:
             self.events[-1].mods.append(word.term)
 

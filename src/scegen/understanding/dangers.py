@@ -124,7 +124,10 @@ def swerve(scene: Scene, context: Context) -> None:
 
 def oncoming_lane(scene: Scene, context: Context) -> None:
     """A movement into or along the lane of oncoming traffic."""
+    sources = {id(p.target) for p in scene.event.pps if p.value == "from"}
     for place in scene.places():
+        if id(place) in sources:
+            continue  # "coming from opposite lanes": where one belongs
         lane = place.kind == "lane" and "opposite" in place.dirs and place.owner is None
         lane = lane or conflicts.head_on(scene, place, context)
         against = [e for e in scene.drivers if conflicts.against(e, place)]

@@ -55,6 +55,7 @@ class Entity:
     moves: Basis | None = None
     on_straight: bool = False
     through: Basis | None = None
+    waits: Basis | None = None
     claimed: bool = False
     opposed: set[int] = field(default_factory=set)
     name: str = ""
@@ -187,7 +188,7 @@ class Draft:
             self._contradiction(entity, values, basis)
         if alternative is None and values & _TURNS:
             known = known - _OVERRIDABLE - _ON_THE_WAY if entity.turn_alternative is None else known
-        if alternative is None and values == _OVERRIDABLE and known & _TURNS:
+        if alternative is None and values in (_OVERRIDABLE, _ON_THE_WAY) and known & _TURNS:
             return
         if Maneuver.CROSS in values:
             known = known - {Maneuver.STAY}

@@ -10,6 +10,7 @@ from scegen.understanding.draft import Basis, Entity
 _HIDING = frozenset({"behind", "between"})
 _CARRIAGEWAY = frozenset({"road", "crosswalk", "highway"})
 _WAY = frozenset({"crosswalk", "road", "lane", "path", "highway"})
+_ALONG = frozenset({"road", "highway", "side", "shoulder", "lane", "centerline", "middle"})
 _OPAQUE_PLACES = frozenset({"bus_stop", "feature", "parking"})
 _NARROWING = frozenset({"limit", "restrict", "impair", "hinder"})
 _SHELTERING = frozenset({"shield", "cover"})
@@ -72,9 +73,32 @@ def answered(scene: Scene, context: Context) -> None:
             context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, basis, walkers)
 
 
+def along_the_road(event: Event, context: Context) -> bool:
+    """``walks along the edge of the road``, ``in the same direction as the ego``: no crossing.
+
+    Args:
+        event: what somebody on foot does.
+        context: the scenario in the making.
+    """
+    if event.name not in {"walk", "move"}:
+        return False
+    for prep in event.pps:
+        place = prep.target
+        if not isinstance(place, Place):
+            continue
+        along = context.tokens[prep.word.i].low == "along" and place.kind in _ALONG
+        same = place.kind == "direction" and "same" in place.dirs
+        edge = place.kind in {"side", "shoulder"} and prep.value == "in" and not place.dirs
+        if along or same or edge:
+            return True
+    return False
+
+
 def walk(scene: Scene, context: Context) -> None:
     """Walking counts as crossing unless it stays on the sidewalk."""
     if any(p.kind == "sidewalk" for p in scene.places()):
+        return
+    if along_the_road(scene.event, context):
         return
     if any(p.value == "into" and isinstance(p.target, Mention) for p in scene.event.pps):
         return  # "ran into me": contact
@@ -93,7 +117,7 @@ def appear(scene: Scene, context: Context) -> None:
         for p in scene.event.pps
     )
     if hidden:
-        _cyclists_cross(scene, context)
+        cyclists_cross(scene, context)
         return
     ride(scene, context)
     aside = any(p.kind in {"access", "parking"} for p in scene.places())
@@ -123,7 +147,7 @@ def ride(scene: Scene, context: Context) -> None:
         for p in scene.event.pps
     )
     if onto and not any(t.value in {"left", "right"} for t in scene.event.dirs):
-        _cyclists_cross(scene, context)
+        cyclists_cross(scene, context)
 
 
 def _across_the_path(scene: Scene, context: Context) -> bool:
@@ -137,7 +161,13 @@ def _across_the_path(scene: Scene, context: Context) -> bool:
     return owned and "across" in words
 
 
-def _cyclists_cross(scene: Scene, context: Context) -> None:
+def cyclists_cross(scene: Scene, context: Context) -> None:
+    """Somebody on a bicycle gets onto the road, or over it.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
     cyclists = [e for e in scene.actors if e.kind is ParticipantKind.BICYCLE and not e.ego]
     for entity in cyclists:
         context.draft.maneuver(entity, {Maneuver.CROSS}, scene.words)
@@ -216,7 +246,7 @@ def from_behind(scene: Scene, context: Context) -> None:
             basis, by = _screen(prep, scene.actors)
             context.draft.hazard(HazardKind.OCCLUSION, basis, by)
             if scene.event.name in _COMING:
-                _cyclists_cross(scene, context)
+                cyclists_cross(scene, context)
         elif scene.event.name in _WAITING:
             wait_behind(prep, scene.actors, context)
 

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from scegen.scenario.vocabulary import JunctionKind, Maneuver
-from scegen.understanding import ways
+from scegen.scenario.vocabulary import Maneuver
+from scegen.understanding import courses, ways
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene, span
 from scegen.understanding.draft import Basis
 
 _ASIDE = frozenset({"move", "shift", "steer", "edge", "ease"})
 """Verbs that on an open road mean a shift to the side, not a turn."""
+_BESIDE = frozenset({"adjacent", "left", "right"})
 _ORDINALS = {
     "first": Maneuver.EXIT_1,
     "second": Maneuver.EXIT_2,
@@ -31,6 +32,9 @@ def turn(scene: Scene, context: Context) -> None:
         return
     if ways.only_signalled(event, context):
         return
+    cyclists = [e for e in scene.drivers if context.is_cyclist(e) and not e.ego]
+    if cyclists and cyclists == scene.drivers and ways.across_the_road(event, context):
+        return  # they cross the road, see the dangers
     values = set(directions) or {Maneuver.LEFT, Maneuver.RIGHT}
     if not directions:
         made = event.parent is not None and event.parent.name in {"light", "try"}
@@ -95,7 +99,7 @@ def overtake(scene: Scene, context: Context) -> None:
         return
     if event.name == "bypass" and isinstance(event.object, Place):
         return
-    if event.name == "pass" and not scene.targets:
+    if not ways.overtaking(scene, context):
         move(scene, context)
         return
     basis = Basis(event.i, event.j)
@@ -179,48 +183,39 @@ def use(scene: Scene, context: Context) -> None:
     """``uses the opposite lane``, ``takes a left``."""
     target = scene.event.object
     if isinstance(target, Place) and target.kind == "lane" and "opposite" in target.dirs:
-        basis = Basis(scene.event.i, target.j)
-        reason = "the oncoming lane is used to get past something"
-        _apply(scene, context, {Maneuver.OVERTAKE}, Basis(basis.i, basis.j, reason))
+        use_oncoming_lane(scene, target, context)
         return
     leave(scene, context)
 
 
-def follow(scene: Scene, context: Context) -> None:
-    """One drives behind another."""
-    straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in scene.places())
-    for entity in scene.drivers:
-        entity.moves = entity.moves or Basis(scene.event.i, scene.event.j)
-        entity.on_straight = entity.on_straight or straight
-    context.ahead(scene.targets, scene.actors, Basis(scene.event.i, scene.event.j))
-
-
-def precede(scene: Scene, context: Context) -> None:
-    """One drives ahead of another."""
-    context.ahead(scene.actors, scene.targets, Basis(scene.event.i, scene.event.j))
-
-
-def stay(scene: Scene, context: Context) -> None:
-    """Whoever waits on foot stays where they are."""
-    basis = Basis(scene.event.i, scene.event.j)
-    for entity in scene.actors:
-        if not entity.is_vehicle and not entity.maneuvers:
-            context.draft.maneuver(entity, {Maneuver.STAY}, basis)
-
-
-def park(scene: Scene, _context: Context) -> None:
-    """``is parked``: the vehicle stands for the whole scenario."""
-    if scene.event.form != "ed":
+def forced(scene: Scene, context: Context) -> None:
+    """``is forced into the opposite lane``, ``pushes the ego into the left lane``."""
+    lane = ways.into_lane(scene.event)
+    moved = [e for e in scene.targets if e.moving_vehicle]
+    if lane is None or lane.kind != "lane" or not moved:
         return
-    for entity in scene.actors:
-        if entity.is_vehicle and not entity.ego:
-            entity.parked = True
-            entity.parked_basis = Basis(scene.event.i, scene.event.j)
+    if "opposite" in lane.dirs:
+        use_oncoming_lane(Scene(scene.event, moved, []), lane, context)
+    elif _BESIDE & set(lane.dirs):
+        lane_change(Scene(scene.event, moved, []), context)
+
+
+def use_oncoming_lane(scene: Scene, lane: Place, context: Context) -> None:
+    """Whoever is in the oncoming lane passes something there.
+
+    Args:
+        scene: what happens.
+        lane: the oncoming lane.
+        context: the scenario in the making.
+    """
+    reason = "the oncoming lane is used to get past something"
+    basis = Basis(scene.event.i, max(scene.event.j, lane.j), reason)
+    _apply(scene, context, {Maneuver.OVERTAKE}, basis)
 
 
 def merge(scene: Scene, context: Context) -> None:
     """Merging on a road without a junction, or into a lane, is a lane change."""
-    if ways.into_lane(scene.event) is not None or context.junction.kind is JunctionKind.STRAIGHT:
+    if ways.into_lane(scene.event) is not None or not context.junction.crossing:
         lane_change(scene, context)
 
 
@@ -230,7 +225,7 @@ def through_junction(scene: Scene, context: Context) -> None:
     for entity in scene.drivers:
         entity.moves = entity.moves or Basis(event.i, event.j)
     lane = event.object if event.name == "enter" else None
-    beside = isinstance(lane, Place) and lane.kind == "lane" and "adjacent" in lane.dirs
+    beside = isinstance(lane, Place) and lane.kind == "lane" and bool(_BESIDE & set(lane.dirs))
     if beside and not context.junction.crossing:
         lane_change(scene, context)
     if isinstance(event.object, Mention) and event.name == "approach":
@@ -254,11 +249,15 @@ MOVEMENTS: dict[str, Callable[[Scene, Context], None]] = {
     "try": leave,
     "light": leave,
     "use": use,
-    "follow": follow,
-    "tailgate": follow,
-    "precede": precede,
-    "wait": stay,
-    "park": park,
+    "match": courses.hold,
+    "cause": forced,
+    "follow": courses.follow,
+    "tailgate": courses.follow,
+    "precede": courses.precede,
+    "wait": courses.stay,
+    "stop": courses.stay,
+    "slow": courses.stay,
+    "park": courses.park,
     "merge": merge,
     "approach": through_junction,
     "enter": through_junction,

@@ -6,7 +6,7 @@ from scegen.understanding import relatives
 from scegen.understanding.attachment import attach, place_in_front
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
 from scegen.understanding.lookahead import finite_follows
-from scegen.understanding.phrases import also_from, apposes, bracketed
+from scegen.understanding.phrases import also_from, apposed_to, bracketed
 from scegen.understanding.state import State
 
 _COMING = frozenset({"approach", "collide", "overtake", "pass", "cut_in", "cut_off", "follow"})
@@ -22,6 +22,8 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         chunks: the chunks of the text.
         state: what the clause reader remembers.
     """
+    if _emphasises(mention, state):
+        return
     state.mentions.append(mention)
     state.topic = None
     if mention.possessor:
@@ -43,15 +45,10 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         _start_clause(mention, state)
     elif isinstance(anchor, Event) and direct and anchor.object is None:
         anchor.object = mention
-    elif _is_predicate(mention, k, chunks, state):
-        mention.same_as = state.candidate
-        return
-    elif bracketed(chunks, k) and isinstance(anchor, Mention):
-        mention.same_as = anchor
-        return
-    elif apposes(chunks, k, state):
-        mention.same_as = anchor if isinstance(anchor, Mention) else state.candidate
-        return
+    elif (described := _described(mention, k, chunks, state)) is not None:
+        mention.same_as = described
+        if described is state.candidate or bracketed(chunks, k):
+            return
     elif _joins(mention, k, chunks, state):
         return
     else:
@@ -59,6 +56,24 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
     state.anchor = mention
     state.between = set()
     state.last_pp = None
+
+
+def _emphasises(mention: Mention, state: State) -> bool:
+    """``the van itself changes lanes``: the pronoun adds nothing to the noun before it."""
+    if mention.pronoun != "reflexive" or state.between or state.prep is not None:
+        return False
+    mention.same_as = state.anchor if isinstance(state.anchor, Mention) else None
+    return mention.same_as is not None
+
+
+def _described(mention: Mention, k: int, chunks: list[Chunk], state: State) -> Mention | None:
+    """Whom a noun says more of: "V1 is a taxi", "V1 (a taxi)", "V1, a taxi, …"."""
+    anchor = state.anchor if isinstance(state.anchor, Mention) else None
+    if _is_predicate(mention, k, chunks, state):
+        return state.candidate
+    if bracketed(chunks, k) and anchor is not None:
+        return anchor
+    return apposed_to(chunks, k, state)
 
 
 def _partitive_before(k: int, chunks: list[Chunk]) -> Mention | None:
@@ -219,15 +234,27 @@ def _owns_place(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
 
 
 def _side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
-    """``a driveway on the right``: the side at which the place lies."""
+    """``a driveway on the right``, ``the lane to its right``: the side at which it lies."""
     place = chunks[k - 2] if k > 1 else None
-    if not isinstance(place, Place) or place.kind != "access" or not isinstance(noun, Place):
+    if not isinstance(place, Place) or not isinstance(noun, Place) or noun.kind != "side":
         return False
-    if noun.kind != "side":
+    if place.kind != "access" and not _lane_beside(place, noun, k, chunks):
         return False
     place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
     place.j = noun.j
     return True
+
+
+def _lane_beside(lane: Place, side: Place, k: int, chunks: list[Chunk]) -> bool:
+    """``in the lane to the right of the bus``: no movement to the right."""
+    within = lane.kind == "lane" and lane.prep is not None and lane.prep.value in {"in", "into"}
+    if not within or not set(side.dirs) & {"left", "right"}:
+        return False
+    whose, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
+    owned = isinstance(whose, Word) and whose.value == "of" and isinstance(who, Mention)
+    if owned and isinstance(who, Mention):
+        lane.beside = who
+    return owned or any(m.cat == "possessive" for m in side.mods)
 
 
 def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> None:

@@ -3,6 +3,14 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Event, Mention, NounPhrase
+from scegen.understanding.coordination import auxiliary, coordinate
+from scegen.understanding.dependents import (
+    chain,
+    depend,
+    gerund,
+    infinitive,
+    nominal,
+)
 from scegen.understanding.state import State
 
 _PASSIVE = frozenset(
@@ -15,18 +23,6 @@ _DESCRIBING = _PASSIVE - {"enter", "use", "approach", "pass"} | {"locate", "park
 """Verbs whose participle describes a noun ("a man hidden behind a van")."""
 
 
-def chain(mention: Mention) -> list[Mention]:
-    """A mention with those that it is joined to ("a car and a truck"), in order."""
-    found = [mention]
-    while found[-1].joined is not None and len(found) < 64:
-        found.append(found[-1].joined)
-    return found[::-1]
-
-
-def _auxiliary(state: State) -> bool:
-    return any(word.startswith("aux:") for word in state.between)
-
-
 def link(event: Event, state: State) -> None:
     """Gives the event its subject, its parent verb and its mood.
 
@@ -35,30 +31,30 @@ def link(event: Event, state: State) -> None:
         state: what the clause reader remembers.
     """
     if event.nominal:
-        _nominal(event, state)
+        nominal(event, state)
         return
-    infinitive = state.prep is not None and state.prep.value == "to" and event.form == "base"
-    auxiliary = _auxiliary(state)
-    if infinitive:
-        _infinitive(event, state)
+    to = state.prep is not None and state.prep.value == "to" and event.form == "base"
+    helped = auxiliary(state)
+    if to:
+        infinitive(event, state)
     elif state.prep is not None and event.form == "ing":
-        _gerund(event, state)
+        gerund(event, state)
     else:
-        event.finite = event.form in {"s", "ed", "base"} or auxiliary
+        event.finite = event.form in {"s", "ed", "base"} or helped
         if event.finite and state.topic is not None:
             _said_of_a_thing(event, state)
             return
         _clause(event, state)
     parent = event.parent
     if parent is not None and parent.control == "object" and event.form == "base":
-        event.finite = event.finite and auxiliary  # "lets them cross": no clause of its own
+        event.finite = event.finite and helped  # "lets them cross": no clause of its own
     if _blocked(event, state):
         return
     if event.form == "base" and "aux:be" in state.between and event.name in _PASSIVE:
         event.form = "ed"  # "is cut off", "was hit": the participle looks like the base form
-    if event.reduced and event.form == "ed" and event.name in _DESCRIBING and not auxiliary:
+    if event.reduced and event.form == "ed" and not helped:
         event.finite = False
-        event.passive = event.name in _PASSIVE
+        event.passive = event.name in _DESCRIBING & _PASSIVE
         return
     if event.form == "ed" and event.name in _PASSIVE:
         reduced = isinstance(state.anchor, Mention) and "aux:have" not in state.between
@@ -104,72 +100,6 @@ def _bare_participle(event: Event, state: State) -> bool:
     return isinstance(anchor, Mention) and anchor is not state.candidate and not event.finite
 
 
-def _depend(event: Event, parent: Event, link_kind: str) -> None:
-    event.parent = parent
-    event.link = link_kind
-    parent.children.append(event)
-    event.modal = event.modal or parent.modal or parent.name in {"cause", "prevent"}
-
-
-def _nominal(event: Event, state: State) -> None:
-    anchor = state.anchor
-    owner = next((m for m in reversed(state.mentions) if m.possessor and m.j >= event.i - 1), None)
-    if owner is not None:
-        event.subject = [owner]
-    if isinstance(anchor, Event) and not (state.between - {"either", "or"}):
-        _depend(event, anchor, "noun")
-        if not event.subject and anchor.name not in {"cause", "prevent"}:
-            event.subject = anchor.subject
-    elif "conj" in state.between and state.events:
-        event.subject = event.subject or state.events[-1].subject
-        _alternative(event, state.events[-1], state)
-    elif state.prep is not None and state.events and not event.subject:
-        event.subject = state.events[-1].subject
-    elif not event.subject and not state.events and "sub" in state.between:
-        state.pending.append(event)  # "after a right turn, the car …"
-
-
-def _infinitive(event: Event, state: State) -> None:
-    parent = state.events[-1] if state.events else None
-    anchor = state.anchor
-    if isinstance(anchor, Event):
-        parent = anchor
-    if parent is None:
-        event.subject = chain(anchor) if isinstance(anchor, Mention) else []
-        return
-    _depend(event, parent, "inf")
-    event.negated = parent.negated and parent.control == "subject"
-    controlled = parent.control == "object" and isinstance(parent.object, Mention)
-    prep = anchor.prep if isinstance(anchor, Mention) else None
-    if prep is not None and prep.value == "for" and isinstance(anchor, Mention):
-        event.subject = chain(anchor)
-    elif controlled and isinstance(parent.object, Mention):
-        event.subject = chain(parent.object)
-        event.modal = True
-    else:
-        event.subject = parent.subject
-
-
-def _gerund(event: Event, state: State) -> None:
-    """``blocking the car from returning``, ``without yielding``, ``by turning``."""
-    prep = state.prep.value if state.prep else ""
-    parent = state.events[-1] if state.events else None
-    event.negated = prep == "without"
-    if parent is None:
-        anchor = state.anchor
-        event.subject = chain(anchor) if isinstance(anchor, Mention) else []
-        if not event.subject:
-            state.pending.append(event)
-        return
-    _depend(event, parent, "ing")
-    prevented = prep == "from" and isinstance(parent.object, Mention)
-    if prevented and isinstance(parent.object, Mention):
-        event.subject = chain(parent.object)
-        event.negated = True
-    else:
-        event.subject = parent.subject
-
-
 def _clause(event: Event, state: State) -> None:
     anchor = state.anchor
     between = state.between
@@ -180,13 +110,13 @@ def _clause(event: Event, state: State) -> None:
     elif "sub" in between:
         _subjectless(event, state)
     elif "conj" in between and state.events:
-        _coordinated(event, state)
+        coordinate(event, state)
     elif "," in between:
         _after_comma(event, state)
     elif isinstance(anchor, Mention):
         _after_mention(event, anchor, state)
     elif isinstance(anchor, Event):
-        _depend(event, anchor, "ing")
+        depend(event, anchor, "ing")
         event.subject = anchor.subject
     else:
         _subjectless(event, state)
@@ -246,7 +176,7 @@ def _main_in_sentence(state: State) -> list[Mention]:
 def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     waiting = state.candidate is not None and not state.candidate_done
     if event.finite and waiting and state.candidate is not None:
-        if event.form == "ed" and anchor is not state.candidate and not _auxiliary(state):
+        if event.form == "ed" and anchor is not state.candidate and not auxiliary(state):
             event.finite = False
             event.subject = chain(anchor)
             return
@@ -256,7 +186,7 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
         event.finite = event.finite and event.form != "ed"
     last = state.events[-1] if state.events else None
     if last is not None and last.object is anchor and last.name in {"cause", "prevent"}:
-        _depend(event, last, "ing")
+        depend(event, last, "ing")
     if last is not None and _pronoun_object(anchor, last) and not event.finite:
         event.subject = last.subject  # "nearly hit me coming from the right"
         return
@@ -269,40 +199,3 @@ def _pronoun_object(anchor: Mention, verb: Event) -> bool:
         anchor.head and anchor.head.data.get("me")
     )
     return verb.object is anchor and bare and verb.name not in {"encounter", "cause", "prevent"}
-
-
-def _shape(event: Event) -> str:
-    if event.link == "inf" or (event.modal and event.form == "base"):
-        return "inf"
-    return "finite" if event.finite and event.form != "ing" else event.form
-
-
-def _coordinated(event: Event, state: State) -> None:
-    """``brakes and turns``, ``to brake and turn``: the verb of like form gives the subject."""
-    auxiliary = _auxiliary(state)
-    if event.form == "base" and not auxiliary:
-        wanted = "inf"
-    else:
-        wanted = "ing" if event.form == "ing" and not auxiliary else "finite"
-    verbs = [e for e in state.events if not e.nominal]
-    alike = [e for e in verbs if _shape(e) == wanted]
-    exact = [e for e in alike if wanted == "finite" and e.form == event.form and not e.perfect]
-    parallel = next(reversed(exact or alike), None)
-    if parallel is None:
-        parallel = next((e for e in reversed(verbs) if e.finite), None)
-    waiting = state.candidate is not None and not state.candidate_done
-    if parallel is None and waiting and state.candidate is not None:
-        event.subject = chain(state.candidate)
-        return
-    parallel = parallel or state.events[-1]
-    event.subject = parallel.subject
-    if wanted != "finite":
-        event.parent, event.link = parallel.parent, parallel.link
-        event.modal = event.modal or parallel.modal
-    _alternative(event, parallel, state)
-
-
-def _alternative(event: Event, other: Event, state: State) -> None:
-    if "or" in state.between:
-        other.alternative = other.alternative or id(other)
-        event.alternative = other.alternative

@@ -8,6 +8,14 @@ from dataclasses import replace
 from scegen.understanding.choosing import choose, is_adverb
 from scegen.understanding.lexicon import Entry
 from scegen.understanding.numbers import number_at
+from scegen.understanding.paces import doing, pace_at
+from scegen.understanding.particles import (
+    in_front,
+    just_right,
+    sends_back,
+    then_a_noun,
+    then_a_side,
+)
 from scegen.understanding.quantities import quantity_at
 from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
@@ -15,16 +23,17 @@ from scegen.understanding.tokens import Token
 _LABELLED = re.compile(r"^(?:v|veh|u|d|car|cv)\d{1,2}$")
 _WALKER = re.compile(r"^(?:p|ped)\d{1,2}$")
 _NOUNS = ("actor", "place", "thing", "inert")
+_CROSSED = frozenset({"road", "lane", "path", "highway", "crosswalk"})
 _UNIT_WORDS = frozenset({"unit", "veh", "v"})
 
 
 def _labelled(token: Token, i: int) -> Term | None:
     """``V1``, ``car2``: a participant called by a short name."""
+    digits = token.low.lstrip("abcdefghijklmnopqrstuvwxyz")
     if token.kind == "label" and _LABELLED.match(token.low):
-        digits = token.low.lstrip("abcdefghijklmnopqrstuvwxyz")
         return Term("actor", "car", i, i + 1, "base", {"label": f"#{digits}"})
     if token.kind == "label" and _WALKER.match(token.low):
-        return Term("actor", "pedestrian", i, i + 1, "base", {"label": f"#{token.low}"})
+        return Term("actor", "pedestrian", i, i + 1, "base", {"label": f"#p{digits}"})
     return None
 
 
@@ -84,17 +93,35 @@ def tag(tokens: list[Token]) -> list[Term]:
         term = _term_at(tokens, i, _before(terms, tokens))
         if term.value == "crosswalk" and _list_of_doings(terms, tokens, term):
             term = _term_at(tokens[: i + 1], i, _before(terms, tokens))
+        if term.cat == "verb" and sends_back(tokens, terms, i):
+            term = Term("manner", "mild", i, i + 1)
         if (term.cat, term.value, term.form) == ("verb", "stop", "base") and _at_a(terms, tokens):
             term = Term("place", "bus_stop", term.i, term.j)  # "pulls away from the stop"
         if (term.cat, term.value) == ("verb", "yield") and _a_noun(terms, tokens, term):
             term = Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
         if (term.cat, tokens[term.i].low) == ("possessive", "her") and _alone(tokens, term.j):
             term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
+        if _speed(term) and doing(tokens, i):
+            _as_motion(terms, tokens)
         if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
             terms[-1] = replace(terms[-1], value="move", data={})  # "carries straight on"
         terms.append(term)
         i = terms[-1].j
     return _crossings(terms, tokens)
+
+
+def _as_motion(terms: list[Term], tokens: list[Token]) -> None:
+    """``doing about fifty``: driving."""
+    k = next((k for k in range(len(terms) - 1, -1, -1) if terms[k].cat == "verb"), None)
+    if k is not None and tokens[terms[k].i].forms[-1][0] == "do":
+        terms[k] = replace(terms[k], value="move", data={"drives": True})
+
+
+def _speed(term: Term) -> bool:
+    """Whether a term says how fast: "50 mph", "40 in a 30", or a bare number after "doing"."""
+    return term.cat in {"quantity", "num"} or (
+        term.cat == "manner" and term.value in {"fast", "slow"}
+    )
 
 
 def _at_a(terms: list[Term], tokens: list[Token]) -> bool:
@@ -136,8 +163,8 @@ def _list_of_doings(terms: list[Term], tokens: list[Token], term: Term) -> bool:
     """``a van turning left and a pedestrian crossing``: not the place of that name."""
     if term.j - term.i != 2 or not tokens[term.j - 1].low.endswith("ing"):
         return False
-    if term.j < len(tokens) and tokens[term.j].low == "from":
-        return True  # "pedestrian crossing from the left"
+    if _crossed(tokens, term.j):
+        return True
     if len(terms) < 3:
         return False
     counted = terms[-1].cat in {"det", "num"}
@@ -148,6 +175,21 @@ def _list_of_doings(terms: list[Term], tokens: list[Token], term: Term) -> bool:
     return listed and any(t.cat == "verb" and t.form == "ing" for t in terms[-8:])
 
 
+def _crossed(tokens: list[Token], j: int) -> bool:
+    """``pedestrian crossing from the left``, ``… the road``, ``… in front of the ego``."""
+    if j >= len(tokens):
+        return False
+    if tokens[j].low in {"from", "against", "into"}:
+        return True
+    following = longest_match(tokens, j)
+    if following is None:
+        return False
+    if following.has("det", "possessive"):
+        noun = longest_match(tokens, following.j) if following.j < len(tokens) else None
+        return noun is not None and any(e.value in _CROSSED for e in noun.entries)
+    return following.has("locus") and following.get("locus").value in {"ahead", "behind"}
+
+
 def _before(terms: list[Term], tokens: list[Token]) -> Term | None:
     """The term before; a number that names a vehicle ("vehicle 1") counts as the vehicle."""
     if len(terms) > 1 and terms[-1].cat == "num" and terms[-2].cat == "actor":
@@ -155,31 +197,16 @@ def _before(terms: list[Term], tokens: list[Token]) -> Term | None:
     return terms[-1] if terms else None
 
 
-def _just_right(tokens: list[Token], i: int, previous: Term | None) -> bool:
-    """``right behind``, ``right in front of``: no direction, except after a turn."""
-    if tokens[i].low != "right" or i + 1 >= len(tokens) or previous is None:
-        return False
-    following = longest_match(tokens, i + 1)
-    located = following is not None and following.has("locus")
-    return located and not previous.value.endswith("turn") and previous.cat != "det"
-
-
 def _turning(previous: Term | None) -> bool:
     return previous is not None and previous.cat in {"verb", "prep", "det", "possessive"}
 
 
-def _then_a_side(tokens: list[Token], match: Match) -> bool:
-    """Whether a phrase ends in "from" and a side comes next: "from" belongs to the side."""
-    if tokens[match.j - 1].low != "from" or match.j + 1 >= len(tokens):
+def _needs_infinitive(tokens: list[Token], match: Match) -> bool:
+    """``continues to the third exit``: "to" leads to a place, not to another verb."""
+    if tokens[match.j - 1].low != "to" or match.j >= len(tokens):
         return False
-    side = longest_match(tokens, match.j + 1)
-    return tokens[match.j].low == "the" and side is not None and side.has("dir")
-
-
-def _in_front(tokens: list[Token], match: Match) -> bool:
-    """Whether "in" at the end of a verb belongs to "in front of" as well."""
-    after = [t.low for t in tokens[match.j : match.j + 2]]
-    return tokens[match.j - 1].low == "in" and after == ["front", "of"]
+    following = longest_match(tokens, match.j)
+    return following is None or not following.has("verb", "neg", "manner")
 
 
 def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | None:
@@ -190,10 +217,14 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
         match = longest_match(tokens[: i + 1], i)
     if match and token.low == "right" and match.only("sub") and _turning(previous):
         match = longest_match(tokens[: i + 1], i)  # "turns right when …"
-    if match and match.only("locus") and _then_a_side(tokens, match):
+    if match and match.only("locus") and then_a_side(tokens, match):
         match = longest_match(tokens[: match.j - 1], i)  # "darts across from the left"
-    if match and match.only("verb") and _in_front(tokens, match):
+    if match and match.j > i + 1 and then_a_noun(tokens, match):
+        match = longest_match(tokens[: match.j - 1], i)
+    if match and match.only("verb") and in_front(tokens, match):
         match = replace(match, j=match.j + 2)  # "forces its way in front of"
+    if match and match.j > i + 1 and match.only("verb") and _needs_infinitive(tokens, match):
+        match = longest_match(tokens[: match.j - 1], i) or match
     plural = any(form == "s" for _, form in token.forms)
     if match and match.j > i + 1 and plural and match.only(*_NOUNS):
         match = longest_match(tokens[: i + 1], i)  # "two pedestrians crossing", no crossing
@@ -209,8 +240,11 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     labelled = _labelled(token, i)
     if labelled:
         return labelled
-    if _just_right(tokens, i, previous):
+    if just_right(tokens, i, previous):
         return Term("manner", "mild", i, i + 1)
+    pace = pace_at(tokens, i)
+    if pace is not None:
+        return pace
     quantity = quantity_at(tokens, i)
     if quantity:
         return Term("quantity", quantity.dimension, i, quantity.j, data={"quantity": quantity})

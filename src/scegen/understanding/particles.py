@@ -1,0 +1,87 @@
+"""Little words at the edge of a phrase: what they belong to, and what they only look like."""
+
+from __future__ import annotations
+
+from scegen.understanding.terms import Match, Term, longest_match
+from scegen.understanding.tokens import Token
+
+_LETTING = frozenset({"let", "make", "help", "see", "watch", "have"})
+_GIVES = frozenset({"dir", "verb"})
+_OPENS_A_NOUN = ("det", "possessive", "actor", "compass")
+
+
+def just_right(tokens: list[Token], i: int, previous: Term | None) -> bool:
+    """``right behind``, ``right in front of``: no direction, except after a turn.
+
+    Args:
+        tokens: the tokens of the text.
+        i: index of a token.
+        previous: the term before it.
+    """
+    if tokens[i].low != "right" or i + 1 >= len(tokens) or previous is None:
+        return False
+    following = longest_match(tokens, i + 1)
+    located = following is not None and following.has("locus")
+    return located and not previous.value.endswith("turn") and previous.cat != "det"
+
+
+def then_a_side(tokens: list[Token], match: Match) -> bool:
+    """Whether a phrase ends in "from" and a side comes next: "from" belongs to the side.
+
+    Args:
+        tokens: the tokens of the text.
+        match: the phrase.
+    """
+    if tokens[match.j - 1].low != "from" or match.j + 1 >= len(tokens):
+        return False
+    side = longest_match(tokens, match.j + 1)
+    return tokens[match.j].low == "the" and side is not None and side.has("dir")
+
+
+def then_a_noun(tokens: list[Token], match: Match) -> bool:
+    """``straight on the main road``: "on" belongs to the road, unlike in "straight on at".
+
+    Args:
+        tokens: the tokens of the text.
+        match: a phrase of motion or direction that may end in "on".
+    """
+    if tokens[match.j - 1].low != "on" or match.j >= len(tokens):
+        return False
+    if not all(e.cat in _GIVES and e.value in {"straight", "move"} for e in match.entries):
+        return False
+    noun = longest_match(tokens, match.j)
+    return noun is not None and noun.has(*_OPENS_A_NOUN)
+
+
+def in_front(tokens: list[Token], match: Match) -> bool:
+    """Whether "in" at the end of a verb belongs to "in front of" as well.
+
+    Args:
+        tokens: the tokens of the text.
+        match: the verb.
+    """
+    after = [t.low for t in tokens[match.j : match.j + 2]]
+    return tokens[match.j - 1].low == "in" and after == ["front", "of"]
+
+
+def sends_back(tokens: list[Token], terms: list[Term], i: int) -> bool:
+    """``forces it back into its lane``: an adverb, although "back into" is a verb.
+
+    Such a verb would need a plural subject, an auxiliary or "to" before it.
+
+    Args:
+        tokens: the tokens of the text.
+        terms: the terms before it.
+        i: index of a token.
+    """
+    if tokens[i].low != "back" or not terms:
+        return False
+    previous = terms[-1]
+    if previous.cat == "verb":
+        return previous.data.get("control") != "subject"
+    single = previous.cat == "actor" and previous.form == "base"
+    single = single or (previous.cat == "pronoun" and previous.value in {"it", "him"})
+    let = len(terms) > 1 and any(
+        tokens[t.i].forms[-1][0] in _LETTING for t in terms[-4:-1] if t.cat == "verb"
+    )
+    return single and not let

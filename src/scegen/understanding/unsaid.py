@@ -1,0 +1,68 @@
+"""What participants do of whom the text names no maneuver."""
+
+from __future__ import annotations
+
+from scegen.scenario.functional import Junction
+from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver, ParticipantKind
+from scegen.understanding.draft import Basis, Draft, Entity
+
+
+def maneuvers_of(entity: Entity, junction: Junction, draft: Draft) -> set[Maneuver]:
+    """The maneuvers that the text says, or what follows from what it says besides.
+
+    Args:
+        entity: a participant; the basis of its maneuvers is set.
+        junction: where it all happens.
+        draft: the scenario in the making, positions settled.
+
+    Returns:
+        The maneuvers; empty where the text leaves them open.
+    """
+    if entity.maneuvers and not entity.parked:
+        return entity.maneuvers
+    found = _followed(entity, junction, draft)
+    if found is None:
+        return set()
+    maneuver, words, reason = found
+    entity.maneuver_basis = Basis(words.i, words.j, reason)
+    return {maneuver}
+
+
+def _followed(
+    entity: Entity, junction: Junction, draft: Draft
+) -> tuple[Maneuver, Basis, str] | None:
+    if entity.parked:
+        return Maneuver.STAY, entity.basis, "a parked vehicle stays"
+    if entity.kind is ParticipantKind.PEDESTRIAN:
+        reason = "nothing else is said: somebody on foot crosses"
+        return Maneuver.CROSS, entity.basis, reason
+    if junction.kind is JunctionKind.STRAIGHT or (entity.on_straight and entity.moves):
+        reason = "on a straight road, or one without a junction, one drives straight on"
+        return Maneuver.STRAIGHT, entity.moves or Basis(), reason
+    if junction.kind is JunctionKind.ROUNDABOUT:
+        return None
+    if entity.heading is not None and entity.moves is not None:
+        reason = "it keeps its heading: nothing says that it turns"
+        return Maneuver.STRAIGHT, entity.moves, reason
+    if entity.through is not None and (entity.ego or entity.claimed):
+        reason = "it drives through: nothing says that it turns"
+        return Maneuver.STRAIGHT, entity.through, reason
+    oncoming = _oncoming(entity, draft)
+    if oncoming is not None:
+        return Maneuver.STRAIGHT, oncoming, "it comes on: nothing says that it turns"
+    if entity.waits is not None:
+        return Maneuver.STRAIGHT, entity.waits, "it waits for the light: nothing says that it turns"
+    return None
+
+
+def _oncoming(entity: Entity, draft: Draft) -> Basis | None:
+    """``yields to oncoming traffic``: who is called oncoming keeps coming."""
+    called = not entity.ego and "opposite" in entity.dirs
+    return next(
+        (
+            p.basis
+            for p in draft.placements
+            if called and p.entity is entity and p.approaches == {Approach.OPPOSITE}
+        ),
+        None,
+    )
