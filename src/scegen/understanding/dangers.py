@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding import conflicts, encounters
-from scegen.understanding.chunks import Mention
+from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
 from scegen.understanding.ways import into_lane
@@ -83,6 +83,21 @@ def stop(scene: Scene, context: Context) -> None:
     if scene.reaction or not scene.actors or any(e.ego for e in scene.actors):
         return
     context.draft.hazard(HazardKind.STOPPING, sudden or scene.words, scene.actors)
+
+
+def wait(scene: Scene, context: Context) -> None:
+    """``a taxi standing in the lane``: it blocks the way."""
+    lanes = any(
+        p.word.value == "in"
+        and isinstance(p.target, Place)
+        and p.target.kind in {"lane", "middle"}
+        and not ({"adjacent", "opposite"} & set(p.target.dirs))
+        for p in scene.event.pps
+    )
+    others = [e for e in scene.drivers if not e.ego]
+    stands = context.tokens[scene.event.i].forms[-1][0] in {"stand", "sit", "idle"}
+    if lanes and stands and others:
+        context.draft.hazard(HazardKind.STOPPING, scene.words, others)
 
 
 def move(scene: Scene, context: Context) -> None:
@@ -205,6 +220,7 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "hard_brake": hard_brake,
     "slow": slow,
     "stop": stop,
+    "wait": wait,
     "swerve": swerve,
     "turn": conflicts.turn,
     "sharp_turn": conflicts.turn,
@@ -226,6 +242,7 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "block": encounters.block,
     "hide": encounters.occlude,
     "cause": encounters.cause,
+    "send": encounters.cause,
     "door": encounters.door,
     "encounter": too_late,
     "react": too_late,

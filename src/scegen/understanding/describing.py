@@ -26,6 +26,7 @@ def describe(chunks: list[Chunk], events: list[Event]) -> None:
 
 
 def _by_doing(mention: Mention, event: Event) -> None:
+    mention.seated = mention.seated or event.name == "door"
     failing = event.negated and event.name in {"stop", "yield"}
     alone = event.drives or event.name in _ONLY_VEHICLES or _takes_a_turn(event)
     vague = mention.head is not None and "vague" in mention.head.data

@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
-from scegen.understanding.groups import Group, vehicle_around
+from scegen.understanding.groups import Group, opened, own_vehicle, vehicle_around
 from scegen.understanding.mention_words import DEFAULT_COUNT, Reading, read_mention
 from scegen.understanding.pronouns import POSITIONS, Pronouns
 from scegen.understanding.roster import Roster
@@ -113,10 +113,13 @@ class Discourse:
         of_whom = next((p.target for p in mention.pps if p.value == "of"), None)
         if reading.driver and isinstance(of_whom, Mention):
             return self.resolve(of_whom, subject=False, exclude=[])
+        parked = opened(reading, mention, self._draft.entities)
+        if parked:
+            return parked
         inside = vehicle_around(reading, mention)
         if inside is not None:
             return self.resolve(inside, subject=False, exclude=[])
-        if _own_vehicle(reading, mention) and len(self._roster.subject) == 1:
+        if own_vehicle(reading, mention) and len(self._roster.subject) == 1:
             owner = self._roster.subject[0]
             if owner.is_vehicle:
                 owner.parked = owner.parked or (reading.parked and not owner.ego)
@@ -277,13 +280,6 @@ class Discourse:
         if others or reading.det == "bare" or restricted:
             return others[:1]
         return options[:1]
-
-
-def _own_vehicle(reading: Reading, mention: Mention) -> bool:
-    """``the driver opens the door of his vehicle``: what the driver stands for."""
-    possessed = bool(mention.mods) and mention.mods[0].cat == "possessive"
-    whose = possessed and mention.mods[0].value == "its"
-    return whose and reading.generic and not reading.plural and not reading.dirs
 
 
 def _is_pronoun(target: object) -> bool:

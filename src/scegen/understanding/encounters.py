@@ -16,6 +16,7 @@ _SHELTERING = frozenset({"shield", "cover"})
 _SPRINGING = frozenset({"cross", "appear"})
 _COMING = frozenset({"move", "enter", "pull_out"})
 _OVER = frozenset({"over", "across"})
+_REMAINING = frozenset({"stop", "wait", "locate", "inert", "unknown", "slow"})
 _WAITING = frozenset({"wait", "locate", "walk", "move", "stop", "park", "appear"})
 
 
@@ -55,10 +56,22 @@ def onto_the_road(scene: Scene, context: Context) -> None:
         and p.target.kind in _WAY
         for p in scene.event.pps
     )
+    onto = onto or _stays_on_the_road(scene, context)
     if onto and scene.walkers:
         for entity in scene.walkers:
             context.draft.maneuver(entity, {Maneuver.CROSS}, scene.words)
         context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, scene.words, scene.walkers)
+
+
+def _stays_on_the_road(scene: Scene, context: Context) -> bool:
+    """``stops on the crosswalk``, ``is lying in the road``: got there by crossing."""
+    return not scene.event.nominal and any(
+        context.tokens[p.word.i].low in {"on", "in"}
+        and isinstance(p.target, Place)
+        and p.target.kind in _WAY - {"path"}
+        for p in scene.event.pps
+        if scene.event.name in _REMAINING
+    )
 
 
 def answered(scene: Scene, context: Context) -> None:
@@ -163,7 +176,7 @@ def block(scene: Scene, context: Context) -> None:
     if scene.event.passive and screened:
         context.draft.hazard(HazardKind.OCCLUSION, scene.words, scene.actors)
         return  # "a child obstructed by a van"
-    prevents = any(c.link == "ing" for c in scene.event.children)
+    prevents = any(c.link == "ing" or c.nominal for c in scene.event.children)
     if prevents and not scene.places():
         return
     parked = [e for e in scene.actors if e.parked]

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
-from scegen.understanding.chunks import Event, Mention, Place
+from scegen.understanding import conflicts
+from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Danger, Entity
 
@@ -109,11 +110,22 @@ def _on_the_wrong_side(entity: Entity, context: Context) -> bool:
 def _comes_towards(scene: Scene, driver: Entity, context: Context) -> None:
     """``drives towards the ego``: head-on, unless it comes from somewhere else."""
     towards = [p.word.j for p in scene.event.pps if context.tokens[p.word.i].low in _HEAD_ON]
+    towards += [p.word.j for p in scene.event.pps if _at_the_ego(p, scene, context)]
     towards += [scene.event.j for t in _own(scene.event, context) if t in _HEAD_ON]
     ego = next(e for e in context.draft.entities if e.ego)
     if towards and not _placed(driver, ego, context) and not context.junction.crossing:
         basis = Basis(scene.event.i, towards[0], "comes towards the ego")
         context.draft.place(driver, None, {Approach.OPPOSITE}, basis)
+        for place in scene.places():
+            if conflicts.head_on(scene, place, context):
+                words = Basis(place.i, place.j)
+                context.draft.hazard(HazardKind.ONCOMING_LANE, words, [driver], [ego])
+
+
+def _at_the_ego(prep: Prep, scene: Scene, context: Context) -> bool:
+    """``comes straight at the ego``."""
+    goal = context.tokens[prep.word.i].low == "at" and isinstance(prep.target, Mention)
+    return goal and scene.event.name in {"move", "speed", "approach"}
 
 
 def _own(event: Event, context: Context) -> set[str]:

@@ -60,7 +60,7 @@ class Interpreter:
             if p.on_mention is e.object
             and (self._starts(e, p) or (e.name in _PASSING and _is_side(p)))
         }
-        handled = {id(e.object) for e in events if e.name == "inert"}  # "kicks a ball"
+        handled = {id(e.object) for e in events if e.name in {"inert", "send"}}  # "kicks a ball"
         for chunk in chunks:
             if isinstance(chunk, Mention) and chunk.entities:
                 self._mention(chunk)
@@ -229,6 +229,8 @@ class Interpreter:
                     self._draft.place(entity, None, {Approach.OPPOSITE}, basis)
             elif term.cat == "state":
                 self._quality(term, scene.actors)
+            elif (term.cat, term.value) == ("manner", "head_on"):
+                self._head_on(term, scene)
         if event.nominal and event.name not in _TRAVEL:
             return
         fast = next((t for t in event.mods if t.cat == "manner" and t.value == "fast"), None)
@@ -242,6 +244,13 @@ class Interpreter:
         travels = event.name in _TRAVEL and not scene.reaction
         if slow is not None and scene.drivers and travels:
             self._draft.hazard(HazardKind.SLOW_DRIVING, Basis(slow.i, slow.j), scene.drivers)
+
+    def _head_on(self, term: Term, scene: Scene) -> None:
+        """``a motorcycle approaches head-on``: who collides so has come from the front, too."""
+        coming = scene.event.name in _TRAVEL or scene.event.name == "collide"
+        for entity in scene.drivers if coming else []:
+            to = next((e for e in scene.targets if e.moving_vehicle), None)
+            self._draft.place(entity, to, {Approach.OPPOSITE}, Basis(term.i, term.j))
 
     def _share_sides(self, pps: list[Prep], entities: list[Entity], *, hidden: bool) -> None:
         """Who comes out from behind something stands on its side of the road."""

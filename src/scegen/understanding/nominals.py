@@ -244,6 +244,13 @@ def _side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
     return True
 
 
+def _whose(k: int, chunks: list[Chunk]) -> bool:
+    """``the ego, whose light has turned green, starts``: the clause is about the light."""
+    before = chunks[k - 1] if k else None
+    head = before.head if isinstance(before, NounPhrase) else None
+    return head is not None and head.value == "wh"
+
+
 def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> None:
     """A place or thing: what a preposition or verb governs.
 
@@ -253,10 +260,11 @@ def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> No
         chunks: the chunks of the text.
         state: what the clause reader remembers.
     """
-    opens = not state.events or bool(state.between & {"sub", ",", "conj"})
+    opens = not state.events or bool(state.between & {"sub", ",", "conj"}) or _whose(k, chunks)
     if state.prep is None and opens and finite_follows(chunks, k):
         opens = not (state.events and "," in state.between and "sub" not in state.between)
         opens = opens and (state.candidate is None or "sub" in state.between)
+        opens = opens or _whose(k, chunks)
         state.topic = noun if opens else None
     if state.prep is not None:
         state.prep.target = noun

@@ -102,4 +102,5 @@ def _has_to_wait(scene: Scene, context: Context) -> bool:
         return True
     if any(context.comes_across(e) for e in scene.drivers):
         return True
-    return scene.event.link == "ing" and context.junction.crossing
+    joins = context.junction.crossing or context.draft.access is not None
+    return scene.event.link == "ing" and joins

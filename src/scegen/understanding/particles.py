@@ -85,3 +85,21 @@ def sends_back(tokens: list[Token], terms: list[Term], i: int) -> bool:
         tokens[t.i].forms[-1][0] in _LETTING for t in terms[-4:-1] if t.cat == "verb"
     )
     return single and not let
+
+
+def measured(tokens: list[Token], terms: list[Term], noun: Term) -> bool:
+    """``the car two vehicles ahead``: how far, not who.
+
+    Args:
+        tokens: the tokens of the text.
+        terms: the terms before the noun.
+        noun: a term.
+    """
+    if noun.cat != "actor" or noun.form != "s" or len(terms) < 2 or noun.j >= len(tokens):
+        return False
+    counted, before = terms[-1].cat == "num", terms[-2]
+    where = longest_match(tokens, noun.j)
+    along = where is not None and where.has("locus")
+    placed = before.cat == "actor" and before.form == "base"
+    placed = placed or (before.cat, before.value) == ("aux", "be")
+    return counted and along and placed

@@ -84,12 +84,14 @@ def _generic(chunks: list[Chunk], events: list[Event]) -> None:
     Traffic that somebody waits for, or gives way to, is there.
     """
     met = {id(p.target) for e in events if e.name in _LETTING_BY for p in e.pps}
-    for chunk in chunks:
-        mass = isinstance(chunk, Mention) and chunk.head is not None and "mass" in chunk.head.data
-        if not mass or not isinstance(chunk, Mention) or chunk.prep is None:
+    for k, chunk in enumerate(chunks):
+        if not isinstance(chunk, Mention) or chunk.head is None or chunk.prep is None:
             continue
+        several = chunk.head.form == "s" and chunk.mod("det", "num", "quant") is None
+        lit = any(isinstance(c, Place) and c.kind == "signal" for c in chunks[max(0, k - 4) : k])
+        anybody = "mass" in chunk.head.data or (several and lit)
         purpose = chunk.prep.value in {"for", "against"}
-        chunk.negated = chunk.negated or (purpose and id(chunk) not in met)
+        chunk.negated = chunk.negated or (anybody and purpose and id(chunk) not in met)
 
 
 def _resolve(

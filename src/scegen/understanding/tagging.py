@@ -11,6 +11,7 @@ from scegen.understanding.numbers import number_at
 from scegen.understanding.particles import (
     in_front,
     just_right,
+    measured,
     sends_back,
     then_a_noun,
     then_a_side,
@@ -60,7 +61,24 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
     if previous.cat in {"actor", "pronoun", "rel"} or adverb:
         return _suffix_form(token)
+    if _after_a_phrase(token, previous, tokens):
+        return "s"
     return None
+
+
+def _after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
+    """``a bus from the left asserts its priority``, ``the car ahead overshoots the line``.
+
+    A noun would not stand there with an ending and an object of its own.
+    """
+    if not token.low.endswith("s") or token.low.endswith(("ss", "ings", "us")):
+        return False
+    k = tokens.index(token)
+    before = tokens[k - 2].low if k > 1 else ""
+    sided = previous.cat == "dir" and previous.value in {"left", "right"} and before == "the"
+    after = tokens[k + 1].low if k + 1 < len(tokens) else ""
+    governs = after in {"the", "a", "an", "its", "their", "his", "her", "to", "into", "and"}
+    return sided or (previous.cat in {"place", "locus", "compass"} and governs)
 
 
 def _suffix_form(token: Token) -> str | None:
@@ -99,6 +117,9 @@ def tag(tokens: list[Token]) -> list[Term]:
             term = Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
         if (term.cat, tokens[term.i].low) == ("possessive", "her") and _alone(tokens, term.j):
             term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
+        if terms and measured(tokens, terms, term):
+            number = terms.pop()  # "the car two vehicles ahead"
+            term = Term("quantity", "other", number.i, term.j, data={"quantity": None})
         if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
             terms[-1] = replace(terms[-1], value="move", data={})  # "carries straight on"
         terms.append(term)
@@ -187,7 +208,8 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
         match = longest_match(tokens[: i + 1], i)  # "two pedestrians crossing", no crossing
     if match and match.j > i + 1 and match.form in {"ed", "ing"} and match.only(*_NOUNS):
         match = longest_match(tokens[: match.j - 1], i)  # "a car parked", no car park
-    return match
+    verbal = match is not None and match.form in {"ed", "ing"} and match.only("thing", "actor")
+    return None if verbal else match  # "boxed in"
 
 
 def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
