@@ -11,6 +11,8 @@ _NOMINAL_BEFORE = frozenset(
 )
 _NO_PREMODIFIER = frozenset({"aux", "actor", "pronoun", "neg"})
 _VERBAL_BEFORE = frozenset({"actor", "pronoun", "aux", "rel", "neg"})
+_MEASURES = frozenset({"difference", "differential", "gap", "of", "is", "was", "about", "approx",
+                       "approximately", "around", "up"})  # fmt: skip
 _NOUNS = ("place", "inert", "thing", "view", "env")
 _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
 
@@ -106,7 +108,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         shaped = before in {"shape", "control", "det"} and not attributive
         return (match.get("place") if shaped else _without_place(match, attributive)), attributive
     if match.has("dir") and match.get("dir").value == "left":
-        return _left(match, previous)
+        return _left(match, tokens, previous)
     if match.form == "base" and before == "aux" and previous is not None and previous.value == "be":
         return match.get(*_ADJECTIVE_CATS, "verb"), False
     if participle and attributive:
@@ -115,6 +117,8 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         return match.get("dir", "state", "manner"), True
     if _must_be_verb(match, tokens, previous):
         return verb, False
+    if _measured(match, tokens, previous):
+        return match.get("inert"), False
     if match.has(*_NOUNS) and match.form in {"base", "s"} and _noun_slot(match, tokens, previous):
         return match.get(*_NOUNS), False
     if match.has("dir") and match.form == "base" and not _second_verb(match, tokens, previous):
@@ -135,6 +139,16 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> b
     one = previous.cat == "num" and previous.data.get("number") == 1
     sided = previous.cat == "dir" and previous.value in {"left", "right"} and match.has("inert")
     return one or sided
+
+
+def _measured(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """``speed 50 km/h``, ``host speed: …``, ``speed difference``: what is measured, not a verb."""
+    if not match.has("inert") or match.form != "base" or match.get("verb").value != "speed":
+        return False
+    if previous is not None and (previous.cat in {"aux", "pronoun"} or previous.value == "to"):
+        return False
+    following = tokens[match.j] if match.j < len(tokens) else None
+    return following is None or following.kind in {"number", "punct"} or following.low in _MEASURES
 
 
 def _article(tokens: list[Token], j: int) -> bool:
@@ -174,9 +188,12 @@ def _without_place(match: Match, attributive: bool) -> Entry:
     return match.get("dir" if attributive else "verb")
 
 
-def _left(match: Match, previous: Term | None) -> tuple[Entry, bool]:
+def _left(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
     """``left`` is nearly always the side; "V1 left the road" has a subject right before it."""
     subject = previous is not None and previous.cat in {"actor", "pronoun"}
+    after = tokens[match.j] if match.j < len(tokens) else None
+    if after is not None and (after.low == "," or any(base == "turn" for base, _ in after.forms)):
+        subject = False  # "ego left turn"
     return (match.get("verb") if subject else match.get("dir")), False
 
 

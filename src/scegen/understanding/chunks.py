@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
+from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.terms import Term
 
 
@@ -67,6 +68,7 @@ class Mention(NounPhrase):
         pronoun: which pronoun it is, if it is one.
         label: a name such as ``#1`` for "vehicle 1".
         drives: it does what only vehicles do ("the guy overtakes").
+        walks: it does what people on foot do ("she steps out").
         label_at: index of the token that holds the label.
         possessor: it only says whose something is.
         joined: the mention that it is joined to by "and".
@@ -77,6 +79,7 @@ class Mention(NounPhrase):
         elsewhere: it comes from another road ("a van from a side road").
         besides: it does something to "it", so that it is somebody else.
         narrowed: words after it say which one is meant ("the car towing it").
+        goes_by: how somebody moves who is no vehicle ("the claimant was cycling").
         negated: there is none ("no pedestrians").
         denied: it does not do what its verb says ("neither the bus nor the taxi").
         distributed: a plural noun that stands for one ("ego and adversary vehicles").
@@ -89,6 +92,7 @@ class Mention(NounPhrase):
     pronoun: str | None = None
     label: str | None = None
     drives: bool = False
+    walks: bool = False
     label_at: int | None = None
     possessor: bool = False
     joined: Mention | None = None
@@ -101,6 +105,7 @@ class Mention(NounPhrase):
     besides: bool = False
     distributed: bool = False
     seated: bool = False
+    goes_by: ParticipantKind | None = None
     negated: bool = False
     denied: bool = False
     entities: list[Any] = field(default_factory=list)
@@ -108,9 +113,10 @@ class Mention(NounPhrase):
 
 @dataclass(slots=True, eq=False)
 class Place(NounPhrase):
-    """A place: a lane, a side, a junction, a sign."""
+    """A place: a lane, a side, a junction, a sign; ``beside`` whom it lies, if that is said."""
 
     kind: str = "side"
+    beside: Mention | None = None
 
 
 @dataclass(slots=True, eq=False)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
-from scegen.understanding import conflicts, encounters
+from scegen.understanding import conflicts, encounters, screens
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
@@ -139,7 +139,10 @@ def swerve(scene: Scene, context: Context) -> None:
 
 def oncoming_lane(scene: Scene, context: Context) -> None:
     """A movement into or along the lane of oncoming traffic."""
+    sources = {id(p.target) for p in scene.event.pps if p.value == "from"}
     for place in scene.places():
+        if id(place) in sources:
+            continue  # "coming from opposite lanes": where one belongs
         lane = place.kind == "lane" and "opposite" in place.dirs and place.owner is None
         lane = lane or conflicts.head_on(scene, place, context)
         against = [e for e in scene.drivers if conflicts.against(e, place)]
@@ -239,8 +242,8 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "move": move,
     "unpark": conflicts.unpark,
     "appear": encounters.appear,
-    "block": encounters.block,
-    "hide": encounters.occlude,
+    "block": screens.block,
+    "hide": screens.occlude,
     "cause": encounters.cause,
     "send": encounters.cause,
     "door": encounters.door,

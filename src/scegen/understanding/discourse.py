@@ -5,9 +5,11 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
-from scegen.understanding.groups import Group, opened, own_vehicle, vehicle_around
+from scegen.understanding.groups import Group, opened, vehicle_around
+from scegen.understanding.located import as_the_ego_sees, loci_of
 from scegen.understanding.mention_words import DEFAULT_COUNT, Reading, read_mention
 from scegen.understanding.pronouns import POSITIONS, Pronouns
+from scegen.understanding.reference import is_pronoun, own_vehicle, refers_to_nobody
 from scegen.understanding.roster import Roster
 from scegen.understanding.tokens import Token
 
@@ -26,7 +28,7 @@ class Discourse:
 
     def __init__(self, draft: Draft, tokens: list[Token], arms: int) -> None:
         self._draft = draft
-        self._tokens = tokens
+        self.tokens = tokens
         self._arms = arms
         self._roster = Roster(draft, tokens)
         self._pronouns = Pronouns(draft, self._roster, tokens)
@@ -52,19 +54,22 @@ class Discourse:
         if mention.entities:
             return mention.entities
         if mention.same_as is not None:
-            mention.entities = list(mention.same_as.entities)
+            first = mention.same_as.entities or self.resolve(
+                mention.same_as, subject=True, exclude=[]
+            )  # "riding a moped, I …"
+            mention.entities = list(first)
             self._refine(mention)
             return mention.entities
-        if _refers_to_nobody(mention) or self._their_own_queue(mention):
+        if refers_to_nobody(mention) or self._their_own_queue(mention):
             return []
-        located = any(p.word.cat == "locus" and _is_pronoun(p.target) for p in mention.pps)
+        located = any(p.word.cat == "locus" and is_pronoun(p.target) for p in mention.pps)
         if located or mention.besides:
             exclude = [*exclude, *self._roster.subject]  # "the car behind it" is not "it"
         if mention.pronoun is not None:
             found = self._we(mention) or self._pronouns.resolve(mention, exclude)
         else:
             found = self._noun(
-                read_mention(mention, self._tokens, self._arms if sides == 0 else sides),
+                read_mention(mention, self.tokens, self._arms if sides == 0 else sides),
                 mention,
                 exclude,
             )
@@ -72,7 +77,7 @@ class Discourse:
         if mention.landmark:
             self._roster.landmark = list(found)
         for entity in found:
-            entity.loci |= _loci(mention)
+            entity.loci |= loci_of(mention)
         self._roster.spoken_of(found, subject=subject, settled=settled)
         return found
 
@@ -86,11 +91,13 @@ class Discourse:
         """``vehicle 1, a pickup truck, …``: the apposition says what kind it is."""
         if not mention.heads:
             return
-        reading = read_mention(mention, self._tokens, None)
+        reading = read_mention(mention, self.tokens, None)
         for entity in mention.entities:
-            if not reading.generic and reading.kind in _MOTOR:
+            afoot = any("afoot" in h.data for h in mention.heads)
+            if not reading.generic and (reading.kind in _MOTOR or afoot):
                 entity.kind, entity.basis = reading.kind, Basis(mention.i, mention.j)
             entity.labels |= reading.labels
+            entity.named_by |= reading.called
 
     def _we(self, mention: Mention) -> list[Entity]:
         """``three of us``: the ego and two more."""
@@ -108,8 +115,10 @@ class Discourse:
 
     def _noun(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         basis = Basis(mention.i, mention.j)
+        if reading.ego and not reading.plural:
+            return [self._ego(reading.kind, basis, told=not reading.generic)]
         if reading.ego:
-            return [self._ego(reading.kind, basis)]
+            return self._roster.subject  # "we arrive in our cars"
         of_whom = next((p.target for p in mention.pps if p.value == "of"), None)
         if reading.driver and isinstance(of_whom, Mention):
             return self.resolve(of_whom, subject=False, exclude=[])
@@ -130,6 +139,11 @@ class Discourse:
             return known
         return self._roster.introduce(reading, basis)
 
+    @property
+    def nobody_yet(self) -> bool:
+        """Whether nobody has come up so far."""
+        return not self._draft.entities
+
     def tells(self, i: int, j: int) -> bool:
         """Whether words name the one who tells it ("on my side of the road").
 
@@ -137,7 +151,7 @@ class Discourse:
             i: index of the first token of the words.
             j: index after the last one.
         """
-        return any(t.low in {"my", "our"} for t in self._tokens[i:j])
+        return any(t.low in {"my", "our"} for t in self.tokens[i:j])
 
     def observer(self, i: int, j: int) -> None:
         """``our lane``: whoever tells it takes part.
@@ -148,9 +162,12 @@ class Discourse:
         """
         self._ego(ParticipantKind.CAR, Basis(i, j))
 
-    def _ego(self, kind: ParticipantKind, basis: Basis) -> Entity:
+    def _ego(self, kind: ParticipantKind, basis: Basis, *, told: bool = False) -> Entity:
+        """The ego; what it drives may be said later than who it is."""
         for entity in self._draft.entities:
             if entity.ego:
+                if told and kind is not entity.kind and entity.kind is ParticipantKind.CAR:
+                    entity.kind, entity.basis = kind, basis
                 return entity
         entity = self._roster.new(kind, basis)
         entity.ego = True
@@ -266,8 +283,8 @@ class Discourse:
         ]
         told = any(m.cat in {"verb", "manner", "state"} for m in mention.mods)
         narrowed = bool(mention.pps) or mention.narrowed or told
-        loci = _loci(mention)
-        only_placed = bool(loci) and not (mention.narrowed or told) and _as_the_ego_sees(mention)
+        loci = loci_of(mention)
+        only_placed = bool(loci) and not (mention.narrowed or told) and as_the_ego_sees(mention)
         options = options or self._roster.cast(
             reading, narrowed=narrowed, loci=loci if only_placed else set()
         )
@@ -275,40 +292,9 @@ class Discourse:
             options = [e for e in options if e.dirs == reading.dirs]
         options = [e for e in options if not (loci and e.loci) or loci & e.loci]
         others = [e for e in options if not e.ego]
+        others = [e for e in others if e.named_by & reading.called] or others
         restricted = reading.dirs or reading.labels or mention.pps or mention.elsewhere
         restricted = restricted or mention.narrowed
         if others or reading.det == "bare" or restricted:
             return others[:1]
         return options[:1]
-
-
-def _is_pronoun(target: object) -> bool:
-    return isinstance(target, Mention) and target.pronoun in {"it", "him", "they"}
-
-
-def _as_the_ego_sees(mention: Mention) -> bool:
-    """``the car ahead``, ``the car ahead of the ego``: placed by nobody but the ego."""
-    return all(
-        p.word.cat == "locus"
-        and (
-            p.target is None
-            or (isinstance(p.target, Mention) and any(h.data.get("ego") for h in p.target.heads))
-        )
-        for p in mention.pps
-    )
-
-
-def _loci(mention: Mention) -> set[str]:
-    """Where a noun is said to be: "the car behind" is not "the car in front"."""
-    loci = {p.value for p in mention.pps if p.word.cat == "locus"}
-    return loci | ({"elsewhere"} if mention.elsewhere else set())
-
-
-def _refers_to_nobody(mention: Mention) -> bool:
-    """``in traffic``, ``no pedestrians``, ``at the second``: words that name no participant."""
-    prep = mention.prep.value if mention.prep is not None else ""
-    mass = bool(mention.head and mention.head.data.get("mass")) and not mention.mods
-    if mass and prep in {"in", "of", "for"}:
-        return True
-    place = mention.pronoun == "ordinal" and prep == "in"  # "at the first junction …, the second"
-    return place or mention.negated or mention.pronoun == "reflexive"

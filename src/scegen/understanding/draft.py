@@ -188,7 +188,7 @@ class Draft:
             self._contradiction(entity, values, basis)
         if alternative is None and values & _TURNS:
             known = known - _OVERRIDABLE - _ON_THE_WAY if entity.turn_alternative is None else known
-        if alternative is None and values == _OVERRIDABLE and known & _TURNS:
+        if alternative is None and values in (_OVERRIDABLE, _ON_THE_WAY) and known & _TURNS:
             return
         if Maneuver.CROSS in values:
             known = known - {Maneuver.STAY}

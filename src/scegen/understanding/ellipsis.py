@@ -6,12 +6,12 @@ from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
 from scegen.understanding.lookahead import BOUNDARIES
+from scegen.understanding.predicates import complete
 
 _JOINTS = frozenset({"and", "but", ",", "while", "when", ";"})
 _EMPTY = frozenset({"light", "try", "cause", "inert", "unknown", "likewise", "avoid"})
 _WAYS = frozenset({"left", "right", "straight"})
 _MOST_AFTER = 3
-_OPENING = 2
 
 
 def fill_in(chunks: list[Chunk], events: list[Event]) -> list[Event]:
@@ -24,7 +24,6 @@ def fill_in(chunks: list[Chunk], events: list[Event]) -> list[Event]:
         chunks: the chunks of the text; an ordinal that stands for an exit is replaced by it.
         events: its events.
     """
-    _telegraphic(chunks)
     _likewise(events)
     acting = {id(m) for e in events for m in e.subject}
     found = list(events)
@@ -40,7 +39,7 @@ def fill_in(chunks: list[Chunk], events: list[Event]) -> list[Event]:
         copy = _copy(verb, chunk, chunks, k + 1)
         if copy is not None:
             found.append(copy)
-    return found
+    return complete(chunks, found)
 
 
 def _likewise(events: list[Event]) -> None:
@@ -59,23 +58,6 @@ def _likewise(events: list[Event]) -> None:
             event.name, event.object = model.name, event.object or model.object
             event.mods = [*event.mods, *(m for m in model.mods if m.cat == "dir")]
             event.pps = [*event.pps, *(p for p in model.pps if isinstance(p.target, Place))]
-
-
-def _telegraphic(chunks: list[Chunk]) -> None:
-    """``Ego: left turn.``: the noun after the colon is what the one before it does."""
-    for k, event in enumerate(chunks[2:], start=2):
-        who, colon = chunks[k - 2 : k]
-        opener = chunks[k - 3] if k > _OPENING else None
-        first = opener is None or (isinstance(opener, Word) and opener.value in BOUNDARIES)
-        named = isinstance(who, Mention) and isinstance(colon, Word) and colon.value == ":"
-        if not (first and named and isinstance(event, Event) and _doing(event)):
-            continue
-        if isinstance(who, Mention) and not event.subject and not who.negated:
-            event.subject = [who]
-
-
-def _doing(event: Event) -> bool:
-    return event.nominal or event.form == "ing"
 
 
 def _verb_before(mention: Mention, events: list[Event]) -> Event | None:

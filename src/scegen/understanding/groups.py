@@ -56,15 +56,3 @@ def vehicle_around(reading: Reading, mention: Mention) -> Mention | None:
             if any(kind in _MOTOR for kind in kinds if kind is not None):
                 return target
     return None
-
-
-def own_vehicle(reading: Reading, mention: Mention) -> bool:
-    """``the driver opens the door of his vehicle``: what the driver stands for.
-
-    Args:
-        reading: what the words say.
-        mention: the words.
-    """
-    possessed = bool(mention.mods) and mention.mods[0].cat == "possessive"
-    whose = possessed and mention.mods[0].value == "its"
-    return whose and reading.generic and not reading.plural and not reading.dirs

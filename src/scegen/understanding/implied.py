@@ -6,7 +6,7 @@ from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneu
 from scegen.understanding import conflicts
 from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.context import Context, Scene
-from scegen.understanding.draft import Basis, Danger, Entity
+from scegen.understanding.draft import Basis, Danger, Entity, Placement
 
 _CLOSING = frozenset({"approach", "encounter", "collide", "move", "brake", "hard_brake", "slow"})
 _TOWARDS = frozenset({"to", "into", "in", "for", "with"})
@@ -27,6 +27,8 @@ def positions(scenes: list[Scene], context: Context) -> None:
         if scene.event.name == "bypass" and parked and not scene.event.negated:
             context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
         _hidden_behind(scene, context)
+        _overtaken(scene, context)
+        _met(scene, context)
         _across(scene, context)
     for danger in context.draft.dangers:
         if danger.kind is HazardKind.ONCOMING_LANE:
@@ -47,6 +49,43 @@ def _hidden_behind(scene: Scene, context: Context) -> None:
             said = [p for p in context.draft.placements if p.entity is entity]
             if not entity.ego and all(p.reference in prep.target.entities for p in said):
                 context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
+
+
+def _overtaken(scene: Scene, context: Context) -> None:
+    """``an oncoming van overtakes a bus``: the bus comes the same way as the van."""
+    if scene.event.name not in {"overtake", "pass", "bypass"} or scene.event.negated:
+        return
+    if not any(context.oncoming(e) for e in scene.drivers):
+        return
+    basis = Basis(scene.event.i, scene.event.j, "who overtakes it comes from the front")
+    for entity in scene.targets:
+        seen = [p for p in context.draft.placements if p.entity is entity and _by_the_ego(p)]
+        if entity.moving_vehicle and not entity.ego and not seen:
+            context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
+
+
+def _met(scene: Scene, context: Context) -> None:
+    """``uses the oncoming lane once the approaching van has gone by``: the van is met there."""
+    event = scene.event
+    if event.name not in {"approach", "move"} or event.object is not None or event.negated:
+        return
+    meets = context.junction.crossing or context.draft.crossing_implied is not None
+    leaves = any(
+        d.kind is HazardKind.ONCOMING_LANE and any(e.ego for e in d.by)
+        for d in context.draft.dangers
+    )
+    described = event.premod_of is not None and event.name == "approach"
+    if meets or not (leaves or described):
+        return
+    basis = Basis(event.i, event.j, "who approaches on an open road comes from the front")
+    for entity in scene.drivers:
+        seen = [p for p in context.draft.placements if p.entity is entity or p.reference is entity]
+        if not entity.ego and not seen and entity.heading is None and not entity.maneuvers:
+            context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
+
+
+def _by_the_ego(placement: Placement) -> bool:
+    return placement.reference is None or placement.reference.ego
 
 
 def _across(scene: Scene, context: Context) -> None:
@@ -113,7 +152,7 @@ def _comes_towards(scene: Scene, driver: Entity, context: Context) -> None:
     towards += [p.word.j for p in scene.event.pps if _at_the_ego(p, scene, context)]
     towards += [scene.event.j for t in _own(scene.event, context) if t in _HEAD_ON]
     ego = next(e for e in context.draft.entities if e.ego)
-    if towards and not _placed(driver, ego, context) and not context.junction.crossing:
+    if towards and not _placed(driver, ego, context):
         basis = Basis(scene.event.i, towards[0], "comes towards the ego")
         context.draft.place(driver, None, {Approach.OPPOSITE}, basis)
         for place in scene.places():

@@ -3,7 +3,15 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind
-from scegen.understanding import breaches, dangers, encounters, implied, red_lights, side_roads
+from scegen.understanding import (
+    breaches,
+    dangers,
+    encounters,
+    implied,
+    red_lights,
+    screens,
+    side_roads,
+)
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.dependents import chain
@@ -11,18 +19,22 @@ from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.movements import MOVEMENTS
 from scegen.understanding.omissions import not_done
 from scegen.understanding.placing import Placer, thing_sides
+from scegen.understanding.recasting import recast
 from scegen.understanding.resolving import from_everywhere
 from scegen.understanding.roadside import read_thing
 from scegen.understanding.terms import Term
 
-_PASSING = frozenset({"overtake", "pass", "bypass", "undertake"})
+_RELATIVE = frozenset({"difference", "differential", "relative", "closing", "delta"})
+_DIFFERENCE_REACH = 3
+_BESIDE = frozenset({"overtake", "pass", "bypass", "undertake", "collide"})
+"""With these verbs a side is where one gets past or is hit, and nobody comes from there."""
 _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
 _BREACHING = frozenset(
     {"walk", "follow", "breach", "move", "enter", "cross", "speed", "accelerate"}
 )
-_ON_THE_MOVE = frozenset({"swerve", "use", "enter", "move", "cross", "lose_control", "lane_change",
-                          "merge", "overtake", "bypass", "turn", "sharp_turn", "approach",
-                          "unknown"})  # fmt: skip
+_ON_THE_MOVE = frozenset({"pull_out", "swerve", "use", "enter", "move", "cross", "lose_control",
+                          "lane_change", "merge", "overtake", "bypass", "turn", "sharp_turn",
+                          "approach", "unknown"})  # fmt: skip
 _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
                        "pull_out", "collide"})  # fmt: skip
@@ -58,7 +70,7 @@ class Interpreter:
             for e in events
             for p in e.pps
             if p.on_mention is e.object
-            and (self._starts(e, p) or (e.name in _PASSING and _is_side(p)))
+            and (self._starts(e, p) or (e.name in _BESIDE and _is_side(p)))
         }
         handled = {id(e.object) for e in events if e.name in {"inert", "send"}}  # "kicks a ball"
         for chunk in chunks:
@@ -73,7 +85,7 @@ class Interpreter:
         for event in events:
             self._event(event)
         red_lights.on_red(chunks, events, self._context)
-        encounters.come_out(self._context)
+        screens.come_out(self._context)
         implied.positions(self._scenes, self._context)
         breaches.subsume(self._context)
 
@@ -87,7 +99,7 @@ class Interpreter:
             shared = len(sides) == len(mention.entities) > 1 and prep in sides
             whom = [mention.entities[sides.index(prep)]] if shared else mention.entities
             self._placer.phrase(prep, whom, None)
-            encounters.wait_behind(prep, mention.entities, self._context)
+            screens.wait_behind(prep, mention.entities, self._context)
         for term in mention.mods:
             self._quality(term, mention.entities)
 
@@ -117,6 +129,9 @@ class Interpreter:
         if term is self._limit:
             return
         quantity = term.data["quantity"]
+        before = self._context.tokens[max(0, term.i - _DIFFERENCE_REACH) : term.i]
+        if any(t.low in _RELATIVE for t in before):
+            return  # "speed difference 40 km/h": nobody's speed
         if term.value != "speed":
             self._draft.note(
                 term.i, term.j, "distances and times are set when the scenario is made concrete"
@@ -156,6 +171,7 @@ class Interpreter:
 
     def _event(self, event: Event) -> None:
         scene = self._scene(event)
+        event.name = recast(scene, self._context)
         self._scenes.append(scene)
         for prep in event.pps:
             if from_everywhere(prep):
@@ -189,7 +205,7 @@ class Interpreter:
             danger(scene, self._context)
         if event.name in _ON_THE_MOVE:
             dangers.oncoming_lane(scene, self._context)
-        encounters.from_behind(scene, self._context)
+        screens.from_behind(scene, self._context)
         self._share_sides(event.pps, scene.actors, hidden=event.name == "hide")
 
     def _from_behind_somebody(self, scene: Scene, prep: Prep) -> bool:

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Maneuver
-from scegen.understanding import ways
+from scegen.understanding import courses, ways
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene, span
 from scegen.understanding.draft import Basis
-from scegen.understanding.lanes import (
+from scegen.understanding.lane_moves import (
     apply,
     forced,
     lane_change,
@@ -96,7 +96,7 @@ def overtake(scene: Scene, context: Context) -> None:
         return
     if event.name == "bypass" and isinstance(event.object, Place):
         return
-    if event.name == "pass" and not scene.targets:
+    if not ways.overtaking(scene, context):
         move(scene, context)
         return
     basis = Basis(event.i, event.j)
@@ -185,41 +185,6 @@ def use(scene: Scene, context: Context) -> None:
     leave(scene, context)
 
 
-def follow(scene: Scene, context: Context) -> None:
-    """One drives behind another."""
-    straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in scene.places())
-    for entity in scene.drivers:
-        entity.moves = entity.moves or Basis(scene.event.i, scene.event.j)
-        entity.on_straight = entity.on_straight or straight
-    context.ahead(scene.targets, scene.actors, Basis(scene.event.i, scene.event.j))
-
-
-def precede(scene: Scene, context: Context) -> None:
-    """One drives ahead of another."""
-    context.ahead(scene.actors, scene.targets, Basis(scene.event.i, scene.event.j))
-
-
-def stay(scene: Scene, context: Context) -> None:
-    """Whoever waits on foot stays where they are; who drives waits for the light."""
-    basis = Basis(scene.event.i, scene.event.j)
-    held = any(p.kind == "signal" for p in scene.places())
-    for entity in scene.drivers if held else []:
-        entity.waits = entity.waits or basis
-    for entity in scene.actors:
-        if not entity.is_vehicle and not entity.maneuvers:
-            context.draft.maneuver(entity, {Maneuver.STAY}, basis)
-
-
-def park(scene: Scene, _context: Context) -> None:
-    """``is parked``: the vehicle stands for the whole scenario."""
-    if scene.event.form != "ed":
-        return
-    for entity in scene.actors:
-        if entity.is_vehicle and not entity.ego:
-            entity.parked = True
-            entity.parked_basis = Basis(scene.event.i, scene.event.j)
-
-
 def through_junction(scene: Scene, context: Context) -> None:
     """Approaching or entering says no more than that the vehicle moves."""
     event = scene.event
@@ -248,15 +213,16 @@ MOVEMENTS: dict[str, Callable[[Scene, Context], None]] = {
     "try": leave,
     "light": leave,
     "use": use,
+    "match": courses.hold,
     "cause": forced,
     "send": forced,
-    "follow": follow,
-    "tailgate": follow,
-    "precede": precede,
-    "wait": stay,
-    "stop": stay,
-    "slow": stay,
-    "park": park,
+    "follow": courses.follow,
+    "tailgate": courses.follow,
+    "precede": courses.precede,
+    "wait": courses.stay,
+    "stop": courses.stay,
+    "slow": courses.stay,
+    "park": courses.park,
     "merge": merge,
     "approach": through_junction,
     "enter": through_junction,

@@ -34,7 +34,8 @@ class Namer:
             The index of the term after the name, ``m`` if there is none.
         """
         plural = self.tokens[mention.j - 1].text.endswith("s")
-        name = self._name(m)
+        bare = not mention.mods and not plural
+        name = self._name(m, bare=bare)
         if name is None or (plural and not self._listed(m + 1)):
             return m
         mention.label, mention.label_at, mention.j = name, self.terms[m].i, self.terms[m].j
@@ -76,14 +77,16 @@ class Namer:
         written = after is not None and after.kind == "number"
         return joined and written and self.tokens[i].text != "A"
 
-    def _name(self, m: int) -> str | None:
-        """The name that the term is, if it is one."""
+    def _name(self, m: int, *, bare: bool = False) -> str | None:
+        """The name that the term is, if it is one; after a bare noun ("vehicle two") it is."""
         if m >= len(self.terms):
             return None
         term = self.terms[m]
         token = self.tokens[term.i]
         follows = self.terms[m + 1].cat if m + 1 < len(self.terms) else ""
-        spoken = token.kind == "number" or follows not in {"actor", "place", "verb", "manner"}
+        spoken = (
+            bare or token.kind == "number" or follows not in {"actor", "place", "verb", "manner"}
+        )
         if term.cat == "num" and spoken and term.j - term.i == 1 and follows != "actor":
             return f"#{term.data['number']:g}"
         letter = len(token.text) == 1 and token.text.isupper() and token.text != "I"

@@ -6,7 +6,7 @@ from scegen.understanding import relatives
 from scegen.understanding.attachment import attach, place_in_front
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
 from scegen.understanding.lookahead import finite_follows
-from scegen.understanding.phrases import also_from, apposes, bracketed
+from scegen.understanding.phrases import also_from, apposed_to, bracketed
 from scegen.understanding.state import State
 
 _COMING = frozenset({"approach", "collide", "overtake", "pass", "cut_in", "cut_off", "follow"})
@@ -47,7 +47,8 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         anchor.object = mention
     elif (described := _described(mention, k, chunks, state)) is not None:
         mention.same_as = described
-        return
+        if described is state.candidate or bracketed(chunks, k):
+            return
     elif _joins(mention, k, chunks, state):
         return
     else:
@@ -72,7 +73,7 @@ def _described(mention: Mention, k: int, chunks: list[Chunk], state: State) -> M
         return state.candidate
     if bracketed(chunks, k) and anchor is not None:
         return anchor
-    return (anchor or state.candidate) if apposes(chunks, k, state) else None
+    return apposed_to(chunks, k, state)
 
 
 def _partitive_before(k: int, chunks: list[Chunk]) -> Mention | None:
@@ -233,15 +234,27 @@ def _owns_place(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
 
 
 def _side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
-    """``a driveway on the right``: the side at which the place lies."""
+    """``a driveway on the right``, ``the lane to its right``: the side at which it lies."""
     place = chunks[k - 2] if k > 1 else None
-    if not isinstance(place, Place) or place.kind != "access" or not isinstance(noun, Place):
+    if not isinstance(place, Place) or not isinstance(noun, Place) or noun.kind != "side":
         return False
-    if noun.kind != "side":
+    if place.kind != "access" and not _lane_beside(place, noun, k, chunks):
         return False
     place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
     place.j = noun.j
     return True
+
+
+def _lane_beside(lane: Place, side: Place, k: int, chunks: list[Chunk]) -> bool:
+    """``in the lane to the right of the bus``: no movement to the right."""
+    within = lane.kind == "lane" and lane.prep is not None and lane.prep.value in {"in", "into"}
+    if not within or not set(side.dirs) & {"left", "right"}:
+        return False
+    whose, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
+    owned = isinstance(whose, Word) and whose.value == "of" and isinstance(who, Mention)
+    if owned and isinstance(who, Mention):
+        lane.beside = who
+    return owned or any(m.cat == "possessive" for m in side.mods)
 
 
 def _whose(k: int, chunks: list[Chunk]) -> bool:

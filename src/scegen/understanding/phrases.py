@@ -6,28 +6,37 @@ from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place
 from scegen.understanding.state import State
 
 
-def apposes(chunks: list[Chunk], k: int, state: State) -> bool:
+def apposed_to(chunks: list[Chunk], k: int, state: State) -> Mention | None:
     """``vehicle 1, a sedan, was …``: the second only describes the first.
 
     Args:
         chunks: the chunks of the text.
         k: index of the second noun.
         state: what the clause reader remembers.
+
+    Returns:
+        Whom it describes; None if it is somebody else.
     """
-    if _names_before(chunks, k, state):
-        return True
-    waiting = isinstance(state.anchor, Mention) and state.anchor is state.candidate
+    if _names_before(chunks, k, state) and isinstance(state.anchor, Mention):
+        return state.anchor
+    who = state.candidate
+    waiting = who is not None and (state.anchor is who or _places(state.anchor, who))
     if not waiting or state.between != {","} or state.candidate_done:
-        return False
+        return None
     following = chunks[k + 1 : k + 3]
     comma = bool(following) and isinstance(following[0], Word) and following[0].value == ","
     if not comma and _described_role(chunks, k, state):
-        return True
+        return who
     if not comma or len(following) < 2:
-        return False
+        return None
     after = following[1]
     verb = isinstance(after, Event) and after.form != "ing"
-    return verb or (isinstance(after, Word) and after.cat == "aux")
+    return who if verb or (isinstance(after, Word) and after.cat == "aux") else None
+
+
+def _places(anchor: object, who: Mention) -> bool:
+    """``the car behind it, a taxi, …``: "it" only says which car."""
+    return any(p.target is anchor for p in who.pps)
 
 
 def _described_role(chunks: list[Chunk], k: int, state: State) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, Maneuver
+from scegen.scenario.vocabulary import Approach, Maneuver, ParticipantKind
 from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.terms import Term
@@ -89,6 +89,21 @@ def _differ(place: Place) -> bool:
     return apart and place.kind in {"leg", "direction", "side", "road"}
 
 
+def _at_its_side(prep: Prep, event: Event | None) -> bool:
+    """``drives to the right of the bus``: where somebody is, not where it goes."""
+    side = prep.target
+    sided = isinstance(side, Place) and side.kind == "side" and bool(set(side.dirs) & set(_SIDES))
+    owned = side is not None and not isinstance(side, Event) and side.owner is not None
+    steady = event is not None and event.name in _STEADY
+    return prep.value == "to" and sided and owned and steady
+
+
+def _same_way(prep: Prep) -> bool:
+    """``in the same direction as the ego``."""
+    place = prep.target
+    return isinstance(place, Place) and place.kind == "direction" and "same" in place.dirs
+
+
 _FROM = {"north": "south", "south": "north", "east": "west", "west": "east"}
 
 
@@ -125,13 +140,20 @@ class Placer:
             self._locus(prep, entities, event)
             return
         target = prep.target
-        if not isinstance(target, Place):
-            return
+        if isinstance(target, Place):
+            self._at_place(prep, target, entities, event)
+
+    def _at_place(
+        self, prep: Prep, target: Place, entities: list[Entity], event: Event | None
+    ) -> None:
         basis = Basis(prep.word.i, target.j)
         compass = _compass(target)
         if compass is not None and prep.value in {"from", "to", "in"}:
             heading = _FROM[compass.value] if prep.value == "from" else compass.value
             self._head(entities, heading, basis)
+            return
+        if _at_its_side(prep, event):
+            self._beside(target, entities, basis)
             return
         if prep.value not in {"from", "in"} and not (prep.value == "to" and event is None):
             return
@@ -151,12 +173,22 @@ class Placer:
                 entity.opposed |= {e.index for e in entities} - {entity.index}
                 entity.approach_basis = basis
             return
-        reference = target.owner.entities[0] if target.owner and target.owner.entities else None
+        seen_by = target.beside or target.owner
+        reference = seen_by.entities[0] if seen_by and seen_by.entities else None
         wrong = target.kind == "lane" and approaches == _BY_DIR["opposite"]
         for entity in entities:
             if wrong and Maneuver.OVERTAKE in entity.maneuvers:
                 continue  # who overtakes is in the oncoming lane, but does not come from there
             self._draft.place(entity, reference, set(approaches), basis)
+
+    def _beside(self, side: Place, entities: list[Entity], basis: Basis) -> None:
+        """``drives to the right of the bus``: abreast; people stand on that side."""
+        owner = side.owner.entities[0] if side.owner and side.owner.entities else None
+        for entity in entities:
+            sides = {_SIDES[d] for d in side.dirs if d in _SIDES}
+            abreast = entity.moving_vehicle and entity.kind is not ParticipantKind.BICYCLE
+            where = {Approach.ADJACENT} if abreast else sides
+            self._draft.place(entity, owner, where, basis)
 
     def _apart(self, entities: list[Entity], basis: Basis) -> None:
         """``from different arms``: no two come from the same one."""
@@ -185,8 +217,9 @@ class Placer:
             if not target.entities:
                 return
             reference = target.entities[0]
+        same = event is not None and any(_same_way(p) for p in event.pps)
         for entity in entities:
-            if entity.is_vehicle or prep.value != "ahead":
+            if entity.is_vehicle or prep.value != "ahead" or same:
                 self._draft.place(entity, reference, approaches, basis)
         further = target.entities[1:] if isinstance(target, Mention) else []
         for other in further if len(entities) == 1 else []:

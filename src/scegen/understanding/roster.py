@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.calling import contradict
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.groups import Group
@@ -183,6 +184,8 @@ class Roster:
             return "adversary" in entity.labels
         if reading.labels and not reading.labels <= entity.labels:
             return False
+        if contradict(entity.named_by, reading.called):
+            return False
         return kind and (entity.parked or not reading.parked)
 
     def cast(self, reading: Reading, *, narrowed: bool, loci: set[str]) -> list[Entity]:
@@ -215,6 +218,7 @@ class Roster:
         """What a further mention says of known participants."""
         for entity in known:
             entity.labels |= reading.labels
+            entity.named_by |= reading.called if len(known) == 1 else set()
             if reading.dirs and not entity.dirs:
                 entity.dirs |= reading.dirs
 
@@ -224,6 +228,7 @@ class Roster:
         for _ in range(reading.count):
             entity = self.new(reading.kind, basis)
             entity.labels |= reading.labels
+            entity.named_by |= reading.called
             entity.dirs |= reading.dirs
             entity.parked = reading.parked
             entity.parked_basis = basis if reading.parked else None

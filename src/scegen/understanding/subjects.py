@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Event, Mention, NounPhrase
+from scegen.understanding.coordination import auxiliary, coordinate
 from scegen.understanding.dependents import (
-    alternative,
     chain,
     depend,
     gerund,
@@ -23,10 +23,6 @@ _DESCRIBING = _PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate
 """Verbs whose participle describes a noun ("a man hidden behind a van")."""
 
 
-def _auxiliary(state: State) -> bool:
-    return any(word.startswith("aux:") for word in state.between)
-
-
 def link(event: Event, state: State) -> None:
     """Gives the event its subject, its parent verb and its mood.
 
@@ -38,25 +34,25 @@ def link(event: Event, state: State) -> None:
         nominal(event, state)
         return
     to = state.prep is not None and state.prep.value == "to" and event.form == "base"
-    auxiliary = _auxiliary(state)
+    helped = auxiliary(state)
     if to:
         infinitive(event, state)
     elif state.prep is not None and event.form == "ing":
         gerund(event, state)
     else:
-        event.finite = event.form in {"s", "ed", "base"} or auxiliary
+        event.finite = event.form in {"s", "ed", "base"} or helped
         if event.finite and state.topic is not None:
             _said_of_a_thing(event, state)
             return
         _clause(event, state)
     parent = event.parent
     if parent is not None and parent.control == "object" and event.form == "base":
-        event.finite = event.finite and auxiliary  # "lets them cross": no clause of its own
+        event.finite = event.finite and helped  # "lets them cross": no clause of its own
     if _blocked(event, state):
         return
     if event.form == "base" and "aux:be" in state.between and event.name in _PASSIVE:
         event.form = "ed"  # "is cut off", "was hit": the participle looks like the base form
-    if event.reduced and event.form == "ed" and not auxiliary:
+    if event.reduced and event.form == "ed" and not helped:
         event.finite = False
         event.passive = event.name in _DESCRIBING & _PASSIVE
         return
@@ -114,7 +110,7 @@ def _clause(event: Event, state: State) -> None:
     elif "sub" in between:
         _subjectless(event, state)
     elif "conj" in between and state.events:
-        _coordinated(event, state)
+        coordinate(event, state)
     elif "," in between:
         _after_comma(event, state)
     elif isinstance(anchor, Mention):
@@ -180,7 +176,7 @@ def _main_in_sentence(state: State) -> list[Mention]:
 def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     waiting = state.candidate is not None and not state.candidate_done
     if event.finite and waiting and state.candidate is not None:
-        if event.form == "ed" and anchor is not state.candidate and not _auxiliary(state):
+        if event.form == "ed" and anchor is not state.candidate and not auxiliary(state):
             event.finite = False
             event.subject = chain(anchor)
             return
@@ -203,34 +199,3 @@ def _pronoun_object(anchor: Mention, verb: Event) -> bool:
         anchor.head and anchor.head.data.get("me")
     )
     return verb.object is anchor and bare and verb.name not in {"encounter", "cause", "prevent"}
-
-
-def _shape(event: Event) -> str:
-    if event.link == "inf" or (event.modal and event.form == "base"):
-        return "inf"
-    return "finite" if event.finite and event.form != "ing" else event.form
-
-
-def _coordinated(event: Event, state: State) -> None:
-    """``brakes and turns``, ``to brake and turn``: the verb of like form gives the subject."""
-    auxiliary = _auxiliary(state)
-    if event.form == "base" and not auxiliary:
-        wanted = "inf"
-    else:
-        wanted = "ing" if event.form == "ing" and not auxiliary else "finite"
-    verbs = [e for e in state.events if not e.nominal]
-    alike = [e for e in verbs if _shape(e) == wanted]
-    exact = [e for e in alike if wanted == "finite" and e.form == event.form and not e.perfect]
-    parallel = next(reversed(exact or alike), None)
-    if parallel is None:
-        parallel = next((e for e in reversed(verbs) if e.finite), None)
-    who = state.candidate if not state.candidate_done else None
-    if who is not None and (parallel is None or (parallel.i < who.i and event.finite)):
-        event.subject = chain(who)  # "… while the ego has green and goes straight"
-        return
-    parallel = parallel or state.events[-1]
-    event.subject = parallel.subject
-    if wanted != "finite":
-        event.parent, event.link = parallel.parent, parallel.link
-        event.modal = event.modal or parallel.modal
-    alternative(event, parallel, state)

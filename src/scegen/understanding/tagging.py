@@ -8,6 +8,7 @@ from dataclasses import replace
 from scegen.understanding.choosing import choose, is_adverb
 from scegen.understanding.lexicon import Entry
 from scegen.understanding.numbers import number_at
+from scegen.understanding.paces import doing, pace_at
 from scegen.understanding.particles import (
     in_front,
     just_right,
@@ -23,16 +24,17 @@ from scegen.understanding.tokens import Token
 _LABELLED = re.compile(r"^(?:v|veh|u|d|car|cv)\d{1,2}$")
 _WALKER = re.compile(r"^(?:p|ped)\d{1,2}$")
 _NOUNS = ("actor", "place", "thing", "inert")
+_CROSSED = frozenset({"road", "lane", "path", "highway", "crosswalk"})
 _UNIT_WORDS = frozenset({"unit", "veh", "v"})
 
 
 def _labelled(token: Token, i: int) -> Term | None:
     """``V1``, ``car2``: a participant called by a short name."""
+    digits = token.low.lstrip("abcdefghijklmnopqrstuvwxyz")
     if token.kind == "label" and _LABELLED.match(token.low):
-        digits = token.low.lstrip("abcdefghijklmnopqrstuvwxyz")
         return Term("actor", "car", i, i + 1, "base", {"label": f"#{digits}"})
     if token.kind == "label" and _WALKER.match(token.low):
-        return Term("actor", "pedestrian", i, i + 1, "base", {"label": f"#{token.low}"})
+        return Term("actor", "pedestrian", i, i + 1, "base", {"label": f"#p{digits}"})
     return None
 
 
@@ -120,11 +122,27 @@ def tag(tokens: list[Token]) -> list[Term]:
         if terms and measured(tokens, terms, term):
             number = terms.pop()  # "the car two vehicles ahead"
             term = Term("quantity", "other", number.i, term.j, data={"quantity": None})
+        if _speed(term) and doing(tokens, i):
+            _as_motion(terms, tokens)
         if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
             terms[-1] = replace(terms[-1], value="move", data={})  # "carries straight on"
         terms.append(term)
         i = terms[-1].j
     return _crossings(terms, tokens)
+
+
+def _as_motion(terms: list[Term], tokens: list[Token]) -> None:
+    """``doing about fifty``: driving."""
+    k = next((k for k in range(len(terms) - 1, -1, -1) if terms[k].cat == "verb"), None)
+    if k is not None and tokens[terms[k].i].forms[-1][0] == "do":
+        terms[k] = replace(terms[k], value="move", data={"drives": True})
+
+
+def _speed(term: Term) -> bool:
+    """Whether a term says how fast: "50 mph", "40 in a 30", or a bare number after "doing"."""
+    return term.cat in {"quantity", "num"} or (
+        term.cat == "manner" and term.value in {"fast", "slow"}
+    )
 
 
 def _at_a(terms: list[Term], tokens: list[Token]) -> bool:
@@ -166,8 +184,8 @@ def _list_of_doings(terms: list[Term], tokens: list[Token], term: Term) -> bool:
     """``a van turning left and a pedestrian crossing``: not the place of that name."""
     if term.j - term.i != 2 or not tokens[term.j - 1].low.endswith("ing"):
         return False
-    if term.j < len(tokens) and tokens[term.j].low == "from":
-        return True  # "pedestrian crossing from the left"
+    if _crossed(tokens, term.j):
+        return True
     if len(terms) < 3:
         return False
     counted = terms[-1].cat in {"det", "num"}
@@ -176,6 +194,21 @@ def _list_of_doings(terms: list[Term], tokens: list[Token], term: Term) -> bool:
         return True  # "a pedestrian crossing the road"
     listed = counted and terms[-2].value in {"and", ","}
     return listed and any(t.cat == "verb" and t.form == "ing" for t in terms[-8:])
+
+
+def _crossed(tokens: list[Token], j: int) -> bool:
+    """``pedestrian crossing from the left``, ``… the road``, ``… in front of the ego``."""
+    if j >= len(tokens):
+        return False
+    if tokens[j].low in {"from", "against", "into"}:
+        return True
+    following = longest_match(tokens, j)
+    if following is None:
+        return False
+    if following.has("det", "possessive"):
+        noun = longest_match(tokens, following.j) if following.j < len(tokens) else None
+        return noun is not None and any(e.value in _CROSSED for e in noun.entries)
+    return following.has("locus") and following.get("locus").value in {"ahead", "behind"}
 
 
 def _before(terms: list[Term], tokens: list[Token]) -> Term | None:
@@ -187,6 +220,14 @@ def _before(terms: list[Term], tokens: list[Token]) -> Term | None:
 
 def _turning(previous: Term | None) -> bool:
     return previous is not None and previous.cat in {"verb", "prep", "det", "possessive"}
+
+
+def _needs_infinitive(tokens: list[Token], match: Match) -> bool:
+    """``continues to the third exit``: "to" leads to a place, not to another verb."""
+    if tokens[match.j - 1].low != "to" or match.j >= len(tokens):
+        return False
+    following = longest_match(tokens, match.j)
+    return following is None or not following.has("verb", "neg", "manner")
 
 
 def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | None:
@@ -203,6 +244,8 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
         match = longest_match(tokens[: match.j - 1], i)
     if match and match.only("verb") and in_front(tokens, match):
         match = replace(match, j=match.j + 2)  # "forces its way in front of"
+    if match and match.j > i + 1 and match.only("verb") and _needs_infinitive(tokens, match):
+        match = longest_match(tokens[: match.j - 1], i) or match
     plural = any(form == "s" for _, form in token.forms)
     if match and match.j > i + 1 and plural and match.only(*_NOUNS):
         match = longest_match(tokens[: i + 1], i)  # "two pedestrians crossing", no crossing
@@ -221,6 +264,9 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
         return labelled
     if just_right(tokens, i, previous):
         return Term("manner", "mild", i, i + 1)
+    pace = pace_at(tokens, i)
+    if pace is not None:
+        return pace
     quantity = quantity_at(tokens, i)
     if quantity:
         return Term("quantity", quantity.dimension, i, quantity.j, data={"quantity": quantity})

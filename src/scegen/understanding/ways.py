@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import JunctionKind, Maneuver
+from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
 from scegen.understanding.chunks import Event, Place
-from scegen.understanding.context import Context, span
+from scegen.understanding.context import Context, Scene, span
 from scegen.understanding.draft import Basis
 
 DIRECTIONS = {
@@ -14,6 +14,8 @@ DIRECTIONS = {
 }
 BESIDE = frozenset({"adjacent", "left", "right"})
 """Which lane it is, seen from the one that somebody drives in."""
+_OTHER = {"left": "right", "right": "left"}
+_KEEPING = frozenset({"keep", "stay", "remain", "stick", "hold", "continue"})
 _WAY = frozenset({"road", "lane", "path", "highway"})
 _THROUGH = frozenset({"through", "across"})
 
@@ -26,10 +28,20 @@ def directions(event: Event) -> dict[Maneuver, Basis]:
     for prep in event.pps:
         target = prep.target
         if prep.value in {"to", "into"} and isinstance(target, Place) and target.kind == "side":
+            across = _came_from(event) & {_OTHER.get(d, "") for d in target.dirs}
+            if target.owner is not None:
+                continue  # "to the right of the bus": where it is
             for value in target.dirs:
                 if value in {"left", "right"}:
-                    found[DIRECTIONS[value]] = span(event, target.i, target.j)
+                    way = Maneuver.STRAIGHT if across else DIRECTIONS[value]
+                    found[way] = span(event, target.i, target.j)
     return found
+
+
+def _came_from(event: Event) -> set[str]:
+    """``from left to right``: right across, no turn."""
+    sides = [p.target for p in event.pps if p.value == "from" and isinstance(p.target, Place)]
+    return {d for side in sides for d in side.dirs}
 
 
 def into_lane(event: Event) -> Place | None:
@@ -52,7 +64,8 @@ def next_lane(event: Event, context: Context) -> bool:
     """
     lane = into_lane(event)
     beside = lane is not None and lane.kind == "lane" and bool(BESIDE & set(lane.dirs))
-    return beside and not context.junction.crossing
+    keeps = context.tokens[event.i].forms[-1][0] in _KEEPING
+    return beside and not keeps and not context.junction.crossing
 
 
 def through(event: Event, context: Context) -> Basis | None:
@@ -77,6 +90,24 @@ def only_signalled(event: Event, context: Context) -> bool:
     after = [t.low for t in context.tokens[event.j : event.j + 2] if t.low != ","]
     signalled = event.parent is not None and event.parent.name == "inert"
     return signalled and after[:1] != [] and after[0] in {"but", "yet", "however", "though"}
+
+
+def overtaking(scene: Scene, context: Context) -> bool:
+    """Whether passing is overtaking: somebody is passed, or who passes was behind somebody.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    if scene.event.name != "pass" or scene.targets:
+        return True
+    over = any(p.kind == "centerline" for p in scene.places())
+    if any(p.value == "behind" for p in scene.event.pps):
+        return False  # "passes behind": across the road there
+    return over or any(
+        p.approaches == {Approach.BEHIND} and p.entity in scene.actors
+        for p in context.draft.placements
+    )
 
 
 def across_the_road(event: Event, context: Context) -> bool:

@@ -1,0 +1,51 @@
+"""What leaves a participant on its course: following, keeping a lane, waiting."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Maneuver
+from scegen.understanding.chunks import Thing
+from scegen.understanding.context import Context, Scene
+from scegen.understanding.draft import Basis
+
+
+def hold(scene: Scene, _context: Context) -> None:
+    """``keeps to the left lane``, ``maintains its course``: it drives on."""
+    places = [p for p in scene.places() if p.kind in {"lane", "path", "road", "side"}]
+    course = isinstance(scene.event.object, Thing) and not places
+    for entity in scene.drivers if places or course else []:
+        entity.moves = entity.moves or Basis(scene.event.i, scene.event.j)
+
+
+def follow(scene: Scene, context: Context) -> None:
+    """One drives behind another."""
+    straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in scene.places())
+    for entity in scene.drivers:
+        entity.moves = entity.moves or Basis(scene.event.i, scene.event.j)
+        entity.on_straight = entity.on_straight or straight
+    context.ahead(scene.targets, scene.actors, Basis(scene.event.i, scene.event.j))
+
+
+def precede(scene: Scene, context: Context) -> None:
+    """One drives ahead of another."""
+    context.ahead(scene.actors, scene.targets, Basis(scene.event.i, scene.event.j))
+
+
+def stay(scene: Scene, context: Context) -> None:
+    """Whoever waits on foot stays where they are; who drives waits for the light."""
+    basis = Basis(scene.event.i, scene.event.j)
+    held = any(p.kind == "signal" for p in scene.places())
+    for entity in scene.drivers if held else []:
+        entity.waits = entity.waits or basis
+    for entity in scene.actors:
+        if not entity.is_vehicle and not entity.maneuvers:
+            context.draft.maneuver(entity, {Maneuver.STAY}, basis)
+
+
+def park(scene: Scene, _context: Context) -> None:
+    """``is parked``: the vehicle stands for the whole scenario."""
+    if scene.event.form != "ed":
+        return
+    for entity in scene.actors:
+        if entity.is_vehicle and not entity.ego:
+            entity.parked = True
+            entity.parked_basis = Basis(scene.event.i, scene.event.j)

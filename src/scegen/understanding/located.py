@@ -1,0 +1,31 @@
+"""Where the words after a noun put it."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Mention
+
+
+def as_the_ego_sees(mention: Mention) -> bool:
+    """``the car ahead``, ``the car ahead of the ego``: placed by nobody but the ego.
+
+    Args:
+        mention: a noun with phrases of place.
+    """
+    return all(
+        p.word.cat == "locus"
+        and (
+            p.target is None
+            or (isinstance(p.target, Mention) and any(h.data.get("ego") for h in p.target.heads))
+        )
+        for p in mention.pps
+    )
+
+
+def loci_of(mention: Mention) -> set[str]:
+    """Where a noun is said to be: "the car behind" is not "the car in front".
+
+    Args:
+        mention: a noun with phrases of place.
+    """
+    loci = {p.value for p in mention.pps if p.word.cat == "locus"}
+    return loci | ({"elsewhere"} if mention.elsewhere else set())
