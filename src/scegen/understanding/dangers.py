@@ -95,6 +95,7 @@ def move(scene: Scene, context: Context) -> None:
         elif lane is not scene.event.object:
             conflicts.enter(scene, context)
     encounters.ride(scene, context)
+    encounters.keep_along(scene, context)
     close = scene.how("close")
     behind = [e for e in scene.drivers if context.placed(e, Approach.BEHIND)]
     if close is not None and behind:
@@ -222,6 +223,7 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "follow": follow,
     "cross": encounters.cross,
     "walk": encounters.walk,
+    "collide": encounters.struck,
     "enter": enter,
     "move": move,
     "unpark": conflicts.unpark,

@@ -124,6 +124,9 @@ class Discourse:
             if owner.is_vehicle:
                 owner.parked = owner.parked or (reading.parked and not owner.ego)
                 return [owner]
+        if _kin(reading, mention):
+            strangers = [e for e in self._draft.entities if not e.named_by & reading.called]
+            exclude = [*exclude, *strangers]  # "a man with his son"
         known = self._known(reading, mention, exclude)
         if known:
             self._roster.enrich(known, reading)
@@ -288,6 +291,13 @@ def _own_vehicle(reading: Reading, mention: Mention) -> bool:
     possessed = bool(mention.mods) and mention.mods[0].cat == "possessive"
     whose = possessed and mention.mods[0].value == "its"
     return whose and reading.generic and not reading.plural and not reading.dirs
+
+
+def _kin(reading: Reading, mention: Mention) -> bool:
+    """``her daughter``, ``his two children``: nobody who was called otherwise."""
+    whose = mention.mods[0] if mention.mods else None
+    people = reading.kind is ParticipantKind.PEDESTRIAN and not reading.driver
+    return people and whose is not None and (whose.cat, whose.value) == ("possessive", "its")
 
 
 def _is_pronoun(target: object) -> bool:

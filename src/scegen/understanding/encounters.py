@@ -72,9 +72,17 @@ def answered(scene: Scene, context: Context) -> None:
             context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, basis, walkers)
 
 
+def struck(scene: Scene, context: Context) -> None:
+    """``was hit on the crosswalk``: whoever is hit there on foot was crossing."""
+    there = any(p.kind == "crosswalk" for p in scene.places())
+    walkers = [e for e in scene.targets if not e.is_vehicle]
+    if there and walkers:
+        context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, scene.words, walkers)
+
+
 def walk(scene: Scene, context: Context) -> None:
-    """Walking counts as crossing unless it stays on the sidewalk."""
-    if any(p.kind == "sidewalk" for p in scene.places()):
+    """Walking counts as crossing unless it keeps along the road or on the sidewalk."""
+    if keep_along(scene, context):
         return
     if any(p.value == "into" and isinstance(p.target, Mention) for p in scene.event.pps):
         return  # "ran into me": contact
@@ -83,6 +91,31 @@ def walk(scene: Scene, context: Context) -> None:
         context.draft.maneuver(entity, {Maneuver.CROSS}, basis)
     if scene.walkers:
         context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, basis, scene.walkers)
+
+
+def keep_along(scene: Scene, context: Context) -> bool:
+    """``walks along the road``, ``runs down the street``, ``on the pavement``: not across.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+
+    Returns:
+        Whether that is said.
+    """
+    words = {
+        context.tokens[p.word.i].low
+        for p in scene.event.pps
+        if isinstance(p.target, Place) and p.target.kind in _WAY | {"shoulder", "bike_lane"}
+    }
+    words |= {context.tokens[scene.event.j - 1].low} if scene.event.object is not None else set()
+    along = bool(words & {"along", "down", "up", "beside"}) and not words & (_OVER | {"into"})
+    if not along and not any(p.kind == "sidewalk" for p in scene.places()):
+        return False
+    for entity in scene.walkers:
+        if not entity.maneuvers:
+            context.draft.maneuver(entity, {Maneuver.STRAIGHT}, scene.words)
+    return True
 
 
 def appear(scene: Scene, context: Context) -> None:
