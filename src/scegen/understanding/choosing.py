@@ -108,7 +108,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         shaped = before in {"shape", "control", "det"} and not attributive
         return (match.get("place") if shaped else _without_place(match, attributive)), attributive
     if match.has("dir") and match.get("dir").value == "left":
-        return _left(match, previous)
+        return _left(match, tokens, previous)
     if match.form == "base" and before == "aux" and previous is not None and previous.value == "be":
         return match.get(*_ADJECTIVE_CATS, "verb"), False
     if participle and attributive:
@@ -187,9 +187,12 @@ def _without_place(match: Match, attributive: bool) -> Entry:
     return match.get("dir" if attributive else "verb")
 
 
-def _left(match: Match, previous: Term | None) -> tuple[Entry, bool]:
+def _left(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
     """``left`` is nearly always the side; "V1 left the road" has a subject right before it."""
     subject = previous is not None and previous.cat in {"actor", "pronoun"}
+    after = tokens[match.j] if match.j < len(tokens) else None
+    if after is not None and (after.low == "," or any(base == "turn" for base, _ in after.forms)):
+        subject = False  # "ego left turn"
     return (match.get("verb") if subject else match.get("dir")), False
 
 

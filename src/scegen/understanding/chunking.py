@@ -6,6 +6,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
+from scegen.understanding.lanes import between_lanes
 from scegen.understanding.naming import Namer
 from scegen.understanding.nominal import OPENERS, ORDINALS, VERBAL_LINKS, has_dir, is_nominal
 from scegen.understanding.terms import Term
@@ -15,8 +16,6 @@ _MODIFIERS = frozenset(
     {"dir", "state", "label", "noted", "shape", "control", "compass", "roadmod", "cue", "quantity"}
 )
 _OWNED = frozenset({"lane", "path", "side"})
-_CHANGING = frozenset({"change", "switch", "shift"})
-_CHANGE_REACH = 7
 _MAX_MODS = 10
 _SIDE_DIRS = frozenset({"left", "right", "opposite", "front", "rear", "adjacent", "straight"})
 
@@ -39,7 +38,7 @@ class Chunker:
         k = 0
         while k < len(self._terms):
             k = self._chunk_at(k)
-        return _between_lanes(self._with_particles(), self._tokens)
+        return between_lanes(self._with_particles(), self._tokens)
 
     def _with_particles(self) -> list[Chunk]:
         """``cuts the van off`` is "cut off" with its object inside."""
@@ -232,6 +231,8 @@ class Chunker:
             side = (mod.cat == "dir" and mod.value in _SIDE_DIRS) or mod.cat == "compass"
             if not side and (seen or mod.cat not in {"det", "possessive"}):
                 break
+            if seen and mod.value == "straight":
+                break  # "from the right straight on"
             seen = seen or side
             length += 1
         previous = self._chunks[-1] if self._chunks else None
@@ -281,22 +282,11 @@ class Chunker:
         """``lane 2``: the number is the place's name."""
         term = self._terms[m] if m < len(self._terms) else None
         follows = self._terms[m + 1].cat if m + 1 < len(self._terms) else ""
-        digits = term is not None and term.cat == "num" and self._tokens[term.i].kind == "number"
+        number = term is not None and term.cat == "num"
+        bare = self._terms[m - 2].cat not in {"det", "dir"} if m > 1 else True
+        written = term is not None and self._tokens[term.i].kind == "number"
+        digits = number and (bare or written)
         return digits and head.value in {"lane", "road"} and follows not in {"actor", "place"}
-
-
-def _between_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
-    """``changes from the inner to the outer lane`` is a change of lane."""
-    for k, chunk in enumerate(chunks):
-        if not isinstance(chunk, Event) or tokens[chunk.i].forms[-1][0] not in _CHANGING:
-            continue
-        for before, place in pairwise(chunks[k + 1 : k + 1 + _CHANGE_REACH]):
-            if isinstance(before, Mention | Event) or getattr(before, "cat", "") == "punct":
-                break
-            goal = isinstance(before, Word) and before.value in {"to", "into"}
-            if goal and isinstance(place, Place) and place.kind == "lane":
-                chunk.name = "lane_change"
-    return chunks
 
 
 def _event(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:

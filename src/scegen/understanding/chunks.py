@@ -68,6 +68,7 @@ class Mention(NounPhrase):
         pronoun: which pronoun it is, if it is one.
         label: a name such as ``#1`` for "vehicle 1".
         drives: it does what only vehicles do ("the guy overtakes").
+        walks: it does what people on foot do ("she steps out").
         label_at: index of the token that holds the label.
         possessor: it only says whose something is.
         joined: the mention that it is joined to by "and".
@@ -90,6 +91,7 @@ class Mention(NounPhrase):
     pronoun: str | None = None
     label: str | None = None
     drives: bool = False
+    walks: bool = False
     label_at: int | None = None
     possessor: bool = False
     joined: Mention | None = None

@@ -7,7 +7,7 @@ from scegen.understanding import encounters, movements
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.ways import across_the_road, into_lane
+from scegen.understanding.ways import across_the_road, into_lane, overtaking
 
 _ACROSS = {"left": Maneuver.LEFT, "right": Maneuver.RIGHT}
 
@@ -223,7 +223,7 @@ def merge(scene: Scene, context: Context) -> None:
 
 def overtake(scene: Scene, context: Context) -> None:
     """Overtaking another moving vehicle."""
-    if scene.event.name == "pass" and not scene.targets:
+    if not overtaking(scene, context):
         return
     if scene.drivers and (not scene.targets or any(not e.parked for e in scene.targets)):
         context.draft.hazard(HazardKind.OVERTAKING, scene.words, scene.drivers, scene.targets)
@@ -235,9 +235,28 @@ def pull_out(scene: Scene, context: Context) -> None:
     drivers = [e for e in scene.drivers if not (out_of_sight and context.is_cyclist(e))]
     drivers = [e for e in drivers if Maneuver.OVERTAKE not in e.maneuvers]  # out of its lane
     along = any(context.placed(e, a) for e in drivers for a in (Approach.BEHIND, Approach.AHEAD))
+    if drivers and _into_the_next_lane(scene, context):
+        movements.lane_change(scene, context)
+        lane_change(scene, context)
+        return
     if drivers and not along and not _to_overtake(scene, context):
         to = [] if out_of_sight else _mentioned(scene.event)
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, drivers, to)
+
+
+def _into_the_next_lane(scene: Scene, context: Context) -> bool:
+    """``pulls out into the left lane``: from lane to lane, unless it comes out of somewhere."""
+    lane = into_lane(scene.event)
+    sides = {"left", "right", "adjacent", "opposite"}
+    named = lane is not None and lane.head is not None and lane.head.j - lane.head.i > 1
+    named = named and not context.junction.crossing  # "the overtaking lane"
+    beside = lane is not None and lane.kind == "lane" and (named or bool(sides & set(lane.dirs)))
+    out = any(
+        p.kind in {"access", "parking", "shoulder", "sidewalk", "junction", "bus_stop"}
+        for p in scene.places()
+    )
+    kerb = any(context.comes_across(e) for e in scene.drivers) or context.draft.from_kerb
+    return beside and not out and not kerb
 
 
 def _to_overtake(scene: Scene, context: Context) -> bool:

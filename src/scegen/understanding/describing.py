@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import ParticipantKind
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
+from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.tokens import Token
 
 _ONLY_VEHICLES = frozenset(
     {"brake", "hard_brake", "overtake", "merge", "lane_change", "accelerate", "tailgate", "cut_off",
-     "cut_in", "pull_out", "park", "swerve", "u_turn"}
+     "cut_in", "pull_out", "park", "swerve", "u_turn", "pull_over", "undertake", "unpark"}
 )  # fmt: skip
 _CYCLING = frozenset({"cycle", "pedal"})
 _WALKING = frozenset({"walk", "jog", "stroll"})
 _OPERATING = frozenset({"drive", "ride", "operate", "pilot"})
 _DRIVEN = _ONLY_VEHICLES | {"reverse", "move", "turn", "stop", "speed"}
+_ALONG = frozenset({"behind", "ahead", "adjacent", "opposite"})
+_ABOARD = frozenset({"in", "on", "aboard", "inside"})
+_BY_TRADE = frozenset({"bus", "truck", "van", "car", "emergency_vehicle", "motorcycle", "bicycle"})
 
 
 def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
@@ -31,14 +34,18 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
     _listeners(events)
     _own_vehicles(events, tokens)
     _vehicles_of_parties(chunks)
+    _ridden(chunks, events, tokens)
 
 
 def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     failing = event.negated and event.name in {"stop", "yield"}
     alone = event.drives or event.name in _ONLY_VEHICLES or _takes_a_turn(event)
+    alone = alone or _breaks_a_rule(event) or any("pace" in m.data for m in event.mods)
     vague = mention.head is not None and "vague" in mention.head.data
-    turns = vague and any(d.value in {"left", "right"} for d in event.dirs)
+    turns = vague or event.name in {"turn", "sharp_turn"}
+    turns = turns and any(d.value in {"left", "right"} for d in event.dirs)
     mention.drives = mention.drives or failing or alone or turns
+    mention.walks = mention.walks or _on_foot(event)
     close = 0 <= event.i - mention.j <= 1 and not event.finite and not event.nominal
     mention.narrowed = mention.narrowed or (close and event.premod_of is None)
     acted_on = event.object
@@ -47,6 +54,13 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     _by_word(mention, tokens[event.i])
     if any(p.value == "from" and isinstance(p.target, Place) for p in event.pps):
         mention.elsewhere = mention.pronoun is None
+
+
+def _breaks_a_rule(event: Event) -> bool:
+    """``runs the light``, ``blows through a stop sign``."""
+    places = [event.object, *(p.target for p in event.pps if p.value == "in")]
+    kinds = {p.kind for p in places if isinstance(p, Place)}
+    return event.name in {"breach", "dash"} and bool(kinds & {"signal", "stop_sign", "yield_sign"})
 
 
 def _by_word(mention: Mention, word: Token) -> None:
@@ -68,7 +82,9 @@ def _own_vehicles(events: list[Event], tokens: list[Token]) -> None:
         who = event.subject[-1]
         whose = what.mods[0] if what.mods else None
         own = whose is not None and whose.cat == "possessive" and whose.value == "its"
-        driven = _is_person(who) and tokens[event.i].forms[-1][0] in _OPERATING
+        driven = (_is_person(who) or who.pronoun is not None or _tells(who)) and tokens[
+            event.i
+        ].forms[-1][0] in _OPERATING
         if what.heads and not what.label and (own or driven):
             what.same_as = who
             who.drives = True
@@ -98,6 +114,37 @@ def _listeners(events: list[Event]) -> None:
                 mention.negated = True
 
 
+def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
+    """``I'm on a motorbike``, ``we sit in a coach``: whoever tells it stands for it."""
+    for event in events:
+        for prep in event.pps if event.subject else []:
+            if tokens[prep.word.i].low in _ABOARD and _tells(event.subject[-1]):
+                _stands_for(event.subject[-1], prep.target)
+    tellers = [c for c in chunks if isinstance(c, Mention) and _tells(c)]
+    for teller in tellers:
+        for prep in teller.pps:
+            if tokens[prep.word.i].low in _ABOARD:
+                _stands_for(teller, prep.target)
+
+
+def _stands_for(who: Mention, what: object) -> None:
+    if isinstance(what, Mention) and _vehicle(what) and what.same_as is None and what is not who:
+        what.same_as = who
+        who.drives = True
+
+
+def _vehicle(noun: object) -> bool:
+    """Whether a noun names one vehicle."""
+    single = isinstance(noun, Mention) and noun.pronoun is None and noun.owner is None
+    head = noun.head if isinstance(noun, Mention) and single else None
+    return head is not None and head.value in _BY_TRADE and head.form != "s"
+
+
+def _tells(mention: Mention) -> bool:
+    """Whether it is the one who tells it ("I", "we")."""
+    return any("speaks" in h.data or "me" in h.data for h in mention.heads)
+
+
 def _on_foot(event: Event) -> bool:
     against = any(p.value == "into" and isinstance(p.target, Mention) for p in event.pps)
     return event.name in {"cross", "walk", "appear"} and not against
@@ -110,14 +157,29 @@ def _people_in_traffic(chunks: list[Chunk], events: list[Event]) -> None:
         if isinstance(chunk, Mention) and chunk.head is not None and chunk.head.data.get("aboard"):
             chunk.negated = id(chunk) not in walking
         if isinstance(chunk, Mention) and id(chunk) not in walking:
-            along = any(
-                p.word.cat == "locus"
-                and p.value in {"behind", "ahead"}
-                and not isinstance(p.target, Place | Thing)
-                for p in chunk.pps
+            chunk.drives = chunk.drives or _along(chunk)
+
+
+def _along(mention: Mention) -> bool:
+    """Placed like a vehicle: behind, in front of, beside or across from the one who tells it."""
+    head = mention.head
+    if head is None:
+        return False
+    definite = bool(mention.mods) and (mention.mods[0].cat, mention.mods[0].value) == ("det", "def")
+    known = definite or "vague" in head.data or head.form == "s"
+    for prep in mention.pps if known else []:
+        lane = isinstance(prep.target, Place) and prep.target.kind == "lane"
+        if lane and (prep.value == "in" and isinstance(prep.target, Place) and prep.target.dirs):
+            return True
+        seen = prep.target is None or (
+            isinstance(prep.target, Mention)
+            and (
+                prep.target.pronoun is not None or any(h.data.get("ego") for h in prep.target.heads)
             )
-            vague = chunk.head is not None and bool(chunk.head.data.get("vague"))
-            chunk.drives = chunk.drives or (along and vague)
+        )
+        if prep.word.cat == "locus" and prep.value in _ALONG and seen:
+            return True
+    return False
 
 
 def _takes_a_turn(event: Event) -> bool:

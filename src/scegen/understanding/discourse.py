@@ -9,6 +9,7 @@ from scegen.understanding.groups import Group, vehicle_around
 from scegen.understanding.located import as_the_ego_sees, loci_of
 from scegen.understanding.mention_words import DEFAULT_COUNT, Reading, read_mention
 from scegen.understanding.pronouns import POSITIONS, Pronouns
+from scegen.understanding.reference import is_pronoun, kin, own_vehicle, refers_to_nobody
 from scegen.understanding.roster import Roster
 from scegen.understanding.tokens import Token
 
@@ -53,12 +54,15 @@ class Discourse:
         if mention.entities:
             return mention.entities
         if mention.same_as is not None:
-            mention.entities = list(mention.same_as.entities)
+            first = mention.same_as.entities or self.resolve(
+                mention.same_as, subject=True, exclude=[]
+            )  # "riding a moped, I …"
+            mention.entities = list(first)
             self._refine(mention)
             return mention.entities
-        if _refers_to_nobody(mention) or self._their_own_queue(mention):
+        if refers_to_nobody(mention) or self._their_own_queue(mention):
             return []
-        located = any(p.word.cat == "locus" and _is_pronoun(p.target) for p in mention.pps)
+        located = any(p.word.cat == "locus" and is_pronoun(p.target) for p in mention.pps)
         if located or mention.besides:
             exclude = [*exclude, *self._roster.subject]  # "the car behind it" is not "it"
         if mention.pronoun is not None:
@@ -111,20 +115,22 @@ class Discourse:
 
     def _noun(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         basis = Basis(mention.i, mention.j)
+        if reading.ego and not reading.plural:
+            return [self._ego(reading.kind, basis, told=not reading.generic)]
         if reading.ego:
-            return [self._ego(reading.kind, basis)]
+            return self._roster.subject  # "we arrive in our cars"
         of_whom = next((p.target for p in mention.pps if p.value == "of"), None)
         if reading.driver and isinstance(of_whom, Mention):
             return self.resolve(of_whom, subject=False, exclude=[])
         inside = vehicle_around(reading, mention)
         if inside is not None:
             return self.resolve(inside, subject=False, exclude=[])
-        if _own_vehicle(reading, mention) and len(self._roster.subject) == 1:
+        if own_vehicle(reading, mention) and len(self._roster.subject) == 1:
             owner = self._roster.subject[0]
             if owner.is_vehicle:
                 owner.parked = owner.parked or (reading.parked and not owner.ego)
                 return [owner]
-        if _kin(reading, mention):
+        if kin(reading, mention):
             strangers = [e for e in self._draft.entities if not e.named_by & reading.called]
             exclude = [*exclude, *strangers]  # "a man with his son"
         known = self._known(reading, mention, exclude)
@@ -132,6 +138,11 @@ class Discourse:
             self._roster.enrich(known, reading)
             return known
         return self._roster.introduce(reading, basis)
+
+    @property
+    def nobody_yet(self) -> bool:
+        """Whether nobody has come up so far."""
+        return not self._draft.entities
 
     def tells(self, i: int, j: int) -> bool:
         """Whether words name the one who tells it ("on my side of the road").
@@ -151,9 +162,12 @@ class Discourse:
         """
         self._ego(ParticipantKind.CAR, Basis(i, j))
 
-    def _ego(self, kind: ParticipantKind, basis: Basis) -> Entity:
+    def _ego(self, kind: ParticipantKind, basis: Basis, *, told: bool = False) -> Entity:
+        """The ego; what it drives may be said later than who it is."""
         for entity in self._draft.entities:
             if entity.ego:
+                if told and kind is not entity.kind and entity.kind is ParticipantKind.CAR:
+                    entity.kind, entity.basis = kind, basis
                 return entity
         entity = self._roster.new(kind, basis)
         entity.ego = True
@@ -284,31 +298,3 @@ class Discourse:
         if others or reading.det == "bare" or restricted:
             return others[:1]
         return options[:1]
-
-
-def _own_vehicle(reading: Reading, mention: Mention) -> bool:
-    """``the driver opens the door of his vehicle``: what the driver stands for."""
-    possessed = bool(mention.mods) and mention.mods[0].cat == "possessive"
-    whose = possessed and mention.mods[0].value == "its"
-    return whose and reading.generic and not reading.plural and not reading.dirs
-
-
-def _kin(reading: Reading, mention: Mention) -> bool:
-    """``her daughter``, ``his two children``: nobody who was called otherwise."""
-    whose = mention.mods[0] if mention.mods else None
-    people = reading.kind is ParticipantKind.PEDESTRIAN and not reading.driver
-    return people and whose is not None and (whose.cat, whose.value) == ("possessive", "its")
-
-
-def _is_pronoun(target: object) -> bool:
-    return isinstance(target, Mention) and target.pronoun in {"it", "him", "they"}
-
-
-def _refers_to_nobody(mention: Mention) -> bool:
-    """``in traffic``, ``no pedestrians``, ``at the second``: words that name no participant."""
-    prep = mention.prep.value if mention.prep is not None else ""
-    mass = bool(mention.head and mention.head.data.get("mass")) and not mention.mods
-    if mass and prep in {"in", "of", "for"}:
-        return True
-    place = mention.pronoun == "ordinal" and prep == "in"  # "at the first junction …, the second"
-    return place or mention.negated or mention.pronoun == "reflexive"

@@ -6,6 +6,7 @@ from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.walking import keep_along
 
 _HIDING = frozenset({"behind", "between"})
 _CARRIAGEWAY = frozenset({"road", "crosswalk", "highway"})
@@ -91,31 +92,6 @@ def walk(scene: Scene, context: Context) -> None:
         context.draft.maneuver(entity, {Maneuver.CROSS}, basis)
     if scene.walkers:
         context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, basis, scene.walkers)
-
-
-def keep_along(scene: Scene, context: Context) -> bool:
-    """``walks along the road``, ``runs down the street``, ``on the pavement``: not across.
-
-    Args:
-        scene: what happens.
-        context: the scenario in the making.
-
-    Returns:
-        Whether that is said.
-    """
-    words = {
-        context.tokens[p.word.i].low
-        for p in scene.event.pps
-        if isinstance(p.target, Place) and p.target.kind in _WAY | {"shoulder", "bike_lane"}
-    }
-    words |= {context.tokens[scene.event.j - 1].low} if scene.event.object is not None else set()
-    along = bool(words & {"along", "down", "up", "beside"}) and not words & (_OVER | {"into"})
-    if not along and not any(p.kind == "sidewalk" for p in scene.places()):
-        return False
-    for entity in scene.walkers:
-        if not entity.maneuvers:
-            context.draft.maneuver(entity, {Maneuver.STRAIGHT}, scene.words)
-    return True
 
 
 def appear(scene: Scene, context: Context) -> None:

@@ -34,6 +34,7 @@ class JunctionReading:
         angles_deg: directions of the arms, rising.
         angles_basis: the words for them.
         road: the first word for a road.
+        highway: that word is one for a road with several lanes each way.
     """
 
     kind: JunctionKind | None = None
@@ -45,6 +46,7 @@ class JunctionReading:
     named: Basis | None = None
     road: Basis | None = None
     straight: Basis | None = None
+    highway: bool = False
     angles_deg: tuple[float, ...] = ()
     angles_basis: Basis | None = None
 
@@ -104,12 +106,12 @@ def _place(reading: JunctionReading, terms: list[Term], k: int) -> None:
             _set_kind(reading, JunctionKind(term.data["kind"]), basis)
     elif term.value in {"road", "highway", "lane"}:
         reading.road = reading.road or basis
+        reading.highway = reading.highway or term.value == "highway"
         before = terms[k - 1] if k else None
         if before is not None and before.value == "straight":
             reading.straight = Basis(before.i, term.j)
     control = term.data.get("control")
-    plural = term.form == "s" or term.j - term.i == 1
-    lamps = control == Control.SIGNALS and plural
+    lamps = control == Control.SIGNALS and term.form == "s"
     if lamps and k and terms[k - 1].cat == "possessive":
         return  # "its lights" are a vehicle's
     if control and _negated(terms, k):

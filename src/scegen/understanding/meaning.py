@@ -11,6 +11,7 @@ from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.movements import MOVEMENTS
 from scegen.understanding.omissions import not_done
 from scegen.understanding.placing import Placer, thing_sides
+from scegen.understanding.recasting import recast
 from scegen.understanding.resolving import from_everywhere
 from scegen.understanding.roadside import read_thing
 from scegen.understanding.terms import Term
@@ -23,9 +24,9 @@ _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
 _BREACHING = frozenset(
     {"walk", "follow", "breach", "move", "enter", "cross", "speed", "accelerate"}
 )
-_ON_THE_MOVE = frozenset({"swerve", "use", "enter", "move", "cross", "lose_control", "lane_change",
-                          "merge", "overtake", "bypass", "turn", "sharp_turn", "approach",
-                          "unknown"})  # fmt: skip
+_ON_THE_MOVE = frozenset({"pull_out", "swerve", "use", "enter", "move", "cross", "lose_control",
+                          "lane_change", "merge", "overtake", "bypass", "turn", "sharp_turn",
+                          "approach", "unknown"})  # fmt: skip
 _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
                        "pull_out", "collide"})  # fmt: skip
@@ -162,6 +163,7 @@ class Interpreter:
 
     def _event(self, event: Event) -> None:
         scene = self._scene(event)
+        event.name = recast(scene, self._context)
         self._scenes.append(scene)
         for prep in event.pps:
             if from_everywhere(prep):

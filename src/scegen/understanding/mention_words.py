@@ -84,11 +84,19 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
         labels=labels | ({_name(mention.label, kind)} if mention.label else set()),
         dirs=set(mention.dirs),
         parked=parked,
-        ego=any(h.data.get("ego") for h in heads),
+        ego=any(h.data.get("ego") for h in heads) or _mine(mention, kind),
         driver=driver and not kinds,
         reason=reason,
         called=called(mention, tokens),
     )
+
+
+def _mine(mention: Mention, kind: ParticipantKind) -> bool:
+    """``my bike``, ``our old lorry``: whoever tells it drives it."""
+    first = mention.mods[0] if mention.mods else None
+    mine = first is not None and (first.cat, first.value) == ("possessive", "first_person")
+    named = mention.head is not None and mention.head.value in KINDS
+    return mine and named and kind is not ParticipantKind.PEDESTRIAN
 
 
 def _name(label: str, kind: ParticipantKind) -> str:
@@ -102,6 +110,8 @@ def _count(
     mention: Mention, tokens: list[Token], plural: bool, arms: int | None
 ) -> tuple[int, bool, str | None]:
     number = mention.mod("num")
+    if arms is not None and not plural and mention.heads and mention.heads[0].value != "ego":
+        return arms, False, f"one from each of the {arms} directions"
     if number is not None and number.data["number"] >= 1 and (plural or not mention.mod("det")):
         return int(min(number.data["number"], 10**6)), False, None
     if mention.joined is not None and _shares_noun(mention):

@@ -102,7 +102,7 @@ def overtake(scene: Scene, context: Context) -> None:
             return
     if event.name == "bypass" and isinstance(event.object, Place):
         return
-    if event.name == "pass" and not scene.targets:
+    if not ways.overtaking(scene, context):
         move(scene, context)
         return
     basis = Basis(event.i, event.j)

@@ -51,7 +51,7 @@ def _described_role(chunks: list[Chunk], k: int, state: State) -> bool:
         return False
     joined = any(isinstance(c, Word) and c.cat in {"conj", "sub", "copy"} for c in after[:ends])
     verb = after[ends + 1]
-    finite = isinstance(verb, Event) and verb.form in {"s", "ed"}
+    finite = isinstance(verb, Event) and verb.form != "ing" and not verb.nominal
     return not joined and (finite or (isinstance(verb, Word) and verb.cat == "aux"))
 
 

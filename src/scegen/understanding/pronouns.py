@@ -24,6 +24,8 @@ POSITIONS = {
 }
 """Place within those spoken of last; "the former" and "the latter" are of two."""
 _MOST = 20
+_PERSONAL = frozenset({"he", "she", "him"})
+_FIRST_PERSON = frozenset({"i", "we", "me", "us", "my", "our", "mine", "ours"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +53,8 @@ class Pronouns:
         basis = Basis(mention.i, mention.j)
         if which in {"it", "him"}:
             return self._single(mention, exclude)
+        if which == "they" and not mention.walks and all(e.ego for e in self.draft.entities):
+            return self._new_driver(mention)
         if which in {"they", "both", "all", "neither"}:
             return self.roster.together(exclude)
         if which == "other":
@@ -71,12 +75,41 @@ class Pronouns:
         if mention.landmark and mention.pronoun == "it" and self.roster.landmark:
             return self.roster.landmark
         subject, recent = self.roster.subject, self.roster.recent
-        if self.tokens[mention.i].low == "it":
+        word = self.tokens[mention.i].low
+        if word in _PERSONAL and self._told_in_the_first_person():
+            return self._somebody(mention, exclude, subject)
+        if word == "it":
             recent = [e for e in recent if e.is_vehicle] or recent
         options = subject if len(subject) == 1 else recent[-1:]
+        if not self.draft.entities and word in {"he", "she"}:
+            return self._somebody(mention, exclude, subject)
         before = self.roster.before if len(self.roster.before) == 1 else []
         left = [e for e in (*before, *reversed(recent)) if e not in exclude]
         return [e for e in options if e not in exclude] or left[:1]
+
+    def _new_driver(self, mention: Mention) -> list[Entity]:
+        """``they pulled out in front of me``: somebody who drives, not named before."""
+        if self.tokens[mention.i].low != "they" or not mention.drives:
+            return self.roster.together([])
+        return [self.roster.new(ParticipantKind.CAR, Basis(mention.i, mention.j))]
+
+    def _told_in_the_first_person(self) -> bool:
+        return any(t.low in _FIRST_PERSON and t.text != "i" for t in self.tokens)
+
+    def _somebody(
+        self, mention: Mention, exclude: list[Entity], subject: list[Entity]
+    ) -> list[Entity]:
+        """``he``, ``she``: not the one who tells it; where nobody else is known, somebody new."""
+        others = [e for e in self.roster.recent if not e.ego and e not in exclude and not e.parked]
+        told = [e for e in subject if e in others]
+        if told or others:
+            return told[:1] or others[-1:]
+        if self.tokens[mention.i].low == "him":
+            return []
+        kind = ParticipantKind.CAR
+        if mention.walks and not mention.drives:
+            kind = ParticipantKind.PEDESTRIAN
+        return [self.roster.new(kind, Basis(mention.i, mention.j))]
 
     def _ordinal(self, mention: Mention) -> list[Entity]:
         position = POSITIONS[mention.label or "first"]

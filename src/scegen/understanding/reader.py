@@ -13,6 +13,7 @@ from scegen.understanding.context import Context
 from scegen.understanding.coverage import unattached
 from scegen.understanding.discourse import Discourse
 from scegen.understanding.draft import Draft
+from scegen.understanding.each_arm import count_arms, share_arms
 from scegen.understanding.ellipsis import fill_in
 from scegen.understanding.headings import silence
 from scegen.understanding.junctions import JunctionReading, read_junction
@@ -66,11 +67,12 @@ def read(text: str) -> FunctionalScenario:
     surroundings = read_surroundings(terms, tokens)
     terms = settle_sides(terms, surroundings.side)
     chunks = Chunker(terms, tokens).run()
-    silence(chunks)
-    chunks = repeat(chunks, tokens)
+    chunks = repeat(silence(chunks), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run())
     draft = Draft(text, tokens)
+    shared = share_arms(chunks, events)
     resolve_mentions(chunks, events, Discourse(draft, tokens, _arms(junction)))
+    count_arms(shared, junction)
     across = "right" if surroundings.side is DrivingSide.LEFT else "left"
     events = share_out(events, terms)
     context = Context(draft, junction, tokens, across)

@@ -11,6 +11,7 @@ _A_PAIR = 2
 """Of two sides named, there may still be any number of vehicles."""
 _BEHIND = frozenset({"follow", "tailgate"})
 _LETTING_BY = frozenset({"wait", "yield", "stop", "brake", "slow", "hard_brake", "react"})
+_BACK = frozenset({"it", "him", "they"})
 _PARTS = frozenset({"one", "count", "both", "other", "another", "ordinal"})
 
 
@@ -32,7 +33,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         if e.finite or not (id(m) in objects or m.prep is not None)
     }  # "meets a van blocking the lane", "waits for a van to pass": not about the van
     acted_on = {id(e.object): e for e in events if e.object is not None}
-    everywhere = _sides(events)
+    everywhere = _sides(events, chunks)
     beside = _beside(chunks)
     settled = _settled(events)
     around = {id(p.target): e for e in events for p in e.pps if _is_it(p.target)}
@@ -58,6 +59,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     } | relative
     owners = {id(c.owner) for c in chunks if isinstance(c, Mention)}
     waiting: list[Mention] = []
+    early: list[Mention] = []
     for chunk in chunks:
         if isinstance(chunk, Place) and any(m.value == "first_person" for m in chunk.mods):
             discourse.observer(chunk.i, chunk.j)
@@ -68,14 +70,32 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         if chunk.partitive and chunk.pronoun in _PARTS:
             waiting.append(chunk)
             continue
+        if chunk.pronoun in _BACK and discourse.nobody_yet and _named_later(chunk, chunks):
+            early.append(chunk)
+            continue
         _resolve(chunk, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
+        if early and id(chunk) in subjects:
+            waiting, early = [*waiting, *early], []
         for earlier in waiting:
             _resolve(
                 earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind
             )
         waiting = []
-    for earlier in waiting:
+    for earlier in (*waiting, *early):
         _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
+
+
+def _named_later(pronoun: Mention, chunks: list[Chunk]) -> bool:
+    """``before it turns right, the ego …``: the main clause names whom "it" means."""
+    opened = False
+    for chunk in chunks:
+        if isinstance(chunk, Word) and chunk.i < pronoun.i:
+            opened = opened or chunk.cat == "sub"
+        if isinstance(chunk, Word) and chunk.i > pronoun.i and chunk.value in {".", ";"}:
+            return False
+        if isinstance(chunk, Mention) and chunk.i > pronoun.i and chunk.heads:
+            return opened
+    return False
 
 
 def _generic(chunks: list[Chunk], events: list[Event]) -> None:
@@ -181,10 +201,10 @@ def from_everywhere(prep: Prep) -> bool:
     if prep.value not in {"from", "in"} or not isinstance(target, Place):
         return False
     quantified = any(m.cat == "quant" and m.value == "all" for m in target.mods)
-    return quantified and target.kind in {"direction", "side", "exit"}
+    return quantified and target.kind in {"direction", "side", "exit", "leg", "road"}
 
 
-def _sides(events: list[Event]) -> dict[int, int]:
+def _sides(events: list[Event], chunks: list[Chunk]) -> dict[int, int]:
     """Mentions of those who come one from each of some sides -> how many sides; 0: all."""
     found: dict[int, int] = {}
     for event in events:
@@ -193,6 +213,9 @@ def _sides(events: list[Event]) -> dict[int, int]:
             found |= {id(m): 0 for m in event.subject}
         elif len(sides) > _A_PAIR:
             found |= {id(m): len(sides) for m in event.subject}
+    for chunk in chunks:
+        if isinstance(chunk, Mention) and any(from_everywhere(p) for p in chunk.pps):
+            found[id(chunk)] = 0
     return found
 
 

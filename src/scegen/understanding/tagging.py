@@ -8,6 +8,7 @@ from dataclasses import replace
 from scegen.understanding.choosing import choose, is_adverb
 from scegen.understanding.lexicon import Entry
 from scegen.understanding.numbers import number_at
+from scegen.understanding.paces import doing, pace_at
 from scegen.understanding.particles import (
     in_front,
     just_right,
@@ -115,11 +116,27 @@ def tag(tokens: list[Token]) -> list[Term]:
             term = Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
         if (term.cat, tokens[term.i].low) == ("possessive", "her") and _alone(tokens, term.j):
             term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
+        if _speed(term) and doing(tokens, i):
+            _as_motion(terms, tokens)
         if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
             terms[-1] = replace(terms[-1], value="move", data={})  # "carries straight on"
         terms.append(term)
         i = terms[-1].j
     return _crossings(terms, tokens)
+
+
+def _as_motion(terms: list[Term], tokens: list[Token]) -> None:
+    """``doing about fifty``: driving."""
+    k = next((k for k in range(len(terms) - 1, -1, -1) if terms[k].cat == "verb"), None)
+    if k is not None and tokens[terms[k].i].forms[-1][0] == "do":
+        terms[k] = replace(terms[k], value="move", data={"drives": True})
+
+
+def _speed(term: Term) -> bool:
+    """Whether a term says how fast: "50 mph", "40 in a 30", or a bare number after "doing"."""
+    return term.cat in {"quantity", "num"} or (
+        term.cat == "manner" and term.value in {"fast", "slow"}
+    )
 
 
 def _at_a(terms: list[Term], tokens: list[Token]) -> bool:
@@ -240,6 +257,9 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
         return named
     if just_right(tokens, i, previous):
         return Term("manner", "mild", i, i + 1)
+    pace = pace_at(tokens, i)
+    if pace is not None:
+        return pace
     quantity = quantity_at(tokens, i)
     if quantity:
         return Term("quantity", quantity.dimension, i, quantity.j, data={"quantity": quantity})

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import JunctionKind, Maneuver
+from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
 from scegen.understanding.chunks import Event, Place
-from scegen.understanding.context import Context, span
+from scegen.understanding.context import Context, Scene, span
 from scegen.understanding.draft import Basis
 
 DIRECTIONS = {
@@ -12,6 +12,7 @@ DIRECTIONS = {
     "right": Maneuver.RIGHT,
     "straight": Maneuver.STRAIGHT,
 }
+_OTHER = {"left": "right", "right": "left"}
 _WAY = frozenset({"road", "lane", "path", "highway"})
 _THROUGH = frozenset({"through", "across"})
 
@@ -24,12 +25,20 @@ def directions(event: Event) -> dict[Maneuver, Basis]:
     for prep in event.pps:
         target = prep.target
         if prep.value in {"to", "into"} and isinstance(target, Place) and target.kind == "side":
+            across = _came_from(event) & {_OTHER.get(d, "") for d in target.dirs}
             if target.owner is not None:
                 continue  # "to the right of the bus": where it is
             for value in target.dirs:
                 if value in {"left", "right"}:
-                    found[DIRECTIONS[value]] = span(event, target.i, target.j)
+                    way = Maneuver.STRAIGHT if across else DIRECTIONS[value]
+                    found[way] = span(event, target.i, target.j)
     return found
+
+
+def _came_from(event: Event) -> set[str]:
+    """``from left to right``: right across, no turn."""
+    sides = [p.target for p in event.pps if p.value == "from" and isinstance(p.target, Place)]
+    return {d for side in sides for d in side.dirs}
 
 
 def into_lane(event: Event) -> Place | None:
@@ -65,6 +74,24 @@ def only_signalled(event: Event, context: Context) -> bool:
     after = [t.low for t in context.tokens[event.j : event.j + 2] if t.low != ","]
     signalled = event.parent is not None and event.parent.name == "inert"
     return signalled and after[:1] != [] and after[0] in {"but", "yet", "however", "though"}
+
+
+def overtaking(scene: Scene, context: Context) -> bool:
+    """Whether passing is overtaking: somebody is passed, or who passes was behind somebody.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    if scene.event.name != "pass" or scene.targets:
+        return True
+    over = any(p.kind == "centerline" for p in scene.places())
+    if any(p.value == "behind" for p in scene.event.pps):
+        return False  # "passes behind": across the road there
+    return over or any(
+        p.approaches == {Approach.BEHIND} and p.entity in scene.actors
+        for p in context.draft.placements
+    )
 
 
 def across_the_road(event: Event, context: Context) -> bool:

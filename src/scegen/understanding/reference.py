@@ -1,0 +1,41 @@
+"""What the form of a noun phrase says about whom it can mean."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.chunks import Mention
+from scegen.understanding.mention_words import Reading
+
+
+def own_vehicle(reading: Reading, mention: Mention) -> bool:
+    """``the driver opens the door of his vehicle``: what the driver stands for."""
+    possessed = bool(mention.mods) and mention.mods[0].cat == "possessive"
+    whose = possessed and mention.mods[0].value == "its"
+    return whose and reading.generic and not reading.plural and not reading.dirs
+
+
+def is_pronoun(target: object) -> bool:
+    """Whether a noun is "it", "him" or "they"."""
+    return isinstance(target, Mention) and target.pronoun in {"it", "him", "they"}
+
+
+def refers_to_nobody(mention: Mention) -> bool:
+    """``in traffic``, ``no pedestrians``, ``at the second``: words that name no participant."""
+    prep = mention.prep.value if mention.prep is not None else ""
+    mass = bool(mention.head and mention.head.data.get("mass")) and not mention.mods
+    if mass and prep in {"in", "of", "for"}:
+        return True
+    place = mention.pronoun == "ordinal" and prep == "in"  # "at the first junction …, the second"
+    return place or mention.negated or mention.pronoun == "reflexive"
+
+
+def kin(reading: Reading, mention: Mention) -> bool:
+    """``her daughter``, ``his two children``: nobody who was called otherwise.
+
+    Args:
+        reading: what the words of the mention say.
+        mention: the mention.
+    """
+    whose = mention.mods[0] if mention.mods else None
+    people = reading.kind is ParticipantKind.PEDESTRIAN and not reading.driver
+    return people and whose is not None and (whose.cat, whose.value) == ("possessive", "its")
