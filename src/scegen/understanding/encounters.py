@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind
+from scegen.understanding import ways
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
@@ -10,7 +11,6 @@ from scegen.understanding.draft import Basis, Entity
 _HIDING = frozenset({"behind", "between"})
 _CARRIAGEWAY = frozenset({"road", "crosswalk", "highway"})
 _WAY = frozenset({"crosswalk", "road", "lane", "path", "highway"})
-_ALONG = frozenset({"road", "highway", "side", "shoulder", "lane", "centerline", "middle"})
 _OPAQUE_PLACES = frozenset({"bus_stop", "feature", "parking"})
 _NARROWING = frozenset({"limit", "restrict", "impair", "hinder"})
 _SHELTERING = frozenset({"shield", "cover"})
@@ -73,32 +73,11 @@ def answered(scene: Scene, context: Context) -> None:
             context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, basis, walkers)
 
 
-def along_the_road(event: Event, context: Context) -> bool:
-    """``walks along the edge of the road``, ``in the same direction as the ego``: no crossing.
-
-    Args:
-        event: what somebody on foot does.
-        context: the scenario in the making.
-    """
-    if event.name not in {"walk", "move"}:
-        return False
-    for prep in event.pps:
-        place = prep.target
-        if not isinstance(place, Place):
-            continue
-        along = context.tokens[prep.word.i].low == "along" and place.kind in _ALONG
-        same = place.kind == "direction" and "same" in place.dirs
-        edge = place.kind in {"side", "shoulder"} and prep.value == "in" and not place.dirs
-        if along or same or edge:
-            return True
-    return False
-
-
 def walk(scene: Scene, context: Context) -> None:
     """Walking counts as crossing unless it stays on the sidewalk."""
     if any(p.kind == "sidewalk" for p in scene.places()):
         return
-    if along_the_road(scene.event, context):
+    if ways.along_the_road(scene.event, context):
         return
     if any(p.value == "into" and isinstance(p.target, Mention) for p in scene.event.pps):
         return  # "ran into me": contact
