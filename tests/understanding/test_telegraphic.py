@@ -92,7 +92,7 @@ def test_who_approaches_on_the_oncoming_lane_is_met_there():
     "text",
     [
         "Three cars in a row. The first stops, the second swerves and the ego, last, brakes hard.",
-        "Four cars in single file: the first stops, the second swerves, the third stops, the ego too.",
+        "Four cars in single file: the first brakes, then the second, the third and the ego brake.",
     ],
 )
 def test_the_ego_is_the_last_of_a_row(text):
