@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.lexicon import Entry
+from scegen.understanding.nominal import ORDINALS
 from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
 
@@ -137,6 +138,7 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> b
     if previous.cat in {"dir", "compass"} and _article(tokens, match.j):
         return True  # "a car from the opposite direction signals a turn"
     one = previous.cat == "num" and previous.data.get("number") == 1
+    one = one or (previous.cat == "label" and previous.value in ORDINALS)  # "the first brakes"
     sided = previous.cat == "dir" and previous.value in {"left", "right"} and match.has("inert")
     return one or sided
 

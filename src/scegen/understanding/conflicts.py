@@ -36,7 +36,9 @@ def turn(scene: Scene, context: Context) -> None:
     if left and in_front is not None and in_front.target is not None and scene.drivers:
         basis = Basis(event.i, in_front.target.j)
         to = in_front.target.entities if isinstance(in_front.target, Mention) else []
-        context.draft.hazard(HazardKind.UNPROTECTED_LEFT_TURN, basis, scene.drivers, to)
+        abreast = any(context.placed(e, Approach.ADJACENT) for e in scene.drivers)
+        kind = HazardKind.SUDDEN_TURN if abreast else HazardKind.UNPROTECTED_LEFT_TURN
+        context.draft.hazard(kind, basis, scene.drivers, to)
         return
     sudden = scene.sudden
     lane = into_lane(event)

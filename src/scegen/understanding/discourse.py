@@ -116,6 +116,8 @@ class Discourse:
     def _noun(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         basis = Basis(mention.i, mention.j)
         if reading.ego and not reading.plural:
+            if mention.prep is None and (mention.joined is not None or not exclude):
+                self._roster.last_is_ego()
             return [self._ego(reading.kind, basis, told=not reading.generic)]
         if reading.ego:
             return self._roster.subject  # "we arrive in our cars"

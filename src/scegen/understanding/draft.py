@@ -113,6 +113,7 @@ class Draft:
     crossing_implied: Basis | None = None
     from_kerb: bool = False
     lanes_implied: Basis | None = None
+    passing_implied: Basis | None = None
     access: Basis | None = None
     side_road: Basis | None = None
     """Somebody comes from the left or right, which takes a road there unless lanes are meant."""

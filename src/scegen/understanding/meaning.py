@@ -3,7 +3,15 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind
-from scegen.understanding import breaches, dangers, encounters, implied, red_lights, side_roads
+from scegen.understanding import (
+    breaches,
+    dangers,
+    encounters,
+    implied,
+    red_lights,
+    rows,
+    side_roads,
+)
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.dependents import chain
@@ -74,6 +82,7 @@ class Interpreter:
             if isinstance(chunk, Mention):
                 self._share_sides(chunk.pps, chunk.entities, hidden=False)
         _mark_answers(events)
+        rows.line_up(chunks, events, self._draft)
         for event in events:
             self._event(event)
         red_lights.on_red(chunks, events, self._context)

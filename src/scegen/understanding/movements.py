@@ -110,7 +110,8 @@ def overtake(scene: Scene, context: Context) -> None:
     if not (means is not None and _changes_lane(means)):
         _apply(scene, context, {Maneuver.OVERTAKE}, basis)
     if any(entity.moving_vehicle for entity in scene.targets):
-        context.lanes_implied(basis, "overtaking needs a second lane")
+        draft = context.draft
+        draft.passing_implied = draft.passing_implied or basis
     stated = {
         p.entity.index
         for p in context.draft.placements
