@@ -86,3 +86,21 @@ def test_who_approaches_on_the_oncoming_lane_is_met_there():
     text = "The ego has to drive round roadworks through the oncoming lane while a bus approaches."
     bus = next(p for p in read(text).participants if p.kind.value == "bus")
     assert bus.approaches == {Approach.OPPOSITE}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Three cars in a row. The first stops, the second swerves and the ego, last, brakes hard.",
+        "Four cars in single file: the first brakes, then the second, the third and the ego brake.",
+    ],
+)
+def test_the_ego_is_the_last_of_a_row(text):
+    others = [p for p in read(text).participants if p.role != "ego"]
+    assert len(others) < 4
+    assert {a for p in others for a in p.approaches} == {Approach.AHEAD}
+
+
+def test_who_turns_left_from_the_next_lane_turns_suddenly():
+    text = "A van in the lane to the right of the ego turns left in front of it at a junction."
+    assert [h.kind for h in read(text).hazards] == [HazardKind.SUDDEN_TURN]

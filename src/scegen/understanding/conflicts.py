@@ -37,7 +37,9 @@ def turn(scene: Scene, context: Context) -> None:
     if in_front is not None and in_front.target is not None and scene.drivers:
         basis = Basis(event.i, in_front.target.j)
         to = in_front.target.entities if isinstance(in_front.target, Mention) else []
+        abreast = any(context.placed(e, Approach.ADJACENT) for e in scene.drivers)
         kind = HazardKind.UNPROTECTED_LEFT_TURN if left else HazardKind.FAILURE_TO_YIELD
+        kind = HazardKind.SUDDEN_TURN if left and abreast else kind
         across = all(context.comes_across(e) for e in scene.drivers)
         if left or (across and (not event.dirs or scene.sudden is None)):
             context.draft.hazard(kind, basis, scene.drivers, to)

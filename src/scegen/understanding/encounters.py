@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind
-from scegen.understanding.chunks import Event, Mention, Place
+from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
+from scegen.understanding.walking import keep_along
 
 _HIDING = frozenset({"behind", "between"})
 _CARRIAGEWAY = frozenset({"road", "crosswalk", "highway"})
 _WAY = frozenset({"crosswalk", "road", "lane", "path", "highway"})
-_ALONG = frozenset({"road", "highway", "side", "shoulder", "lane", "centerline", "middle"})
 _OVER = frozenset({"over", "across"})
 _REMAINING = frozenset({"stop", "wait", "locate", "inert", "unknown", "slow"})
 
@@ -80,32 +80,17 @@ def answered(scene: Scene, context: Context) -> None:
             context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, basis, walkers)
 
 
-def along_the_road(event: Event, context: Context) -> bool:
-    """``walks along the edge of the road``, ``in the same direction as the ego``: no crossing.
-
-    Args:
-        event: what somebody on foot does.
-        context: the scenario in the making.
-    """
-    if event.name not in {"walk", "move"}:
-        return False
-    for prep in event.pps:
-        place = prep.target
-        if not isinstance(place, Place):
-            continue
-        along = context.tokens[prep.word.i].low == "along" and place.kind in _ALONG
-        same = place.kind == "direction" and "same" in place.dirs
-        edge = place.kind in {"side", "shoulder"} and prep.value == "in" and not place.dirs
-        if along or same or edge:
-            return True
-    return False
+def struck(scene: Scene, context: Context) -> None:
+    """``was hit on the crosswalk``: whoever is hit there on foot was crossing."""
+    there = any(p.kind == "crosswalk" for p in scene.places())
+    walkers = [e for e in scene.targets if not e.is_vehicle]
+    if there and walkers:
+        context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, scene.words, walkers)
 
 
 def walk(scene: Scene, context: Context) -> None:
-    """Walking counts as crossing unless it stays on the sidewalk."""
-    if any(p.kind == "sidewalk" for p in scene.places()):
-        return
-    if along_the_road(scene.event, context):
+    """Walking counts as crossing unless it keeps along the road or on the sidewalk."""
+    if keep_along(scene, context):
         return
     if any(p.value == "into" and isinstance(p.target, Mention) for p in scene.event.pps):
         return  # "ran into me": contact

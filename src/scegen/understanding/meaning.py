@@ -9,6 +9,7 @@ from scegen.understanding import (
     encounters,
     implied,
     red_lights,
+    rows,
     screens,
     side_roads,
 )
@@ -82,6 +83,7 @@ class Interpreter:
             if isinstance(chunk, Mention):
                 self._share_sides(chunk.pps, chunk.entities, hidden=False)
         _mark_answers(events)
+        rows.line_up(chunks, events, self._draft)
         for event in events:
             self._event(event)
         red_lights.on_red(chunks, events, self._context)

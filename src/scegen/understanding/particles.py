@@ -45,7 +45,9 @@ def then_a_noun(tokens: list[Token], match: Match) -> bool:
         tokens: the tokens of the text.
         match: a phrase of motion or direction that may end in "on".
     """
-    if tokens[match.j - 1].low != "on" or match.j >= len(tokens):
+    if match.j < len(tokens) and tokens[match.j].low == "of":
+        return all(e.cat == "manner" and e.value == "row" for e in match.entries)
+    if tokens[match.j - 1].low not in {"on", "through"} or match.j >= len(tokens):
         return False
     if not all(e.cat in _GIVES and e.value in {"straight", "move"} for e in match.entries):
         return False
@@ -103,3 +105,23 @@ def measured(tokens: list[Token], terms: list[Term], noun: Term) -> bool:
     placed = before.cat == "actor" and before.form == "base"
     placed = placed or (before.cat, before.value) == ("aux", "be")
     return counted and along and placed
+
+
+def after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
+    """``a bus from the left asserts its priority``, ``the car ahead overshoots the line``.
+
+    A noun would not stand there with an ending and an object of its own.
+
+    Args:
+        token: a word that no phrase of the lexicon holds.
+        previous: the term before it.
+        tokens: the tokens of the text.
+    """
+    if not token.low.endswith("s") or token.low.endswith(("ss", "ings", "us")):
+        return False
+    k = tokens.index(token)
+    before = tokens[k - 2].low if k > 1 else ""
+    sided = previous.cat == "dir" and previous.value in {"left", "right"} and before == "the"
+    after = tokens[k + 1].low if k + 1 < len(tokens) else ""
+    governs = after in {"the", "a", "an", "its", "their", "his", "her", "to", "into", "and"}
+    return sided or (previous.cat in {"place", "locus", "compass"} and governs)

@@ -10,6 +10,7 @@ from scegen.understanding.lexicon import Entry
 from scegen.understanding.numbers import number_at
 from scegen.understanding.paces import doing, pace_at
 from scegen.understanding.particles import (
+    after_a_phrase,
     in_front,
     just_right,
     measured,
@@ -23,6 +24,7 @@ from scegen.understanding.tokens import Token
 
 _LABELLED = re.compile(r"^(?:v|veh|u|d|car|cv)\d{1,2}$")
 _WALKER = re.compile(r"^(?:p|ped)\d{1,2}$")
+_ROAD = re.compile(r"^(?:a|b|m|i|us|sr|cr|sh|fm|rn|hwy|rte)\d{1,2}$")
 _NOUNS = ("actor", "place", "thing", "inert")
 _CROSSED = frozenset({"road", "lane", "path", "highway", "crosswalk"})
 _UNIT_WORDS = frozenset({"unit", "veh", "v"})
@@ -36,6 +38,20 @@ def _labelled(token: Token, i: int) -> Term | None:
     if token.kind == "label" and _WALKER.match(token.low):
         return Term("actor", "pedestrian", i, i + 1, "base", {"label": f"#p{digits}"})
     return None
+
+
+def _road_number(tokens: list[Token], i: int) -> Term | None:
+    """``the A40``, ``I-95``, ``US 1``: a road."""
+    token = tokens[i]
+    if token.kind == "label" and token.text[0].isupper() and _ROAD.match(token.low):
+        return Term("place", "highway" if token.low[0] in "mi" else "road", i, i + 1)
+    after = tokens[i + 1] if i + 1 < len(tokens) else None
+    joined = after is not None and after.kind == "number" and after.start <= token.end + 1
+    if not (joined and token.text.isupper() and _ROAD.match(f"{token.low}1")):
+        return None
+    if token.low == "a" and after is not None and after.start > token.end:
+        return None
+    return Term("place", "highway" if token.low[0] in "mi" else "road", i, i + 2)
 
 
 def _first_person(token: Token) -> bool:
@@ -63,24 +79,9 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
     if previous.cat in {"actor", "pronoun", "rel"} or adverb:
         return _suffix_form(token)
-    if _after_a_phrase(token, previous, tokens):
+    if after_a_phrase(token, previous, tokens):
         return "s"
     return None
-
-
-def _after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
-    """``a bus from the left asserts its priority``, ``the car ahead overshoots the line``.
-
-    A noun would not stand there with an ending and an object of its own.
-    """
-    if not token.low.endswith("s") or token.low.endswith(("ss", "ings", "us")):
-        return False
-    k = tokens.index(token)
-    before = tokens[k - 2].low if k > 1 else ""
-    sided = previous.cat == "dir" and previous.value in {"left", "right"} and before == "the"
-    after = tokens[k + 1].low if k + 1 < len(tokens) else ""
-    governs = after in {"the", "a", "an", "its", "their", "his", "her", "to", "into", "and"}
-    return sided or (previous.cat in {"place", "locus", "compass"} and governs)
 
 
 def _suffix_form(token: Token) -> str | None:
@@ -259,9 +260,9 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     token = tokens[i]
     if token.kind == "punct":
         return Term("punct", token.low, i, i + 1)
-    labelled = _labelled(token, i)
-    if labelled:
-        return labelled
+    named = _labelled(token, i) or _road_number(tokens, i)
+    if named:
+        return named
     if just_right(tokens, i, previous):
         return Term("manner", "mild", i, i + 1)
     pace = pace_at(tokens, i)
