@@ -33,14 +33,14 @@ def not_done(scene: Scene, context: Context) -> None:
         breaches.fail_to_yield(scene, context)
     elif event.name == "obey":
         breaches.breach(scene, context)
-    elif event.name in _STOPPING and _at_signals(scene, context):
+    elif event.name in _STOPPING and _at_signals(scene, context) and not _in_time(scene, context):
         context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
     elif event.name in _BRAKING and scene.drivers and _behind_or_late(scene, context):
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name in _STOPPING and _has_to_wait(scene, context):
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers)
     elif (event.name in _SEEING and scene.drivers and _ahead(scene, context)) or (
-        event.name in {"brake", "stop", "slow"} and scene.drivers
+        event.name in {"brake", "stop", "slow", "react"} and scene.drivers
     ):
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name not in _HARMLESS:
@@ -82,6 +82,13 @@ def _ahead(scene: Scene, context: Context) -> bool:
     """Whether what is overlooked drives in front."""
     overlooked = scene.targets or [e for e in context.draft.entities if e not in scene.actors]
     return any(context.placed(e, Approach.AHEAD) for e in overlooked)
+
+
+def _in_time(scene: Scene, context: Context) -> bool:
+    """``waits at a red light; the van behind does not stop in time``: for the one in front."""
+    named = any(p.kind in _SIGNS | {"signal"} for p in scene.places())
+    behind = bool(scene.drivers) and all(context.placed(e, Approach.BEHIND) for e in scene.drivers)
+    return behind and not named
 
 
 def _behind_or_late(scene: Scene, context: Context) -> bool:
