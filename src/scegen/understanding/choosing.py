@@ -10,7 +10,7 @@ from scegen.understanding.tokens import Token
 _NOMINAL_BEFORE = frozenset(
     {"det", "possessive", "dir", "manner", "num", "quant", "label", "noted", "shape"}
 )
-_NO_PREMODIFIER = frozenset({"aux", "actor", "pronoun", "neg"})
+_NO_PREMODIFIER = frozenset({"aux", "actor", "pronoun", "neg", "rel"})
 _VERBAL_BEFORE = frozenset({"actor", "pronoun", "aux", "rel", "neg"})
 _MEASURES = frozenset({"difference", "differential", "gap", "of", "is", "was", "about", "approx",
                        "approximately", "around", "up"})  # fmt: skip
@@ -213,6 +213,25 @@ def _describes(match: Match, tokens: list[Token]) -> bool:
     return _noun_follows(tokens, match.j)
 
 
+def _relates(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """``a bus that turns``, ``a bus from the right that turns``."""
+    if previous is None:
+        return False
+    after = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
+    verbal = verbal and after is not None and not after.has("actor", "place")
+    sided = previous.cat in {"dir", "compass"} and verbal
+    return sided or previous.cat in {"actor", "place", "thing", "inert"}
+
+
+def _before_a_noun(match: Match, tokens: list[Token]) -> bool:
+    """``the red car``, ``the red one``: a colour; ``the red`` alone is a light."""
+    following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    if following is not None and following.has("actor", "place", "label"):
+        return True
+    return match.j < len(tokens) and tokens[match.j].low in {"one", "ones"}
+
+
 _PRIORITY = (
     "noted", "cue", "control", "side", "env", "view", "actor", "possessive", "det", "pronoun",
     "aux", "neg", "sub", "conj", "quant", "dir", "locus", "state", "place", "prep", "manner",
@@ -244,24 +263,18 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
     if match.has("verb"):
         return _verb_or_other(match, tokens, previous)
     if match.has("rel") and match.has("det"):
-        noun_before = previous is not None and previous.cat in {"actor", "place", "thing", "inert"}
-        after = longest_match(tokens, match.j) if match.j < len(tokens) else None
-        verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
-        sided = previous is not None and previous.cat in {"dir", "compass"}
-        if sided and verbal and after is not None and not after.has("actor", "place"):
-            return match.get("rel"), False  # "a bus from the right that turns"
-        return match.get("rel" if noun_before else "det"), False
+        return match.get("rel" if _relates(match, tokens, previous) else "det"), False
     if match.has("label") and match.has("place"):
-        bare = match.j >= len(tokens) or longest_match(tokens, match.j) is None
-        next_match = None if bare else longest_match(tokens, match.j)
-        noun = next_match is not None and next_match.has("actor", "place", "label")
-        return match.get("label" if noun else "place"), False
+        return match.get("label" if _before_a_noun(match, tokens) else "place"), False
     if match.has("neg") and match.has("pronoun"):
         following = longest_match(tokens, match.j) if match.j < len(tokens) else None
         listed = following is not None and following.has("det", "actor", "possessive")
         return match.get("neg" if listed else "pronoun"), False
     if match.has("leg") and previous is not None and previous.cat == "num":
         return match.get("leg"), False
+    inside = previous is not None and previous.cat in {"actor", "pronoun", "num", "aux"}
+    if match.has("conj") and match.has("manner") and inside:
+        return match.get("manner"), False  # "a jogger then ran"
     if match.has("manner") and match.has("label") and previous and previous.cat == "det":
         return match.get("label"), False
     if match.has("det") and match.has("inert"):

@@ -199,6 +199,10 @@ class Chunker:
                 mention.label = second.value
                 self._chunks.append(mention)
                 return self._one_after(k + 2)
+        one = next((m for m, mod in enumerate(mods) if mod.value == "one"), 0)
+        if one > 1 and first.value == "def" and mods[one].cat == "num":
+            self._chunks.append(Mention(first.i, mods[one].j, mods[:one], None, pronoun="one"))
+            return k + one + 1  # "the red one", "the left one"
         if first.cat == "quant" and first.value in {"both", "all"} and len(mods) == 1:
             return self._stand_alone(first, first.value, k)
         return self._side(mods, k)
@@ -289,7 +293,7 @@ def _event(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:
     start = mods[0].i if mods else term.i
     event = Event(term.value, start, term.j, term.form, nominal=nominal, mods=list(mods))
     event.control = term.data.get("control")
-    event.drives = bool(term.data.get("drives"))
+    event.drives, event.says = bool(term.data.get("drives")), bool(term.data.get("says"))
     return event
 
 

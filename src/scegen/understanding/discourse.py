@@ -9,7 +9,7 @@ from scegen.understanding.groups import Group, vehicle_around
 from scegen.understanding.located import as_the_ego_sees, loci_of
 from scegen.understanding.mention_words import DEFAULT_COUNT, Reading, read_mention
 from scegen.understanding.pronouns import POSITIONS, Pronouns
-from scegen.understanding.reference import is_pronoun, own_vehicle, refers_to_nobody
+from scegen.understanding.reference import is_pronoun, kin, own_vehicle, refers_to_nobody
 from scegen.understanding.roster import Roster
 from scegen.understanding.tokens import Token
 
@@ -132,6 +132,9 @@ class Discourse:
             if owner.is_vehicle:
                 owner.parked = owner.parked or (reading.parked and not owner.ego)
                 return [owner]
+        if kin(reading, mention):
+            strangers = [e for e in self._draft.entities if not e.named_by & reading.called]
+            exclude = [*exclude, *strangers]  # "a man with his son"
         known = self._known(reading, mention, exclude)
         if known:
             self._roster.enrich(known, reading)

@@ -95,8 +95,11 @@ def lane_change(scene: Scene, context: Context) -> None:
 def overtake(scene: Scene, context: Context) -> None:
     """Overtaking, or passing something that stands in the lane."""
     event = scene.event
-    if event.name == "bypass" and event.object is None and event.pps:
-        return
+    if event.name == "bypass" and event.object is None and not event.passive:
+        by = context.tokens[event.j - 1].low == "past"
+        if by or event.pps:
+            move(scene, context)  # "waits for the bus to go past"
+            return
     if event.name == "bypass" and isinstance(event.object, Place):
         return
     if not ways.overtaking(scene, context):

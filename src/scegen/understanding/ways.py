@@ -14,7 +14,6 @@ DIRECTIONS = {
 }
 _OTHER = {"left": "right", "right": "left"}
 _WAY = frozenset({"road", "lane", "path", "highway"})
-_ALONG = frozenset({"road", "highway", "side", "shoulder", "lane", "centerline", "middle"})
 _THROUGH = frozenset({"through", "across"})
 
 
@@ -112,24 +111,3 @@ def across_the_road(event: Event, context: Context) -> bool:
         if prep.word.cat == "locus" and prep.value == "ahead" and place is not None:
             return True
     return not any(d.value in DIRECTIONS for d in event.dirs)
-
-
-def along_the_road(event: Event, context: Context) -> bool:
-    """``walks along the edge of the road``, ``in the same direction as the ego``: no crossing.
-
-    Args:
-        event: what somebody on foot does.
-        context: the scenario in the making.
-    """
-    if event.name not in {"walk", "move"}:
-        return False
-    for prep in event.pps:
-        place = prep.target
-        if not isinstance(place, Place):
-            continue
-        along = context.tokens[prep.word.i].low == "along" and place.kind in _ALONG
-        same = place.kind == "direction" and "same" in place.dirs
-        edge = place.kind in {"side", "shoulder"} and prep.value == "in" and not place.dirs
-        if along or same or edge:
-            return True
-    return False
