@@ -6,7 +6,7 @@ from scegen.understanding import relatives
 from scegen.understanding.attachment import attach, place_in_front
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
 from scegen.understanding.lookahead import copula_follows, finite_follows
-from scegen.understanding.phrases import also_from, apposed_to, bracketed
+from scegen.understanding.phrases import also_from, apposed_to, bracketed, whose
 from scegen.understanding.state import State
 
 _COMING = frozenset({"approach", "collide", "overtake", "pass", "cut_in", "cut_off", "follow"})
