@@ -14,6 +14,7 @@ _VERBAL_BEFORE = frozenset({"actor", "pronoun", "aux", "rel", "neg"})
 _MEASURES = frozenset({"difference", "differential", "gap", "of", "is", "was", "about", "approx",
                        "approximately", "around", "up"})  # fmt: skip
 _NOUNS = ("place", "inert", "thing", "view", "env")
+_LEAVING = frozenset({"without", "from", "before", "after"})
 _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
 
 
@@ -108,7 +109,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         shaped = before in {"shape", "control", "det"} and not attributive
         return (match.get("place") if shaped else _without_place(match, attributive)), attributive
     if match.has("dir") and match.get("dir").value == "left":
-        return _left(match, previous)
+        return _left(match, tokens, previous)
     if match.form == "base" and before == "aux" and previous is not None and previous.value == "be":
         return match.get(*_ADJECTIVE_CATS, "verb"), False
     if participle and attributive:
@@ -187,10 +188,13 @@ def _without_place(match: Match, attributive: bool) -> Entry:
     return match.get("dir" if attributive else "verb")
 
 
-def _left(match: Match, previous: Term | None) -> tuple[Entry, bool]:
-    """``left`` is nearly always the side; "V1 left the road" has a subject right before it."""
+def _left(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
+    """``left`` is nearly always the side; "V1 left the road" has a subject and an object."""
     subject = previous is not None and previous.cat in {"actor", "pronoun"}
-    return (match.get("verb") if subject else match.get("dir")), False
+    following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    left = following is not None and following.has("det", "possessive", "place", "manner")
+    left = left or (match.j < len(tokens) and tokens[match.j].low in _LEAVING)
+    return (match.get("verb") if subject and left else match.get("dir")), False
 
 
 def _not_inflected(match: Match) -> Match:

@@ -17,6 +17,7 @@ _MODIFIERS = frozenset(
 )
 _OWNED = frozenset({"lane", "path", "side"})
 _MAX_MODS = 10
+_WAYS = frozenset({"left", "right", "straight"})
 _SIDE_DIRS = frozenset({"left", "right", "opposite", "front", "rear", "adjacent", "straight"})
 
 
@@ -227,6 +228,8 @@ class Chunker:
             side = (mod.cat == "dir" and mod.value in _SIDE_DIRS) or mod.cat == "compass"
             if not side and (seen or mod.cat not in {"det", "possessive"}):
                 break
+            if seen and mod.value in _WAYS and mods[length - 1].value in _WAYS:
+                break  # "from the right straight on"
             seen = seen or side
             length += 1
         previous = self._chunks[-1] if self._chunks else None
@@ -288,6 +291,8 @@ def _event(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:
     event = Event(term.value, start, term.j, term.form, nominal=nominal, mods=list(mods))
     event.control = term.data.get("control")
     event.drives = bool(term.data.get("drives"))
+    if "way" in term.data:
+        event.mods.append(Term("dir", term.data["way"], term.i, term.j))
     return event
 
 

@@ -6,11 +6,11 @@ from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
 from scegen.understanding.lookahead import BOUNDARIES
+from scegen.understanding.telegrams import who_does
 
 _JOINTS = frozenset({"and", "but", ",", "while", "when", ";"})
 _WAYS = frozenset({"left", "right", "straight"})
 _MOST_AFTER = 3
-_OPENING = 2
 
 
 def fill_in(chunks: list[Chunk], events: list[Event]) -> list[Event]:
@@ -23,7 +23,7 @@ def fill_in(chunks: list[Chunk], events: list[Event]) -> list[Event]:
         chunks: the chunks of the text; an ordinal that stands for an exit is replaced by it.
         events: its events.
     """
-    _telegraphic(chunks)
+    who_does(chunks)
     acting = {id(m) for e in events for m in e.subject}
     found = list(events)
     for k, chunk in enumerate(chunks):
@@ -39,23 +39,6 @@ def fill_in(chunks: list[Chunk], events: list[Event]) -> list[Event]:
         if copy is not None:
             found.append(copy)
     return found
-
-
-def _telegraphic(chunks: list[Chunk]) -> None:
-    """``Ego: left turn.``: the noun after the colon is what the one before it does."""
-    for k, event in enumerate(chunks[2:], start=2):
-        who, colon = chunks[k - 2 : k]
-        opener = chunks[k - 3] if k > _OPENING else None
-        first = opener is None or (isinstance(opener, Word) and opener.value in BOUNDARIES)
-        named = isinstance(who, Mention) and isinstance(colon, Word) and colon.value == ":"
-        if not (first and named and isinstance(event, Event) and _doing(event)):
-            continue
-        if isinstance(who, Mention) and not event.subject and not who.negated:
-            event.subject = [who]
-
-
-def _doing(event: Event) -> bool:
-    return event.nominal or event.form == "ing"
 
 
 def _verb_before(mention: Mention, events: list[Event]) -> Event | None:

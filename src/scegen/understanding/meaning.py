@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind
-from scegen.understanding import breaches, dangers, encounters, implied, red_lights, side_roads
+from scegen.understanding import breaches, dangers, encounters, implied, red_lights, roles, side_roads
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.dependents import chain
@@ -94,6 +94,7 @@ class Interpreter:
             encounters.wait_behind(prep, mention.entities, self._context)
         for term in mention.mods:
             self._quality(term, mention.entities)
+        roles.act_by_name(mention, self._context)
 
     def _quality(self, term: Term, entities: list[Entity]) -> None:
         basis = Basis(term.i, term.j)

@@ -74,6 +74,8 @@ def move(scene: Scene, context: Context) -> None:
         return
     values = set(directions)
     basis = next(iter(directions.values()))
+    if ways.side_to_side(event) and any(not context.is_cyclist(e) for e in scene.drivers):
+        context.crossing_implied(basis, "a vehicle comes across")
     if values & {Maneuver.LEFT, Maneuver.RIGHT}:
         context.crossing_implied(basis, "vehicles turn")
     _apply(scene, context, values, basis)

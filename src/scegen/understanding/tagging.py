@@ -16,6 +16,7 @@ from scegen.understanding.particles import (
     then_a_noun,
     then_a_side,
 )
+from scegen.understanding.passages import from_side_to_side
 from scegen.understanding.quantities import quantity_at
 from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
@@ -101,13 +102,21 @@ def tag(tokens: list[Token]) -> list[Term]:
             term = Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
         if (term.cat, tokens[term.i].low) == ("possessive", "her") and _alone(tokens, term.j):
             term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
+        if term.cat == "dir" and terms and terms[-1].value == "unprotected" and _bare(tokens, term):
+            term = replace(term, cat="verb", value="turn", data={"way": term.value})
         if _speed(term) and doing(tokens, i):
             _as_motion(terms, tokens)
         if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
             terms[-1] = replace(terms[-1], value="move", data={})  # "carries straight on"
         terms.append(term)
         i = terms[-1].j
-    return _crossings(terms, tokens)
+    return _crossings(from_side_to_side(terms), tokens)
+
+
+def _bare(tokens: list[Token], term: Term) -> bool:
+    """``an unprotected left``: a turn, although nobody says so."""
+    following = longest_match(tokens, term.j) if term.j < len(tokens) else None
+    return following is None or not following.has("verb", "place", "actor")
 
 
 def _as_motion(terms: list[Term], tokens: list[Token]) -> None:

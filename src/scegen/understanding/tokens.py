@@ -11,12 +11,15 @@ from scegen.understanding.spelling import meant
 
 _TOKEN = re.compile(
     r"(?P<label>[A-Za-z]{1,4}\d{1,2}(?!\w|\.\d))"
+    r"|(?P<ordinal>\d{1,2}(?:st|nd|rd|th)(?!\w))"
     r"|(?P<number>\d{1,9}(?:[.,]\d{1,6})?)"
     r"|(?P<neg>n['’]t\b)"
     r"|(?P<clitic>['’](?:s|re|ll|m|ve|d)?\b|(?<=s)['’])"
     r"|(?P<word>[^\W\d_]+?(?=n['’]t\b)|[^\W\d_]+)"
     r"|(?P<punct>[.,;:!?()\[\]\n&])"
 )
+_ORDINALS = {"1st": "first", "2nd": "second", "3rd": "third", "4th": "fourth", "5th": "fifth",
+             "6th": "sixth", "7th": "seventh", "8th": "eighth"}  # fmt: skip
 _MAX_WORD = 40
 """Longer runs of letters are no words; cutting them keeps look-ups cheap."""
 
@@ -57,6 +60,8 @@ def tokenize(text: str) -> list[Token]:
     for match in _TOKEN.finditer(text):
         kind = match.lastgroup or "punct"
         low = match.group().lower().replace("’", "'")
+        if kind == "ordinal":
+            kind, low = "word", _ORDINALS.get(low, low)
         known = kind in {"word", "neg", "clitic"} and len(low) <= _MAX_WORD
         forms = lemmas(low) if known else ((low, "base"),)
         mended = meant(low) if kind == "word" and _strange(low, forms) else None
