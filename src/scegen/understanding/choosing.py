@@ -219,6 +219,28 @@ _PRIORITY = (
 )  # fmt: skip
 
 
+def _opposite_somebody(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """``waits opposite me``: across from, unlike in "the opposite lane"."""
+    following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    if following is None or (
+        previous is not None and previous.cat in {"det", "prep", "possessive"}
+    ):
+        return False
+    somebody = any("me" in e.data or e.value == "reflexive" for e in following.entries)
+    return somebody or following.has("det", "possessive")
+
+
+def _relative_or_article(match: Match, tokens: list[Token], previous: Term | None) -> Entry:
+    """``that`` after a noun opens a clause; else it points at the noun that follows."""
+    noun_before = previous is not None and previous.cat in {"actor", "place", "thing", "inert"}
+    after = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
+    sided = previous is not None and previous.cat in {"dir", "compass"}
+    if sided and verbal and after is not None and not after.has("actor", "place"):
+        return match.get("rel")  # "a bus from the right that turns"
+    return match.get("rel" if noun_before else "det")
+
+
 def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
     """The meaning that fits the words around, and whether it is a participle before a noun.
 
@@ -232,6 +254,8 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
         return match.get("label"), False  # "the adversarial leading car"
     if match.has("noted") and match.has("actor") and previous and previous.cat == "det":
         return match.get("noted" if _noun_follows(tokens, match.j) else "actor"), False
+    if match.has("locus") and match.has("dir"):
+        return match.get("locus" if _opposite_somebody(match, tokens, previous) else "dir"), False
     if len(match.entries) == 1:
         entry = match.entries[0]
         premod = (
@@ -243,13 +267,7 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
     if match.has("verb"):
         return _verb_or_other(match, tokens, previous)
     if match.has("rel") and match.has("det"):
-        noun_before = previous is not None and previous.cat in {"actor", "place", "thing", "inert"}
-        after = longest_match(tokens, match.j) if match.j < len(tokens) else None
-        verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
-        sided = previous is not None and previous.cat in {"dir", "compass"}
-        if sided and verbal and after is not None and not after.has("actor", "place"):
-            return match.get("rel"), False  # "a bus from the right that turns"
-        return match.get("rel" if noun_before else "det"), False
+        return _relative_or_article(match, tokens, previous), False
     if match.has("label") and match.has("place"):
         bare = match.j >= len(tokens) or longest_match(tokens, match.j) is None
         next_match = None if bare else longest_match(tokens, match.j)

@@ -16,6 +16,7 @@ _SHELTERING = frozenset({"shield", "cover"})
 _SPRINGING = frozenset({"cross", "appear"})
 _COMING = frozenset({"move", "enter", "pull_out"})
 _OVER = frozenset({"over", "across"})
+_UPON = frozenset({"on", "in", "over", "across"})
 _WAITING = frozenset({"wait", "locate", "walk", "move", "stop", "park", "appear"})
 
 
@@ -42,7 +43,7 @@ def on_the_road(mention: Mention, context: Context) -> None:
     for prep in mention.pps:
         place = prep.target
         on = prep.value == "in" and isinstance(place, Place) and place.kind in _WAY
-        if on and isinstance(place, Place) and context.tokens[prep.word.i].low in {"on", "in"}:
+        if on and isinstance(place, Place) and context.tokens[prep.word.i].low in _UPON:
             basis = Basis(mention.i, place.j)
             context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, basis, walkers)
 

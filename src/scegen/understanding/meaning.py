@@ -3,7 +3,15 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind
-from scegen.understanding import breaches, dangers, encounters, implied, red_lights, roles, side_roads
+from scegen.understanding import (
+    breaches,
+    dangers,
+    encounters,
+    implied,
+    red_lights,
+    roles,
+    side_roads,
+)
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.dependents import chain
@@ -12,6 +20,7 @@ from scegen.understanding.movements import MOVEMENTS
 from scegen.understanding.omissions import not_done
 from scegen.understanding.placing import Placer, thing_sides
 from scegen.understanding.recasting import recast
+from scegen.understanding.reciprocal import towards_each_other
 from scegen.understanding.resolving import from_everywhere
 from scegen.understanding.roadside import read_thing
 from scegen.understanding.terms import Term
@@ -77,6 +86,7 @@ class Interpreter:
         for event in events:
             self._event(event)
         red_lights.on_red(chunks, events, self._context)
+        towards_each_other(chunks, events, self._context)
         encounters.come_out(self._context)
         implied.positions(self._scenes, self._context)
         breaches.subsume(self._context)

@@ -62,7 +62,7 @@ def _at(chunks: list[Chunk], k: int) -> Chunk | None:
 
 
 def _after_headings(chunks: list[Chunk]) -> list[Chunk]:
-    """``From the left: a truck``, ``Oncoming: a van``, ``Ego: straight``: the colon adds nothing."""
+    """``From the left: a truck``, ``Ego: straight``: the colon adds nothing."""
     kept: list[Chunk] = []
     begin = 0
     comma = 0
@@ -150,9 +150,9 @@ def _clause_opener(chunks: list[Chunk], k: int) -> Mention | None:
                 return None
             if opener is not None:
                 return opener
-        elif isinstance(chunk, Event):
-            return None
-        elif isinstance(chunk, Word) and chunk.cat not in _WITHIN and not depth:
+        elif isinstance(chunk, Event) or (
+            isinstance(chunk, Word) and chunk.cat not in _WITHIN and not depth
+        ):
             return None
     return None
 
