@@ -44,3 +44,48 @@ def test_nouns_tell_them_apart(text, who):
 def test_what_an_apposition_does():
     scenario = read("At a junction V1 hit V2, a van turning left.")
     assert scenario.participant("van_1").maneuvers == {"left"}
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Officers said a van hit a taxi.", ["car", "van"]),
+        ("The cyclist told a policeman that the bus had cut in.", ["bicycle", "bus"]),
+        ("According to witnesses, a coach overtook a moped.", ["bus", "motorcycle"]),
+        ("At approx. 0815 hrs V1 was S/B on Hwy. 7 when V2 cut in.", ["car", "car"]),
+        ("At 22:40 a van hit a taxi on the B4009.", ["car", "van"]),
+        ("A lorry overtook me on I-80 at 7.15 a.m. on Monday.", ["car", "truck"]),
+        ("A father with his daughter crosses the road.", ["car", "pedestrian", "pedestrian"]),
+        ("The cyclist, a man of sixty from Ghent, hit a van.", ["bicycle", "van"]),
+    ],
+)
+def test_who_does_not_take_part(text, expected):
+    assert kinds(text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("A man walks along the road as the ego comes up.", set()),
+        ("Two girls were strolling down the street.", set()),
+        ("A man walked along the road and then across it.", {"crossing_pedestrian"}),
+        ("A nurse was knocked down on a zebra crossing by a van.", {"crossing_pedestrian"}),
+        ("A gardener then ran across the road.", {"crossing_pedestrian"}),
+        ("The car behind the ego did not stop in time at the lights.", {"delayed_braking"}),
+        ("A van pulled off the verge. V2 did not slow down.", set()),
+        ("A bus brakes hard and the van behind it does not slow down.",
+         {"hard_braking", "delayed_braking"}),
+    ],
+)  # fmt: skip
+def test_what_is_dangerous(text, expected):
+    assert {h.kind.value for h in read(text).hazards} == expected
+
+
+def test_reported_speech_keeps_its_subject():
+    scenario = read("Police believe the van overtook a bus before it hit an oncoming taxi.")
+    assert scenario.participant("van_1").maneuvers == {"overtake"}
+
+
+def test_the_red_one():
+    scenario = read("A red car and a black car meet at a junction. The red one turns left.")
+    assert scenario.participant("car_1").maneuvers == {"left"}

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from scegen.understanding.lexicon import Entry
+from scegen.understanding.nominal import ORDINALS
+from scegen.understanding.sidewords import across_from, left_or_gone
 from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
 
 _NOMINAL_BEFORE = frozenset(
     {"det", "possessive", "dir", "manner", "num", "quant", "label", "noted", "shape"}
 )
-_NO_PREMODIFIER = frozenset({"aux", "actor", "pronoun", "neg"})
+_NO_PREMODIFIER = frozenset({"aux", "actor", "pronoun", "neg", "rel"})
 _VERBAL_BEFORE = frozenset({"actor", "pronoun", "aux", "rel", "neg"})
 _MEASURES = frozenset({"difference", "differential", "gap", "of", "is", "was", "about", "approx",
                        "approximately", "around", "up"})  # fmt: skip
 _NOUNS = ("place", "inert", "thing", "view", "env")
-_LEAVING = frozenset({"without", "from", "before", "after"})
 _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
 
 
@@ -109,7 +110,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         shaped = before in {"shape", "control", "det"} and not attributive
         return (match.get("place") if shaped else _without_place(match, attributive)), attributive
     if match.has("dir") and match.get("dir").value == "left":
-        return _left(match, tokens, previous)
+        return left_or_gone(match, tokens, previous)
     if match.form == "base" and before == "aux" and previous is not None and previous.value == "be":
         return match.get(*_ADJECTIVE_CATS, "verb"), False
     if participle and attributive:
@@ -138,6 +139,7 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> b
     if previous.cat in {"dir", "compass"} and _article(tokens, match.j):
         return True  # "a car from the opposite direction signals a turn"
     one = previous.cat == "num" and previous.data.get("number") == 1
+    one = one or (previous.cat == "label" and previous.value in ORDINALS)  # "the first brakes"
     sided = previous.cat == "dir" and previous.value in {"left", "right"} and match.has("inert")
     return one or sided
 
@@ -188,15 +190,6 @@ def _without_place(match: Match, attributive: bool) -> Entry:
     return match.get("dir" if attributive else "verb")
 
 
-def _left(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
-    """``left`` is nearly always the side; "V1 left the road" has a subject and an object."""
-    subject = previous is not None and previous.cat in {"actor", "pronoun"}
-    following = longest_match(tokens, match.j) if match.j < len(tokens) else None
-    left = following is not None and following.has("det", "possessive", "place", "manner")
-    left = left or (match.j < len(tokens) and tokens[match.j].low in _LEAVING)
-    return (match.get("verb") if subject and left else match.get("dir")), False
-
-
 def _not_inflected(match: Match) -> Match:
     """``the neighbouring lane``: no noun has such a form."""
     kept = tuple(e for e in match.entries if e.cat != "actor")
@@ -212,22 +205,30 @@ def _describes(match: Match, tokens: list[Token]) -> bool:
     return _noun_follows(tokens, match.j)
 
 
+def _relates(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """``a bus that turns``, ``a bus from the right that turns``."""
+    if previous is None:
+        return False
+    after = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
+    verbal = verbal and after is not None and not after.has("actor", "place")
+    sided = previous.cat in {"dir", "compass"} and verbal
+    return sided or previous.cat in {"actor", "place", "thing", "inert"}
+
+
+def _before_a_noun(match: Match, tokens: list[Token]) -> bool:
+    """``the red car``, ``the red one``: a colour; ``the red`` alone is a light."""
+    following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    if following is not None and following.has("actor", "place", "label"):
+        return True
+    return match.j < len(tokens) and tokens[match.j].low in {"one", "ones"}
+
+
 _PRIORITY = (
     "noted", "cue", "control", "side", "env", "view", "actor", "possessive", "det", "pronoun",
     "aux", "neg", "sub", "conj", "quant", "dir", "locus", "state", "place", "prep", "manner",
     "rel", "shape", "leg", "compass", "thing", "label", "copy", "roadmod", "inert",
 )  # fmt: skip
-
-
-def _opposite_somebody(match: Match, tokens: list[Token], previous: Term | None) -> bool:
-    """``waits opposite me``: across from, unlike in "the opposite lane"."""
-    following = longest_match(tokens, match.j) if match.j < len(tokens) else None
-    if following is None or (
-        previous is not None and previous.cat in {"det", "prep", "possessive"}
-    ):
-        return False
-    somebody = any("me" in e.data or e.value == "reflexive" for e in following.entries)
-    return somebody or following.has("det", "possessive")
 
 
 def _relative_or_article(match: Match, tokens: list[Token], previous: Term | None) -> Entry:
@@ -249,13 +250,11 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
         tokens: the tokens of the text.
         previous: the term before.
     """
-    match = _not_inflected(match)
+    match = across_from(_not_inflected(match), tokens, previous)
     if match.has("actor") and match.has("label") and _describes(match, tokens):
         return match.get("label"), False  # "the adversarial leading car"
     if match.has("noted") and match.has("actor") and previous and previous.cat == "det":
         return match.get("noted" if _noun_follows(tokens, match.j) else "actor"), False
-    if match.has("locus") and match.has("dir"):
-        return match.get("locus" if _opposite_somebody(match, tokens, previous) else "dir"), False
     if len(match.entries) == 1:
         entry = match.entries[0]
         premod = (
@@ -267,18 +266,18 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
     if match.has("verb"):
         return _verb_or_other(match, tokens, previous)
     if match.has("rel") and match.has("det"):
-        return _relative_or_article(match, tokens, previous), False
+        return match.get("rel" if _relates(match, tokens, previous) else "det"), False
     if match.has("label") and match.has("place"):
-        bare = match.j >= len(tokens) or longest_match(tokens, match.j) is None
-        next_match = None if bare else longest_match(tokens, match.j)
-        noun = next_match is not None and next_match.has("actor", "place", "label")
-        return match.get("label" if noun else "place"), False
+        return match.get("label" if _before_a_noun(match, tokens) else "place"), False
     if match.has("neg") and match.has("pronoun"):
         following = longest_match(tokens, match.j) if match.j < len(tokens) else None
         listed = following is not None and following.has("det", "actor", "possessive")
         return match.get("neg" if listed else "pronoun"), False
     if match.has("leg") and previous is not None and previous.cat == "num":
         return match.get("leg"), False
+    inside = previous is not None and previous.cat in {"actor", "pronoun", "num", "aux"}
+    if match.has("conj") and match.has("manner") and inside:
+        return match.get("manner"), False  # "a jogger then ran"
     if match.has("manner") and match.has("label") and previous and previous.cat == "det":
         return match.get("label"), False
     if match.has("det") and match.has("inert"):

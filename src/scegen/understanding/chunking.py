@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import pairwise
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, event_of
 from scegen.understanding.lanes import between_lanes
 from scegen.understanding.naming import Namer
 from scegen.understanding.nominal import OPENERS, ORDINALS, VERBAL_LINKS, has_dir, is_nominal
@@ -57,7 +57,7 @@ class Chunker:
     def _chunk_at(self, k: int) -> int:
         term = self._terms[k]
         if term.cat == "verb" and not term.premod:
-            self._chunks.append(_event(term, []))
+            self._chunks.append(event_of(term, []))
             return k + 1
         if term.cat == "pronoun":
             self._chunks.append(_pronoun(term))
@@ -159,7 +159,7 @@ class Chunker:
         ):
             if any(mod.cat == "num" for mod in mods) and not has_dir(mods):
                 return self._bare(mods, k)
-            self._chunks.append(_event(head, mods, nominal=True))
+            self._chunks.append(event_of(head, mods, nominal=True))
             return m + 1
         return self._bare(mods, k)
 
@@ -200,6 +200,10 @@ class Chunker:
                 mention.label = second.value
                 self._chunks.append(mention)
                 return self._one_after(k + 2)
+        one = next((m for m, mod in enumerate(mods) if mod.value == "one"), 0)
+        if one > 1 and first.value == "def" and mods[one].cat == "num":
+            self._chunks.append(Mention(first.i, mods[one].j, mods[:one], None, pronoun="one"))
+            return k + one + 1  # "the red one", "the left one"
         if first.cat == "quant" and first.value in {"both", "all"} and len(mods) == 1:
             return self._stand_alone(first, first.value, k)
         return self._side(mods, k)
@@ -284,16 +288,6 @@ class Chunker:
         written = term is not None and self._tokens[term.i].kind == "number"
         digits = number and (bare or written)
         return digits and head.value in {"lane", "road"} and follows not in {"actor", "place"}
-
-
-def _event(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:
-    start = mods[0].i if mods else term.i
-    event = Event(term.value, start, term.j, term.form, nominal=nominal, mods=list(mods))
-    event.control = term.data.get("control")
-    event.drives = bool(term.data.get("drives"))
-    if "way" in term.data:
-        event.mods.append(Term("dir", term.data["way"], term.i, term.j))
-    return event
 
 
 def _pronoun(term: Term) -> Mention:

@@ -140,6 +140,7 @@ class Event:
         pps: prepositional phrases that belong to it.
         parent: the verb on which it depends ("tries" in "tries to merge").
         drives: only vehicles, or people in them, do it.
+        says: it tells what somebody says or thinks ("he said the van had stopped").
         link: how it hangs on its parent: ``inf``, ``ing`` or ``noun``.
         reduced: it only describes its noun ("a man hidden behind a van runs out").
         unable: it does not take place because it cannot ("could not stop").
@@ -170,6 +171,7 @@ class Event:
     children: list[Event] = field(default_factory=list)
     alternative: int | None = None
     drives: bool = False
+    says: bool = False
     sentence: int = 0
     premod_of: Mention | None = None
 
@@ -216,3 +218,20 @@ class Prep:
 
 
 Chunk: TypeAlias = Word | Mention | Place | Thing | Event
+
+
+def event_of(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:
+    """The event that a verb makes.
+
+    Args:
+        term: the verb.
+        mods: the words before it, for a noun.
+        nominal: it stands as a noun ("a left turn").
+    """
+    start = mods[0].i if mods else term.i
+    event = Event(term.value, start, term.j, term.form, nominal=nominal, mods=list(mods))
+    event.control = term.data.get("control")
+    event.drives, event.says = bool(term.data.get("drives")), bool(term.data.get("says"))
+    if "way" in term.data:
+        event.mods.append(Term("dir", term.data["way"], term.i, term.j))
+    return event

@@ -36,7 +36,9 @@ def turn(scene: Scene, context: Context) -> None:
     if left and in_front is not None and in_front.target is not None and scene.drivers:
         basis = Basis(event.i, in_front.target.j)
         to = in_front.target.entities if isinstance(in_front.target, Mention) else []
-        context.draft.hazard(HazardKind.UNPROTECTED_LEFT_TURN, basis, scene.drivers, to)
+        abreast = any(context.placed(e, Approach.ADJACENT) for e in scene.drivers)
+        kind = HazardKind.SUDDEN_TURN if abreast else HazardKind.UNPROTECTED_LEFT_TURN
+        context.draft.hazard(kind, basis, scene.drivers, to)
         return
     sudden = scene.sudden
     lane = into_lane(event)
@@ -235,9 +237,28 @@ def pull_out(scene: Scene, context: Context) -> None:
     drivers = [e for e in scene.drivers if not (out_of_sight and context.is_cyclist(e))]
     drivers = [e for e in drivers if Maneuver.OVERTAKE not in e.maneuvers]  # out of its lane
     along = any(context.placed(e, a) for e in drivers for a in (Approach.BEHIND, Approach.AHEAD))
+    if drivers and _into_the_next_lane(scene, context):
+        movements.lane_change(scene, context)
+        lane_change(scene, context)
+        return
     if drivers and not along and not _to_overtake(scene, context):
         to = [] if out_of_sight else _mentioned(scene.event)
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, drivers, to)
+
+
+def _into_the_next_lane(scene: Scene, context: Context) -> bool:
+    """``pulls out into the left lane``: from lane to lane, unless it comes out of somewhere."""
+    lane = into_lane(scene.event)
+    sides = {"left", "right", "adjacent", "opposite"}
+    named = lane is not None and lane.head is not None and lane.head.j - lane.head.i > 1
+    named = named and not context.junction.crossing  # "the overtaking lane"
+    beside = lane is not None and lane.kind == "lane" and (named or bool(sides & set(lane.dirs)))
+    out = any(
+        p.kind in {"access", "parking", "shoulder", "sidewalk", "junction", "bus_stop"}
+        for p in scene.places()
+    )
+    kerb = any(context.comes_across(e) for e in scene.drivers) or context.draft.from_kerb
+    return beside and not out and not kerb
 
 
 def _to_overtake(scene: Scene, context: Context) -> bool:

@@ -9,6 +9,7 @@ from scegen.understanding import conflicts, encounters
 from scegen.understanding.chunks import Mention
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
+from scegen.understanding.walking import keep_along
 from scegen.understanding.ways import into_lane
 
 _REGULATED = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_stop", "parking",
@@ -95,6 +96,7 @@ def move(scene: Scene, context: Context) -> None:
         elif lane is not scene.event.object:
             conflicts.enter(scene, context)
     encounters.ride(scene, context)
+    keep_along(scene, context)
     close = scene.how("close")
     behind = [e for e in scene.drivers if context.placed(e, Approach.BEHIND)]
     if close is not None and behind:
@@ -226,6 +228,7 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "follow": follow,
     "cross": encounters.cross,
     "walk": encounters.walk,
+    "collide": encounters.struck,
     "enter": enter,
     "move": move,
     "unpark": conflicts.unpark,

@@ -31,6 +31,7 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
         for mention in event.subject:
             _by_doing(mention, event, tokens)
     _people_in_traffic(chunks, events)
+    _listeners(events)
     _own_vehicles(events, tokens)
     _vehicles_of_parties(chunks)
     _ridden(chunks, events, tokens)
@@ -102,6 +103,15 @@ def _vehicles_of_parties(chunks: list[Chunk]) -> None:
         drives = any("driver" in h.data for h in owner.heads)
         if drives and not _is_person(chunk):
             chunk.same_as = owner
+
+
+def _listeners(events: list[Event]) -> None:
+    """``officers said …``, ``told a policeman …``: they take no part."""
+    for event in events:
+        told = [p.target for p in event.pps if p.value == "to"]
+        for mention in [*event.subject, event.object, *told] if event.says else []:
+            if isinstance(mention, Mention) and any("onlooker" in h.data for h in mention.heads):
+                mention.negated = True
 
 
 def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:

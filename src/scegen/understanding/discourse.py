@@ -9,7 +9,7 @@ from scegen.understanding.groups import Group, vehicle_around
 from scegen.understanding.located import as_the_ego_sees, loci_of
 from scegen.understanding.mention_words import DEFAULT_COUNT, Reading, read_mention
 from scegen.understanding.pronouns import POSITIONS, Pronouns
-from scegen.understanding.reference import is_pronoun, own_vehicle, refers_to_nobody
+from scegen.understanding.reference import is_pronoun, kin, own_vehicle, refers_to_nobody
 from scegen.understanding.roster import Roster
 from scegen.understanding.tokens import Token
 
@@ -54,10 +54,8 @@ class Discourse:
         if mention.entities:
             return mention.entities
         if mention.same_as is not None:
-            first = mention.same_as.entities or self.resolve(
-                mention.same_as, subject=True, exclude=[]
-            )  # "riding a moped, I …"
-            mention.entities = list(first)
+            same = mention.same_as  # "riding a moped, I …": whom comes later
+            mention.entities = list(same.entities or self.resolve(same, subject=True, exclude=[]))
             self._refine(mention)
             return mention.entities
         if refers_to_nobody(mention) or self._their_own_queue(mention):
@@ -116,6 +114,8 @@ class Discourse:
     def _noun(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         basis = Basis(mention.i, mention.j)
         if reading.ego and not reading.plural:
+            if mention.prep is None and (mention.joined is not None or not exclude):
+                self._roster.last_is_ego()
             return [self._ego(reading.kind, basis, told=not reading.generic)]
         if reading.ego:
             return self._roster.subject  # "we arrive in our cars"
@@ -130,11 +130,19 @@ class Discourse:
             if owner.is_vehicle:
                 owner.parked = owner.parked or (reading.parked and not owner.ego)
                 return [owner]
+        if kin(reading, mention):
+            strangers = [e for e in self._draft.entities if not e.named_by & reading.called]
+            exclude = [*exclude, *strangers]  # "a man with his son"
         known = self._known(reading, mention, exclude)
         if known:
             self._roster.enrich(known, reading)
             return known
         return self._roster.introduce(reading, basis)
+
+    @property
+    def nobody_yet(self) -> bool:
+        """Whether nobody has come up so far."""
+        return not self._draft.entities
 
     def tells(self, i: int, j: int) -> bool:
         """Whether words name the one who tells it ("on my side of the road").
@@ -285,8 +293,8 @@ class Discourse:
         options = [e for e in options if not (loci and e.loci) or loci & e.loci]
         others = [e for e in options if not e.ego]
         others = [e for e in others if e.named_by & reading.called] or others
-        restricted = reading.dirs or reading.labels or mention.pps or mention.elsewhere
-        restricted = restricted or mention.narrowed
+        placed = mention.pps or mention.elsewhere or mention.narrowed
+        restricted = reading.dirs or reading.labels or placed
         if others or reading.det == "bare" or restricted:
             return others[:1]
         return options[:1]

@@ -113,6 +113,7 @@ class Draft:
     crossing_implied: Basis | None = None
     from_kerb: bool = False
     lanes_implied: Basis | None = None
+    passing_implied: Basis | None = None
     access: Basis | None = None
     side_road: Basis | None = None
     """Somebody comes from the left or right, which takes a road there unless lanes are meant."""
@@ -191,7 +192,7 @@ class Draft:
         if alternative is None and values in (_OVERRIDABLE, _ON_THE_WAY) and known & _TURNS:
             return
         if Maneuver.CROSS in values:
-            known = known - {Maneuver.STAY}
+            known = known - {Maneuver.STAY, Maneuver.STRAIGHT}
         entity.maneuvers = set(known | values)
         entity.maneuver_basis = _joined(entity.maneuver_basis, basis, bool(known))
         entity.turn_alternative = alternative or entity.turn_alternative

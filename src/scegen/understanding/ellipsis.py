@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
 from scegen.understanding.lookahead import BOUNDARIES
-from scegen.understanding.telegrams import who_does
+from scegen.understanding.predicates import complete
 
 _JOINTS = frozenset({"and", "but", ",", "while", "when", ";"})
 _WAYS = frozenset({"left", "right", "straight"})
@@ -23,7 +23,6 @@ def fill_in(chunks: list[Chunk], events: list[Event]) -> list[Event]:
         chunks: the chunks of the text; an ordinal that stands for an exit is replaced by it.
         events: its events.
     """
-    who_does(chunks)
     acting = {id(m) for e in events for m in e.subject}
     found = list(events)
     for k, chunk in enumerate(chunks):
@@ -38,7 +37,7 @@ def fill_in(chunks: list[Chunk], events: list[Event]) -> list[Event]:
         copy = _copy(verb, chunk, chunks, k + 1)
         if copy is not None:
             found.append(copy)
-    return found
+    return complete(chunks, found)
 
 
 def _verb_before(mention: Mention, events: list[Event]) -> Event | None:

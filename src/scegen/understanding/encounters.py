@@ -6,6 +6,7 @@ from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.walking import keep_along
 
 _HIDING = frozenset({"behind", "between"})
 _CARRIAGEWAY = frozenset({"road", "crosswalk", "highway"})
@@ -73,9 +74,17 @@ def answered(scene: Scene, context: Context) -> None:
             context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, basis, walkers)
 
 
+def struck(scene: Scene, context: Context) -> None:
+    """``was hit on the crosswalk``: whoever is hit there on foot was crossing."""
+    there = any(p.kind == "crosswalk" for p in scene.places())
+    walkers = [e for e in scene.targets if not e.is_vehicle]
+    if there and walkers:
+        context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, scene.words, walkers)
+
+
 def walk(scene: Scene, context: Context) -> None:
-    """Walking counts as crossing unless it stays on the sidewalk."""
-    if any(p.kind == "sidewalk" for p in scene.places()):
+    """Walking counts as crossing unless it keeps along the road or on the sidewalk."""
+    if keep_along(scene, context):
         return
     if any(p.value == "into" and isinstance(p.target, Mention) for p in scene.event.pps):
         return  # "ran into me": contact

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from scegen.understanding.chunks import Chunk, Event, Mention, Word
 from scegen.understanding.lookahead import BOUNDARIES
 
@@ -9,21 +11,59 @@ _SPECIFIC = frozenset({"pedestrian", "bicycle", "motorcycle", "truck", "bus"})
 _FIRST_WORDS = frozenset({"det", "num", "quant", "possessive"})
 
 
-def silence(chunks: list[Chunk]) -> None:
+def silence(chunks: list[Chunk]) -> list[Chunk]:
     """Marks the participants of a heading as nobody, if the sentence after it names its own.
 
     A heading has no verb of its own, and its nouns stand without article or number.
 
     Args:
         chunks: the chunks of the text; mentions in a heading are marked as ``negated``.
+
+    Returns:
+        The chunks without the colons after which it is said what the one before them does.
     """
     begin = 0
+    joints: set[int] = set()
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Word) or chunk.value not in BOUNDARIES:
             continue
-        if chunk.value == ":" and _is_heading(chunks[begin:k], chunks[k + 1 :]):
-            _silence(chunks[begin:k], chunks[k + 1 :])
+        title, rest = chunks[begin:k], chunks[k + 1 :]
+        if chunk.value == ":" and _of_one(title, rest):
+            joints.add(id(chunk))
+        elif _is_heading(title, rest) and (chunk.value == ":" or _is_title(title, rest)):
+            _silence(title, rest)
         begin = k + 1
+    return [c for c in chunks if id(c) not in joints]
+
+
+def _of_one(title: list[Chunk], rest: list[Chunk]) -> bool:
+    """``Ego: left turn.``, ``Adversary: from the right, goes straight.``."""
+    who = title[0] if len(title) == 1 else None
+    if not isinstance(who, Mention) or not who.heads or not rest or isinstance(rest[0], Mention):
+        return False
+    for before, chunk in pairwise(rest):
+        if isinstance(chunk, Event) or (isinstance(chunk, Word) and chunk.value in BOUNDARIES):
+            return True
+        if isinstance(chunk, Mention):
+            return isinstance(before, Word) and before.cat in {"prep", "locus"}
+    return True
+
+
+def _is_title(title: list[Chunk], rest: list[Chunk]) -> bool:
+    """``Car-to-cyclist, crossing from the near side. The cyclist …``: all come up again."""
+    mentions = [c for c in title if isinstance(c, Mention)]
+    if not mentions or any(isinstance(c, Event) for c in title):
+        return False
+    named = [c for c in rest if isinstance(c, Mention) and c.pronoun is None]
+    pair = len(mentions) > 1 and any(isinstance(c, Word) and c.value == "to" for c in title)
+    again = all(any(_stands_for(n, m) for n in named) for m in mentions)
+    return pair and again and len(named) >= len(mentions)
+
+
+def _stands_for(named: Mention, mention: Mention) -> bool:
+    generic = mention.head is not None and mention.head.value == "car"
+    ego = any(h.data.get("ego") for h in named.heads)
+    return (generic and ego) or (mention.head is not None and _of_kind(named, mention.head.value))
 
 
 def _silence(title: list[Chunk], rest: list[Chunk]) -> None:

@@ -27,6 +27,7 @@ def positions(scenes: list[Scene], context: Context) -> None:
             context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
         _hidden_behind(scene, context)
         _overtaken(scene, context)
+        _met(scene, context)
         _across(scene, context)
     for danger in context.draft.dangers:
         if danger.kind is HazardKind.ONCOMING_LANE:
@@ -59,6 +60,26 @@ def _overtaken(scene: Scene, context: Context) -> None:
     for entity in scene.targets:
         seen = [p for p in context.draft.placements if p.entity is entity and _by_the_ego(p)]
         if entity.moving_vehicle and not entity.ego and not seen:
+            context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
+
+
+def _met(scene: Scene, context: Context) -> None:
+    """``uses the oncoming lane once the approaching van has gone by``: the van is met there."""
+    event = scene.event
+    if event.name not in {"approach", "move"} or event.object is not None or event.negated:
+        return
+    meets = context.junction.crossing or context.draft.crossing_implied is not None
+    leaves = any(
+        d.kind is HazardKind.ONCOMING_LANE and any(e.ego for e in d.by)
+        for d in context.draft.dangers
+    )
+    described = event.premod_of is not None and event.name == "approach"
+    if meets or not (leaves or described):
+        return
+    basis = Basis(event.i, event.j, "who approaches on an open road comes from the front")
+    for entity in scene.drivers:
+        seen = [p for p in context.draft.placements if p.entity is entity or p.reference is entity]
+        if not entity.ego and not seen and entity.heading is None and not entity.maneuvers:
             context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
 
 

@@ -52,6 +52,17 @@ def finite_follows(chunks: list[Chunk], k: int) -> bool:
     return False
 
 
+def copula_follows(chunks: list[Chunk], k: int) -> bool:
+    """``the light was red``: whether "is" or "was" comes right after chunk ``k``.
+
+    Args:
+        chunks: the chunks of the text.
+        k: index of a chunk.
+    """
+    after = chunks[k + 1] if k + 1 < len(chunks) else None
+    return isinstance(after, Word) and after.cat == "aux"
+
+
 def _place_after(chunks: list[Chunk], word: Word) -> bool:
     """``the view to the left``: no infinitive."""
     k = next(k for k, chunk in enumerate(chunks) if chunk is word)

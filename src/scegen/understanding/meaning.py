@@ -10,6 +10,7 @@ from scegen.understanding import (
     implied,
     red_lights,
     roles,
+    rows,
     side_roads,
 )
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
@@ -33,9 +34,9 @@ _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
 _BREACHING = frozenset(
     {"walk", "follow", "breach", "move", "enter", "cross", "speed", "accelerate"}
 )
-_ON_THE_MOVE = frozenset({"swerve", "use", "enter", "move", "cross", "lose_control", "lane_change",
-                          "merge", "overtake", "bypass", "turn", "sharp_turn", "approach",
-                          "unknown"})  # fmt: skip
+_ON_THE_MOVE = frozenset({"pull_out", "swerve", "use", "enter", "move", "cross", "lose_control",
+                          "lane_change", "merge", "overtake", "bypass", "turn", "sharp_turn",
+                          "approach", "unknown"})  # fmt: skip
 _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
                        "pull_out", "collide"})  # fmt: skip
@@ -83,6 +84,7 @@ class Interpreter:
             if isinstance(chunk, Mention):
                 self._share_sides(chunk.pps, chunk.entities, hidden=False)
         _mark_answers(events)
+        rows.line_up(chunks, events, self._draft)
         for event in events:
             self._event(event)
         red_lights.on_red(chunks, events, self._context)

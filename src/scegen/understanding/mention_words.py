@@ -60,7 +60,8 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
     if mention.goes_by is not None and people:
         kind, driver = mention.goes_by, False
         kinds, specific = [kind], [kind]
-    plural = mass or (heads[-1].form == "s" and not (mention.label or "").startswith("#"))
+    named = (mention.label or "").startswith("#")
+    plural = mass or "pair" in heads[-1].data or (heads[-1].form == "s" and not named)
     count, vague, reason = _count(mention, tokens, plural, arms)
     det = next((m for m in mention.mods if m.cat in {"det", "possessive"}), None)
     numbered = mention.mod("num")
@@ -124,6 +125,8 @@ def _count(
         count = next((n for w, n in _VAGUE_COUNTS.items() if w in words), _MANY)
         return count, True, f"'{word}' is read as {count}"
     if quant is not None and quant.value == "both" and plural:
+        return DEFAULT_COUNT, False, None
+    if mention.heads and "pair" in mention.heads[-1].data:
         return DEFAULT_COUNT, False, None
     if not plural:
         return 1, False, None

@@ -97,8 +97,11 @@ def lane_change(scene: Scene, context: Context) -> None:
 def overtake(scene: Scene, context: Context) -> None:
     """Overtaking, or passing something that stands in the lane."""
     event = scene.event
-    if event.name == "bypass" and event.object is None and event.pps:
-        return
+    if event.name == "bypass" and event.object is None and not event.passive:
+        by = context.tokens[event.j - 1].low == "past"
+        if by or event.pps:
+            move(scene, context)  # "waits for the bus to go past"
+            return
     if event.name == "bypass" and isinstance(event.object, Place):
         return
     if not ways.overtaking(scene, context):
@@ -109,7 +112,8 @@ def overtake(scene: Scene, context: Context) -> None:
     if not (means is not None and _changes_lane(means)):
         _apply(scene, context, {Maneuver.OVERTAKE}, basis)
     if any(entity.moving_vehicle for entity in scene.targets):
-        context.lanes_implied(basis, "overtaking needs a second lane")
+        draft = context.draft
+        draft.passing_implied = draft.passing_implied or basis
     stated = {
         p.entity.index
         for p in context.draft.placements

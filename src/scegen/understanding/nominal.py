@@ -55,7 +55,8 @@ def is_nominal(
         return False
     if tokens[mods[-1].i].low == "others":
         return False  # "two others turn"
-    pronominal = mods[-1].cat == "num" or mods[-1].value in {"another", "other", *ORDINALS}
+    last = next((m for m in reversed(mods) if m.cat != "manner"), mods[-1])
+    pronominal = last.cat == "num" or last.value in {"another", "other", *ORDINALS}
     if pronominal and head.form != "base":
         return False
     return not (mods[0].cat == "manner" and head.form == "s")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.understanding import relatives
 from scegen.understanding.attachment import attach, place_in_front
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
-from scegen.understanding.lookahead import finite_follows
+from scegen.understanding.lookahead import copula_follows, finite_follows
 from scegen.understanding.phrases import also_from, apposed_to, bracketed
 from scegen.understanding.state import State
 
@@ -43,7 +43,7 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         mention.pronoun = "further"
     if state.fronted:
         _start_clause(mention, state)
-    elif isinstance(anchor, Event) and direct and anchor.object is None:
+    elif isinstance(anchor, Event) and direct and _takes(anchor, k, chunks):
         anchor.object = mention
     elif (described := _described(mention, k, chunks, state)) is not None:
         mention.same_as = described
@@ -64,6 +64,12 @@ def _emphasises(mention: Mention, state: State) -> bool:
         return False
     mention.same_as = state.anchor if isinstance(state.anchor, Mention) else None
     return mention.same_as is not None
+
+
+def _takes(verb: Event, k: int, chunks: list[Chunk]) -> bool:
+    """Whether a noun after a verb is its object; "he said the van stopped" tells of the van."""
+    reported = verb.says and (finite_follows(chunks, k) or copula_follows(chunks, k))
+    return verb.object is None and not reported
 
 
 def _described(mention: Mention, k: int, chunks: list[Chunk], state: State) -> Mention | None:

@@ -13,6 +13,9 @@ _SIGNS = frozenset({"stop_sign", "stop_line", "yield_sign"})
 _SEEING = frozenset({"encounter", "overlook"})
 _BRAKING = frozenset({"stop", "brake", "slow"})
 _STOPPING = frozenset({"stop", "brake", "wait", "slow"})
+_TO_BRAKE_FOR = frozenset({HazardKind.HARD_BRAKING, HazardKind.STOPPING, HazardKind.OBSTACLE,
+                          HazardKind.SLOW_DRIVING, HazardKind.CROSSING_PEDESTRIAN,
+                          HazardKind.CROSSING_CYCLIST, HazardKind.CUT_IN})  # fmt: skip
 _HARMLESS = frozenset({"light", "inert", "return", "move", "encounter", "try"})
 
 
@@ -33,14 +36,14 @@ def not_done(scene: Scene, context: Context) -> None:
         breaches.fail_to_yield(scene, context)
     elif event.name == "obey":
         breaches.breach(scene, context)
-    elif event.name in _STOPPING and _at_signals(scene, context):
+    elif event.name in _STOPPING and _at_signals(scene, context) and not _rear(scene, context):
         context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
     elif event.name in _BRAKING and scene.drivers and _behind_or_late(scene, context):
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name in _STOPPING and _has_to_wait(scene, context):
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers)
     elif (event.name in _SEEING and scene.drivers and _ahead(scene, context)) or (
-        event.name in {"brake", "stop", "slow"} and scene.drivers
+        event.name in _BRAKING and scene.drivers and (event.name != "slow" or _due(scene, context))
     ):
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name not in _HARMLESS:
@@ -77,6 +80,21 @@ def _at_signals(scene: Scene, context: Context) -> bool:
     regulated = scene.event.name == "stop" and context.junction.control is Control.SIGNALS
     follows = all(context.placed(e, Approach.BEHIND) for e in scene.drivers)
     return named or (regulated and not (follows and scene.drivers))
+
+
+def _rear(scene: Scene, context: Context) -> bool:
+    """``the car behind it did not stop in time``: for the one in front, not for the light."""
+    named = any(p.kind == "signal" for p in scene.places())
+    behind = bool(scene.drivers) and all(context.placed(e, Approach.BEHIND) for e in scene.drivers)
+    return (behind or not named) and _behind_or_late(scene, context)
+
+
+def _due(scene: Scene, context: Context) -> bool:
+    """``does not slow down``: whether there is something to slow down for."""
+    return any(
+        d.kind in _TO_BRAKE_FOR and not any(e in scene.drivers for e in d.by)
+        for d in context.draft.dangers
+    ) or _ahead(scene, context)
 
 
 def _ahead(scene: Scene, context: Context) -> bool:

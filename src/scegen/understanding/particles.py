@@ -47,7 +47,9 @@ def then_a_noun(tokens: list[Token], match: Match) -> bool:
         tokens: the tokens of the text.
         match: a phrase of motion or direction that may end in "on".
     """
-    if tokens[match.j - 1].low != "on" or match.j >= len(tokens):
+    if match.j < len(tokens) and tokens[match.j].low == "of":
+        return all(e.cat == "manner" and e.value == "row" for e in match.entries)
+    if tokens[match.j - 1].low not in {"on", "through"} or match.j >= len(tokens):
         return False
     if not all(e.cat in _GIVES and e.value in {"straight", "move"} for e in match.entries):
         return False

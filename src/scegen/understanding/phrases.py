@@ -40,19 +40,19 @@ def _places(anchor: object, who: Mention) -> bool:
 
 
 def _described_role(chunks: list[Chunk], k: int, state: State) -> bool:
-    """``the adversary, a van stopped ahead, blocks …``: a role, then what plays it."""
+    """``the driver, a man from Leeds, lost …``: a noun and its phrases between two commas."""
     role, noun = state.candidate, chunks[k]
     if role is None or not role.heads or not isinstance(noun, Mention) or not noun.mods:
         return False
-    named = any(h.value in {"adversary", "ego"} for h in role.heads)
-    bare = named and noun.mods[0].value == "indef"
+    bare = noun.mods[0].value == "indef"
     after = chunks[k + 1 : k + 9]
     ends = next((m for m, c in enumerate(after) if isinstance(c, Word) and c.value == ","), None)
     if not bare or ends is None or ends + 1 >= len(after):
         return False
     joined = any(isinstance(c, Word) and c.cat in {"conj", "sub", "copy"} for c in after[:ends])
     verb = after[ends + 1]
-    return not joined and isinstance(verb, Event) and verb.form in {"s", "ed"}
+    finite = isinstance(verb, Event) and verb.form != "ing" and not verb.nominal
+    return not joined and (finite or (isinstance(verb, Word) and verb.cat == "aux"))
 
 
 def also_from(noun: NounPhrase, state: State) -> bool:

@@ -95,6 +95,12 @@ def _at_its_side(prep: Prep, event: Event | None) -> bool:
     return prep.value == "to" and sided and owned and steady
 
 
+def _same_way(prep: Prep) -> bool:
+    """``in the same direction as the ego``."""
+    place = prep.target
+    return isinstance(place, Place) and place.kind == "direction" and "same" in place.dirs
+
+
 _FROM = {"north": "south", "south": "north", "east": "west", "west": "east"}
 
 
@@ -202,8 +208,9 @@ class Placer:
             if not target.entities:
                 return
             reference = target.entities[0]
+        same = event is not None and any(_same_way(p) for p in event.pps)
         for entity in entities:
-            if entity.is_vehicle or prep.value != "ahead":
+            if entity.is_vehicle or prep.value != "ahead" or same:
                 self._draft.place(entity, reference, approaches, basis)
         further = target.entities[1:] if isinstance(target, Mention) else []
         for other in further if len(entities) == 1 else []:

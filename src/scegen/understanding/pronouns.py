@@ -131,6 +131,10 @@ class Pronouns:
         count = 1
         if which in {"count", "others", "further"}:
             count = int(mention.mods[0].data["number"])
+        coloured = {self.tokens[m.i].low for m in mention.mods if m.value == "colour"}
+        painted = [e for e in self.roster.recent if coloured & e.labels]
+        if painted and which == "one":
+            return painted[-1:]
         claimed = self.roster.claim(count, exclude) if which != "further" else []
         if which in {"others", "further"} and not claimed:
             alike = [e.kind for e in self.roster.recent if e.is_vehicle and which == "further"]

@@ -51,11 +51,12 @@ def _ignores_it(scene: Scene, context: Context) -> bool:
         return False
     others = [e for e in context.draft.entities if not e.ego and e not in scene.actors]
     ways = {"through"} if others else {"through", "past"}
+    named = [scene.event.object, *(p.target for p in scene.event.pps)]
     return any(
-        context.tokens[p.word.i].low in ways
-        and isinstance(p.target, Mention)
-        and context.tokens[p.target.i].low == "it"
-        for p in scene.event.pps
+        isinstance(m, Mention)
+        and context.tokens[m.i].low == "it"
+        and context.tokens[m.i - 1].low in ways
+        for m in named
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.mention_words import Reading
 
@@ -26,3 +27,15 @@ def refers_to_nobody(mention: Mention) -> bool:
         return True
     place = mention.pronoun == "ordinal" and prep == "in"  # "at the first junction …, the second"
     return place or mention.negated or mention.pronoun == "reflexive"
+
+
+def kin(reading: Reading, mention: Mention) -> bool:
+    """``her daughter``, ``his two children``: nobody who was called otherwise.
+
+    Args:
+        reading: what the words of the mention say.
+        mention: the mention.
+    """
+    whose = mention.mods[0] if mention.mods else None
+    people = reading.kind is ParticipantKind.PEDESTRIAN and not reading.driver
+    return people and whose is not None and (whose.cat, whose.value) == ("possessive", "its")

@@ -27,6 +27,11 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     found: list[Chunk] = []
     for chunk in chunks:
         lane = last.get("lane")
+        if isinstance(chunk, Mention) and "exit" in last and _an_exit(chunk, found, tokens):
+            ordinal = [m for m in chunk.mods if m.cat == "label"]
+            exit_ = Place(chunk.i, chunk.j, ordinal, last["exit"].head, None, kind="exit")
+            found.append(exit_)
+            continue
         if isinstance(chunk, Word) and lane is not None and _there(chunk, found, tokens):
             where = Place(chunk.i, chunk.j, list(lane.mods), lane.head, lane.owner, kind="lane")
             found += [Word(Term("prep", "in", chunk.i, chunk.j)), where]
@@ -35,6 +40,8 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         if not isinstance(chunk, Place):
             continue
         kind = "side" if chunk.kind in _SIDED else chunk.kind
+        if kind == "exit":
+            last[kind] = chunk
         points = chunk.mods and tokens[chunk.mods[0].i].low in _POINTING
         if kind == "lane" and points and lane is not None and not chunk.dirs:
             chunk.mods = [*chunk.mods, *(m for m in lane.mods if m.cat == "dir")]
@@ -45,6 +52,16 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
                 chunk, mods=[m for m in chunk.mods if kind == "lane" or m.cat == "dir"]
             )
     return found
+
+
+def _an_exit(mention: Mention, before: list[Chunk], tokens: list[Token]) -> bool:
+    """``leaves at the second exit, the ego continues to the third``: an exit, too."""
+    word = before[-1] if before else None
+    if mention.pronoun != "ordinal" or word is None:
+        return False
+    goal = isinstance(word, Word) and tokens[word.i].low in {"to", "at", "by", "via", "onto"}
+    taken = isinstance(word, Event) and word.name in {"leave", "use"}
+    return goal or taken
 
 
 def _there(word: Word, before: list[Chunk], tokens: list[Token]) -> bool:

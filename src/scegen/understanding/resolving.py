@@ -12,6 +12,7 @@ _A_PAIR = 2
 """Of two sides named, there may still be any number of vehicles."""
 _BEHIND = frozenset({"follow", "tailgate"})
 _LETTING_BY = frozenset({"wait", "yield", "stop", "brake", "slow", "hard_brake", "react"})
+_BACK = frozenset({"it", "him", "they"})
 _PARTS = frozenset({"one", "count", "both", "other", "another", "ordinal"})
 
 
@@ -60,6 +61,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     } | relative
     owners = {id(c.owner) for c in chunks if isinstance(c, Mention)}
     waiting: list[Mention] = []
+    early: list[Mention] = []
     for chunk in chunks:
         if isinstance(chunk, Place | Thing) and any(m.value == "first_person" for m in chunk.mods):
             discourse.observer(chunk.i, chunk.j)
@@ -70,14 +72,32 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         if chunk.partitive and chunk.pronoun in _PARTS:
             waiting.append(chunk)
             continue
+        if chunk.pronoun in _BACK and discourse.nobody_yet and _named_later(chunk, chunks):
+            early.append(chunk)
+            continue
         _resolve(chunk, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
+        if early and id(chunk) in subjects:
+            waiting, early = [*waiting, *early], []
         for earlier in waiting:
             _resolve(
                 earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind
             )
         waiting = []
-    for earlier in waiting:
+    for earlier in (*waiting, *early):
         _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
+
+
+def _named_later(pronoun: Mention, chunks: list[Chunk]) -> bool:
+    """``before it turns right, the ego …``: the main clause names whom "it" means."""
+    opened = False
+    for chunk in chunks:
+        if isinstance(chunk, Word) and chunk.i < pronoun.i:
+            opened = opened or chunk.cat == "sub"
+        if isinstance(chunk, Word) and chunk.i > pronoun.i and chunk.value in {".", ";"}:
+            return False
+        if isinstance(chunk, Mention) and chunk.i > pronoun.i and chunk.heads:
+            return opened
+    return False
 
 
 def _generic(chunks: list[Chunk], events: list[Event]) -> None:

@@ -140,6 +140,17 @@ class Roster:
         stops = [k for k, t in enumerate(self.tokens[: mention.i]) if t.low == "."]
         return bool(colons) and not any(k > colons[0] for k in stops)
 
+    def last_is_ego(self) -> None:
+        """``three cars: the first …, the second …, and the ego``: the one that is left."""
+        if any(e.ego for e in self.draft.entities):
+            return
+        for group in reversed(self.groups):
+            counted = not group.vague and len(group.members) > 2 and len(group.free) == 1
+            last = group.free[0] if counted else None
+            if last is not None and last.kind is ParticipantKind.CAR and not last.parked:
+                last.ego = last.claimed = True
+                last.named_by.add("ego")
+
     def told_what(self, reading: Reading, basis: Basis) -> list[Entity]:
         """``three of us …, the van on my right``: what one of the others drives."""
         for group in self.groups:

@@ -23,6 +23,7 @@ from scegen.understanding.tokens import Token
 
 _LABELLED = re.compile(r"^(?:v|veh|u|d|car|cv)\d{1,2}$")
 _WALKER = re.compile(r"^(?:p|ped)\d{1,2}$")
+_ROAD = re.compile(r"^(?:a|b|m|i|us|sr|cr|sh|fm|rn|hwy|rte)\d{1,2}$")
 _NOUNS = ("actor", "place", "thing", "inert")
 _CROSSED = frozenset({"road", "lane", "path", "highway", "crosswalk"})
 _UNIT_WORDS = frozenset({"unit", "veh", "v"})
@@ -36,6 +37,20 @@ def _labelled(token: Token, i: int) -> Term | None:
     if token.kind == "label" and _WALKER.match(token.low):
         return Term("actor", "pedestrian", i, i + 1, "base", {"label": f"#p{digits}"})
     return None
+
+
+def _road_number(tokens: list[Token], i: int) -> Term | None:
+    """``the A40``, ``I-95``, ``US 1``: a road."""
+    token = tokens[i]
+    if token.kind == "label" and token.text[0].isupper() and _ROAD.match(token.low):
+        return Term("place", "highway" if token.low[0] in "mi" else "road", i, i + 1)
+    after = tokens[i + 1] if i + 1 < len(tokens) else None
+    joined = after is not None and after.kind == "number" and after.start <= token.end + 1
+    if not (joined and token.text.isupper() and _ROAD.match(f"{token.low}1")):
+        return None
+    if token.low == "a" and after is not None and after.start > token.end:
+        return None
+    return Term("place", "highway" if token.low[0] in "mi" else "road", i, i + 2)
 
 
 def _first_person(token: Token) -> bool:
@@ -246,9 +261,9 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     token = tokens[i]
     if token.kind == "punct":
         return Term("punct", token.low, i, i + 1)
-    labelled = _labelled(token, i)
-    if labelled:
-        return labelled
+    named = _labelled(token, i) or _road_number(tokens, i)
+    if named:
+        return named
     if just_right(tokens, i, previous):
         return Term("manner", "mild", i, i + 1)
     pace = pace_at(tokens, i)

@@ -30,25 +30,6 @@ def spell_out(chunks: list[Chunk]) -> list[Chunk]:
     return [_going(chunks, k) or chunk for k, chunk in enumerate(chunks)]
 
 
-def who_does(chunks: list[Chunk]) -> None:
-    """``Ego: left turn.``, ``bus (from the left) right turn``: the noun before does it.
-
-    Args:
-        chunks: the chunks of the text, clauses read; subjects are filled in.
-    """
-    for k, event in enumerate(chunks):
-        if not isinstance(event, Event) or event.subject or not _doing(event):
-            continue
-        heading = k > 0 and _is(chunks[k - 1], ":")
-        who = _clause_opener(chunks, k - 1 if heading else k)
-        if who is not None and not who.negated and (heading or who.prep is None):
-            event.subject = [who]
-
-
-def _doing(event: Event) -> bool:
-    return event.nominal or event.form == "ing"
-
-
 def _is(chunk: Chunk | None, value: str) -> bool:
     return isinstance(chunk, Word) and chunk.value == value
 
@@ -124,8 +105,7 @@ def _going(chunks: list[Chunk], k: int) -> Event | None:
     free = _ends(following) or (
         isinstance(following, Word) and (following.value == "," or following.cat in _AFTER)
     )
-    joined = _is(_at(chunks, k - 1), ",")
-    opener = _clause_opener(chunks, k - 1 if joined else k)
+    opener = _clause_opener(chunks, k)
     if not free or _is(following, "of") or opener is None:
         return None
     return Event("move", way.i, way.j, "s", mods=[way.term], drives=True)

@@ -6,13 +6,13 @@ from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Participa
 from scegen.understanding.draft import Basis, Danger, Draft, Entity, Placement
 from scegen.understanding.placing import INVERSE
 
-_IN_THE_WAY = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING, HazardKind.HARD_BRAKING})
+_IN_THE_WAY = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING, HazardKind.HARD_BRAKING,
+                         HazardKind.OBSTACLE})  # fmt: skip
 _COMPASS = ("north", "east", "south", "west")
 _SEEN = {1: Approach.LEFT, 2: Approach.OPPOSITE, 3: Approach.RIGHT}
 """Quarter turns clockwise from the ego's heading to the other's -> where the other comes from."""
 _FRAME = {Approach.LEFT: "east", Approach.RIGHT: "west", Approach.OPPOSITE: "south"}
 """Headings of those who come from a side, for an observer who looks north."""
-
 _ALONG = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE})
 _SEEN_BACK = _ALONG | {Approach.ADJACENT}
 _SIDEWAYS = _ALONG | {Approach.LEFT, Approach.RIGHT}
@@ -218,7 +218,7 @@ def in_the_way(draft: Draft, ego: Entity) -> None:
             continue
         for entity in danger.by:
             free = entity.index not in placed and not entity.approaches and entity.heading is None
-            if free and entity is not ego and entity.moving_vehicle:
+            if free and entity is not ego and entity.is_vehicle:
                 entity.approaches = {Approach.AHEAD}
                 reason = "on a straight road, who is in the way is ahead"
                 entity.approach_basis = Basis(danger.basis.i, danger.basis.j, reason)

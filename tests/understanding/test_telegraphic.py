@@ -1,0 +1,106 @@
+"""Telegraphic notes: directions and nouns for verbs, titles, references back and forth."""
+
+import pytest
+
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
+from scegen.understanding import read
+
+
+def doings(text):
+    """Maneuvers of everybody, the ego first."""
+    found = sorted(read(text).participants, key=lambda p: p.role != "ego")
+    return [set(p.maneuvers) for p in found]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Ego straight, adversary left turn.", [Maneuver.STRAIGHT, Maneuver.LEFT]),
+        ("Ego: turning left. Oncoming bus: straight.", [Maneuver.LEFT, Maneuver.STRAIGHT]),
+        (
+            "Crossroads with stop signs; ego right turn, van from the left, straight.",
+            [Maneuver.RIGHT, Maneuver.STRAIGHT],
+        ),
+        (
+            "Ego on the major road of a T-junction, straight. Adversary from the left, right turn.",
+            [Maneuver.STRAIGHT, Maneuver.RIGHT],
+        ),
+        (
+            "Crossroads: VUT straight on, truck approaching from the right, also straight.",
+            [Maneuver.STRAIGHT, Maneuver.STRAIGHT],
+        ),
+    ],
+)
+def test_a_direction_or_a_noun_is_what_somebody_does(text, expected):
+    assert doings(text) == [{maneuver} for maneuver in expected]
+
+
+def test_a_title_names_nobody_new():
+    text = "Car-to-cyclist, longitudinal. The cyclist rides ahead of the host vehicle in its lane."
+    assert [p.kind.value for p in read(text).participants] == ["bicycle", "car"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Before it can complete its right turn, the ego has to let three cyclists pass.",
+        "As it turns right at the junction, the ego meets an oncoming bus.",
+    ],
+)
+def test_it_may_be_named_later(text):
+    assert doings(text)[0] == {Maneuver.RIGHT}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A coach takes the first exit of the roundabout; the ego behind it takes the second.",
+        "In a roundabout, a van leaves at the first exit and the ego continues to the second.",
+    ],
+)
+def test_the_second_is_an_exit(text):
+    assert doings(text) == [{Maneuver.EXIT_2}, {Maneuver.EXIT_1}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Pedestrian walking on the edge of a rural road, ahead of the ego, in the same direction.",
+        "A jogger runs along the road ahead of the VUT, in the same direction.",
+    ],
+)
+def test_who_walks_along_does_not_cross(text):
+    scenario = read(text)
+    walker = next(p for p in scenario.participants if p.kind.value == "pedestrian")
+    assert walker.approaches == {Approach.AHEAD}
+    assert HazardKind.CROSSING_PEDESTRIAN not in {h.kind for h in scenario.hazards}
+
+
+def test_pulling_out_into_the_next_lane_is_a_change_of_lane():
+    assert doings("The ego pulls out into the left lane as the car ahead brakes.")[0] == {
+        Maneuver.LANE_CHANGE
+    }
+
+
+def test_who_approaches_on_the_oncoming_lane_is_met_there():
+    text = "The ego has to drive round roadworks through the oncoming lane while a bus approaches."
+    bus = next(p for p in read(text).participants if p.kind.value == "bus")
+    assert bus.approaches == {Approach.OPPOSITE}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Three cars in a row. The first stops, the second swerves and the ego, last, brakes hard.",
+        "Four cars in single file: the first brakes, then the second, the third and the ego brake.",
+    ],
+)
+def test_the_ego_is_the_last_of_a_row(text):
+    others = [p for p in read(text).participants if p.role != "ego"]
+    assert len(others) < 4
+    assert {a for p in others for a in p.approaches} == {Approach.AHEAD}
+
+
+def test_who_turns_left_from_the_next_lane_turns_suddenly():
+    text = "A van in the lane to the right of the ego turns left in front of it at a junction."
+    assert [h.kind for h in read(text).hazards] == [HazardKind.SUDDEN_TURN]
