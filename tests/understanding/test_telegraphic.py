@@ -104,3 +104,55 @@ def test_the_ego_is_the_last_of_a_row(text):
 def test_who_turns_left_from_the_next_lane_turns_suddenly():
     text = "A van in the lane to the right of the ego turns left in front of it at a junction."
     assert [h.kind for h in read(text).hazards] == [HazardKind.SUDDEN_TURN]
+
+
+def where(text, kind):
+    return next(set(p.approaches) for p in read(text).participants if p.kind.value == kind)
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "side"),
+    [
+        ("Adult pedestrian, farside, 8 km/h; VUT 50 km/h.", "pedestrian", Approach.LEFT),
+        ("A child nearside, partly hidden by a van; ego 30 km/h.", "pedestrian", Approach.RIGHT),
+        ("The ego stops and the lorry following fails to react.", "truck", Approach.BEHIND),
+        ("A truck cuts out and the ego meets a stopped car.", "truck", Approach.AHEAD),
+    ],
+)
+def test_where_they_are(text, kind, side):
+    assert where(text, kind) == {side}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Right turn on red: ego must first yield to a pedestrian on the crosswalk.",
+        "Right turn at a crossroads. The host has to give way to two cyclists.",
+        "Turning right at a T-junction: ego must wait for a bus.",
+    ],
+)
+def test_a_title_says_what_the_ego_does(text):
+    assert doings(text)[0] == {Maneuver.RIGHT}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The ego waits at a red light; the van behind does not stop in time.",
+        "The ego slows down and the car following does not react.",
+    ],
+)
+def test_who_is_behind_brakes_too_late(text):
+    assert [h.kind for h in read(text).hazards] == [HazardKind.DELAYED_BRAKING]
+
+
+def test_a_left_turner_turns_left():
+    assert doings("The opposing left-turner waits as the ego goes straight at the junction.") == [
+        {Maneuver.STRAIGHT},
+        {Maneuver.LEFT},
+    ]
+
+
+def test_what_is_to_be_done_is_done():
+    text = "The leading vehicle, a moped, is slow; the ego is to overtake it."
+    assert doings(text)[0] == {Maneuver.OVERTAKE}

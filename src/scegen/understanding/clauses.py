@@ -186,6 +186,12 @@ class ClauseReader:
 
     def _premodifiers(self, mention: Mention) -> None:
         """``a speeding car``, ``the left turning truck``: events of the noun itself."""
+        if mention.head is not None and mention.head.data.get("turns"):
+            turn = Event("turn", mention.i, mention.j, "ing", subject=[mention])
+            turn.mods = [m for m in mention.mods if m.value in {"left", "right"}]
+            turn.premod_of, turn.sentence = mention, self._sentence
+            mention.mods = [m for m in mention.mods if m not in turn.mods]
+            self.events.append(turn)
         for position, mod in enumerate(mention.mods):
             if mod.cat != "verb":
                 continue

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Maneuver
+from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.chunks import Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
@@ -22,7 +22,12 @@ def follow(scene: Scene, context: Context) -> None:
     for entity in scene.drivers:
         entity.moves = entity.moves or Basis(scene.event.i, scene.event.j)
         entity.on_straight = entity.on_straight or straight
-    context.ahead(scene.targets, scene.actors, Basis(scene.event.i, scene.event.j))
+    basis = Basis(scene.event.i, scene.event.j)
+    context.ahead(scene.targets, scene.actors, basis)
+    nobody = scene.event.object is None and not scene.event.passive and not scene.event.pps
+    if nobody and not any(e.ego for e in scene.actors):
+        for entity in scene.drivers:  # "and the car following brakes"
+            context.draft.place(entity, None, {Approach.BEHIND}, basis)
 
 
 def precede(scene: Scene, context: Context) -> None:

@@ -28,6 +28,7 @@ def positions(scenes: list[Scene], context: Context) -> None:
         _hidden_behind(scene, context)
         _overtaken(scene, context)
         _met(scene, context)
+        _cuts_out(scene, context)
         _across(scene, context)
     for danger in context.draft.dangers:
         if danger.kind is HazardKind.ONCOMING_LANE:
@@ -83,6 +84,18 @@ def _met(scene: Scene, context: Context) -> None:
             context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
 
 
+def _cuts_out(scene: Scene, context: Context) -> None:
+    """``cuts out``: leaves the lane in which it drove ahead of the ego."""
+    words = {t.low for t in context.tokens[scene.event.i : scene.event.j]}
+    if scene.event.name != "lane_change" or "out" not in words or scene.event.negated:
+        return
+    basis = Basis(scene.event.i, scene.event.j, "who cuts out was ahead in the lane")
+    for entity in scene.drivers:
+        seen = [p for p in context.draft.placements if p.entity is entity and _by_the_ego(p)]
+        if not entity.ego and not seen:
+            context.draft.place(entity, None, {Approach.AHEAD}, basis)
+
+
 def _by_the_ego(placement: Placement) -> bool:
     return placement.reference is None or placement.reference.ego
 
@@ -101,7 +114,7 @@ def _across(scene: Scene, context: Context) -> None:
     stem = [
         p
         for p in sources
-        if p.value == "from" and isinstance(p.target, Place) and p.target.kind == "access"
+        if p.value in {"from", "in"} and isinstance(p.target, Place) and p.target.kind == "access"
     ]
     along = context.junction.kind is JunctionKind.T and ego.maneuvers == {Maneuver.STRAIGHT}
     if not on_red and not (stem and along):

@@ -43,7 +43,9 @@ def not_done(scene: Scene, context: Context) -> None:
     elif event.name in _STOPPING and _has_to_wait(scene, context):
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers)
     elif (event.name in _SEEING and scene.drivers and _ahead(scene, context)) or (
-        event.name in _BRAKING and scene.drivers and (event.name != "slow" or _due(scene, context))
+        event.name in _BRAKING | {"react"}
+        and scene.drivers
+        and (event.name != "slow" or _due(scene, context))
     ):
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name not in _HARMLESS:

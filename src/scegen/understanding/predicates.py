@@ -23,6 +23,7 @@ def complete(chunks: list[Chunk], events: list[Event]) -> list[Event]:
         events: its events, left-out verbs filled in; nouns of doings get their subject.
     """
     found = list(events)
+    _titled(chunks, events)
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Event) and chunk.nominal and not chunk.subject:
             chunk.subject = _whose(chunks, k, found)
@@ -31,6 +32,31 @@ def complete(chunks: list[Chunk], events: list[Event]) -> list[Event]:
             if subject:
                 found.append(_going(chunk.term, subject, chunks, found))
     return sorted(found, key=lambda e: (e.sentence, e.i)) if len(found) > len(events) else found
+
+
+def _titled(chunks: list[Chunk], events: list[Event]) -> None:
+    """``Right turn on red: the ego has to wait for …``: the title says what the ego does."""
+    end = next(
+        (k for k, c in enumerate(chunks) if isinstance(c, Word) and c.value in {":", "."}), 0
+    )
+    title, rest = chunks[:end], chunks[end + 1 :]
+    doings = [c for c in title if isinstance(c, Event)]
+    if len(doings) != 1 or any(isinstance(c, Mention) for c in title):
+        return
+    doing = doings[0]
+    named = doing.nominal or doing.form == "ing"
+    who = next((c for c in rest if isinstance(c, Mention)), None)
+    ego = who is not None and any(h.data.get("ego") for h in who.heads)
+    if doing.subject or not (named and ego and doing.dirs) or who is None:
+        return
+    settled = any(e.i > doing.i and (e.name == "turn" or _ways(e)) for e in events)
+    across = any(getattr(p.target, "kind", "") == "path" for p in doing.pps)
+    if not settled and not across:
+        doing.subject = [who]
+
+
+def _ways(event: Event) -> bool:
+    return any(m.value in _WAYS for m in event.dirs)
 
 
 def _predicative(chunks: list[Chunk], k: int) -> bool:

@@ -247,7 +247,7 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
         match = longest_match(tokens[: match.j - 1], i)
     if match and match.only("verb") and in_front(tokens, match):
         match = replace(match, j=match.j + 2)  # "forces its way in front of"
-    if match and match.j > i + 1 and match.only("verb") and _needs_infinitive(tokens, match):
+    if match and match.j > i + 1 and match.only("verb", "aux") and _needs_infinitive(tokens, match):
         match = longest_match(tokens[: match.j - 1], i) or match
     plural = any(form == "s" for _, form in token.forms)
     if match and match.j > i + 1 and plural and match.only(*_NOUNS):
