@@ -137,6 +137,10 @@ def swerve(scene: Scene, context: Context) -> None:
     if not drivers or (scene.event.modal and any(e.ego for e in drivers)):
         return
     context.draft.hazard(HazardKind.SWERVING, scene.words, drivers, scene.targets)
+    ahead = [p for p in scene.event.pps if p.word.cat == "locus" and p.value == "ahead"]
+    whom = [e for p in ahead if isinstance(p.target, Mention) for e in p.target.entities]
+    if whom and not scene.reaction and not any(context.oncoming(e) for e in drivers):
+        conflicts.cut_in(scene, context)  # "swings out in front of the bus"
 
 
 def oncoming_lane(scene: Scene, context: Context) -> None:

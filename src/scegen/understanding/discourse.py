@@ -54,10 +54,8 @@ class Discourse:
         if mention.entities:
             return mention.entities
         if mention.same_as is not None:
-            first = mention.same_as.entities or self.resolve(
-                mention.same_as, subject=True, exclude=[]
-            )  # "riding a moped, I …"
-            mention.entities = list(first)
+            same = mention.same_as  # "riding a moped, I …": whom comes later
+            mention.entities = list(same.entities or self.resolve(same, subject=True, exclude=[]))
             self._refine(mention)
             return mention.entities
         if refers_to_nobody(mention) or self._their_own_queue(mention):
@@ -298,8 +296,8 @@ class Discourse:
         options = [e for e in options if not (loci and e.loci) or loci & e.loci]
         others = [e for e in options if not e.ego]
         others = [e for e in others if e.named_by & reading.called] or others
-        restricted = reading.dirs or reading.labels or mention.pps or mention.elsewhere
-        restricted = restricted or mention.narrowed
+        placed = mention.pps or mention.elsewhere or mention.narrowed
+        restricted = reading.dirs or reading.labels or placed
         if others or reading.det == "bare" or restricted:
             return others[:1]
         return options[:1]

@@ -13,6 +13,7 @@ _CARRIAGEWAY = frozenset({"road", "crosswalk", "highway"})
 _WAY = frozenset({"crosswalk", "road", "lane", "path", "highway"})
 _OVER = frozenset({"over", "across"})
 _REMAINING = frozenset({"stop", "wait", "locate", "inert", "unknown", "slow"})
+_UPON = frozenset({"on", "in", "over", "across"})
 
 
 def cross(scene: Scene, context: Context) -> None:
@@ -38,7 +39,7 @@ def on_the_road(mention: Mention, context: Context) -> None:
     for prep in mention.pps:
         place = prep.target
         on = prep.value == "in" and isinstance(place, Place) and place.kind in _WAY
-        if on and isinstance(place, Place) and context.tokens[prep.word.i].low in {"on", "in"}:
+        if on and isinstance(place, Place) and context.tokens[prep.word.i].low in _UPON:
             basis = Basis(mention.i, place.j)
             context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, basis, walkers)
 

@@ -9,6 +9,7 @@ from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Danger, Entity, Placement
 
 _CLOSING = frozenset({"approach", "encounter", "collide", "move", "brake", "hard_brake", "slow"})
+_COMING = frozenset({"move", "approach", "enter", "speed", "accelerate", "collide", "overtake"})
 _TOWARDS = frozenset({"to", "into", "in", "for", "with"})
 _HEAD_ON = frozenset({"towards", "toward"})
 _SLOWER = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
@@ -178,6 +179,20 @@ def _at_the_ego(prep: Prep, scene: Scene, context: Context) -> bool:
     """``comes straight at the ego``."""
     goal = context.tokens[prep.word.i].low == "at" and isinstance(prep.target, Mention)
     return goal and scene.event.name in {"move", "speed", "approach"}
+
+
+def head_on(term: Term, scene: Scene, context: Context) -> None:
+    """``a motorcycle approaches head-on``: who collides so has come from the front, too.
+
+    Args:
+        term: the words for it.
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    coming = scene.event.name in _COMING
+    for entity in scene.drivers if coming else []:
+        to = next((e for e in scene.targets if e.moving_vehicle), None)
+        context.draft.place(entity, to, {Approach.OPPOSITE}, Basis(term.i, term.j))
 
 
 def _own(event: Event, context: Context) -> set[str]:

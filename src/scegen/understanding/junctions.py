@@ -74,6 +74,8 @@ def read_junction(terms: list[Term], tokens: list[Token]) -> JunctionReading:
     for k, term in enumerate(terms):
         if term.cat == "place":
             _place(reading, terms, k, tokens)
+        elif term.cat == "actor" and "control" in term.data:
+            _set_control(reading, Control(term.data["control"]), Basis(term.i, term.j))
         elif term.cat == "shape":
             _shape(reading, terms, k, tokens)
         elif term.cat == "cue":
@@ -114,7 +116,7 @@ def _out_of_order(terms: list[Term], k: int, tokens: list[Token]) -> bool:
 def _place(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Token]) -> None:
     term = terms[k]
     basis = Basis(term.i, term.j)
-    if term.value == "junction" and _away_from(terms, k):
+    if term.value == "junction" and (_away_from(terms, k) or _none_named(terms, k)):
         return
     if term.value == "junction":
         reading.named = reading.named or basis
@@ -142,6 +144,12 @@ def _away_from(terms: list[Term], k: int) -> bool:
     """``outside a junction``: the road between junctions."""
     before = [t for t in terms[max(0, k - 3) : k] if t.cat not in {"det", "shape"}]
     return bool(before) and before[-1].value == "outside"
+
+
+def _none_named(terms: list[Term], k: int) -> bool:
+    """``no junction``: none right there."""
+    before = terms[k - 1] if k else None
+    return before is not None and (before.cat, before.value) == ("det", "negative")
 
 
 def _shape(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Token]) -> None:

@@ -9,6 +9,7 @@ from scegen.understanding import (
     encounters,
     implied,
     red_lights,
+    roles,
     rows,
     screens,
     side_roads,
@@ -21,6 +22,7 @@ from scegen.understanding.movements import MOVEMENTS
 from scegen.understanding.omissions import not_done
 from scegen.understanding.placing import Placer, thing_sides
 from scegen.understanding.recasting import recast
+from scegen.understanding.reciprocal import towards_each_other
 from scegen.understanding.resolving import from_everywhere
 from scegen.understanding.roadside import read_thing
 from scegen.understanding.terms import Term
@@ -87,6 +89,7 @@ class Interpreter:
         for event in events:
             self._event(event)
         red_lights.on_red(chunks, events, self._context)
+        towards_each_other(chunks, events, self._context)
         screens.come_out(self._context)
         implied.positions(self._scenes, self._context)
         breaches.subsume(self._context)
@@ -104,6 +107,7 @@ class Interpreter:
             screens.wait_behind(prep, mention.entities, self._context)
         for term in mention.mods:
             self._quality(term, mention.entities)
+        roles.act_by_name(mention, self._context)
 
     def _quality(self, term: Term, entities: list[Entity]) -> None:
         basis = Basis(term.i, term.j)
@@ -248,7 +252,7 @@ class Interpreter:
             elif term.cat == "state":
                 self._quality(term, scene.actors)
             elif (term.cat, term.value) == ("manner", "head_on"):
-                self._head_on(term, scene)
+                implied.head_on(term, scene, self._context)
         if event.nominal and event.name not in _TRAVEL:
             return
         fast = next((t for t in event.mods if t.cat == "manner" and t.value == "fast"), None)
@@ -262,13 +266,6 @@ class Interpreter:
         travels = event.name in _TRAVEL and not scene.reaction
         if slow is not None and scene.drivers and travels:
             self._draft.hazard(HazardKind.SLOW_DRIVING, Basis(slow.i, slow.j), scene.drivers)
-
-    def _head_on(self, term: Term, scene: Scene) -> None:
-        """``a motorcycle approaches head-on``: who collides so has come from the front, too."""
-        coming = scene.event.name in _TRAVEL or scene.event.name == "collide"
-        for entity in scene.drivers if coming else []:
-            to = next((e for e in scene.targets if e.moving_vehicle), None)
-            self._draft.place(entity, to, {Approach.OPPOSITE}, Basis(term.i, term.j))
 
     def _share_sides(self, pps: list[Prep], entities: list[Entity], *, hidden: bool) -> None:
         """Who comes out from behind something stands on its side of the road."""

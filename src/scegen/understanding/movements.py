@@ -78,6 +78,8 @@ def move(scene: Scene, context: Context) -> None:
     if any(context.tokens[m.i].low == "instead" for m in event.mods):
         for entity in scene.drivers:
             entity.maneuvers = set()  # "was waiting to turn left, goes straight instead"
+    if ways.side_to_side(event) and any(not context.is_cyclist(e) for e in scene.drivers):
+        context.crossing_implied(basis, "a vehicle comes across")
     if values & {Maneuver.LEFT, Maneuver.RIGHT}:
         context.crossing_implied(basis, "vehicles turn")
     apply(scene, context, values, basis)

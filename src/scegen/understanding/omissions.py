@@ -80,7 +80,8 @@ def _in_the_way(scene: Scene, context: Context) -> list[Entity]:
 def _at_signals(scene: Scene, context: Context) -> bool:
     named = any(p.kind == "signal" for p in scene.places())
     regulated = scene.event.name == "stop" and context.junction.control is Control.SIGNALS
-    return named or regulated
+    follows = all(context.placed(e, Approach.BEHIND) for e in scene.drivers)
+    return named or (regulated and not (follows and scene.drivers))
 
 
 def _rear(scene: Scene, context: Context) -> bool:

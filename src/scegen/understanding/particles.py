@@ -6,12 +6,13 @@ from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
 
 _LETTING = frozenset({"let", "make", "help", "see", "watch", "have"})
+_PARTICLES = frozenset({"through", "past", "over", "up", "by", "off", "out", "around", "round"})
 _GIVES = frozenset({"dir", "verb"})
 _OPENS_A_NOUN = ("det", "possessive", "actor", "compass")
 
 
 def just_right(tokens: list[Token], i: int, previous: Term | None) -> bool:
-    """``right behind``, ``right in front of``: no direction, except after a turn.
+    """``right behind``, ``right past``, ``right in front of``: no direction, except after a turn.
 
     Args:
         tokens: the tokens of the text.
@@ -22,6 +23,7 @@ def just_right(tokens: list[Token], i: int, previous: Term | None) -> bool:
         return False
     following = longest_match(tokens, i + 1)
     located = following is not None and following.has("locus")
+    located = located or (tokens[i + 1].low in _PARTICLES and previous.cat == "verb")
     return located and not previous.value.endswith("turn") and previous.cat != "det"
 
 

@@ -60,6 +60,8 @@ class Pronouns:
             return self.roster.together(exclude)
         if which == "other":
             rest = self.roster.claim(1, exclude) or self.roster.rest(exclude)
+            if len(self.roster.subject) > 1 and not rest:
+                return []  # "neither can see past the other": of those just spoken of
             return rest or [self.roster.new(ParticipantKind.CAR, basis)]
         if which == "ordinal":
             found = self._ordinal(mention)

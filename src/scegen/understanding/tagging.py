@@ -18,6 +18,7 @@ from scegen.understanding.particles import (
     then_a_noun,
     then_a_side,
 )
+from scegen.understanding.passages import from_side_to_side
 from scegen.understanding.quantities import quantity_at
 from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
@@ -123,13 +124,21 @@ def tag(tokens: list[Token]) -> list[Term]:
         if terms and measured(tokens, terms, term):
             number = terms.pop()  # "the car two vehicles ahead"
             term = Term("quantity", "other", number.i, term.j, data={"quantity": None})
+        if term.cat == "dir" and terms and terms[-1].value == "unprotected" and _bare(tokens, term):
+            term = replace(term, cat="verb", value="turn", data={"way": term.value})
         if _speed(term) and doing(tokens, i):
             _as_motion(terms, tokens)
         if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
             terms[-1] = replace(terms[-1], value="move", data={})  # "carries straight on"
         terms.append(term)
         i = terms[-1].j
-    return _crossings(terms, tokens)
+    return _crossings(from_side_to_side(terms), tokens)
+
+
+def _bare(tokens: list[Token], term: Term) -> bool:
+    """``an unprotected left``: a turn, although nobody says so."""
+    following = longest_match(tokens, term.j) if term.j < len(tokens) else None
+    return following is None or not following.has("verb", "place", "actor")
 
 
 def _as_motion(terms: list[Term], tokens: list[Token]) -> None:

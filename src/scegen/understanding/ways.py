@@ -38,6 +38,16 @@ def directions(event: Event) -> dict[Maneuver, Basis]:
     return found
 
 
+def side_to_side(event: Event) -> bool:
+    """``from left to right``: across the way of whoever sees it.
+
+    Args:
+        event: a verb of motion.
+    """
+    goals = [p.target for p in event.pps if p.value == "to" and isinstance(p.target, Place)]
+    return any(_OTHER.get(d) in _came_from(event) for goal in goals for d in goal.dirs)
+
+
 def _came_from(event: Event) -> set[str]:
     """``from left to right``: right across, no turn."""
     sides = [p.target for p in event.pps if p.value == "from" and isinstance(p.target, Place)]
