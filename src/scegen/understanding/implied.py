@@ -7,6 +7,7 @@ from scegen.understanding import conflicts
 from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Danger, Entity, Placement
+from scegen.understanding.terms import Term
 
 _CLOSING = frozenset({"approach", "encounter", "collide", "move", "brake", "hard_brake", "slow"})
 _COMING = frozenset({"move", "approach", "enter", "speed", "accelerate", "collide", "overtake"})
