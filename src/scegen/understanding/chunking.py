@@ -62,6 +62,8 @@ class Chunker:
             self._chunks.append(_pronoun(term))
             return k + 1
         if term.cat == "possessive" and term.value == "genitive":
+            if self._chunks and getattr(self._chunks[-1], "cat", "") == "unknown":
+                return self._of_a_stranger(k)
             if not self._owns(k):
                 self._chunks.append(Word(term))
                 return k + 1
@@ -73,6 +75,13 @@ class Chunker:
             self._chunks.append(Word(term))
             return k + 1
         return reached
+
+    def _of_a_stranger(self, k: int) -> int:
+        """``the vicar's van``: a van, whoever the vicar is."""
+        while self._chunks and getattr(self._chunks[-1], "cat", "") in {"unknown", "det", "label"}:
+            self._chunks.pop()
+        self._terms[k] = replace(self._terms[k], cat="det", value="indef")
+        return self._noun_phrase(k) or k + 1
 
     def _that_of(self, k: int) -> bool:
         """``leaves its lane and enters that of the bus``: a place of the kind named last."""
@@ -270,23 +279,13 @@ class Chunker:
         if head.cat in {"place", "leg"}:
             place = Place(start, head.j, mods, head, owner, kind=head.value)
             self._chunks.append(place)
-            if self._numbered(head, m + 1):
+            if Namer(self._terms, self._tokens).numbered(head, m + 1):
                 place.j = self._terms[m + 1].j
                 return m + 2
         else:
             kind = head.cat if head.cat == "view" else head.value
             self._chunks.append(Thing(start, head.j, mods, head, owner, kind=kind))
         return m + 1
-
-    def _numbered(self, head: Term, m: int) -> bool:
-        """``lane 2``: the number is the place's name."""
-        term = self._terms[m] if m < len(self._terms) else None
-        follows = self._terms[m + 1].cat if m + 1 < len(self._terms) else ""
-        number = term is not None and term.cat == "num"
-        bare = self._terms[m - 2].cat not in {"det", "dir"} if m > 1 else True
-        written = term is not None and self._tokens[term.i].kind == "number"
-        digits = number and (bare or written)
-        return digits and head.value in {"lane", "road"} and follows not in {"actor", "place"}
 
 
 def _event(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:

@@ -40,6 +40,7 @@ def brake(scene: Scene, context: Context) -> None:
         return
     sudden = scene.sudden
     answer = scene.reaction or any(p.value == "for" for p in scene.event.pps)
+    answer = answer or (all(e.ego for e in scene.drivers) and bool(context.draft.dangers))
     if sudden is None and answer:
         return
     if sudden is None and not scene.drivers:

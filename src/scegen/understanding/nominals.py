@@ -244,7 +244,8 @@ def _side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
     place = chunks[k - 2] if k > 1 else None
     if not isinstance(place, Place) or not isinstance(noun, Place) or noun.kind != "side":
         return False
-    if place.kind != "access" and not _lane_beside(place, noun, k, chunks):
+    aside = place.kind in {"access", "feature"}  # "a bend to the left"
+    if not aside and not _lane_beside(place, noun, k, chunks):
         return False
     place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
     place.j = noun.j

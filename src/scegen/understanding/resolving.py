@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, Word
 from scegen.understanding.describing import describe
 from scegen.understanding.discourse import Discourse
 from scegen.understanding.terms import Term
@@ -61,7 +61,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     waiting: list[Mention] = []
     early: list[Mention] = []
     for chunk in chunks:
-        if isinstance(chunk, Place) and any(m.value == "first_person" for m in chunk.mods):
+        if isinstance(chunk, Place | Thing) and any(m.value == "first_person" for m in chunk.mods):
             discourse.observer(chunk.i, chunk.j)
         if isinstance(chunk, Word) and discourse.tells(chunk.i, chunk.j):
             discourse.observer(chunk.i, chunk.j)
