@@ -42,7 +42,8 @@ def coordinate(event: Event, state: State) -> None:
     if parallel is None:
         parallel = next((e for e in reversed(verbs) if e.finite), None)
     waiting = state.candidate is not None and not state.candidate_done
-    if parallel is None and waiting and state.candidate is not None:
+    due = wanted == "finite" and state.candidate is not None and _speaks_last(state, parallel)
+    if (parallel is None or due) and waiting and state.candidate is not None:
         event.subject = chain(state.candidate)
         return
     parallel = parallel or state.events[-1]
@@ -51,6 +52,14 @@ def coordinate(event: Event, state: State) -> None:
         event.parent, event.link = parallel.parent, parallel.link
         event.modal = event.modal or parallel.modal
     alternative(event, parallel, state)
+
+
+def _speaks_last(state: State, parallel: Event | None) -> bool:
+    """``… when the ego has green and is going straight``: its clause has no verb yet."""
+    who = state.candidate
+    if parallel is None or who is None or who.i < parallel.i:
+        return False
+    return not any(e.object is who or who in e.subject for e in state.events)
 
 
 def _agree(verb: Event, subject: list[Mention]) -> bool:

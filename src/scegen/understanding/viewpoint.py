@@ -180,15 +180,15 @@ def settle_positions(
 
 
 def _against_the_ego(draft: Draft, ego: Entity) -> None:
-    """``while the ego comes from the opposite direction``: then the other one faces it."""
+    """``while the ego comes from the opposite direction``, ``the following ego``: so does one."""
     said = [
-        p.basis
+        (p.basis, {INVERSE[a] for a in p.approaches})
         for p in draft.placements
-        if p.entity is ego and p.reference is None and p.approaches == {Approach.OPPOSITE}
+        if p.entity is ego and p.reference is None and p.approaches <= _ALONG
     ]
     others = [e for e in draft.entities if e.moving_vehicle and e is not ego]
     if said and len(others) == 1 and not others[0].approaches and others[0].heading is None:
-        _allow(others[0], {Approach.OPPOSITE}, said[0])
+        _allow(others[0], said[0][1], said[0][0])
 
 
 def _beside(draft: Draft, ego: Entity) -> None:
