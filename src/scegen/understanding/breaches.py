@@ -58,10 +58,15 @@ def turns_across(scene: Scene, context: Context) -> bool:
     }
 
 
+def _regulated(context: Context) -> bool:
+    return context.junction.crossing or context.junction.control is not None
+
+
 def _breach_of_control(scene: Scene, context: Context) -> None:
     """``a stop sign … a car ignores it``, ``ignores the tram``: who has to wait does not."""
     signals = context.junction.control is Control.SIGNALS
-    pronoun = isinstance(scene.event.object, Mention) and scene.event.object.pronoun is not None
+    ignored = [scene.event.object, *(p.target for p in scene.event.pps)]
+    pronoun = any(isinstance(m, Mention) and m.pronoun is not None for m in ignored)
     if signals and pronoun:
         context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, scene.words, scene.drivers)
     else:
@@ -83,8 +88,9 @@ def breach(scene: Scene, context: Context) -> bool:
     driven_through = {
         id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low == "through"
     }
-    ignored = isinstance(scene.event.object, Mention)
-    if scene.event.name == "breach" and ignored and context.junction.crossing:
+    through = [p.target for p in scene.event.pps if id(p.target) in driven_through]
+    ignored = any(isinstance(m, Mention) for m in (scene.event.object, *through))
+    if scene.event.name == "breach" and ignored and _regulated(context):
         _breach_of_control(scene, context)
     if scene.event.name == "breach" and _sign(scene.event.object, context):
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers)

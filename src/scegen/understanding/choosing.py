@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding.lexicon import Entry
 from scegen.understanding.nominal import ORDINALS
+from scegen.understanding.sidewords import across_from, left_or_gone
 from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
 
@@ -109,7 +110,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         shaped = before in {"shape", "control", "det"} and not attributive
         return (match.get("place") if shaped else _without_place(match, attributive)), attributive
     if match.has("dir") and match.get("dir").value == "left":
-        return _left(match, tokens, previous)
+        return left_or_gone(match, tokens, previous)
     if match.form == "base" and before == "aux" and previous is not None and previous.value == "be":
         return match.get(*_ADJECTIVE_CATS, "verb"), False
     if participle and attributive:
@@ -165,6 +166,7 @@ def _noun_slot(match: Match, tokens: list[Token], previous: Term | None) -> bool
     preposed = previous.cat == "prep" and previous.value != "to"
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
     compound = previous.cat == "place" and match.form == "base" and match.has("inert")
+    compound = compound or tokens[previous.i].low == "whose"
     return (previous.cat in _NOMINAL_BEFORE and not adverb) or preposed or compound
 
 
@@ -189,18 +191,9 @@ def _without_place(match: Match, attributive: bool) -> Entry:
     return match.get("dir" if attributive else "verb")
 
 
-def _left(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
-    """``left`` is nearly always the side; "V1 left the road" has a subject right before it."""
-    subject = previous is not None and previous.cat in {"actor", "pronoun"}
-    after = tokens[match.j] if match.j < len(tokens) else None
-    if after is not None and (after.low == "," or any(base == "turn" for base, _ in after.forms)):
-        subject = False  # "ego left turn"
-    return (match.get("verb") if subject else match.get("dir")), False
-
-
 def _not_inflected(match: Match) -> Match:
-    """``the neighbouring lane``: no noun has such a form."""
-    kept = tuple(e for e in match.entries if e.cat != "actor")
+    """``the neighbouring lane``, ``boxed in``: no noun has such a form."""
+    kept = tuple(e for e in match.entries if e.cat not in {"actor", "thing"})
     inflected = match.form in {"ing", "ed"} and kept
     return Match(kept, match.j, match.form) if inflected else match
 
@@ -239,6 +232,17 @@ _PRIORITY = (
 )  # fmt: skip
 
 
+def _relative_or_article(match: Match, tokens: list[Token], previous: Term | None) -> Entry:
+    """``that`` after a noun opens a clause; else it points at the noun that follows."""
+    noun_before = previous is not None and previous.cat in {"actor", "place", "thing", "inert"}
+    after = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
+    sided = previous is not None and previous.cat in {"dir", "compass"}
+    if sided and verbal and after is not None and not after.has("actor", "place"):
+        return match.get("rel")  # "a bus from the right that turns"
+    return match.get("rel" if noun_before else "det")
+
+
 def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
     """The meaning that fits the words around, and whether it is a participle before a noun.
 
@@ -247,7 +251,7 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
         tokens: the tokens of the text.
         previous: the term before.
     """
-    match = _not_inflected(match)
+    match = across_from(_not_inflected(match), tokens, previous)
     if match.has("actor") and match.has("label") and _describes(match, tokens):
         return match.get("label"), False  # "the adversarial leading car"
     if match.has("noted") and match.has("actor") and previous and previous.cat == "det":

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import pairwise
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, event_of
 from scegen.understanding.lanes import between_lanes
 from scegen.understanding.naming import Namer
 from scegen.understanding.nominal import OPENERS, ORDINALS, VERBAL_LINKS, has_dir, is_nominal
@@ -18,6 +18,7 @@ _MODIFIERS = frozenset(
 )
 _OWNED = frozenset({"lane", "path", "side"})
 _MAX_MODS = 10
+_WAYS = frozenset({"left", "right", "straight"})
 _SIDE_DIRS = frozenset({"left", "right", "opposite", "front", "rear", "adjacent", "straight"})
 
 
@@ -47,7 +48,7 @@ class Chunker:
             self._chunks.append(self._breach(term))
             return k + 1
         if term.cat == "verb" and not term.premod:
-            self._chunks.append(_event(term, []))
+            self._chunks.append(event_of(term, []))
             return k + 1
         if term.cat == "pronoun":
             self._chunks.append(_pronoun(term))
@@ -157,7 +158,7 @@ class Chunker:
         ):
             if any(mod.cat == "num" for mod in mods) and not has_dir(mods):
                 return self._bare(mods, k)
-            self._chunks.append(_event(head, mods, nominal=True))
+            self._chunks.append(event_of(head, mods, nominal=True))
             return m + 1
         return self._bare(mods, k)
 
@@ -230,7 +231,7 @@ class Chunker:
             side = (mod.cat == "dir" and mod.value in _SIDE_DIRS) or mod.cat == "compass"
             if not side and (seen or mod.cat not in {"det", "possessive"}):
                 break
-            if seen and mod.value == "straight":
+            if seen and mod.value in _WAYS and mods[length - 1].value in _WAYS:
                 break  # "from the right straight on"
             seen = seen or side
             length += 1
@@ -286,14 +287,6 @@ class Chunker:
         written = term is not None and self._tokens[term.i].kind == "number"
         digits = number and (bare or written)
         return digits and head.value in {"lane", "road"} and follows not in {"actor", "place"}
-
-
-def _event(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:
-    start = mods[0].i if mods else term.i
-    event = Event(term.value, start, term.j, term.form, nominal=nominal, mods=list(mods))
-    event.control = term.data.get("control")
-    event.drives, event.says = bool(term.data.get("drives")), bool(term.data.get("says"))
-    return event
 
 
 def _pronoun(term: Term) -> Mention:

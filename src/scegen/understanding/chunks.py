@@ -83,6 +83,7 @@ class Mention(NounPhrase):
         negated: there is none ("no pedestrians").
         denied: it does not do what its verb says ("neither the bus nor the taxi").
         distributed: a plural noun that stands for one ("ego and adversary vehicles").
+        seated: somebody who opens the door of the vehicle around them.
         events: what it does, filled in by the clause reader.
         entities: whom it refers to, filled in by the discourse.
     """
@@ -103,6 +104,7 @@ class Mention(NounPhrase):
     narrowed: bool = False
     besides: bool = False
     distributed: bool = False
+    seated: bool = False
     goes_by: ParticipantKind | None = None
     negated: bool = False
     denied: bool = False
@@ -218,3 +220,20 @@ class Prep:
 
 
 Chunk: TypeAlias = Word | Mention | Place | Thing | Event
+
+
+def event_of(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:
+    """The event that a verb makes.
+
+    Args:
+        term: the verb.
+        mods: the words before it, for a noun.
+        nominal: it stands as a noun ("a left turn").
+    """
+    start = mods[0].i if mods else term.i
+    event = Event(term.value, start, term.j, term.form, nominal=nominal, mods=list(mods))
+    event.control = term.data.get("control")
+    event.drives, event.says = bool(term.data.get("drives")), bool(term.data.get("says"))
+    if "way" in term.data:
+        event.mods.append(Term("dir", term.data["way"], term.i, term.j))
+    return event

@@ -12,6 +12,7 @@ from __future__ import annotations
 from scegen.understanding import relatives, subjects
 from scegen.understanding.attachment import preposition, release
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, Word
+from scegen.understanding.located import placed_last
 from scegen.understanding.lookahead import (
     ADVERBS,
     BOUNDARIES,
@@ -121,6 +122,10 @@ class ClauseReader:
         if copular and state.candidate is not None and not state.candidate_done:
             state.candidate.mods.append(word.term)  # "the one behind me is too close"
             return
+        placed = placed_last(state) if word.value == "close" and not before_event else None
+        if placed is not None:
+            placed.mods.append(word.term)
+            return
         predicate = not before_event or word.cat in {"dir", "state", "compass"}
         if "rel" in state.between and state.mentions and predicate:
             state.mentions[-1].mods.append(word.term)
@@ -222,9 +227,9 @@ class ClauseReader:
         negated = any(word.startswith("neg:") for word in state.between)
         event.unable = negated and bool({"neg:unable", "aux:can"} & state.between)
         event.negated = negated or event.negated
-        event.negated = event.negated or any(
-            m.denied or m.pronoun == "neither" for m in event.subject
-        )
+        denied = any(m.denied or m.pronoun == "neither" for m in event.subject)
+        event.unable = event.unable or (denied and "aux:can" in state.between)
+        event.negated = event.negated or denied
         event.perfect = "aux:have" in state.between
         event.modal = event.modal or "aux:modal" in state.between
         release(self._state)

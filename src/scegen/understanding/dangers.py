@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
-from scegen.understanding import conflicts, encounters
-from scegen.understanding.chunks import Mention
+from scegen.understanding import conflicts, encounters, screens
+from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
 from scegen.understanding.walking import keep_along
@@ -87,6 +87,21 @@ def stop(scene: Scene, context: Context) -> None:
     context.draft.hazard(HazardKind.STOPPING, sudden or scene.words, scene.actors)
 
 
+def wait(scene: Scene, context: Context) -> None:
+    """``a taxi standing in the lane``: it blocks the way."""
+    lanes = any(
+        p.word.value == "in"
+        and isinstance(p.target, Place)
+        and p.target.kind in {"lane", "middle"}
+        and not ({"adjacent", "opposite"} & set(p.target.dirs))
+        for p in scene.event.pps
+    )
+    others = [e for e in scene.drivers if not e.ego]
+    stands = context.tokens[scene.event.i].forms[-1][0] in {"stand", "sit", "idle"}
+    if lanes and stands and others:
+        context.draft.hazard(HazardKind.STOPPING, scene.words, others)
+
+
 def move(scene: Scene, context: Context) -> None:
     """``moves left into the lane of the van``: a change of lane."""
     lane = into_lane(scene.event)
@@ -123,6 +138,10 @@ def swerve(scene: Scene, context: Context) -> None:
     if not drivers or (scene.event.modal and any(e.ego for e in drivers)):
         return
     context.draft.hazard(HazardKind.SWERVING, scene.words, drivers, scene.targets)
+    ahead = [p for p in scene.event.pps if p.word.cat == "locus" and p.value == "ahead"]
+    whom = [e for p in ahead if isinstance(p.target, Mention) for e in p.target.entities]
+    if whom and not scene.reaction and not any(context.oncoming(e) for e in drivers):
+        conflicts.cut_in(scene, context)  # "swings out in front of the bus"
 
 
 def oncoming_lane(scene: Scene, context: Context) -> None:
@@ -221,6 +240,7 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "hard_brake": hard_brake,
     "slow": slow,
     "stop": stop,
+    "wait": wait,
     "swerve": swerve,
     "turn": conflicts.turn,
     "sharp_turn": conflicts.turn,
@@ -240,9 +260,10 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "move": move,
     "unpark": conflicts.unpark,
     "appear": encounters.appear,
-    "block": encounters.block,
-    "hide": encounters.occlude,
+    "block": screens.block,
+    "hide": screens.occlude,
     "cause": encounters.cause,
+    "send": encounters.cause,
     "door": encounters.door,
     "encounter": too_late,
     "react": too_late,

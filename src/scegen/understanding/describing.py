@@ -38,6 +38,7 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
 
 
 def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
+    mention.seated = mention.seated or event.name == "door"
     failing = event.negated and event.name in {"stop", "yield"}
     alone = event.drives or event.name in _ONLY_VEHICLES or _takes_a_turn(event)
     alone = alone or _breaks_a_rule(event) or any("pace" in m.data for m in event.mods)

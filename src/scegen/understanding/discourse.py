@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
-from scegen.understanding.groups import Group, vehicle_around
+from scegen.understanding.groups import Group, opened, vehicle_around
 from scegen.understanding.located import as_the_ego_sees, loci_of
 from scegen.understanding.mention_words import DEFAULT_COUNT, Reading, read_mention
 from scegen.understanding.pronouns import POSITIONS, Pronouns
@@ -54,10 +54,8 @@ class Discourse:
         if mention.entities:
             return mention.entities
         if mention.same_as is not None:
-            first = mention.same_as.entities or self.resolve(
-                mention.same_as, subject=True, exclude=[]
-            )  # "riding a moped, I …"
-            mention.entities = list(first)
+            same = mention.same_as  # "riding a moped, I …": whom comes later
+            mention.entities = list(same.entities or self.resolve(same, subject=True, exclude=[]))
             self._refine(mention)
             return mention.entities
         if refers_to_nobody(mention) or self._their_own_queue(mention):
@@ -124,6 +122,9 @@ class Discourse:
         of_whom = next((p.target for p in mention.pps if p.value == "of"), None)
         if reading.driver and isinstance(of_whom, Mention):
             return self.resolve(of_whom, subject=False, exclude=[])
+        parked = opened(reading, mention, self._draft.entities)
+        if parked:
+            return parked
         inside = vehicle_around(reading, mention)
         if inside is not None:
             return self.resolve(inside, subject=False, exclude=[])
@@ -290,8 +291,8 @@ class Discourse:
         options = [e for e in options if not (loci and e.loci) or loci & e.loci]
         others = [e for e in options if not e.ego]
         others = [e for e in others if e.named_by & reading.called] or others
-        restricted = reading.dirs or reading.labels or mention.pps or mention.elsewhere
-        restricted = restricted or mention.narrowed
+        placed = mention.pps or mention.elsewhere or mention.narrowed
+        restricted = reading.dirs or reading.labels or placed
         if others or reading.det == "bare" or restricted:
             return others[:1]
         return options[:1]

@@ -120,6 +120,9 @@ def _of_kind(mention: Mention, kind: str) -> bool:
 
 def _is_heading(title: list[Chunk], rest: list[Chunk]) -> bool:
     first = title[0] if len(title) == 1 else None
+    told = rest[0] if rest else None
+    if isinstance(first, Mention) and isinstance(told, Event) and told.dirs:
+        return False  # "Truck: left turn."
     if isinstance(first, Mention) and any(h.data.get("ego") for h in first.heads):
         return False  # "Ego: left turn."
     spoken = any(_finite(c) for c in title) or any(

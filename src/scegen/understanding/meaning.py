@@ -9,7 +9,9 @@ from scegen.understanding import (
     encounters,
     implied,
     red_lights,
+    roles,
     rows,
+    screens,
     side_roads,
 )
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
@@ -20,6 +22,7 @@ from scegen.understanding.movements import MOVEMENTS
 from scegen.understanding.omissions import not_done
 from scegen.understanding.placing import Placer, thing_sides
 from scegen.understanding.recasting import recast
+from scegen.understanding.reciprocal import towards_each_other
 from scegen.understanding.resolving import from_everywhere
 from scegen.understanding.roadside import read_thing
 from scegen.understanding.terms import Term
@@ -72,7 +75,7 @@ class Interpreter:
             if p.on_mention is e.object
             and (self._starts(e, p) or (e.name in _BESIDE and _is_side(p)))
         }
-        handled = {id(e.object) for e in events if e.name == "inert"}  # "kicks a ball"
+        handled = {id(e.object) for e in events if e.name in {"inert", "send"}}  # "kicks a ball"
         for chunk in chunks:
             if isinstance(chunk, Mention) and chunk.entities:
                 self._mention(chunk)
@@ -86,7 +89,8 @@ class Interpreter:
         for event in events:
             self._event(event)
         red_lights.on_red(chunks, events, self._context)
-        encounters.come_out(self._context)
+        towards_each_other(chunks, events, self._context)
+        screens.come_out(self._context)
         implied.positions(self._scenes, self._context)
         breaches.subsume(self._context)
 
@@ -100,9 +104,10 @@ class Interpreter:
             shared = len(sides) == len(mention.entities) > 1 and prep in sides
             whom = [mention.entities[sides.index(prep)]] if shared else mention.entities
             self._placer.phrase(prep, whom, None)
-            encounters.wait_behind(prep, mention.entities, self._context)
+            screens.wait_behind(prep, mention.entities, self._context)
         for term in mention.mods:
             self._quality(term, mention.entities)
+        roles.act_by_name(mention, self._context)
 
     def _quality(self, term: Term, entities: list[Entity]) -> None:
         basis = Basis(term.i, term.j)
@@ -208,7 +213,7 @@ class Interpreter:
             danger(scene, self._context)
         if event.name in _ON_THE_MOVE:
             dangers.oncoming_lane(scene, self._context)
-        encounters.from_behind(scene, self._context)
+        screens.from_behind(scene, self._context)
         self._share_sides(event.pps, scene.actors, hidden=event.name == "hide")
 
     def _from_behind_somebody(self, scene: Scene, prep: Prep) -> bool:
@@ -248,6 +253,8 @@ class Interpreter:
                     self._draft.place(entity, None, {Approach.OPPOSITE}, basis)
             elif term.cat == "state":
                 self._quality(term, scene.actors)
+            elif (term.cat, term.value) == ("manner", "head_on"):
+                implied.head_on(term, scene, self._context)
         if event.nominal and event.name not in _TRAVEL:
             return
         fast = next((t for t in event.mods if t.cat == "manner" and t.value == "fast"), None)

@@ -6,7 +6,7 @@ from scegen.understanding import relatives
 from scegen.understanding.attachment import attach, place_in_front
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
 from scegen.understanding.lookahead import copula_follows, finite_follows
-from scegen.understanding.phrases import also_from, apposed_to, bracketed
+from scegen.understanding.phrases import also_from, apposed_to, bracketed, whose
 from scegen.understanding.state import State
 
 _COMING = frozenset({"approach", "collide", "overtake", "pass", "cut_in", "cut_off", "follow"})
@@ -272,10 +272,11 @@ def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> No
         chunks: the chunks of the text.
         state: what the clause reader remembers.
     """
-    opens = not state.events or bool(state.between & {"sub", ",", "conj"})
+    opens = not state.events or bool(state.between & {"sub", ",", "conj"}) or whose(k, chunks)
     if state.prep is None and opens and finite_follows(chunks, k):
         opens = not (state.events and "," in state.between and "sub" not in state.between)
         opens = opens and (state.candidate is None or "sub" in state.between)
+        opens = opens or whose(k, chunks)
         state.topic = noun if opens else None
     if state.prep is not None:
         state.prep.target = noun

@@ -82,7 +82,8 @@ def _in_the_way(scene: Scene, context: Context) -> list[Entity]:
 def _at_signals(scene: Scene, context: Context) -> bool:
     named = any(p.kind == "signal" for p in scene.places())
     regulated = scene.event.name == "stop" and context.junction.control is Control.SIGNALS
-    return named or regulated
+    follows = all(context.placed(e, Approach.BEHIND) for e in scene.drivers)
+    return named or (regulated and not (follows and scene.drivers))
 
 
 def _rear(scene: Scene, context: Context) -> bool:
@@ -124,4 +125,5 @@ def _has_to_wait(scene: Scene, context: Context) -> bool:
         return True
     if any(context.comes_across(e) for e in scene.drivers):
         return True
-    return scene.event.link == "ing" and context.junction.crossing
+    joins = context.junction.crossing or context.draft.access is not None
+    return scene.event.link == "ing" and joins

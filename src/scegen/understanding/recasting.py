@@ -7,7 +7,7 @@ is to pull out. On foot, whoever jumps out crosses.
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach
+from scegen.scenario.vocabulary import Approach, Control
 from scegen.understanding.chunks import Mention, Prep
 from scegen.understanding.context import Context, Scene
 
@@ -36,11 +36,28 @@ def recast(scene: Scene, context: Context) -> str:
         return "pull_out"
     if event.name == "pull_out" and motor and _between_lanes(scene, context):
         return "cut_in"
+    if event.name in {"move", "dash", "speed"} and scene.drivers and _ignores_it(scene, context):
+        return "breach"
     if event.name not in _OPEN or (event.name == "breach" and event.object is not None):
         return event.name
     if not scene.drivers:
         return event.name
     return _by_path(scene, context, riding=bool(riders))
+
+
+def _ignores_it(scene: Scene, context: Context) -> bool:
+    """``I'm at the stop sign, he sails through it``: the sign."""
+    if context.junction.control in {None, Control.UNCONTROLLED, Control.PRIORITY_TO_RIGHT}:
+        return False
+    others = [e for e in context.draft.entities if not e.ego and e not in scene.actors]
+    ways = {"through"} if others else {"through", "past"}
+    named = [scene.event.object, *(p.target for p in scene.event.pps)]
+    return any(
+        isinstance(m, Mention)
+        and context.tokens[m.i].low == "it"
+        and context.tokens[m.i - 1].low in ways
+        for m in named
+    )
 
 
 def _by_path(scene: Scene, context: Context, *, riding: bool) -> str:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, Word
 from scegen.understanding.describing import describe
 from scegen.understanding.discourse import Discourse
+from scegen.understanding.located import share_places
 from scegen.understanding.terms import Term
 
 _A_PAIR = 2
@@ -24,6 +25,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         discourse: the participants so far.
     """
     describe(chunks, events, discourse.tokens)
+    share_places(chunks)
     _generic(chunks, events)
     objects = {id(e.object) for e in events}
     subjects = {
@@ -61,7 +63,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     waiting: list[Mention] = []
     early: list[Mention] = []
     for chunk in chunks:
-        if isinstance(chunk, Place) and any(m.value == "first_person" for m in chunk.mods):
+        if isinstance(chunk, Place | Thing) and any(m.value == "first_person" for m in chunk.mods):
             discourse.observer(chunk.i, chunk.j)
         if isinstance(chunk, Word) and discourse.tells(chunk.i, chunk.j):
             discourse.observer(chunk.i, chunk.j)
@@ -106,12 +108,14 @@ def _generic(chunks: list[Chunk], events: list[Event]) -> None:
     Traffic that somebody waits for, or gives way to, is there.
     """
     met = {id(p.target) for e in events if e.name in _LETTING_BY for p in e.pps}
-    for chunk in chunks:
-        mass = isinstance(chunk, Mention) and chunk.head is not None and "mass" in chunk.head.data
-        if not mass or not isinstance(chunk, Mention) or chunk.prep is None:
+    for k, chunk in enumerate(chunks):
+        if not isinstance(chunk, Mention) or chunk.head is None or chunk.prep is None:
             continue
+        several = chunk.head.form == "s" and chunk.mod("det", "num", "quant") is None
+        lit = any(isinstance(c, Place) and c.kind == "signal" for c in chunks[max(0, k - 4) : k])
+        anybody = "mass" in chunk.head.data or (several and lit)
         purpose = chunk.prep.value in {"for", "against"}
-        chunk.negated = chunk.negated or (purpose and id(chunk) not in met)
+        chunk.negated = chunk.negated or (anybody and purpose and id(chunk) not in met)
 
 
 def _resolve(

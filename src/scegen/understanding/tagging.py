@@ -10,12 +10,15 @@ from scegen.understanding.lexicon import Entry
 from scegen.understanding.numbers import number_at
 from scegen.understanding.paces import doing, pace_at
 from scegen.understanding.particles import (
+    after_a_phrase,
     in_front,
     just_right,
+    measured,
     sends_back,
     then_a_noun,
     then_a_side,
 )
+from scegen.understanding.passages import from_side_to_side
 from scegen.understanding.quantities import quantity_at
 from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
@@ -77,6 +80,8 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
     if previous.cat in {"actor", "pronoun", "rel"} or adverb:
         return _suffix_form(token)
+    if after_a_phrase(token, previous, tokens):
+        return "s"
     return None
 
 
@@ -116,13 +121,24 @@ def tag(tokens: list[Token]) -> list[Term]:
             term = Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
         if (term.cat, tokens[term.i].low) == ("possessive", "her") and _alone(tokens, term.j):
             term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
+        if terms and measured(tokens, terms, term):
+            number = terms.pop()  # "the car two vehicles ahead"
+            term = Term("quantity", "other", number.i, term.j, data={"quantity": None})
+        if term.cat == "dir" and terms and terms[-1].value == "unprotected" and _bare(tokens, term):
+            term = replace(term, cat="verb", value="turn", data={"way": term.value})
         if _speed(term) and doing(tokens, i):
             _as_motion(terms, tokens)
         if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
             terms[-1] = replace(terms[-1], value="move", data={})  # "carries straight on"
         terms.append(term)
         i = terms[-1].j
-    return _crossings(terms, tokens)
+    return _crossings(from_side_to_side(terms), tokens)
+
+
+def _bare(tokens: list[Token], term: Term) -> bool:
+    """``an unprotected left``: a turn, although nobody says so."""
+    following = longest_match(tokens, term.j) if term.j < len(tokens) else None
+    return following is None or not following.has("verb", "place", "actor")
 
 
 def _as_motion(terms: list[Term], tokens: list[Token]) -> None:
@@ -245,7 +261,8 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
         match = longest_match(tokens[: i + 1], i)  # "two pedestrians crossing", no crossing
     if match and match.j > i + 1 and match.form in {"ed", "ing"} and match.only(*_NOUNS):
         match = longest_match(tokens[: match.j - 1], i)  # "a car parked", no car park
-    return match
+    verbal = match is not None and match.form in {"ed", "ing"} and match.only("thing", "actor")
+    return None if verbal else match  # "boxed in"
 
 
 def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:

@@ -13,8 +13,8 @@ _SEEN = {1: Approach.LEFT, 2: Approach.OPPOSITE, 3: Approach.RIGHT}
 """Quarter turns clockwise from the ego's heading to the other's -> where the other comes from."""
 _FRAME = {Approach.LEFT: "east", Approach.RIGHT: "west", Approach.OPPOSITE: "south"}
 """Headings of those who come from a side, for an observer who looks north."""
-
 _ALONG = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE})
+_SEEN_BACK = _ALONG | {Approach.ADJACENT}
 _SIDEWAYS = _ALONG | {Approach.LEFT, Approach.RIGHT}
 """A single vehicle "from the left" is seen by somebody; of two, each may see the other."""
 
@@ -180,15 +180,15 @@ def settle_positions(
 
 
 def _against_the_ego(draft: Draft, ego: Entity) -> None:
-    """``while the ego comes from the opposite direction``, ``the following ego``: so does one."""
+    """``while the ego comes from the opposite direction``, ``I'm right alongside``: of whom?"""
     said = [
-        (p.basis, {INVERSE[a] for a in p.approaches})
+        p
         for p in draft.placements
-        if p.entity is ego and p.reference is None and p.approaches <= _ALONG
+        if p.entity is ego and p.reference is None and p.approaches <= _SEEN_BACK
     ]
     others = [e for e in draft.entities if e.moving_vehicle and e is not ego]
     if said and len(others) == 1 and not others[0].approaches and others[0].heading is None:
-        _allow(others[0], said[0][1], said[0][0])
+        _allow(others[0], {INVERSE[a] for a in said[0].approaches}, said[0].basis)
 
 
 def _beside(draft: Draft, ego: Entity) -> None:

@@ -12,7 +12,10 @@ DIRECTIONS = {
     "right": Maneuver.RIGHT,
     "straight": Maneuver.STRAIGHT,
 }
+BESIDE = frozenset({"adjacent", "left", "right"})
+"""Which lane it is, seen from the one that somebody drives in."""
 _OTHER = {"left": "right", "right": "left"}
+_KEEPING = frozenset({"keep", "stay", "remain", "stick", "hold", "continue"})
 _WAY = frozenset({"road", "lane", "path", "highway"})
 _THROUGH = frozenset({"through", "across"})
 
@@ -35,6 +38,16 @@ def directions(event: Event) -> dict[Maneuver, Basis]:
     return found
 
 
+def side_to_side(event: Event) -> bool:
+    """``from left to right``: across the way of whoever sees it.
+
+    Args:
+        event: a verb of motion.
+    """
+    goals = [p.target for p in event.pps if p.value == "to" and isinstance(p.target, Place)]
+    return any(_OTHER.get(d) in _came_from(event) for goal in goals for d in goal.dirs)
+
+
 def _came_from(event: Event) -> set[str]:
     """``from left to right``: right across, no turn."""
     sides = [p.target for p in event.pps if p.value == "from" and isinstance(p.target, Place)]
@@ -50,6 +63,19 @@ def into_lane(event: Event) -> Place | None:
             return target
     direct = event.object
     return direct if isinstance(direct, Place) and direct.kind in {"lane", "path"} else None
+
+
+def next_lane(event: Event, context: Context) -> bool:
+    """``swings into the right lane``: on a road without a junction, a change of lane.
+
+    Args:
+        event: a movement.
+        context: the scenario in the making.
+    """
+    lane = into_lane(event)
+    beside = lane is not None and lane.kind == "lane" and bool(BESIDE & set(lane.dirs))
+    keeps = context.tokens[event.i].forms[-1][0] in _KEEPING
+    return beside and not keeps and not context.junction.crossing
 
 
 def through(event: Event, context: Context) -> Basis | None:
