@@ -41,16 +41,9 @@ def coordinate(event: Event, state: State) -> None:
     parallel = next(reversed(exact or alike), None)
     if parallel is None:
         parallel = next((e for e in reversed(verbs) if e.finite), None)
-<<<<<<< HEAD
-    waiting = state.candidate is not None and not state.candidate_done
-    due = wanted == "finite" and state.candidate is not None and _speaks_last(state, parallel)
-    if (parallel is None or due) and waiting and state.candidate is not None:
-        event.subject = chain(state.candidate)
-=======
     who = state.candidate if not state.candidate_done else None
     if who is not None and (parallel is None or (parallel.i < who.i and event.finite)):
         event.subject = chain(who)  # "… while the ego has green and goes straight"
->>>>>>> reader
         return
     parallel = parallel or state.events[-1]
     event.subject = parallel.subject
@@ -58,14 +51,6 @@ def coordinate(event: Event, state: State) -> None:
         event.parent, event.link = parallel.parent, parallel.link
         event.modal = event.modal or parallel.modal
     alternative(event, parallel, state)
-
-
-def _speaks_last(state: State, parallel: Event | None) -> bool:
-    """``… when the ego has green and is going straight``: its clause has no verb yet."""
-    who = state.candidate
-    if parallel is None or who is None or who.i < parallel.i:
-        return False
-    return not any(e.object is who or who in e.subject for e in state.events)
 
 
 def _agree(verb: Event, subject: list[Mention]) -> bool:
