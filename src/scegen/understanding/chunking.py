@@ -68,7 +68,7 @@ class Chunker:
 
     def _breach(self, term: Term) -> Event:
         """``red light violation``: a noun of a doing with what it is done to before it."""
-        event = _event(term, [], nominal=True)
+        event = event_of(term, [], nominal=True)
         before = self._chunks[-1] if self._chunks else None
         if isinstance(before, Place) and before.j == term.i:
             event.object = before
