@@ -9,6 +9,7 @@ from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Wor
 from scegen.understanding.lanes import between_lanes
 from scegen.understanding.naming import Namer
 from scegen.understanding.nominal import OPENERS, ORDINALS, VERBAL_LINKS, has_dir, is_nominal
+from scegen.understanding.split_verbs import with_particles
 from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
@@ -39,23 +40,13 @@ class Chunker:
         k = 0
         while k < len(self._terms):
             k = self._chunk_at(k)
-        return between_lanes(self._with_particles(), self._tokens)
-
-    def _with_particles(self) -> list[Chunk]:
-        """``cuts the van off`` is "cut off" with its object inside."""
-        dropped: set[int] = set()
-        for k, chunk in enumerate(self._chunks):
-            if not (isinstance(chunk, Event) and chunk.name == "cut"):
-                continue
-            chunk.name = "cut_in"
-            for following in self._chunks[k + 1 : k + 4]:
-                if isinstance(following, Word) and self._tokens[following.i].low == "off":
-                    chunk.name = "cut_off"
-                    dropped.add(id(following))
-        return [c for c in self._chunks if id(c) not in dropped]
+        return between_lanes(with_particles(self._chunks, self._tokens), self._tokens)
 
     def _chunk_at(self, k: int) -> int:
         term = self._terms[k]
+        if term.cat == "verb" and term.data.get("noun"):
+            self._chunks.append(self._breach(term))
+            return k + 1
         if term.cat == "verb" and not term.premod:
             self._chunks.append(event_of(term, []))
             return k + 1
@@ -83,6 +74,14 @@ class Chunker:
             self._chunks.pop()
         self._terms[k] = replace(self._terms[k], cat="det", value="indef")
         return self._noun_phrase(k) or k + 1
+
+    def _breach(self, term: Term) -> Event:
+        """``red light violation``: a noun of a doing with what it is done to before it."""
+        event = event_of(term, [], nominal=True)
+        before = self._chunks[-1] if self._chunks else None
+        if isinstance(before, Place) and before.j == term.i:
+            event.object = before
+        return event
 
     def _that_of(self, k: int) -> bool:
         """``leaves its lane and enters that of the bus``: a place of the kind named last."""
