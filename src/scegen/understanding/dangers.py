@@ -12,6 +12,7 @@ from scegen.understanding.draft import Basis
 from scegen.understanding.walking import keep_along
 from scegen.understanding.ways import into_lane
 
+_HASTY = frozenset({"early", "soon", "closely", "close", "tightly"})
 _REGULATED = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_stop", "parking",
                         "shoulder", "sidewalk", "crosswalk"})  # fmt: skip
 
@@ -40,6 +41,7 @@ def brake(scene: Scene, context: Context) -> None:
         return
     sudden = scene.sudden
     answer = scene.reaction or any(p.value == "for" for p in scene.event.pps)
+    answer = answer or (all(e.ego for e in scene.drivers) and bool(context.draft.dangers))
     if sudden is None and answer:
         return
     if sudden is None and not scene.drivers:
@@ -194,6 +196,16 @@ def swerve_around(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.SWERVING, scene.words, others, scene.targets)
 
 
+def pull_back(scene: Scene, context: Context) -> None:
+    """``overtakes the ego and moves back in too early``: a cut-in."""
+    others = [e for e in scene.drivers if not e.ego and Maneuver.OVERTAKE in e.maneuvers]
+    last = context.tokens[scene.event.j - 1].low
+    in_front = any(p.word.cat == "locus" and p.value == "ahead" for p in scene.event.pps)
+    hasty = any(context.tokens[m.j - 1].low in _HASTY for m in scene.event.mods)
+    if others and (in_front or (last == "in" and hasty) or scene.sudden is not None):
+        context.draft.hazard(HazardKind.CUT_IN, scene.words, others)
+
+
 def reverse(scene: Scene, context: Context) -> None:
     """Driving backwards."""
     context.draft.hazard(HazardKind.REVERSING, scene.words, scene.drivers)
@@ -260,6 +272,7 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "crawl": crawl,
     "bypass": swerve_around,
     "undertake": undertake,
+    "return": pull_back,
     "reverse": reverse,
     "lose_control": lose_control,
     "delay": delay,

@@ -142,11 +142,6 @@ class Discourse:
             return known
         return self._roster.introduce(reading, basis)
 
-    @property
-    def nobody_yet(self) -> bool:
-        """Whether nobody has come up so far."""
-        return not self._draft.entities
-
     def tells(self, i: int, j: int) -> bool:
         """Whether words name the one who tells it ("on my side of the road").
 

@@ -125,7 +125,9 @@ class Interpreter:
         elif term.cat == "quantity":
             self._quantity(term, entities)
         elif term.cat == "state" and term.value == "stationary":
-            self._draft.hazard(HazardKind.STOPPING, basis, drivers)
+            others = [e for e in drivers if not e.ego]
+            if others:
+                self._draft.hazard(HazardKind.STOPPING, basis, others)
         elif term.cat == "state" and term.value == "parked":
             for entity in entities:
                 if not entity.ego and entity.is_vehicle:

@@ -10,7 +10,7 @@ from scegen.understanding.phrases import also_from, apposed_to, bracketed, whose
 from scegen.understanding.state import State
 
 _COMING = frozenset({"approach", "collide", "overtake", "pass", "cut_in", "cut_off", "follow"})
-_BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking"})
+_BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
 _OWNED = frozenset({"side", "lane", "path"})
 
 

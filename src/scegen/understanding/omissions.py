@@ -32,6 +32,8 @@ def not_done(scene: Scene, context: Context) -> None:
         _unable(scene, context)
     elif event.name in _SEEING and breaches.breach(scene, context):
         return
+    elif event.name in _SEEING and scene.how("late") is not None and scene.drivers:
+        context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name == "yield":
         breaches.fail_to_yield(scene, context)
     elif event.name == "obey":

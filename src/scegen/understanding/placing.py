@@ -149,7 +149,11 @@ class Placer:
         basis = Basis(prep.word.i, target.j)
         compass = _compass(target)
         if compass is not None and prep.value in {"from", "to", "in"}:
-            heading = _FROM[compass.value] if prep.value == "from" else compass.value
+            bound = "bound" in compass.data  # "from southbound Elm Street"
+            back = prep.value == "from" and not bound
+            heading = _FROM[compass.value] if back else compass.value
+            if bound and prep.value == "to":
+                return  # "turned onto eastbound Elm Street": where it gets to
             self._head(entities, heading, basis)
             return
         if _at_its_side(prep, event):

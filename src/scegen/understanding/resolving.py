@@ -72,7 +72,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         if chunk.partitive and chunk.pronoun in _PARTS:
             waiting.append(chunk)
             continue
-        if chunk.pronoun in _BACK and discourse.nobody_yet and _named_later(chunk, chunks):
+        if chunk.pronoun in _BACK and _named_later(chunk, chunks):
             early.append(chunk)
             continue
         _resolve(chunk, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
@@ -90,6 +90,8 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
 def _named_later(pronoun: Mention, chunks: list[Chunk]) -> bool:
     """``before it turns right, the ego …``: the main clause names whom "it" means."""
     opened = False
+    if any(isinstance(c, Mention) and c.entities for c in chunks):
+        return False
     for chunk in chunks:
         if isinstance(chunk, Word) and chunk.i < pronoun.i:
             opened = opened or chunk.cat == "sub"

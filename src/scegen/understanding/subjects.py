@@ -16,7 +16,7 @@ from scegen.understanding.state import State
 _PASSIVE = frozenset(
     {"collide", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate", "cause",
      "prevent", "precede", "encounter", "pass", "cut_in", "cut", "avoid", "approach", "undertake",
-     "enter", "use", "door", "send"}
+     "enter", "use", "door", "chase", "harm", "send"}
 )  # fmt: skip
 
 _DESCRIBING = _PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}

@@ -245,6 +245,8 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
     """The phrase at a token, cut down where its words are no phrase here."""
     token = tokens[i]
     match = longest_match(tokens, i)
+    if match and match.form in {"ed", "ing"} and match.only("actor", "pronoun", "possessive"):
+        return None  # nouns are not inflected so
     if match and _is_clause(match, tokens, i, previous):
         match = longest_match(tokens[: i + 1], i)
     if match and token.low == "right" and match.only("sub") and _turning(previous):
