@@ -51,6 +51,6 @@ def park(scene: Scene, _context: Context) -> None:
     if scene.event.form != "ed":
         return
     for entity in scene.actors:
-        if entity.is_vehicle and not entity.ego:
+        if entity.is_vehicle and not entity.ego and entity.sets_off < scene.event.i:
             entity.parked = True
             entity.parked_basis = Basis(scene.event.i, scene.event.j)

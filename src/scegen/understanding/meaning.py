@@ -25,6 +25,7 @@ from scegen.understanding.recasting import recast
 from scegen.understanding.reciprocal import towards_each_other
 from scegen.understanding.resolving import from_everywhere
 from scegen.understanding.roadside import read_thing
+from scegen.understanding.setting_off import set_off
 from scegen.understanding.terms import Term
 
 _RELATIVE = frozenset({"difference", "differential", "relative", "closing", "delta"})
@@ -32,9 +33,8 @@ _DIFFERENCE_REACH = 3
 _BESIDE = frozenset({"overtake", "pass", "bypass", "undertake", "collide"})
 """With these verbs a side is where one gets past or is hit, and nobody comes from there."""
 _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
-_BREACHING = frozenset(
-    {"walk", "follow", "breach", "move", "enter", "cross", "speed", "accelerate"}
-)
+_BREACHING = frozenset({"walk", "follow", "breach", "move", "enter", "cross", "speed",
+                        "accelerate"})  # fmt: skip
 _ON_THE_MOVE = frozenset({"pull_out", "swerve", "use", "enter", "move", "cross", "lose_control",
                           "lane_change", "merge", "overtake", "bypass", "turn", "sharp_turn",
                           "approach", "unknown"})  # fmt: skip
@@ -75,6 +75,7 @@ class Interpreter:
             if p.on_mention is e.object
             and (self._starts(e, p) or (e.name in _BESIDE and _is_side(p)))
         }
+        set_off(events, self._context)
         handled = {id(e.object) for e in events if e.name in {"inert", "send"}}  # "kicks a ball"
         for chunk in chunks:
             if isinstance(chunk, Mention) and chunk.entities:
@@ -130,7 +131,7 @@ class Interpreter:
                 self._draft.hazard(HazardKind.STOPPING, basis, others)
         elif term.cat == "state" and term.value == "parked":
             for entity in entities:
-                if not entity.ego and entity.is_vehicle:
+                if not entity.ego and entity.is_vehicle and entity.sets_off < 0:
                     entity.parked, entity.parked_basis = True, basis
 
     def _quantity(self, term: Term, entities: list[Entity]) -> None:
