@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding import (
     breaches,
+    courses,
     dangers,
     encounters,
     implied,
@@ -21,6 +22,7 @@ from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.movements import MOVEMENTS
 from scegen.understanding.omissions import not_done
 from scegen.understanding.placing import Placer, thing_sides
+from scegen.understanding.reactions import mark_answers, mark_late
 from scegen.understanding.recasting import recast
 from scegen.understanding.reciprocal import towards_each_other
 from scegen.understanding.resolving import from_everywhere
@@ -30,6 +32,12 @@ from scegen.understanding.terms import Term
 
 _RELATIVE = frozenset({"difference", "differential", "relative", "closing", "delta"})
 _DIFFERENCE_REACH = 3
+_BY_MANNER = {
+    "fast": HazardKind.SPEEDING,
+    "slow": HazardKind.SLOW_DRIVING,
+    "wrong_way": HazardKind.ONCOMING_LANE,
+    "out_of_control": HazardKind.LOSS_OF_CONTROL,
+}
 _BESIDE = frozenset({"overtake", "pass", "bypass", "undertake", "collide"})
 """With these verbs a side is where one gets past or is hit, and nobody comes from there."""
 _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
@@ -85,7 +93,8 @@ class Interpreter:
         for chunk in chunks:
             if isinstance(chunk, Mention):
                 self._share_sides(chunk.pps, chunk.entities, hidden=False)
-        _mark_answers(events)
+        mark_answers(events)
+        mark_late(events, self._context)
         rows.line_up(chunks, events, self._draft)
         for event in events:
             self._event(event)
@@ -113,12 +122,9 @@ class Interpreter:
     def _quality(self, term: Term, entities: list[Entity]) -> None:
         basis = Basis(term.i, term.j)
         drivers = [e for e in entities if e.moving_vehicle]
-        if term.cat == "manner" and term.value == "fast" and drivers:
-            self._draft.hazard(HazardKind.SPEEDING, basis, drivers)
-        elif term.cat == "manner" and term.value == "wrong_way" and drivers:
-            self._draft.hazard(HazardKind.ONCOMING_LANE, basis, drivers)
-        elif term.cat == "manner" and term.value == "slow" and drivers:
-            self._draft.hazard(HazardKind.SLOW_DRIVING, basis, drivers)
+        kind = _BY_MANNER.get(term.value) if term.cat == "manner" else None
+        if kind is not None and drivers:
+            self._draft.hazard(kind, basis, drivers)
         elif term.cat == "manner" and term.value == "close":
             follows = [e for e in drivers if self._context.placed(e, Approach.BEHIND)]
             if follows:
@@ -180,6 +186,7 @@ class Interpreter:
 
     def _event(self, event: Event) -> None:
         scene = self._scene(event)
+        courses.move_off(scene, self._context)
         event.name = recast(scene, self._context)
         self._scenes.append(scene)
         for prep in event.pps:
@@ -258,17 +265,11 @@ class Interpreter:
                 implied.head_on(term, scene, self._context)
         if event.nominal and event.name not in _TRAVEL:
             return
-        fast = next((t for t in event.mods if t.cat == "manner" and t.value == "fast"), None)
-        slow = next((t for t in event.mods if t.cat == "manner" and t.value == "slow"), None)
-        wrong = next((t for t in event.mods if t.cat == "manner" and t.value == "wrong_way"), None)
-        if wrong is not None and scene.drivers:
-            basis = Basis(wrong.i, wrong.j)
-            self._draft.hazard(HazardKind.ONCOMING_LANE, basis, scene.drivers)
-        if fast is not None and scene.drivers:
-            self._draft.hazard(HazardKind.SPEEDING, Basis(fast.i, fast.j), scene.drivers)
         travels = event.name in _TRAVEL and not scene.reaction
-        if slow is not None and scene.drivers and travels:
-            self._draft.hazard(HazardKind.SLOW_DRIVING, Basis(slow.i, slow.j), scene.drivers)
+        for term in event.mods:
+            slows = term.value == "slow" and not travels  # "brakes slowly"
+            if term.cat == "manner" and term.value in _BY_MANNER and not slows:
+                self._quality(term, scene.drivers)
 
     def _share_sides(self, pps: list[Prep], entities: list[Entity], *, hidden: bool) -> None:
         """Who comes out from behind something stands on its side of the road."""
@@ -280,6 +281,8 @@ class Interpreter:
             basis = Basis(prep.word.i, prep.target.j)
             for hider in prep.target.entities:
                 sides = thing_sides(hider, self._draft)
+                if sides == {Approach.OPPOSITE}:  # the queue in the oncoming lane
+                    sides = {Approach(self._context.across)}
                 for entity in entities:
                     on_foot = not entity.is_vehicle or self._context.is_cyclist(entity)
                     if sides and on_foot:
@@ -288,13 +291,3 @@ class Interpreter:
 
 def _is_side(prep: Prep) -> bool:
     return isinstance(prep.target, Place) and prep.target.kind == "side"
-
-
-def _mark_answers(events: list[Event]) -> None:
-    """``braked but could not avoid the van``: who tries to avoid something brakes as an answer."""
-    avoiding = [e for e in events if e.name == "avoid"]
-    for event in events:
-        if event.name in {"brake", "slow", "stop"} and not event.nominal:
-            event.modal = event.modal or any(
-                e.sentence == event.sentence and e.subject == event.subject for e in avoiding
-            )
