@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding import (
+    afoot,
     breaches,
     dangers,
     encounters,
@@ -75,11 +76,15 @@ class Interpreter:
             and (self._starts(e, p) or (e.name in _BESIDE and _is_side(p)))
         }
         handled = {id(e.object) for e in events if e.name == "inert"}  # "kicks a ball"
+        acting = {id(m) for e in events for m in e.subject if e.name != "hide"}
         for chunk in chunks:
             if isinstance(chunk, Mention) and chunk.entities:
                 self._mention(chunk)
+                if id(chunk) not in acting:
+                    afoot.comes_from_the_side(chunk, self._context)
             elif isinstance(chunk, Thing) and id(chunk) not in handled:
                 read_thing(chunk, chunks, self._draft)
+                self._context.screens += [chunk.i] if chunk.kind == "object" else []
         for chunk in chunks:
             if isinstance(chunk, Mention):
                 self._share_sides(chunk.pps, chunk.entities, hidden=False)
@@ -95,7 +100,7 @@ class Interpreter:
 
     def _mention(self, mention: Mention) -> None:
         self._placer.adjectives(mention)
-        encounters.on_the_road(mention, self._context)
+        afoot.on_the_road(mention, self._context)
         sides = [p for p in mention.pps if p.value in {"from", "in"} and _is_side(p)]
         for prep in mention.pps:
             if id(prep) in self._of_verbs:

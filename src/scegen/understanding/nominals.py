@@ -146,6 +146,8 @@ def _joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     if state.between == {","} and not waiting:
         return False
     let = _let(anchor, k, chunks, state)
+    if "aux:be" in state.between and finite_follows(chunks, k):
+        return False  # "I'm in the outside lane and a van comes up behind me"
     if not waiting and ((finite_follows(chunks, k) and not let) or "," in state.between):
         return False
     if _in_parallel(anchor, k, chunks, state):

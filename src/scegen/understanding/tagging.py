@@ -117,6 +117,8 @@ def tag(tokens: list[Token]) -> list[Term]:
             term = Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
         if (term.cat, tokens[term.i].low) == ("possessive", "her") and _alone(tokens, term.j):
             term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
+        if _does_not(tokens, term):
+            term = replace(term, cat="aux", value="do")
         if term.cat == "dir" and terms and terms[-1].value == "unprotected" and _bare(tokens, term):
             term = replace(term, cat="verb", value="turn", data={"way": term.value})
         if _speed(term) and doing(tokens, i):
@@ -126,6 +128,13 @@ def tag(tokens: list[Token]) -> list[Term]:
         terms.append(term)
         i = terms[-1].j
     return _crossings(from_side_to_side(terms), tokens)
+
+
+def _does_not(tokens: list[Token], term: Term) -> bool:
+    """``doesn't even brake``: no doing of its own."""
+    after = tokens[term.j] if term.j < len(tokens) else None
+    denied = after is not None and (after.kind == "neg" or after.low == "not")
+    return term.cat == "verb" and tokens[term.i].forms[-1][0] == "do" and denied
 
 
 def _bare(tokens: list[Token], term: Term) -> bool:
