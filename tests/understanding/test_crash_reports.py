@@ -89,3 +89,30 @@ def test_reported_speech_keeps_its_subject():
 def test_the_red_one():
     scenario = read("A red car and a black car meet at a junction. The red one turns left.")
     assert scenario.participant("car_1").maneuvers == {"left"}
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Three people were injured when a van hit a stationary bus.", ["bus", "van"]),
+        ("A man died when his van ran into the back of a lorry.", ["truck", "van"]),
+        ("A woman was hurt when she was knocked down by a bus.", ["bus", "pedestrian"]),
+        ("A jogger was killed when a van mounted the kerb.", ["pedestrian", "van"]),
+        ("A van clipped the vicar's moped.", ["motorcycle", "van"]),
+        ("A taxi pursued by a patrol car ran a stop sign.", ["car", "emergency_vehicle"]),
+        ("A moped ran into her wing as the taxi set off.", ["car", "motorcycle"]),
+    ],
+)
+def test_people_and_owners_who_take_no_part(text, expected):
+    assert kinds(text) == expected
+
+
+def test_a_bend_to_the_left_is_no_turn():
+    scenario = read("V1 was negotiating a bend to the left and crossed into the oncoming lane.")
+    assert scenario.junction.kind == "straight"
+    assert [h.kind for h in scenario.hazards] == ["oncoming_lane"]
+
+
+def test_out_of_a_road_named_by_its_direction():
+    scenario = read("V1 turned left from northbound Elm Street. V2 was heading south.")
+    assert scenario.participant("car_2").approaches == {"opposite"}

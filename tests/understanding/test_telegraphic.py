@@ -156,3 +156,43 @@ def test_a_left_turner_turns_left():
 def test_what_is_to_be_done_is_done():
     text = "The leading vehicle, a moped, is slow; the ego is to overtake it."
     assert doings(text)[0] == {Maneuver.OVERTAKE}
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        ("Overtaking truck. The ego is passed by a lorry which moves back in too early.", 2),
+        ("Lead vehicle stopped. A minivan stands in the lane; the following subject car nears.", 2),
+        ("Oncoming car turning left. Ego going straight. A second car waits behind the ego.", 3),
+    ],
+)
+def test_a_title_with_a_full_stop(text, count):
+    assert len(read(text).participants) == count
+
+
+def test_a_title_describes_the_first_one_named():
+    text = "Slow vehicle: an excavator doing 15 km/h, which the ego has to overtake."
+    assert HazardKind.SLOW_DRIVING in {h.kind for h in read(text).hazards}
+    assert where(text, "truck") == {Approach.AHEAD}
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("Red-light violation by a van: it enters as the ego has green.", "red_light_running"),
+        (
+            "Stop sign violation: a van from the right does not stop for the ego.",
+            "failure_to_yield",
+        ),
+        ("Two vehicles on perpendicular roads, neither stops.", "failure_to_yield"),
+        ("A lorry overtakes the ego and moves back in too soon.", "cut_in"),
+        ("The ego does not notice the car ahead until too late.", "delayed_braking"),
+    ],
+)
+def test_breaches_named_by_nouns_and_late_doings(text, kind):
+    assert kind in {h.kind.value for h in read(text).hazards}
+
+
+def test_who_waits_for_a_verb_gets_it():
+    text = "A van enters from the left when the ego has green and is turning right."
+    assert doings(text)[0] == {Maneuver.RIGHT}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, Control, HazardKind
 from scegen.understanding.chunks import Mention, NounPhrase, Place, Thing
 from scegen.understanding.context import Context, Scene
-from scegen.understanding.draft import Basis
+from scegen.understanding.draft import Basis, Danger
 
 _CERTAIN = frozenset({"walk", "breach", "obey", "encounter", "overlook"})
 """Verbs that, with a sign or a light, mean that it is not heeded, whatever its colour."""
@@ -33,10 +33,19 @@ def subsume(context: Context) -> None:
         for e in d.by
     }
     context.draft.dangers[:] = [
+        d for d in context.draft.dangers if d.by or d.to or not _told_of_somebody(d, context)
+    ]
+    context.draft.dangers[:] = [
         d
         for d in context.draft.dangers
         if d.kind is not HazardKind.FAILURE_TO_YIELD or not d.by or {e.index for e in d.by} - red
     ]
+
+
+def _told_of_somebody(danger: Danger, context: Context) -> bool:
+    """``Running a red light: a van runs …``: what nobody does is what somebody does."""
+    alike = [d for d in context.draft.dangers if d.kind is danger.kind and d.by]
+    return bool(alike) and danger.kind not in {HazardKind.OBSTACLE, HazardKind.OCCLUSION}
 
 
 def turns_across(scene: Scene, context: Context) -> bool:

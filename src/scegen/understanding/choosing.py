@@ -166,6 +166,7 @@ def _noun_slot(match: Match, tokens: list[Token], previous: Term | None) -> bool
     preposed = previous.cat == "prep" and previous.value != "to"
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
     compound = previous.cat == "place" and match.form == "base" and match.has("inert")
+    compound = compound or tokens[previous.i].low == "whose"
     return (previous.cat in _NOMINAL_BEFORE and not adverb) or preposed or compound
 
 
@@ -191,8 +192,8 @@ def _without_place(match: Match, attributive: bool) -> Entry:
 
 
 def _not_inflected(match: Match) -> Match:
-    """``the neighbouring lane``: no noun has such a form."""
-    kept = tuple(e for e in match.entries if e.cat != "actor")
+    """``the neighbouring lane``, ``boxed in``: no noun has such a form."""
+    kept = tuple(e for e in match.entries if e.cat not in {"actor", "thing"})
     inflected = match.form in {"ing", "ed"} and kept
     return Match(kept, match.j, match.form) if inflected else match
 

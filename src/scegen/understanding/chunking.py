@@ -9,6 +9,7 @@ from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Wor
 from scegen.understanding.lanes import between_lanes
 from scegen.understanding.naming import Namer
 from scegen.understanding.nominal import OPENERS, ORDINALS, VERBAL_LINKS, has_dir, is_nominal
+from scegen.understanding.split_verbs import with_particles
 from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
@@ -40,23 +41,13 @@ class Chunker:
         k = 0
         while k < len(self._terms):
             k = self._chunk_at(k)
-        return between_lanes(self._with_particles(), self._tokens)
-
-    def _with_particles(self) -> list[Chunk]:
-        """``cuts the van off`` is "cut off" with its object inside."""
-        dropped: set[int] = set()
-        for k, chunk in enumerate(self._chunks):
-            if not (isinstance(chunk, Event) and chunk.name == "cut"):
-                continue
-            chunk.name = "cut_in"
-            for following in self._chunks[k + 1 : k + 4]:
-                if isinstance(following, Word) and self._tokens[following.i].low == "off":
-                    chunk.name = "cut_off"
-                    dropped.add(id(following))
-        return [c for c in self._chunks if id(c) not in dropped]
+        return between_lanes(with_particles(self._chunks, self._tokens), self._tokens)
 
     def _chunk_at(self, k: int) -> int:
         term = self._terms[k]
+        if term.cat == "verb" and term.data.get("noun"):
+            self._chunks.append(self._breach(term))
+            return k + 1
         if term.cat == "verb" and not term.premod:
             self._chunks.append(event_of(term, []))
             return k + 1
@@ -64,6 +55,8 @@ class Chunker:
             self._chunks.append(_pronoun(term))
             return k + 1
         if term.cat == "possessive" and term.value == "genitive":
+            if self._chunks and getattr(self._chunks[-1], "cat", "") == "unknown":
+                return self._of_a_stranger(k)
             if not self._owns(k):
                 self._chunks.append(Word(term))
                 return k + 1
@@ -75,6 +68,21 @@ class Chunker:
             self._chunks.append(Word(term))
             return k + 1
         return reached
+
+    def _of_a_stranger(self, k: int) -> int:
+        """``the vicar's van``: a van, whoever the vicar is."""
+        while self._chunks and getattr(self._chunks[-1], "cat", "") in {"unknown", "det", "label"}:
+            self._chunks.pop()
+        self._terms[k] = replace(self._terms[k], cat="det", value="indef")
+        return self._noun_phrase(k) or k + 1
+
+    def _breach(self, term: Term) -> Event:
+        """``red light violation``: a noun of a doing with what it is done to before it."""
+        event = event_of(term, [], nominal=True)
+        before = self._chunks[-1] if self._chunks else None
+        if isinstance(before, Place) and before.j == term.i:
+            event.object = before
+        return event
 
     def _that_of(self, k: int) -> bool:
         """``leaves its lane and enters that of the bus``: a place of the kind named last."""
@@ -277,23 +285,13 @@ class Chunker:
         if head.cat in {"place", "leg"}:
             place = Place(start, head.j, mods, head, owner, kind=head.value)
             self._chunks.append(place)
-            if self._numbered(head, m + 1):
+            if Namer(self._terms, self._tokens).numbered(head, m + 1):
                 place.j = self._terms[m + 1].j
                 return m + 2
         else:
             kind = head.cat if head.cat == "view" else head.value
             self._chunks.append(Thing(start, head.j, mods, head, owner, kind=kind))
         return m + 1
-
-    def _numbered(self, head: Term, m: int) -> bool:
-        """``lane 2``: the number is the place's name."""
-        term = self._terms[m] if m < len(self._terms) else None
-        follows = self._terms[m + 1].cat if m + 1 < len(self._terms) else ""
-        number = term is not None and term.cat == "num"
-        bare = self._terms[m - 2].cat not in {"det", "dir"} if m > 1 else True
-        written = term is not None and self._tokens[term.i].kind == "number"
-        digits = number and (bare or written)
-        return digits and head.value in {"lane", "road"} and follows not in {"actor", "place"}
 
 
 def _pronoun(term: Term) -> Mention:

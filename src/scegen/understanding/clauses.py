@@ -90,7 +90,9 @@ class ClauseReader:
         place = next(
             (c for c in reversed(self._chunks[max(0, k - 2) : k]) if isinstance(c, Place)), None
         )
-        if place is None or place.kind not in LANES:
+        who = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
+        it = isinstance(who, Mention) and who.pronoun == "it"  # "moves into the lane, where it …"
+        if place is None or place.kind not in LANES or it:
             return
         word = Word(Term("prep", "in", place.i, place.i + 1))
         self._state.fronted.append(Prep(word, place, fronted=True))

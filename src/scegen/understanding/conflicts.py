@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
-from scegen.understanding import encounters, movements
+from scegen.understanding import encounters, lane_moves, movements
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.ways import across_the_road, into_lane, overtaking
+from scegen.understanding.ways import across_the_road, into_lane, next_lane, overtaking
 
 _ACROSS = {"left": Maneuver.LEFT, "right": Maneuver.RIGHT}
+_TURNS = frozenset(_ACROSS.values())
 
 
 def turn(scene: Scene, context: Context) -> None:
@@ -26,22 +27,28 @@ def turn(scene: Scene, context: Context) -> None:
         return
     into_way = any(p.kind == "path" for p in scene.places())
     known = {m for e in scene.drivers for m in e.maneuvers}
-    left = left or (not event.dirs and _ACROSS[context.across] in known)
-    settled = event.dirs or known & {Maneuver.LEFT, Maneuver.RIGHT}
+    left = left or (not event.dirs and known & _TURNS == {_ACROSS[context.across]})
+    settled = event.dirs or known & _TURNS
     if settled and scene.drivers and into_way:
         kind = HazardKind.UNPROTECTED_LEFT_TURN if left else HazardKind.FAILURE_TO_YIELD
         context.draft.hazard(kind, scene.words, scene.drivers)
         return
     in_front = next((p for p in event.pps if p.word.cat == "locus" and p.value == "ahead"), None)
-    if left and in_front is not None and in_front.target is not None and scene.drivers:
+    if in_front is not None and in_front.target is not None and scene.drivers:
         basis = Basis(event.i, in_front.target.j)
         to = in_front.target.entities if isinstance(in_front.target, Mention) else []
         abreast = any(context.placed(e, Approach.ADJACENT) for e in scene.drivers)
-        kind = HazardKind.SUDDEN_TURN if abreast else HazardKind.UNPROTECTED_LEFT_TURN
-        context.draft.hazard(kind, basis, scene.drivers, to)
-        return
+        kind = HazardKind.UNPROTECTED_LEFT_TURN if left else HazardKind.FAILURE_TO_YIELD
+        kind = HazardKind.SUDDEN_TURN if left and abreast else kind
+        across = all(context.comes_across(e) for e in scene.drivers)
+        if left or (across and (not event.dirs or scene.sudden is None)):
+            context.draft.hazard(kind, basis, scene.drivers, to)
+            return
     sudden = scene.sudden
     lane = into_lane(event)
+    if next_lane(event, context):
+        lane_change(scene, context)
+        return
     encroaches = lane is not None and "opposite" not in lane.dirs and not event.dirs
     if scene.drivers and not scene.reaction and (sudden is not None or encroaches):
         context.draft.hazard(HazardKind.SUDDEN_TURN, sudden or scene.words, scene.drivers)
@@ -175,7 +182,7 @@ def enter(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.ONCOMING_LANE, scene.words, others, owners)
         return
     context.draft.hazard(HazardKind.CUT_IN, scene.words, others, owners or _mentioned(scene.event))
-    movements.lane_change(scene, context)
+    lane_moves.lane_change(scene, context)
 
 
 def _enter_in_front(scene: Scene, context: Context) -> None:
@@ -238,7 +245,7 @@ def pull_out(scene: Scene, context: Context) -> None:
     drivers = [e for e in drivers if Maneuver.OVERTAKE not in e.maneuvers]  # out of its lane
     along = any(context.placed(e, a) for e in drivers for a in (Approach.BEHIND, Approach.AHEAD))
     if drivers and _into_the_next_lane(scene, context):
-        movements.lane_change(scene, context)
+        lane_moves.lane_change(scene, context)
         lane_change(scene, context)
         return
     if drivers and not along and not _to_overtake(scene, context):

@@ -41,9 +41,9 @@ def coordinate(event: Event, state: State) -> None:
     parallel = next(reversed(exact or alike), None)
     if parallel is None:
         parallel = next((e for e in reversed(verbs) if e.finite), None)
-    waiting = state.candidate is not None and not state.candidate_done
-    if parallel is None and waiting and state.candidate is not None:
-        event.subject = chain(state.candidate)
+    who = state.candidate if not state.candidate_done else None
+    if who is not None and (parallel is None or (parallel.i < who.i and event.finite)):
+        event.subject = chain(who)  # "… while the ego has green and goes straight"
         return
     parallel = parallel or state.events[-1]
     event.subject = parallel.subject

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
-from scegen.understanding import conflicts, encounters
-from scegen.understanding.chunks import Mention
+from scegen.understanding import conflicts, encounters, screens
+from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
 from scegen.understanding.walking import keep_along
 from scegen.understanding.ways import into_lane
 
+_HASTY = frozenset({"early", "soon", "closely", "close", "tightly"})
 _REGULATED = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_stop", "parking",
                         "shoulder", "sidewalk", "crosswalk"})  # fmt: skip
 
@@ -40,6 +41,7 @@ def brake(scene: Scene, context: Context) -> None:
         return
     sudden = scene.sudden
     answer = scene.reaction or any(p.value == "for" for p in scene.event.pps)
+    answer = answer or (all(e.ego for e in scene.drivers) and bool(context.draft.dangers))
     if sudden is None and answer:
         return
     if sudden is None and not scene.drivers:
@@ -84,6 +86,21 @@ def stop(scene: Scene, context: Context) -> None:
     if scene.reaction or not scene.actors or any(e.ego for e in scene.actors):
         return
     context.draft.hazard(HazardKind.STOPPING, sudden or scene.words, scene.actors)
+
+
+def wait(scene: Scene, context: Context) -> None:
+    """``a taxi standing in the lane``: it blocks the way."""
+    lanes = any(
+        p.word.value == "in"
+        and isinstance(p.target, Place)
+        and p.target.kind in {"lane", "middle"}
+        and not ({"adjacent", "opposite"} & set(p.target.dirs))
+        for p in scene.event.pps
+    )
+    others = [e for e in scene.drivers if not e.ego]
+    stands = context.tokens[scene.event.i].forms[-1][0] in {"stand", "sit", "idle"}
+    if lanes and stands and others:
+        context.draft.hazard(HazardKind.STOPPING, scene.words, others)
 
 
 def move(scene: Scene, context: Context) -> None:
@@ -179,6 +196,16 @@ def swerve_around(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.SWERVING, scene.words, others, scene.targets)
 
 
+def pull_back(scene: Scene, context: Context) -> None:
+    """``overtakes the ego and moves back in too early``: a cut-in."""
+    others = [e for e in scene.drivers if not e.ego and Maneuver.OVERTAKE in e.maneuvers]
+    last = context.tokens[scene.event.j - 1].low
+    in_front = any(p.word.cat == "locus" and p.value == "ahead" for p in scene.event.pps)
+    hasty = any(context.tokens[m.j - 1].low in _HASTY for m in scene.event.mods)
+    if others and (in_front or (last == "in" and hasty) or scene.sudden is not None):
+        context.draft.hazard(HazardKind.CUT_IN, scene.words, others)
+
+
 def reverse(scene: Scene, context: Context) -> None:
     """Driving backwards."""
     context.draft.hazard(HazardKind.REVERSING, scene.words, scene.drivers)
@@ -214,6 +241,7 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "hard_brake": hard_brake,
     "slow": slow,
     "stop": stop,
+    "wait": wait,
     "swerve": swerve,
     "turn": conflicts.turn,
     "sharp_turn": conflicts.turn,
@@ -233,15 +261,17 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "move": move,
     "unpark": conflicts.unpark,
     "appear": encounters.appear,
-    "block": encounters.block,
-    "hide": encounters.occlude,
+    "block": screens.block,
+    "hide": screens.occlude,
     "cause": encounters.cause,
+    "send": encounters.cause,
     "door": encounters.door,
     "encounter": too_late,
     "react": too_late,
     "crawl": crawl,
     "bypass": swerve_around,
     "undertake": undertake,
+    "return": pull_back,
     "reverse": reverse,
     "lose_control": lose_control,
     "delay": delay,

@@ -5,6 +5,9 @@ from __future__ import annotations
 from scegen.understanding.chunks import Event, Mention
 from scegen.understanding.state import State
 
+_ABOUT_OTHERS = frozenset({"cause", "prevent", "block", "hide", "encounter", "overlook"})
+"""Verbs whose object is what others do ("blocks the merge")."""
+
 
 def chain(mention: Mention) -> list[Mention]:
     """A mention with those that it is joined to ("a car and a truck"), in order."""
@@ -63,7 +66,7 @@ def nominal(event: Event, state: State) -> None:
         event.subject = state.main  # "before its left turn"
     if isinstance(anchor, Event) and not (state.between - {"either", "or"}):
         depend(event, anchor, "noun")
-        if not event.subject and anchor.name not in {"cause", "prevent"}:
+        if not event.subject and anchor.name not in _ABOUT_OTHERS:
             _share_subject(event, anchor, state)
     elif "conj" in state.between and state.events:
         event.subject = event.subject or state.events[-1].subject

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.bystanders import mark_bystanders
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.reference import tells
 from scegen.understanding.tokens import Token
@@ -33,7 +34,8 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
         for mention in event.subject:
             _by_doing(mention, event, tokens)
     _people_in_traffic(chunks, events)
-    _listeners(events)
+    mark_bystanders(chunks, events)
+    _chases(events)
     _own_vehicles(events, tokens)
     _vehicles_of_parties(chunks)
     _ridden(chunks, events, tokens)
@@ -41,6 +43,7 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
 
 
 def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
+    mention.seated = mention.seated or event.name == "door"
     failing = event.negated and event.name in {"stop", "yield"}
     across = event.name == "cut_in" and tokens[event.j - 1].low == "across"
     alone = event.drives or (event.name in _ONLY_VEHICLES and not across) or _takes_a_turn(event)
@@ -109,13 +112,12 @@ def _vehicles_of_parties(chunks: list[Chunk]) -> None:
             chunk.same_as = owner
 
 
-def _listeners(events: list[Event]) -> None:
-    """``officers said …``, ``told a policeman …``: they take no part."""
+def _chases(events: list[Event]) -> None:
+    """``a boy chases a ball`` over the road; a police car that chases a van follows it."""
     for event in events:
-        told = [p.target for p in event.pps if p.value == "to"]
-        for mention in [*event.subject, event.object, *told] if event.says else []:
-            if isinstance(mention, Mention) and any("onlooker" in h.data for h in mention.heads):
-                mention.negated = True
+        if event.name == "chase":
+            afoot = any(h.value == "pedestrian" for m in event.subject for h in m.heads)
+            event.name = "cross" if afoot and not event.passive else "follow"
 
 
 def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
-from scegen.understanding.groups import Group, vehicle_around
+from scegen.understanding.groups import Group, opened, vehicle_around
 from scegen.understanding.located import as_the_ego_sees, loci_of
 from scegen.understanding.mention_words import DEFAULT_COUNT, Reading, read_mention
 from scegen.understanding.pronouns import Pronouns
@@ -131,6 +131,9 @@ class Discourse:
         of_whom = next((p.target for p in mention.pps if p.value == "of"), None)
         if reading.driver and isinstance(of_whom, Mention):
             return self.resolve(of_whom, subject=False, exclude=[])
+        parked = opened(reading, mention, self._draft.entities)
+        if parked:
+            return parked
         inside = vehicle_around(reading, mention)
         if inside is not None:
             return self.resolve(inside, subject=False, exclude=[])
@@ -147,11 +150,6 @@ class Discourse:
             self._roster.enrich(known, reading)
             return known
         return self._roster.introduce(reading, basis)
-
-    @property
-    def nobody_yet(self) -> bool:
-        """Whether nobody has come up so far."""
-        return not self._draft.entities
 
     def tells(self, i: int, j: int) -> bool:
         """Whether words name the one who tells it ("on my side of the road").

@@ -9,6 +9,7 @@ from scegen.understanding.lookahead import BOUNDARIES
 from scegen.understanding.predicates import complete
 
 _JOINTS = frozenset({"and", "but", ",", "while", "when", ";"})
+_EMPTY = frozenset({"light", "try", "cause", "inert", "unknown", "likewise", "avoid"})
 _WAYS = frozenset({"left", "right", "straight"})
 _MOST_AFTER = 3
 
@@ -23,6 +24,7 @@ def fill_in(chunks: list[Chunk], events: list[Event]) -> list[Event]:
         chunks: the chunks of the text; an ordinal that stands for an exit is replaced by it.
         events: its events.
     """
+    _likewise(events)
     acting = {id(m) for e in events for m in e.subject}
     found = list(events)
     for k, chunk in enumerate(chunks):
@@ -38,6 +40,24 @@ def fill_in(chunks: list[Chunk], events: list[Event]) -> list[Event]:
         if copy is not None:
             found.append(copy)
     return complete(chunks, found)
+
+
+def _likewise(events: list[Event]) -> None:
+    """``and the van ahead does the same``: what somebody else was last said to do."""
+    for k, event in enumerate(events):
+        if event.name != "likewise":
+            continue
+        who = set(map(id, event.subject))
+        before = [
+            e
+            for e in events[:k]
+            if e.name not in _EMPTY and e.subject and not who & set(map(id, e.subject))
+        ]
+        if before:
+            model = before[-1]
+            event.name, event.object = model.name, event.object or model.object
+            event.mods = [*event.mods, *(m for m in model.mods if m.cat == "dir")]
+            event.pps = [*event.pps, *(p for p in model.pps if isinstance(p.target, Place))]
 
 
 def _verb_before(mention: Mention, events: list[Event]) -> Event | None:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.lookahead import BOUNDARIES
 
 _SPECIFIC = frozenset({"pedestrian", "bicycle", "motorcycle", "truck", "bus"})
+_QUALITIES = frozenset({("manner", "slow"), ("manner", "fast"), ("manner", "wrong_way")})
 _FIRST_WORDS = frozenset({"det", "num", "quant", "possessive"})
 
 
@@ -52,12 +53,33 @@ def _of_one(title: list[Chunk], rest: list[Chunk]) -> bool:
 def _is_title(title: list[Chunk], rest: list[Chunk]) -> bool:
     """``Car-to-cyclist, crossing from the near side. The cyclist …``: all come up again."""
     mentions = [c for c in title if isinstance(c, Mention)]
+    named = [c for c in rest if isinstance(c, Mention) and c.pronoun is None]
+    if len(mentions) == 1 and _type_of(mentions[0], title, named):
+        return True
     if not mentions or any(isinstance(c, Event) for c in title):
         return False
-    named = [c for c in rest if isinstance(c, Mention) and c.pronoun is None]
     pair = len(mentions) > 1 and any(isinstance(c, Word) and c.value == "to" for c in title)
     again = all(any(_stands_for(n, m) for n in named) for m in mentions)
     return pair and again and len(named) >= len(mentions)
+
+
+def _type_of(mention: Mention, title: list[Chunk], named: list[Mention]) -> bool:
+    """``Overtaking truck. … a lorry …``, ``Lead vehicle stopped. A van …``: a kind of situation."""
+    if mention.head is None or any(h.data.get("ego") for h in mention.heads) or mention.prep:
+        return False
+    described = any(m.cat in {"verb", "state", "manner"} for m in mention.mods)
+    described = described or any(isinstance(c, Event) for c in title)
+    whole = all(
+        isinstance(c, Mention | Event | Place | Thing) or c.cat in {"punct", "prep", "state"}
+        for c in title
+    )
+    sided = any(isinstance(c, Word) and c.value in {"left", "right"} for c in title)
+    ego = any(h.data.get("ego") for n in named for h in n.heads)
+    fresh = [n for n in named if n.mods and n.mods[0].value == "indef"]
+    alike = [n for n in fresh if _of_kind(n, mention.head.value)]
+    generic = mention.head.value == "car" and not mention.label
+    again = bool(alike) or (generic and any(n.head is not None for n in fresh))
+    return described and whole and not sided and ego and again
 
 
 def _stands_for(named: Mention, mention: Mention) -> bool:
@@ -79,6 +101,17 @@ def _silence(title: list[Chunk], rest: list[Chunk]) -> None:
             same.same_as = mention
         else:
             mention.negated = True
+            if len(title) == 1:
+                _pass_on(mention, rest)
+
+
+def _pass_on(mention: Mention, rest: list[Chunk]) -> None:
+    """``Slow vehicle: a tractor …``: what the heading says holds for the first one named."""
+    told = [m for m in mention.mods if (m.cat, m.value) in _QUALITIES or m.cat == "state"]
+    others = [c for c in rest if isinstance(c, Mention) and c.pronoun is None and c.heads]
+    others = [c for c in others if not any(h.data.get("ego") for h in c.heads)]
+    for other in others[:1] if told else []:
+        other.mods = [*other.mods, *told]
 
 
 def _of_kind(mention: Mention, kind: str) -> bool:

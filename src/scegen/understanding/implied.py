@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
-from scegen.understanding.chunks import Event, Mention, Place
+from scegen.understanding import conflicts
+from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Danger, Entity, Placement
+from scegen.understanding.terms import Term
 
 _CLOSING = frozenset({"approach", "encounter", "collide", "move", "brake", "hard_brake", "slow"})
+_COMING = frozenset({"move", "approach", "enter", "speed", "accelerate", "collide", "overtake"})
 _TOWARDS = frozenset({"to", "into", "in", "for", "with"})
 _HEAD_ON = frozenset({"towards", "toward"})
 _SLOWER = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
@@ -161,11 +164,36 @@ def _on_the_wrong_side(entity: Entity, context: Context) -> bool:
 def _comes_towards(scene: Scene, driver: Entity, context: Context) -> None:
     """``drives towards the ego``: head-on, unless it comes from somewhere else."""
     towards = [p.word.j for p in scene.event.pps if context.tokens[p.word.i].low in _HEAD_ON]
+    towards += [p.word.j for p in scene.event.pps if _at_the_ego(p, scene, context)]
     towards += [scene.event.j for t in _own(scene.event, context) if t in _HEAD_ON]
     ego = next(e for e in context.draft.entities if e.ego)
     if towards and not _placed(driver, ego, context):
         basis = Basis(scene.event.i, towards[0], "comes towards the ego")
         context.draft.place(driver, None, {Approach.OPPOSITE}, basis)
+        for place in scene.places():
+            if conflicts.head_on(scene, place, context):
+                words = Basis(place.i, place.j)
+                context.draft.hazard(HazardKind.ONCOMING_LANE, words, [driver], [ego])
+
+
+def _at_the_ego(prep: Prep, scene: Scene, context: Context) -> bool:
+    """``comes straight at the ego``."""
+    goal = context.tokens[prep.word.i].low == "at" and isinstance(prep.target, Mention)
+    return goal and scene.event.name in {"move", "speed", "approach"}
+
+
+def head_on(term: Term, scene: Scene, context: Context) -> None:
+    """``a motorcycle approaches head-on``: who collides so has come from the front, too.
+
+    Args:
+        term: the words for it.
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    coming = scene.event.name in _COMING and (len(scene.drivers) == 1 or bool(scene.targets))
+    for entity in scene.drivers if coming else []:
+        to = next((e for e in scene.targets if e.moving_vehicle), None)
+        context.draft.place(entity, to, {Approach.OPPOSITE}, Basis(term.i, term.j))
 
 
 def _own(event: Event, context: Context) -> set[str]:

@@ -12,6 +12,10 @@ from scegen.understanding.draft import Basis
 from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
+_BROKEN = frozenset({"broken", "failed", "inoperative", "malfunctioning", "defective", "faulty",
+                     "dead", "inoperable"})  # fmt: skip
+_OFF = ("out of order", "out of service", "not working", "switched off", "turned off", "not in use")
+_BROKEN_REACH = 7
 _ARM_NOUNS = frozenset({"exit", "road", "leg"})
 _ASSUMED_EXITS = 4
 _WINDOW = 6
@@ -69,7 +73,7 @@ def read_junction(terms: list[Term], tokens: list[Token]) -> JunctionReading:
     reading = JunctionReading()
     for k, term in enumerate(terms):
         if term.cat == "place":
-            _place(reading, terms, k)
+            _place(reading, terms, k, tokens)
         elif term.cat == "actor" and "control" in term.data:
             _set_control(reading, Control(term.data["control"]), Basis(term.i, term.j))
         elif term.cat == "shape":
@@ -97,7 +101,19 @@ def _negated(terms: list[Term], k: int) -> bool:
     )
 
 
-def _place(reading: JunctionReading, terms: list[Term], k: int) -> None:
+def _out_of_order(terms: list[Term], k: int, tokens: list[Token]) -> bool:
+    """``non-working traffic lights``, ``traffic lights that are out of order``."""
+    i, j = terms[k].i, terms[k].j
+    before = [t.low for t in tokens[max(0, i - 2) : i]]
+    if before[-1:] and (before[-1] in _BROKEN or before == ["non", "working"]):
+        return True
+    after = [t.low for t in tokens[j : j + _BROKEN_REACH]]
+    after = after[: after.index(",")] if "," in after else after
+    words = " ".join(after)
+    return bool(_BROKEN & set(after[:4])) or any(phrase in words for phrase in _OFF)
+
+
+def _place(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Token]) -> None:
     term = terms[k]
     basis = Basis(term.i, term.j)
     if term.value == "junction" and (_away_from(terms, k) or _none_named(terms, k)):
@@ -117,7 +133,9 @@ def _place(reading: JunctionReading, terms: list[Term], k: int) -> None:
     lamps = lamps or (control == Control.STOP and k > 0 and terms[k - 1].value == "its")
     if lamps and k and terms[k - 1].cat == "possessive":
         return  # "its lights" are a vehicle's
-    if control and _negated(terms, k):
+    if control == Control.SIGNALS and _out_of_order(terms, k, tokens):
+        _set_control(reading, Control.UNCONTROLLED, basis)
+    elif control and _negated(terms, k):
         _set_control(reading, Control.UNCONTROLLED, Basis(terms[k - 1].i, term.j))
     elif control:
         _set_control(reading, Control(control), basis)

@@ -12,11 +12,11 @@ from scegen.understanding import (
     red_lights,
     roles,
     rows,
+    screens,
     side_roads,
 )
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
-from scegen.understanding.dependents import chain
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.movements import MOVEMENTS
 from scegen.understanding.omissions import not_done
@@ -25,6 +25,7 @@ from scegen.understanding.recasting import recast
 from scegen.understanding.reciprocal import towards_each_other
 from scegen.understanding.resolving import from_everywhere
 from scegen.understanding.roadside import read_thing
+from scegen.understanding.scenes import scene_of
 from scegen.understanding.terms import Term
 
 _RELATIVE = frozenset({"difference", "differential", "relative", "closing", "delta"})
@@ -75,7 +76,7 @@ class Interpreter:
             if p.on_mention is e.object
             and (self._starts(e, p) or (e.name in _BESIDE and _is_side(p)))
         }
-        handled = {id(e.object) for e in events if e.name == "inert"}  # "kicks a ball"
+        handled = {id(e.object) for e in events if e.name in {"inert", "send"}}  # "kicks a ball"
         acting = {id(m) for e in events for m in e.subject if e.name != "hide"}
         for chunk in chunks:
             if isinstance(chunk, Mention) and chunk.entities:
@@ -94,7 +95,7 @@ class Interpreter:
             self._event(event)
         red_lights.on_red(chunks, events, self._context)
         towards_each_other(chunks, events, self._context)
-        encounters.come_out(self._context)
+        screens.come_out(self._context)
         implied.positions(self._scenes, self._context)
         breaches.subsume(self._context)
 
@@ -108,7 +109,7 @@ class Interpreter:
             shared = len(sides) == len(mention.entities) > 1 and prep in sides
             whom = [mention.entities[sides.index(prep)]] if shared else mention.entities
             self._placer.phrase(prep, whom, None)
-            encounters.wait_behind(prep, mention.entities, self._context)
+            screens.wait_behind(prep, mention.entities, self._context)
         for term in mention.mods:
             self._quality(term, mention.entities)
         roles.act_by_name(mention, self._context)
@@ -129,7 +130,9 @@ class Interpreter:
         elif term.cat == "quantity":
             self._quantity(term, entities)
         elif term.cat == "state" and term.value == "stationary":
-            self._draft.hazard(HazardKind.STOPPING, basis, drivers)
+            others = [e for e in drivers if not e.ego]
+            if others:
+                self._draft.hazard(HazardKind.STOPPING, basis, others)
         elif term.cat == "state" and term.value == "parked":
             for entity in entities:
                 if not entity.ego and entity.is_vehicle:
@@ -152,35 +155,8 @@ class Interpreter:
                 entity.speed = quantity.value
                 entity.speed_basis = Basis(term.i, term.j, quantity.note)
 
-    def _scene(self, event: Event) -> Scene:
-        actors = [e for m in event.subject for e in m.entities]
-        direct = event.object
-        targets = (
-            [e for m in chain(direct) for e in m.entities] if isinstance(direct, Mention) else []
-        )
-        if event.passive:
-            agents = [
-                e
-                for p in event.pps
-                if p.value == "by" and isinstance(p.target, Mention)
-                for e in p.target.entities
-            ]
-            if not agents and isinstance(direct, Mention):
-                agents = targets  # "is passed by a bus": the verb has taken the "by"
-            if event.name != "hide":
-                return Scene(event, agents, actors)
-            return Scene(event, actors, [])
-        if not targets and event.name in {"yield", "merge", "follow", "collide"}:
-            targets = [
-                e
-                for p in event.pps
-                if p.value in {"to", "with", "in"} and isinstance(p.target, Mention)
-                for e in p.target.entities
-            ]
-        return Scene(event, actors, [e for e in targets if e not in actors])
-
     def _event(self, event: Event) -> None:
-        scene = self._scene(event)
+        scene = scene_of(event)
         event.name = recast(scene, self._context)
         self._scenes.append(scene)
         for prep in event.pps:
@@ -215,7 +191,7 @@ class Interpreter:
             danger(scene, self._context)
         if event.name in _ON_THE_MOVE:
             dangers.oncoming_lane(scene, self._context)
-        encounters.from_behind(scene, self._context)
+        screens.from_behind(scene, self._context)
         self._share_sides(event.pps, scene.actors, hidden=event.name == "hide")
 
     def _from_behind_somebody(self, scene: Scene, prep: Prep) -> bool:
@@ -255,6 +231,8 @@ class Interpreter:
                     self._draft.place(entity, None, {Approach.OPPOSITE}, basis)
             elif term.cat == "state":
                 self._quality(term, scene.actors)
+            elif (term.cat, term.value) == ("manner", "head_on"):
+                implied.head_on(term, scene, self._context)
         if event.nominal and event.name not in _TRAVEL:
             return
         fast = next((t for t in event.mods if t.cat == "manner" and t.value == "fast"), None)

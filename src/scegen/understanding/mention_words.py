@@ -61,7 +61,7 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
         kind, driver = mention.goes_by, False
         kinds, specific = [kind], [kind]
     named = (mention.label or "").startswith("#")
-    plural = mass or "pair" in heads[-1].data or (heads[-1].form == "s" and not named)
+    plural = mass or "several" in heads[-1].data or (heads[-1].form == "s" and not named)
     count, vague, reason = _count(mention, tokens, plural, arms)
     det = next((m for m in mention.mods if m.cat in {"det", "possessive"}), None)
     numbered = mention.mod("num")
@@ -126,8 +126,8 @@ def _count(
         return count, True, f"'{word}' is read as {count}"
     if quant is not None and quant.value == "both" and plural:
         return DEFAULT_COUNT, False, None
-    if mention.heads and "pair" in mention.heads[-1].data:
-        return DEFAULT_COUNT, False, None
+    if "several" in mention.heads[-1].data:
+        return int(mention.heads[-1].data["several"]), False, None
     if not plural:
         return 1, False, None
     return DEFAULT_COUNT, True, f"no number is given; {DEFAULT_COUNT} are assumed"

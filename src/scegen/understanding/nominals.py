@@ -6,7 +6,7 @@ from scegen.understanding import relatives
 from scegen.understanding.attachment import attach, place_in_front
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
 from scegen.understanding.lookahead import copula_follows, finite_follows
-from scegen.understanding.phrases import also_from, apposed_to, bracketed
+from scegen.understanding.phrases import also_from, apposed_to, bracketed, whose
 from scegen.understanding.state import State
 
 _COMING = frozenset({"approach", "collide", "overtake", "pass", "cut_in", "cut_off", "follow"})
@@ -143,11 +143,10 @@ def _joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
         return False  # "four vans, two turning left": some of them, not further ones
     waiting = anchor is state.candidate and not state.candidate_done
     waiting = waiting and not any(anchor in event.subject for event in state.events)
-    if state.between == {","} and not waiting:
+    complete = "aux:be" in state.between and finite_follows(chunks, k)  # "I'm here and a van …"
+    if complete or (state.between == {","} and not waiting):
         return False
     let = _let(anchor, k, chunks, state)
-    if "aux:be" in state.between and finite_follows(chunks, k):
-        return False  # "I'm in the outside lane and a van comes up behind me"
     if not waiting and ((finite_follows(chunks, k) and not let) or "," in state.between):
         return False
     if _in_parallel(anchor, k, chunks, state):
@@ -246,7 +245,8 @@ def _side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
     place = chunks[k - 2] if k > 1 else None
     if not isinstance(place, Place) or not isinstance(noun, Place) or noun.kind != "side":
         return False
-    if place.kind != "access" and not _lane_beside(place, noun, k, chunks):
+    aside = place.kind in {"access", "feature"}  # "a bend to the left"
+    if not aside and not _lane_beside(place, noun, k, chunks):
         return False
     place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
     place.j = noun.j
@@ -274,10 +274,11 @@ def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> No
         chunks: the chunks of the text.
         state: what the clause reader remembers.
     """
-    opens = not state.events or bool(state.between & {"sub", ",", "conj"})
+    opens = not state.events or bool(state.between & {"sub", ",", "conj"}) or whose(k, chunks)
     if state.prep is None and opens and finite_follows(chunks, k):
         opens = not (state.events and "," in state.between and "sub" not in state.between)
         opens = opens and (state.candidate is None or "sub" in state.between)
+        opens = opens or whose(k, chunks)
         state.topic = noun if opens else None
     if state.prep is not None:
         state.prep.target = noun

@@ -33,6 +33,8 @@ def not_done(scene: Scene, context: Context) -> None:
         _unable(scene, context)
     elif event.name in _SEEING and breaches.breach(scene, context):
         return
+    elif event.name in _SEEING and scene.how("late") is not None and scene.drivers:
+        context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name == "yield":
         breaches.fail_to_yield(scene, context)
     elif event.name == "obey":
@@ -128,4 +130,5 @@ def _has_to_wait(scene: Scene, context: Context) -> bool:
         return True
     awaited = any(p.value == "for" and isinstance(p.target, Mention) for p in scene.event.pps)
     awaited = awaited and scene.event.name == "wait"
-    return (scene.event.link == "ing" or awaited) and context.junction.crossing
+    joins = context.junction.crossing or context.draft.access is not None
+    return (scene.event.link == "ing" or awaited) and joins

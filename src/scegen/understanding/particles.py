@@ -89,3 +89,41 @@ def sends_back(tokens: list[Token], terms: list[Term], i: int) -> bool:
         tokens[t.i].forms[-1][0] in _LETTING for t in terms[-4:-1] if t.cat == "verb"
     )
     return single and not let
+
+
+def measured(tokens: list[Token], terms: list[Term], noun: Term) -> bool:
+    """``the car two vehicles ahead``: how far, not who.
+
+    Args:
+        tokens: the tokens of the text.
+        terms: the terms before the noun.
+        noun: a term.
+    """
+    if noun.cat != "actor" or noun.form != "s" or len(terms) < 2 or noun.j >= len(tokens):
+        return False
+    counted, before = terms[-1].cat == "num", terms[-2]
+    where = longest_match(tokens, noun.j)
+    along = where is not None and where.has("locus")
+    placed = before.cat == "actor" and before.form == "base"
+    placed = placed or (before.cat, before.value) == ("aux", "be")
+    return counted and along and placed
+
+
+def after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
+    """``a bus from the left asserts its priority``, ``the car ahead overshoots the line``.
+
+    A noun would not stand there with an ending and an object of its own.
+
+    Args:
+        token: a word that no phrase of the lexicon holds.
+        previous: the term before it.
+        tokens: the tokens of the text.
+    """
+    if not token.low.endswith("s") or token.low.endswith(("ss", "ings", "us")):
+        return False
+    k = tokens.index(token)
+    before = tokens[k - 2].low if k > 1 else ""
+    sided = previous.cat == "dir" and previous.value in {"left", "right"} and before == "the"
+    after = tokens[k + 1].low if k + 1 < len(tokens) else ""
+    governs = after in {"the", "a", "an", "its", "their", "his", "her", "to", "into", "and"}
+    return sided or (previous.cat in {"place", "locus", "compass"} and governs)

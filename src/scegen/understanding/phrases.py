@@ -99,3 +99,15 @@ def _names_before(chunks: list[Chunk], k: int, state: State) -> bool:
     indefinite = any(m.value == "indef" for m in here.mods)
     acts = isinstance(following, Event) and following.form != "ing"
     return named and indefinite and not listed and not acts
+
+
+def whose(k: int, chunks: list[Chunk]) -> bool:
+    """``the ego, whose light has turned green, starts``: the clause is about the light.
+
+    Args:
+        k: index of a noun.
+        chunks: the chunks of the text.
+    """
+    before = chunks[k - 1] if k else None
+    head = before.head if isinstance(before, NounPhrase) else None
+    return head is not None and head.value == "wh"

@@ -33,6 +33,7 @@ _STEADY = frozenset(
 )  # fmt: skip
 _PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane",
                      "leg"})  # fmt: skip
+_AROUND = frozenset({"around", "round", "past"})
 _OPPOSED = "opposed"
 
 
@@ -56,6 +57,8 @@ def _place_approaches(place: Place, prep: str) -> frozenset[Approach]:
     if place.kind not in _PLACES:
         return frozenset()
     dirs = place.dirs
+    if prep in _AROUND and {"front", "rear"} & set(dirs):
+        return frozenset()  # "runs around its front": past it, not there
     sides = {_SIDES[d] for d in dirs if d in _SIDES}
     if place.kind == "direction" and any(m.cat == "det" and m.value == "other" for m in place.mods):
         return _BY_DIR["opposite"]
@@ -146,7 +149,11 @@ class Placer:
         basis = Basis(prep.word.i, target.j)
         compass = _compass(target)
         if compass is not None and prep.value in {"from", "to", "in"}:
-            heading = _FROM[compass.value] if prep.value == "from" else compass.value
+            bound = "bound" in compass.data  # "from southbound Elm Street"
+            back = prep.value == "from" and not bound
+            heading = _FROM[compass.value] if back else compass.value
+            if bound and prep.value == "to":
+                return  # "turned onto eastbound Elm Street": where it gets to
             self._head(entities, heading, basis)
             return
         if _at_its_side(prep, event):
@@ -159,7 +166,8 @@ class Placer:
         if len(entities) > 1 and _differ(target):
             self._apart(entities, basis)
             return
-        approaches = _place_approaches(target, prep.value)
+        word = self._draft.tokens[prep.word.i].low
+        approaches = _place_approaches(target, word if word in _AROUND else prep.value)
         if not approaches:
             return
         plural = target.head is not None and target.head.form == "s"
@@ -196,8 +204,13 @@ class Placer:
     def _locus(self, prep: Prep, entities: list[Entity], event: Event | None) -> None:
         target = prep.target
         basis = Basis(prep.word.i, target.j if isinstance(target, Mention) else prep.word.j)
-        if isinstance(target, Thing | Place) or prep.value == "between":
+        if isinstance(target, Thing | Place):
             return
+        if prep.value == "between":
+            by = target.entities if isinstance(target, Mention) else []
+            for entity in entities if len(by) == 1 and by[0].ego else []:
+                self._draft.place(entity, None, {Approach.ADJACENT}, basis)
+            return  # "between the ego and the kerb"
         if event is not None and event.name not in _STEADY and prep.outer != "from":
             return
         if prep.outer == "from" and isinstance(target, Mention) and event is not None:

@@ -10,6 +10,7 @@ from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.roster import POSITIONS, Roster
 from scegen.understanding.tokens import Token
 
+_PERSONS = ("ist", "rider", "biker", "driver", "courier")
 _MOST = 20
 _PERSONAL = frozenset({"he", "she", "him"})
 _FIRST_PERSON = frozenset({"i", "we", "me", "us", "my", "our", "mine", "ours"})
@@ -70,11 +71,20 @@ class Pronouns:
         if word == "it":
             recent = [e for e in recent if e.is_vehicle] or recent
         options = subject if len(subject) == 1 else recent[-1:]
+        if self.tokens[mention.i].low == "it" and any(map(self._person, options)):
+            since = recent[recent.index(options[0]) + 1 :] if options[0] in recent else []
+            others = [e for e in since if not self._person(e) and e not in exclude]
+            options = others[-1:] or options  # "a rider passes the ego as it turns"
         if not self.draft.entities and word in {"he", "she"}:
             return self._somebody(mention, exclude, subject)
         before = self.roster.before if len(self.roster.before) == 1 else []
         left = [e for e in (*before, *reversed(recent)) if e not in exclude]
         return [e for e in options if e not in exclude] or left[:1]
+
+    def _person(self, entity: Entity) -> bool:
+        """Whether a word for a person named them: "he" or "she" would mean them."""
+        last = self.tokens[(entity.basis.j or 1) - 1].low if entity.basis.i is not None else ""
+        return last.endswith(_PERSONS)
 
     def _new_driver(self, mention: Mention) -> list[Entity]:
         """``they pulled out in front of me``: somebody who drives, not named before."""

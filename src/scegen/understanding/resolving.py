@@ -72,7 +72,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         if chunk.partitive and chunk.pronoun in _PARTS:
             waiting.append(chunk)
             continue
-        if chunk.pronoun in _BACK and discourse.nobody_yet and _named_later(chunk, chunks):
+        if chunk.pronoun in _BACK and _named_later(chunk, chunks):
             early.append(chunk)
             continue
         _resolve(chunk, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
@@ -90,6 +90,8 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
 def _named_later(pronoun: Mention, chunks: list[Chunk]) -> bool:
     """``before it turns right, the ego …``: the main clause names whom "it" means."""
     opened = False
+    if any(isinstance(c, Mention) and c.entities for c in chunks):
+        return False
     for chunk in chunks:
         if isinstance(chunk, Word) and chunk.i < pronoun.i:
             opened = opened or chunk.cat == "sub"
@@ -106,12 +108,14 @@ def _generic(chunks: list[Chunk], events: list[Event]) -> None:
     Traffic that somebody waits for, or gives way to, is there.
     """
     met = {id(p.target) for e in events if e.name in _LETTING_BY for p in e.pps}
-    for chunk in chunks:
-        mass = isinstance(chunk, Mention) and chunk.head is not None and "mass" in chunk.head.data
-        if not mass or not isinstance(chunk, Mention) or chunk.prep is None:
+    for k, chunk in enumerate(chunks):
+        if not isinstance(chunk, Mention) or chunk.head is None or chunk.prep is None:
             continue
+        several = chunk.head.form == "s" and chunk.mod("det", "num", "quant") is None
+        lit = any(isinstance(c, Place) and c.kind == "signal" for c in chunks[max(0, k - 4) : k])
+        anybody = "mass" in chunk.head.data or (several and lit)
         purpose = chunk.prep.value in {"for", "against"}
-        chunk.negated = chunk.negated or (purpose and id(chunk) not in met)
+        chunk.negated = chunk.negated or (anybody and purpose and id(chunk) not in met)
 
 
 def _resolve(

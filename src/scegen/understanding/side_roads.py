@@ -37,7 +37,13 @@ def access(scene: Scene, context: Context) -> None:
         scene: what happens.
         context: the scenario in the making.
     """
-    for place in scene.places():
+    described = [
+        p.target
+        for m in scene.event.subject
+        for p in m.pps
+        if p.value == "from" and isinstance(p.target, Place) and p.target.kind == "access"
+    ]  # "a van from a side road nudges out"
+    for place in (*scene.places(), *described):
         if place.kind == "lane" and "adjacent" in place.dirs:
             basis = Basis(place.i, place.j)
             context.lanes_implied(basis, "there is a lane beside")

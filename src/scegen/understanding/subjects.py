@@ -16,10 +16,10 @@ from scegen.understanding.state import State
 _PASSIVE = frozenset(
     {"collide", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate", "cause",
      "prevent", "precede", "encounter", "pass", "cut_in", "cut", "avoid", "approach", "undertake",
-     "enter", "use", "door"}
+     "enter", "use", "door", "chase", "harm", "send"}
 )  # fmt: skip
 
-_DESCRIBING = _PASSIVE - {"enter", "use", "approach", "pass"} | {"locate", "park"}
+_DESCRIBING = _PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}
 """Verbs whose participle describes a noun ("a man hidden behind a van")."""
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.functional import Junction
-from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Basis, Draft, Entity
 
 
@@ -41,6 +41,9 @@ def _followed(
         return Maneuver.STRAIGHT, entity.moves or Basis(), reason
     if junction.kind is JunctionKind.ROUNDABOUT:
         return None
+    priority = _has_the_way(entity, draft)
+    if priority is not None:
+        return Maneuver.STRAIGHT, priority, "it has the way: nothing says that it turns"
     if entity.heading is not None and entity.moves is not None:
         reason = "it keeps its heading: nothing says that it turns"
         return Maneuver.STRAIGHT, entity.moves, reason
@@ -52,6 +55,18 @@ def _followed(
         return Maneuver.STRAIGHT, oncoming, "it comes on: nothing says that it turns"
     if entity.waits is not None:
         return Maneuver.STRAIGHT, entity.waits, "it waits for the light: nothing says that it turns"
+    return None
+
+
+def _has_the_way(entity: Entity, draft: Draft) -> Basis | None:
+    """``pulls out of a driveway in front of a bus``: the bus keeps to its road."""
+    if draft.access is None or not entity.moving_vehicle:
+        return None
+    for danger in draft.dangers:
+        suffers = entity in danger.to or (not danger.to and entity.ego)
+        along = suffers and entity not in danger.by
+        if danger.kind is HazardKind.FAILURE_TO_YIELD and along:
+            return danger.basis
     return None
 
 

@@ -12,7 +12,10 @@ DIRECTIONS = {
     "right": Maneuver.RIGHT,
     "straight": Maneuver.STRAIGHT,
 }
+BESIDE = frozenset({"adjacent", "left", "right"})
+"""Which lane it is, seen from the one that somebody drives in."""
 _OTHER = {"left": "right", "right": "left"}
+_KEEPING = frozenset({"keep", "stay", "remain", "stick", "hold", "continue"})
 _WAY = frozenset({"road", "lane", "path", "highway"})
 _THROUGH = frozenset({"through", "across"})
 
@@ -60,6 +63,19 @@ def into_lane(event: Event) -> Place | None:
             return target
     direct = event.object
     return direct if isinstance(direct, Place) and direct.kind in {"lane", "path"} else None
+
+
+def next_lane(event: Event, context: Context) -> bool:
+    """``swings into the right lane``: on a road without a junction, a change of lane.
+
+    Args:
+        event: a movement.
+        context: the scenario in the making.
+    """
+    lane = into_lane(event)
+    beside = lane is not None and lane.kind == "lane" and bool(BESIDE & set(lane.dirs))
+    keeps = context.tokens[event.i].forms[-1][0] in _KEEPING
+    return beside and not keeps and not context.junction.crossing
 
 
 def through(event: Event, context: Context) -> Basis | None:
