@@ -97,13 +97,23 @@ def _head_of(prep: Prep, state: State) -> Mention | None:
 
 def _described(prep: Prep, state: State) -> Mention | None:
     """``a van that is behind the ego``, ``and the van is on the left``: no verb but "is"."""
-    if prep.on_mention is not None or "aux:be" not in state.between:
+    if prep.on_mention is not None or not ("aux:be" in state.between or _aside(prep, state)):
         return None
     anchor = state.anchor
     if not isinstance(anchor, Mention):
         return None
+    if "aux:be" not in state.between:
+        return anchor
     waiting = anchor is state.candidate and not state.candidate_done
     return anchor if waiting or "rel" in state.between else None
+
+
+def _aside(prep: Prep, state: State) -> bool:
+    """``a truck, previously behind it, accelerates``: what is put between commas."""
+    who = state.candidate
+    waits = who is not None and who is state.anchor and not state.candidate_done
+    placed = prep.word.cat == "locus" or prep.value in {"in", "from"}
+    return waits and placed and "," in state.between and state.between <= {",", "unknown", "inert"}
 
 
 def _opens_clause(k: int, chunks: list[Chunk], state: State) -> bool:

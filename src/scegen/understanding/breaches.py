@@ -20,6 +20,8 @@ def fail_to_yield(scene: Scene, context: Context) -> None:
 def _from_the_side(scene: Scene, context: Context) -> None:
     """Who has to give way and comes from the side comes from another road."""
     sides = (Approach.LEFT, Approach.RIGHT)
+    if context.draft.from_kerb:
+        return
     if any(context.placed(e, side) for e in scene.drivers for side in sides):
         context.crossing_implied(scene.words, "who does not give way comes from the side")
 

@@ -131,7 +131,7 @@ def cut_in(scene: Scene, context: Context) -> None:
     """``cuts in`` from the next lane; across a junction the same words mean not giving way."""
     if not scene.drivers:
         return
-    if _cuts_across_the_road(scene):
+    if _cuts_across_the_road(scene, context):
         movements.cross(scene, context)
         encounters.cross(scene, context)
         return
@@ -154,10 +154,13 @@ def cut_in(scene: Scene, context: Context) -> None:
             context.draft.maneuver(entity, {Maneuver.LANE_CHANGE}, basis)
 
 
-def _cuts_across_the_road(scene: Scene) -> bool:
+def _cuts_across_the_road(scene: Scene, context: Context) -> bool:
     """``a cyclist cuts across the road``: the road is crossed, nobody is cut off."""
-    cyclists = all(e.kind is ParticipantKind.BICYCLE for e in scene.actors)
-    return cyclists and not scene.targets and any(p.kind == "road" for p in scene.places())
+    cyclists = all(e.kind is ParticipantKind.BICYCLE and not e.ego for e in scene.actors)
+    over = any(p.kind == "road" for p in scene.places())
+    over = over or any(Maneuver.CROSS in e.maneuvers for e in scene.actors)
+    over = over or "across" in {t.low for t in context.tokens[scene.event.i : scene.event.j]}
+    return cyclists and not scene.targets and over
 
 
 def enter(scene: Scene, context: Context) -> None:
@@ -203,6 +206,12 @@ def unpark(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, others, to)
 
 
+def leave(scene: Scene, context: Context) -> None:
+    """``leaves a lay-by right in front of the ego``: like leaving a parking space."""
+    if any(p.kind in {"access", "bus_stop", "parking"} for p in scene.places()):
+        unpark(scene, context)
+
+
 def _mentioned(event: Event) -> list[Entity]:
     found = [p.target for p in event.pps if p.word.cat == "locus"]
     return [e for t in found if isinstance(t, Mention) for e in t.entities]
@@ -243,6 +252,10 @@ def pull_out(scene: Scene, context: Context) -> None:
     out_of_sight = any(p.word.cat == "locus" and p.outer == "from" for p in scene.event.pps)
     drivers = [e for e in scene.drivers if not (out_of_sight and context.is_cyclist(e))]
     drivers = [e for e in drivers if Maneuver.OVERTAKE not in e.maneuvers]  # out of its lane
+    front = [] if out_of_sight else _mentioned(scene.event)
+    if front and any(context.placed(e, Approach.AHEAD) for e in drivers):
+        context.draft.hazard(HazardKind.CUT_IN, scene.words, drivers, front)
+        return  # out of the queue that is being overtaken
     along = any(context.placed(e, a) for e in drivers for a in (Approach.BEHIND, Approach.AHEAD))
     if drivers and _into_the_next_lane(scene, context):
         lane_moves.lane_change(scene, context)

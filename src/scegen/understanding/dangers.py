@@ -260,6 +260,7 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "enter": enter,
     "move": move,
     "unpark": conflicts.unpark,
+    "leave": conflicts.leave,
     "appear": encounters.appear,
     "block": screens.block,
     "hide": screens.occlude,

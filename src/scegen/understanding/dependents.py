@@ -113,7 +113,9 @@ def gerund(event: Event, state: State) -> None:
     """
     prep = state.prep.value if state.prep else ""
     parent = state.events[-1] if state.events else None
-    event.negated = prep == "without"
+    event.negated = prep in {"without", "instead"}
+    if prep == "instead" and event.name != "yield":
+        event.name = "inert"  # "speeds up instead of slowing down": only what is owed counts
     if parent is None:
         anchor = state.anchor
         event.subject = chain(anchor) if isinstance(anchor, Mention) else []

@@ -12,6 +12,7 @@ _HIDING = frozenset({"behind", "between"})
 _CARRIAGEWAY = frozenset({"road", "crosswalk", "highway"})
 _WAY = frozenset({"crosswalk", "road", "lane", "path", "highway"})
 _OVER = frozenset({"over", "across"})
+_TAKING = frozenset({"use", "block", "enter"})
 _REMAINING = frozenset({"stop", "wait", "locate", "inert", "unknown", "slow"})
 
 
@@ -42,13 +43,16 @@ def onto_the_road(scene: Scene, context: Context) -> None:
 
 def _stays_on_the_road(scene: Scene, context: Context) -> bool:
     """``stops on the crosswalk``, ``is lying in the road``: got there by crossing."""
-    return not scene.event.nominal and any(
-        context.tokens[p.word.i].low in {"on", "in"}
-        and isinstance(p.target, Place)
-        and p.target.kind in _WAY - {"path"}
-        for p in scene.event.pps
-        if scene.event.name in _REMAINING
-    )
+    return (
+        not scene.event.nominal
+        and any(
+            context.tokens[p.word.i].low in {"on", "in"}
+            and isinstance(p.target, Place)
+            and p.target.kind in _WAY - {"path"}
+            for p in scene.event.pps
+            if scene.event.name in _REMAINING
+        )
+    ) or (scene.event.name in _TAKING and scene.event.object in scene.places())
 
 
 def answered(scene: Scene, context: Context) -> None:

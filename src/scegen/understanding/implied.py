@@ -190,7 +190,11 @@ def head_on(term: Term, scene: Scene, context: Context) -> None:
         scene: what happens.
         context: the scenario in the making.
     """
-    coming = scene.event.name in _COMING and (len(scene.drivers) == 1 or bool(scene.targets))
+    coming = scene.event.name in _COMING
+    if len(scene.drivers) > 1 and not scene.targets:
+        for entity in scene.drivers:
+            entity.opposed |= {e.index for e in scene.drivers} - {entity.index}
+        return  # "two trucks meet head-on"
     for entity in scene.drivers if coming else []:
         to = next((e for e in scene.targets if e.moving_vehicle), None)
         context.draft.place(entity, to, {Approach.OPPOSITE}, Basis(term.i, term.j))

@@ -10,6 +10,7 @@ from scegen.understanding.phrases import also_from, apposed_to, bracketed, whose
 from scegen.understanding.state import State
 
 _COMING = frozenset({"approach", "collide", "overtake", "pass", "cut_in", "cut_off", "follow"})
+_BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
 _OWNED = frozenset({"side", "lane", "path"})
 
 
@@ -245,8 +246,7 @@ def _side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
     place = chunks[k - 2] if k > 1 else None
     if not isinstance(place, Place) or not isinstance(noun, Place) or noun.kind != "side":
         return False
-    aside = place.kind in {"access", "feature"}  # "a bend to the left"
-    if not aside and not _lane_beside(place, noun, k, chunks):
+    if place.kind not in _BESIDE_THE_ROAD and not _lane_beside(place, noun, k, chunks):
         return False
     place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
     place.j = noun.j

@@ -57,6 +57,21 @@ def then_a_noun(tokens: list[Token], match: Match) -> bool:
     return noun is not None and noun.has(*_OPENS_A_NOUN)
 
 
+def over_a_place(tokens: list[Token], match: Match) -> bool:
+    """``runs over the crosswalk``: nothing is run over.
+
+    Args:
+        tokens: the tokens of the text.
+        match: a verb that may end in "over".
+    """
+    if tokens[match.j - 1].low != "over" or not match.only("verb") or match.j >= len(tokens):
+        return False
+    noun = longest_match(tokens, match.j)
+    if noun is not None and noun.has("det", "possessive") and noun.j < len(tokens):
+        noun = longest_match(tokens, noun.j)
+    return match.get("verb").value == "collide" and noun is not None and noun.has("place")
+
+
 def in_front(tokens: list[Token], match: Match) -> bool:
     """Whether "in" at the end of a verb belongs to "in front of" as well.
 

@@ -47,10 +47,12 @@ def access(scene: Scene, context: Context) -> None:
         if place.kind == "lane" and "adjacent" in place.dirs:
             basis = Basis(place.i, place.j)
             context.lanes_implied(basis, "there is a lane beside")
-        if place.kind == "access" or (place.kind == "sidewalk" and place is scene.event.object):
+        left = place.kind in {"bus_stop", "parking"} and scene.event.name in _LEAVING
+        aside = place.kind == "sidewalk" and place is scene.event.object
+        if place.kind == "access" or left or aside:
             _from_access(place, scene, context)
-        if place.kind == "parking" and any(e.ego for e in scene.drivers):
-            context.draft.from_kerb = context.draft.from_kerb or scene.event.name in _LEAVING
+        if left and scene.drivers and not context.junction.crossing:
+            context.draft.from_kerb = True
         if place.kind == "access" and scene.drivers and context.draft.access is None:
             context.draft.access = Basis(place.i, place.j)
 

@@ -13,6 +13,7 @@ from scegen.understanding.particles import (
     after_a_phrase,
     in_front,
     just_right,
+    over_a_place,
     sends_back,
     then_a_noun,
     then_a_side,
@@ -195,7 +196,7 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
         match = longest_match(tokens[: i + 1], i)  # "turns right when …"
     if match and match.only("locus") and then_a_side(tokens, match):
         match = longest_match(tokens[: match.j - 1], i)  # "darts across from the left"
-    if match and match.j > i + 1 and then_a_noun(tokens, match):
+    if match and match.j > i + 1 and (then_a_noun(tokens, match) or over_a_place(tokens, match)):
         match = longest_match(tokens[: match.j - 1], i)
     if match and match.only("verb") and in_front(tokens, match):
         match = replace(match, j=match.j + 2)  # "forces its way in front of"
