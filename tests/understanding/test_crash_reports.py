@@ -116,3 +116,30 @@ def test_a_bend_to_the_left_is_no_turn():
 def test_out_of_a_road_named_by_its_direction():
     scenario = read("V1 turned left from northbound Elm Street. V2 was heading south.")
     assert scenario.participant("car_2").approaches == {"opposite"}
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("V1 waited at a stop sign. V2 did not stop and ran into the back of V1.",
+         {"delayed_braking"}),
+        ("The van halted at a red light when a taxi failed to stop and hit it from behind.",
+         {"delayed_braking"}),
+        ("V2 did not stop at the stop sign and hit V1 in the side.", {"failure_to_yield"}),
+        ("A van in the next lane accelerated and blocked the ego.", {"sudden_acceleration"}),
+        ("A man walks onto the road; the ego brakes.", {"crossing_pedestrian"}),
+        ("Two vans were racing each other along the coast road.", {"speeding"}),
+    ],
+)  # fmt: skip
+def test_braking_too_late_and_giving_way(text, expected):
+    assert {h.kind.value for h in read(text).hazards} == expected
+
+
+def test_whose_rear_is_hit_is_ahead():
+    scenario = read("V1 slowed and a lorry ran into the back of V1.")
+    assert scenario.participant("truck_1").approaches == {"behind"}
+
+
+def test_a_failing_driver_is_no_failed_light():
+    scenario = read("V1 waited at the traffic lights when V2 failed to stop.")
+    assert scenario.junction.control == "signals"

@@ -147,6 +147,7 @@ class Event:
         reduced: it only describes its noun ("a man hidden behind a van runs out").
         unable: it does not take place because it cannot ("could not stop").
         perfect: it is over ("had slowed").
+        late: it comes too late for the one in front ("failed to stop and hit its rear").
         modal: obliged, forced or reacting ("must stop", "causing it to stop").
     """
 
@@ -163,6 +164,7 @@ class Event:
     unable: bool = False
     perfect: bool = False
     modal: bool = False
+    late: bool = False
     purpose: bool = False
     mods: list[Term] = field(default_factory=list)
     subject: list[Mention] = field(default_factory=list)

@@ -7,6 +7,7 @@ from scegen.understanding import conflicts
 from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Danger, Entity, Placement
+from scegen.understanding.reactions import into_rear
 from scegen.understanding.terms import Term
 
 _CLOSING = frozenset({"approach", "encounter", "collide", "move", "brake", "hard_brake", "slow"})
@@ -136,6 +137,7 @@ def _driven_up_to(scene: Scene, context: Context) -> None:
     targets = list(scene.targets)
     for prep in event.pps:
         towards = prep.value in _TOWARDS or context.tokens[prep.word.i].low == "on"
+        towards = towards or (prep.value == "of" and _from_the_rear(scene, context))
         if towards and isinstance(prep.target, Mention):
             targets += [e for e in prep.target.entities if e not in scene.actors]
     driver = scene.drivers[0]
@@ -206,11 +208,7 @@ def _own(event: Event, context: Context) -> set[str]:
 
 def _from_the_rear(scene: Scene, context: Context) -> bool:
     """``rear-ends``, ``runs into the back of``."""
-    event = scene.event
-    ends = [event.object, *(p.target for p in event.pps)]
-    words = _own(event, context)
-    rear = any(isinstance(c, Place) and "rear" in c.dirs for c in ends)
-    return event.name == "collide" and (rear or bool(words & {"rear", "back"}))
+    return scene.event.name == "collide" and into_rear(scene.event, context)
 
 
 def _along_the_road(scene: Scene, context: Context) -> bool:

@@ -15,6 +15,7 @@ from scegen.understanding.tokens import Token
 _BROKEN = frozenset({"broken", "failed", "inoperative", "malfunctioning", "defective", "faulty",
                      "dead", "inoperable"})  # fmt: skip
 _OFF = ("out of order", "out of service", "not working", "switched off", "turned off", "not in use")
+_CLAUSES = frozenset({",", ".", ";", "when", "while", "as", "and", "before", "but"})
 _BROKEN_REACH = 7
 _ARM_NOUNS = frozenset({"exit", "road", "leg"})
 _ASSUMED_EXITS = 4
@@ -108,7 +109,8 @@ def _out_of_order(terms: list[Term], k: int, tokens: list[Token]) -> bool:
     if before[-1:] and (before[-1] in _BROKEN or before == ["non", "working"]):
         return True
     after = [t.low for t in tokens[j : j + _BROKEN_REACH]]
-    after = after[: after.index(",")] if "," in after else after
+    ends = [m for m, word in enumerate(after) if word in _CLAUSES]
+    after = after[: ends[0]] if ends else after
     words = " ".join(after)
     return bool(_BROKEN & set(after[:4])) or any(phrase in words for phrase in _OFF)
 

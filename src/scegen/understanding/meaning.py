@@ -21,6 +21,7 @@ from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.movements import MOVEMENTS
 from scegen.understanding.omissions import not_done
 from scegen.understanding.placing import Placer, thing_sides
+from scegen.understanding.reactions import mark_answers, mark_late
 from scegen.understanding.recasting import recast
 from scegen.understanding.reciprocal import towards_each_other
 from scegen.understanding.resolving import from_everywhere
@@ -89,7 +90,8 @@ class Interpreter:
         for chunk in chunks:
             if isinstance(chunk, Mention):
                 self._share_sides(chunk.pps, chunk.entities, hidden=False)
-        _mark_answers(events)
+        mark_answers(events)
+        mark_late(events, self._context)
         rows.line_up(chunks, events, self._draft)
         for event in events:
             self._event(event)
@@ -265,13 +267,3 @@ class Interpreter:
 
 def _is_side(prep: Prep) -> bool:
     return isinstance(prep.target, Place) and prep.target.kind == "side"
-
-
-def _mark_answers(events: list[Event]) -> None:
-    """``braked but could not avoid the van``: who tries to avoid something brakes as an answer."""
-    avoiding = [e for e in events if e.name == "avoid"]
-    for event in events:
-        if event.name in {"brake", "slow", "stop"} and not event.nominal:
-            event.modal = event.modal or any(
-                e.sentence == event.sentence and e.subject == event.subject for e in avoiding
-            )

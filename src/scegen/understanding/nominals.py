@@ -100,7 +100,7 @@ def _further_ones(mention: Mention, k: int, chunks: list[Chunk], state: State) -
         return False
     last = state.events[-1] if state.events else None
     following = chunks[k + 1] if k + 1 < len(chunks) else None
-    if "and" in state.between and _in_the_same_words(state.anchor, following):
+    if "and" in state.between and _in_the_same_words(state.anchor, following, state):
         return True
     if last is None or last.form != "ing" or last.finite or len(last.subject) != 1:
         return False
@@ -111,13 +111,20 @@ def _further_ones(mention: Mention, k: int, chunks: list[Chunk], state: State) -
     return described and several and "and" in state.between
 
 
-def _in_the_same_words(before: object, following: Chunk | None) -> bool:
+def _in_the_same_words(before: object, following: Chunk | None, state: State) -> bool:
     """``two cars from the left and one from the right``: each with a place of its own."""
-    if not isinstance(before, Mention) or not before.heads or not before.pps:
+    verb = before if isinstance(before, Event) and len(before.subject) == 1 else None
+    who = verb.subject[0] if verb is not None else before
+    prep = state.last_prep
+    if not isinstance(who, Mention) or not who.heads or prep is None:
         return False
-    number, prep = before.mod("num"), before.pps[-1]
+    if prep not in (verb.pps if verb is not None else who.pps):
+        return False
+    number = who.mod("num")
     several = number is not None and number.data["number"] > 1
-    return several and isinstance(following, Word) and following.value == prep.value == "from"
+    side = isinstance(prep.target, Place) and prep.target.kind == "side"
+    alike = isinstance(following, Word) and following.value == prep.value
+    return several and alike and (prep.value == "from" or (side and prep.value == "in"))
 
 
 def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:

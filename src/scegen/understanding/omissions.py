@@ -115,6 +115,7 @@ def _behind_or_late(scene: Scene, context: Context) -> bool:
     if any(p.kind in _SIGNS for p in scene.places()):
         return False
     late = any(context.tokens[m.j - 1].low == "time" for m in scene.event.mods)
+    late = late or scene.event.late
     return late or all(context.placed(e, Approach.BEHIND) for e in scene.drivers)
 
 

@@ -24,6 +24,8 @@ def towards_each_other(chunks: list[Chunk], events: list[Event], context: Contex
         members = [e for m in event.subject for e in m.entities]
         mutual = [event.object, *(p.target for p in event.pps)]
         towards = any(_mutual(m, context) for m in mutual)
+        racing = event.name == "speed" and _mutual(event.object, context)
+        towards = towards and not racing
         met = event.name in _TOWARDS and not context.junction.crossing and towards
         if met or (towards and _faces(event, context)):
             _place(members, Approach.OPPOSITE, Basis(event.i, event.j), context)

@@ -35,7 +35,8 @@ def block(scene: Scene, context: Context) -> None:
     if parked:
         context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
     moving = [e for e in scene.actors if not e.parked]
-    if moving:
+    faster = [d for d in context.draft.dangers if d.kind is HazardKind.SUDDEN_ACCELERATION]
+    if moving and not any(e in d.by for d in faster for e in moving):
         context.draft.hazard(HazardKind.STOPPING, scene.words, moving)
 
 

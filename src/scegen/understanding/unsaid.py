@@ -63,7 +63,9 @@ def _has_the_way(entity: Entity, draft: Draft) -> Basis | None:
     if draft.access is None or not entity.moving_vehicle:
         return None
     for danger in draft.dangers:
-        suffers = entity in danger.to or (not danger.to and entity.ego)
+        met = [e for e in draft.entities if e.moving_vehicle and e not in danger.by]
+        alone = entity.ego or met == [entity]
+        suffers = entity in danger.to or (not danger.to and alone)
         along = suffers and entity not in danger.by
         if danger.kind is HazardKind.FAILURE_TO_YIELD and along:
             return danger.basis

@@ -88,7 +88,7 @@ def through(event: Event, context: Context) -> Basis | None:
     for prep in event.pps:
         place, word = prep.target, context.tokens[prep.word.i].low
         if isinstance(place, Place) and (
-            (word in _THROUGH and place.kind == "junction")
+            (word in _THROUGH and place.kind in {"junction", "signal"})
             or (word == "along" and place.kind == "road")
         ):
             return span(event, prep.word.i, place.j)
