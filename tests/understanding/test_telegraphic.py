@@ -196,3 +196,39 @@ def test_breaches_named_by_nouns_and_late_doings(text, kind):
 def test_who_waits_for_a_verb_gets_it():
     text = "A van enters from the left when the ego has green and is turning right."
     assert doings(text)[0] == {Maneuver.RIGHT}
+
+
+@pytest.mark.parametrize(
+    ("text", "side"),
+    [
+        ("A parked van on the right pulls out in front of the ego.", Approach.RIGHT),
+        (
+            "At dusk a van pulls onto the country road from the left, the ego doing 90.",
+            Approach.LEFT,
+        ),
+        ("A van parked on the right leaves its parking space as the ego passes.", Approach.RIGHT),
+    ],
+)
+def test_who_sets_off_is_parked_no_longer(text, side):
+    scenario = read(text)
+    van = next(p for p in scenario.participants if p.kind.value == "van")
+    assert not van.parked
+    assert van.approaches == {side}
+    assert HazardKind.FAILURE_TO_YIELD in {h.kind for h in scenario.hazards}
+
+
+def test_vehicles_side_by_side():
+    text = "Vehicle A and vehicle B travel side by side; vehicle A drifts into B's lane."
+    assert [set(p.approaches) for p in read(text).participants] == [{Approach.ADJACENT}, set()]
+
+
+def test_who_goes_after_another():
+    text = "All-way stop. The ego arrives second, after a car on its right, and goes straight."
+    assert doings(text)[0] == {Maneuver.STRAIGHT}
+    assert len(read("The ego and three other vehicles arrive at a junction.").participants) == 4
+
+
+def test_who_is_out_of_control():
+    text = "An out-of-control van comes across the median toward the ego."
+    kinds = {h.kind for h in read(text).hazards}
+    assert kinds == {HazardKind.LOSS_OF_CONTROL, HazardKind.ONCOMING_LANE}

@@ -121,7 +121,9 @@ class Chunker:
         m = k
         while m < len(self._terms) and len(mods) < _MAX_MODS:
             term = self._terms[m]
-            if mods and term.cat in {"det", "possessive"} and mods[-1].cat != "quant":
+            further = self._low(m) == "other" and bool(mods) and mods[-1].cat == "num"
+            closed = mods and mods[-1].cat != "quant" and not further  # "three other cars"
+            if closed and term.cat in {"det", "possessive"}:
                 break
             if term.cat in OPENERS or term.cat in _MODIFIERS:
                 opened = opened or term.cat in OPENERS

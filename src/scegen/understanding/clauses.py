@@ -19,6 +19,7 @@ from scegen.understanding.lookahead import (
     GOVERNING,
     event_follows,
     main_verb_follows,
+    only_a_noun_follows,
 )
 from scegen.understanding.nominals import read_mention, read_noun
 from scegen.understanding.state import State
@@ -66,7 +67,7 @@ class ClauseReader:
         state = self._state
         if word.cat == "punct" and word.value in BOUNDARIES:
             self._end_sentence()
-        elif word.cat in GOVERNING:
+        elif word.cat in GOVERNING or only_a_noun_follows(word, k, self._chunks):
             preposition(word, k, self._chunks, state)
         elif word.cat in ADVERBS or word.cat == "state":
             self._adverb(word, k)

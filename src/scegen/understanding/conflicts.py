@@ -262,6 +262,8 @@ def pull_out(scene: Scene, context: Context) -> None:
         lane_change(scene, context)
         return
     if drivers and not along and not _to_overtake(scene, context):
+        for entity in drivers:
+            entity.pulls_out = True
         to = [] if out_of_sight else _mentioned(scene.event)
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, drivers, to)
 

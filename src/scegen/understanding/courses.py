@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, Maneuver
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.chunks import Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
+
+_SETTING_OFF = frozenset({"pull_out", "unpark", "merge", "cut_in", "lane_change", "reverse"})
 
 
 def hold(scene: Scene, _context: Context) -> None:
@@ -28,6 +30,28 @@ def follow(scene: Scene, context: Context) -> None:
     if nobody and not any(e.ego for e in scene.actors):
         for entity in scene.drivers:  # "and the car following brakes"
             context.draft.place(entity, None, {Approach.BEHIND}, basis)
+
+
+def move_off(scene: Scene, context: Context) -> None:
+    """``a parked van pulls out``: it stands there no longer.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    event = scene.event
+    if event.negated or event.passive or event.premod_of is not None:
+        return
+    words = {t.low for t in context.tokens[event.i : event.j]}
+    parking = any(p.kind in {"parking", "sidewalk", "shoulder"} for p in scene.places())
+    away = event.name == "leave" and (parking or bool(words & {"off", "away"}))
+    if event.name not in _SETTING_OFF and not away:
+        return
+    for entity in scene.actors:
+        if entity.parked and entity.is_vehicle and not entity.ego:
+            entity.parked, entity.parked_basis, entity.pulls_out = False, None, True
+            if away:
+                context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, [entity])
 
 
 def precede(scene: Scene, context: Context) -> None:

@@ -194,6 +194,8 @@ class Discourse:
         included = self._roster.included(reading, mention)
         if included:
             return included
+        if reading.plural and det == "other" and mention.mod("num") is not None:
+            return self._roster.claim(reading.count, exclude, reading)
         if reading.plural:
             return self._known_plural(reading)
         if det == "def" and not reading.driver:

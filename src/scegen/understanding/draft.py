@@ -57,6 +57,7 @@ class Entity:
     through: Basis | None = None
     waits: Basis | None = None
     claimed: bool = False
+    pulls_out: bool = False
     opposed: set[int] = field(default_factory=set)
     name: str = ""
 

@@ -137,7 +137,8 @@ def _driven_up_to(scene: Scene, context: Context) -> None:
     targets = list(scene.targets)
     for prep in event.pps:
         towards = prep.value in _TOWARDS or context.tokens[prep.word.i].low == "on"
-        towards = towards or (prep.value == "of" and _from_the_rear(scene, context))
+        rear = _queue(prep.target) or _from_the_rear(scene, context)
+        towards = towards or (prep.value == "of" and rear)
         if towards and isinstance(prep.target, Mention):
             targets += [e for e in prep.target.entities if e not in scene.actors]
     driver = scene.drivers[0]
@@ -155,6 +156,12 @@ def _driven_up_to(scene: Scene, context: Context) -> None:
         if target.is_vehicle and slower and not crosses and not _placed(target, driver, context):
             reason = "who is driven up to is ahead"
             context.ahead([target], [driver], Basis(event.i, event.j, reason))
+
+
+def _queue(target: object) -> bool:
+    """``approaches the tail of a queue``."""
+    head = target.head if isinstance(target, Mention) else None
+    return head is not None and "mass" in head.data
 
 
 def _on_the_wrong_side(entity: Entity, context: Context) -> bool:

@@ -89,3 +89,23 @@ def main_verb_follows(chunks: list[Chunk], k: int) -> bool:
         elif not preposed and isinstance(chunk, Mention):
             return False
     return False
+
+
+def only_a_noun_follows(word: Word, k: int, chunks: list[Chunk]) -> bool:
+    """``after a car on its right``: a preposition, no clause.
+
+    Args:
+        word: a word.
+        k: its index.
+        chunks: the chunks of the text.
+    """
+    following = chunks[k + 1] if k + 1 < len(chunks) else None
+    if (word.cat, word.value) != ("sub", "before") or not isinstance(following, Mention):
+        return False
+    for m, chunk in enumerate(chunks[k + 2 :], start=k + 3):
+        if isinstance(chunk, Event) or (isinstance(chunk, Word) and chunk.cat in {"aux", "copy"}):
+            return False
+        if isinstance(chunk, Word) and (chunk.value in BOUNDARIES or chunk.value == ","):
+            after = chunks[m] if m < len(chunks) else None
+            return not isinstance(after, Event)  # "before the ego, turning left, has cleared it"
+    return True

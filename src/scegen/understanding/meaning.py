@@ -6,6 +6,7 @@ from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding import (
     afoot,
     breaches,
+    courses,
     dangers,
     encounters,
     implied,
@@ -31,6 +32,12 @@ from scegen.understanding.terms import Term
 
 _RELATIVE = frozenset({"difference", "differential", "relative", "closing", "delta"})
 _DIFFERENCE_REACH = 3
+_BY_MANNER = {
+    "fast": HazardKind.SPEEDING,
+    "slow": HazardKind.SLOW_DRIVING,
+    "wrong_way": HazardKind.ONCOMING_LANE,
+    "out_of_control": HazardKind.LOSS_OF_CONTROL,
+}
 _BESIDE = frozenset({"overtake", "pass", "bypass", "undertake", "collide"})
 """With these verbs a side is where one gets past or is hit, and nobody comes from there."""
 _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
@@ -119,12 +126,9 @@ class Interpreter:
     def _quality(self, term: Term, entities: list[Entity]) -> None:
         basis = Basis(term.i, term.j)
         drivers = [e for e in entities if e.moving_vehicle]
-        if term.cat == "manner" and term.value == "fast" and drivers:
-            self._draft.hazard(HazardKind.SPEEDING, basis, drivers)
-        elif term.cat == "manner" and term.value == "wrong_way" and drivers:
-            self._draft.hazard(HazardKind.ONCOMING_LANE, basis, drivers)
-        elif term.cat == "manner" and term.value == "slow" and drivers:
-            self._draft.hazard(HazardKind.SLOW_DRIVING, basis, drivers)
+        kind = _BY_MANNER.get(term.value) if term.cat == "manner" else None
+        if kind is not None and drivers:
+            self._draft.hazard(kind, basis, drivers)
         elif term.cat == "manner" and term.value == "close":
             follows = [e for e in drivers if self._context.placed(e, Approach.BEHIND)]
             if follows:
@@ -159,6 +163,7 @@ class Interpreter:
 
     def _event(self, event: Event) -> None:
         scene = scene_of(event)
+        courses.move_off(scene, self._context)
         event.name = recast(scene, self._context)
         self._scenes.append(scene)
         for prep in event.pps:
@@ -237,17 +242,11 @@ class Interpreter:
                 implied.head_on(term, scene, self._context)
         if event.nominal and event.name not in _TRAVEL:
             return
-        fast = next((t for t in event.mods if t.cat == "manner" and t.value == "fast"), None)
-        slow = next((t for t in event.mods if t.cat == "manner" and t.value == "slow"), None)
-        wrong = next((t for t in event.mods if t.cat == "manner" and t.value == "wrong_way"), None)
-        if wrong is not None and scene.drivers:
-            basis = Basis(wrong.i, wrong.j)
-            self._draft.hazard(HazardKind.ONCOMING_LANE, basis, scene.drivers)
-        if fast is not None and scene.drivers:
-            self._draft.hazard(HazardKind.SPEEDING, Basis(fast.i, fast.j), scene.drivers)
         travels = event.name in _TRAVEL and not scene.reaction
-        if slow is not None and scene.drivers and travels:
-            self._draft.hazard(HazardKind.SLOW_DRIVING, Basis(slow.i, slow.j), scene.drivers)
+        for term in event.mods:
+            slows = term.value == "slow" and not travels  # "brakes slowly"
+            if term.cat == "manner" and term.value in _BY_MANNER and not slows:
+                self._quality(term, scene.drivers)
 
     def _share_sides(self, pps: list[Prep], entities: list[Entity], *, hidden: bool) -> None:
         """Who comes out from behind something stands on its side of the road."""
@@ -259,6 +258,8 @@ class Interpreter:
             basis = Basis(prep.word.i, prep.target.j)
             for hider in prep.target.entities:
                 sides = thing_sides(hider, self._draft)
+                if sides == {Approach.OPPOSITE}:  # the queue in the oncoming lane
+                    sides = {Approach(self._context.across)}
                 for entity in entities:
                     on_foot = not entity.is_vehicle or self._context.is_cyclist(entity)
                     if sides and on_foot:

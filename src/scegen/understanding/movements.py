@@ -140,6 +140,10 @@ def cross(scene: Scene, context: Context) -> None:
         if not entity.is_vehicle or (context.is_cyclist(entity) and onto):
             context.draft.maneuver(entity, {Maneuver.CROSS}, basis)
     drivers = [e for e in scene.drivers if Maneuver.CROSS not in e.maneuvers]
+    lanes = isinstance(scene.event.object, Place) and scene.event.object.kind == "lane"
+    if lanes and drivers and not context.junction.crossing:
+        lane_change(scene, context)  # "crosses two lanes to get to the exit"
+        return
     if ways.directions(scene.event) and drivers:
         move(scene, context)
         return

@@ -49,12 +49,26 @@ def then_a_noun(tokens: list[Token], match: Match) -> bool:
     """
     if match.j < len(tokens) and tokens[match.j].low == "of":
         return all(e.cat == "manner" and e.value == "row" for e in match.entries)
+    if tokens[match.j - 1].low == "across" and any(e.value == "encounter" for e in match.entries):
+        return _place_at(tokens, match.j)  # "comes across the median"
     if tokens[match.j - 1].low not in {"on", "through"} or match.j >= len(tokens):
         return False
     if not all(e.cat in _GIVES and e.value in {"straight", "move"} for e in match.entries):
         return False
     noun = longest_match(tokens, match.j)
     return noun is not None and noun.has(*_OPENS_A_NOUN)
+
+
+def _place_at(tokens: list[Token], j: int) -> bool:
+    """Whether a place is named at token ``j``, articles and the like skipped."""
+    for _ in range(3):
+        found = longest_match(tokens, j) if j < len(tokens) else None
+        if found is None or found.has("actor", "thing"):
+            return False
+        if found.has("place"):
+            return True
+        j = found.j
+    return False
 
 
 def over_a_place(tokens: list[Token], match: Match) -> bool:

@@ -6,10 +6,12 @@ from itertools import combinations
 
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Chunk, Event, Mention
+from scegen.understanding.dependents import chain
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.terms import Term
 
 _FEWEST = 2
+_ORDERS = {"row": Approach.AHEAD, "abreast": Approach.ADJACENT}
 
 
 def line_up(chunks: list[Chunk], events: list[Event], draft: Draft) -> None:
@@ -22,15 +24,16 @@ def line_up(chunks: list[Chunk], events: list[Event], draft: Draft) -> None:
     """
     for chunk in chunks:
         if isinstance(chunk, Mention):
-            _behind_each_other(chunk.mods, chunk.entities, draft)
+            members = [e for m in chain(chunk) for e in m.entities]
+            _behind_each_other(chunk.mods, members, draft)
     for event in events:
         _behind_each_other(event.mods, [e for m in event.subject for e in m.entities], draft)
 
 
 def _behind_each_other(mods: list[Term], entities: list[Entity], draft: Draft) -> None:
-    said = next((m for m in mods if (m.cat, m.value) == ("manner", "row")), None)
+    said = next((m for m in mods if m.cat == "manner" and m.value in _ORDERS), None)
     drivers = [e for e in entities if e.moving_vehicle]
     if said is None or len(drivers) < _FEWEST:
         return
     for leader, follower in combinations(drivers, 2):
-        draft.place(leader, follower, {Approach.AHEAD}, Basis(said.i, said.j))
+        draft.place(leader, follower, {_ORDERS[said.value]}, Basis(said.i, said.j))

@@ -237,7 +237,7 @@ def abreast(draft: Draft, ego: Entity) -> None:
         alongside = entity.moving_vehicle and Maneuver.CROSS not in entity.maneuvers
         if entity is ego or not side or len(entity.approaches) > 1 or not alongside:
             continue
-        if entity.by_heading is not None:
+        if entity.by_heading is not None or entity.pulls_out:
             continue  # headings across each other: the roads meet somewhere
         basis = entity.approach_basis or entity.basis
         rides = entity.kind is ParticipantKind.BICYCLE and basis.i is not None
