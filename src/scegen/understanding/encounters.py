@@ -164,7 +164,8 @@ def cause(scene: Scene, context: Context) -> None:
 def door(scene: Scene, context: Context) -> None:
     """An opened door stands in the way."""
     basis = scene.words
-    for entity in scene.drivers:
+    people = any(h.value == "pedestrian" for m in scene.event.subject for h in m.heads)
+    for entity in scene.drivers if people else []:  # "a woman opens her door": she has parked
         if not entity.ego and entity.moves is None and not entity.maneuvers:
             entity.parked, entity.parked_basis = True, basis
     context.draft.hazard(HazardKind.OBSTACLE, basis, scene.actors)
