@@ -132,7 +132,6 @@ def _place(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Tok
             reading.straight = Basis(before.i, term.j)
     control = term.data.get("control")
     lamps = control == Control.SIGNALS and term.form == "s"
-    lamps = lamps or (control == Control.STOP and k > 0 and terms[k - 1].value == "its")
     if lamps and k and terms[k - 1].cat == "possessive":
         return  # "its lights" are a vehicle's
     if control == Control.SIGNALS and _out_of_order(terms, k, tokens):
