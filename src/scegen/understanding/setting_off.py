@@ -24,5 +24,5 @@ def set_off(events: list[Event], context: Context) -> None:
         for entity in (e for m in event.subject for e in m.entities):
             entity.sets_off = max(entity.sets_off, event.i)
             if entity.parked and not entity.ego:
-                entity.parked = False
+                entity.parked, entity.parked_basis, entity.pulls_out = False, None, True
                 context.draft.from_kerb = not context.junction.crossing
