@@ -127,7 +127,8 @@ class Chunker:
             if term.cat in OPENERS or term.cat in _MODIFIERS:
                 opened = opened or term.cat in OPENERS
             elif term.cat == "manner":
-                if not opened and self._is_adverb(term):
+                sided = bool(mods) and mods[-1].cat == "dir"  # "from the left also going on"
+                if self._is_adverb(term) and (sided or not opened):
                     break
             elif not (self._loose_modifier(term, m, opened) or self._listed(term, m, mods)):
                 break
