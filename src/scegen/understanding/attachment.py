@@ -29,10 +29,20 @@ def preposition(word: Word, k: int, chunks: list[Chunk], state: State) -> None:
         outer = None
     anchor = state.anchor
     near = anchor if isinstance(anchor, Mention) and not state.between else None
+    near = (_whose_place(near, state) or near) if near is not None else None
     if state.last_pp is not None and not state.between:
-        near = state.last_pp
+        near = _whose_place(state.last_pp, state) or state.last_pp
     state.prep = Prep(word, None, outer, near)
     state.prep.fronted = fronted or _opens_clause(k, chunks, state)
+
+
+def _whose_place(target: Mention, state: State) -> Mention | None:
+    """``my friend in front of me on his moped``: the friend is on it, not I."""
+    told = target.pronoun is not None or any("me" in h.data for h in target.heads)
+    for mention in reversed(state.mentions) if told else []:
+        if any(p.target is target and p.word.cat == "locus" for p in mention.pps):
+            return mention
+    return None
 
 
 def release(state: State) -> None:

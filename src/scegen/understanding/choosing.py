@@ -252,6 +252,16 @@ def _of_a_kind(match: Match, tokens: list[Token], previous: Term | None) -> bool
     return opens and hyphen and noun is not None and noun.only("actor") and noun.form == "base"
 
 
+def _describes_a_noun(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """Whether the only meaning is a verb that stands before the noun it describes."""
+    entry = match.entries[0]
+    if entry.cat != "verb":
+        return False
+    if entry.value in _DOINGS and match.form == "base":
+        return _of_a_kind(match, tokens, previous)
+    return match.form in {"ing", "ed"} and _attributive(match, tokens, previous)
+
+
 def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
     """The meaning that fits the words around, and whether it is a participle before a noun.
 
@@ -266,15 +276,7 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
     if match.has("noted") and match.has("actor") and previous and previous.cat == "det":
         return match.get("noted" if _noun_follows(tokens, match.j) else "actor"), False
     if len(match.entries) == 1:
-        entry = match.entries[0]
-        if entry.value in _DOINGS and match.form == "base" and _of_a_kind(match, tokens, previous):
-            return entry, True
-        premod = (
-            entry.cat == "verb"
-            and match.form in {"ing", "ed"}
-            and _attributive(match, tokens, previous)
-        )
-        return entry, premod
+        return match.entries[0], _describes_a_noun(match, tokens, previous)
     if match.has("verb"):
         return _verb_or_other(match, tokens, previous)
     if match.has("rel") and match.has("det"):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from scegen.scenario.vocabulary import Approach, ParticipantKind
 from scegen.understanding.chunks import Event, Place
@@ -95,6 +95,8 @@ class Context:
     tokens: list[Token]
     across: str = "left"
     """The side of a turn across oncoming traffic: right where traffic keeps left."""
+    screens: list[int] = field(default_factory=list)
+    """Where in the text things are named that one cannot see through."""
 
     def crossing_implied(self, basis: Basis, reason: str) -> None:
         """Something takes place that needs a junction."""

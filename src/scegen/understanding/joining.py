@@ -26,7 +26,8 @@ def joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
         return False  # "four vans, two turning left": some of them, not further ones
     waiting = anchor is state.candidate and not state.candidate_done
     waiting = waiting and not any(anchor in event.subject for event in state.events)
-    if state.between == {","} and not (waiting and _list_goes_on(k, chunks)):
+    complete = "aux:be" in state.between and finite_follows(chunks, k)  # "I'm here and a van …"
+    if complete or (state.between == {","} and not (waiting and _list_goes_on(k, chunks))):
         return False
     let = _let(anchor, k, chunks, state)
     if not waiting and ((finite_follows(chunks, k) and not let) or "," in state.between):
