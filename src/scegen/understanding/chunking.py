@@ -80,8 +80,7 @@ class Chunker:
         """``red light violation``: a noun of a doing with what it is done to before it."""
         event = event_of(term, [], nominal=True)
         before = self._chunks[-1] if self._chunks else None
-        if isinstance(before, Place) and before.j == term.i:
-            event.object = before
+        event.object = before if isinstance(before, Place) and before.j == term.i else None
         return event
 
     def _that_of(self, k: int) -> bool:
@@ -128,7 +127,8 @@ class Chunker:
             if term.cat in OPENERS or term.cat in _MODIFIERS:
                 opened = opened or term.cat in OPENERS
             elif term.cat == "manner":
-                if not opened and self._is_adverb(term):
+                sided = bool(mods) and mods[-1].cat == "dir"  # "from the left also going on"
+                if self._is_adverb(term) and (sided or not opened):
                     break
             elif not (self._loose_modifier(term, m, opened) or self._listed(term, m, mods)):
                 break

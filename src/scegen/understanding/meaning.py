@@ -42,11 +42,12 @@ _BY_MANNER = {
 _BESIDE = frozenset({"overtake", "pass", "bypass", "undertake", "collide"})
 """With these verbs a side is where one gets past or is hit, and nobody comes from there."""
 _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
-_BREACHING = frozenset({"walk", "follow", "breach", "move", "enter", "cross", "speed",
-                        "accelerate"})  # fmt: skip
-_ON_THE_MOVE = frozenset({"pull_out", "swerve", "use", "enter", "move", "cross", "lose_control",
-                          "lane_change", "merge", "overtake", "bypass", "turn", "sharp_turn",
-                          "approach", "unknown"})  # fmt: skip
+_BREACHING = frozenset(
+    {"walk", "follow", "breach", "move", "enter", "cross", "speed", "accelerate"}
+)
+_ON_THE_MOVE = frozenset({"swing_wide", "pull_out", "swerve", "use", "enter", "move", "cross",
+                          "lose_control", "lane_change", "merge", "overtake", "bypass", "turn",
+                          "sharp_turn", "approach", "unknown"})  # fmt: skip
 _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
                        "pull_out", "collide"})  # fmt: skip
@@ -194,6 +195,7 @@ class Interpreter:
         if movement is not None:
             movement(scene, self._context)
         encounters.onto_the_road(scene, self._context)
+        encounters.after_a_thing(scene, self._context)
         danger = dangers.DANGERS.get(event.name)
         if danger is not None and not self._overruled(scene):
             danger(scene, self._context)
