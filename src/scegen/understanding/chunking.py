@@ -8,7 +8,14 @@ from itertools import pairwise
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, event_of
 from scegen.understanding.lanes import between_lanes
 from scegen.understanding.naming import Namer
-from scegen.understanding.nominal import OPENERS, ORDINALS, VERBAL_LINKS, has_dir, is_nominal
+from scegen.understanding.nominal import (
+    OPENERS,
+    ORDINALS,
+    VERBAL_LINKS,
+    after_a_side,
+    has_dir,
+    is_nominal,
+)
 from scegen.understanding.split_verbs import with_particles
 from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
@@ -254,6 +261,7 @@ class Chunker:
             length += 1
         previous = self._chunks[-1] if self._chunks else None
         preposed = isinstance(previous, Word) and previous.cat in VERBAL_LINKS
+        preposed = preposed or after_a_side(self._chunks)  # "from the left and right"
         determined = mods[0].cat in {"det", "possessive"}
         if not seen or not (preposed or determined):
             return None

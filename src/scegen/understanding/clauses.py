@@ -201,6 +201,7 @@ class ClauseReader:
             before = [m for m in mention.mods[:position] if m.cat in {"dir", "manner"}]
             event = Event(mod.value, mod.i, mod.j, mod.form, subject=[mention], mods=before)
             event.premod_of = mention
+            event.passive = mod.form == "ed" and mod.value in subjects.PASSIVE - {"hide"}
             event.sentence = self._sentence
             self.events.append(event)
 

@@ -29,8 +29,11 @@ def turn(scene: Scene, context: Context) -> None:
     known = {m for e in scene.drivers for m in e.maneuvers}
     left = left or (not event.dirs and known & _TURNS == {_ACROSS[context.across]})
     settled = event.dirs or known & _TURNS
+    sideways = all(context.from_the_side(e) for e in scene.drivers)
     if settled and scene.drivers and into_way:
-        kind = HazardKind.UNPROTECTED_LEFT_TURN if left else HazardKind.FAILURE_TO_YIELD
+        kind = HazardKind.FAILURE_TO_YIELD
+        if left and not sideways:
+            kind = HazardKind.UNPROTECTED_LEFT_TURN
         context.draft.hazard(kind, scene.words, scene.drivers)
         return
     in_front = next((p for p in event.pps if p.word.cat == "locus" and p.value == "ahead"), None)

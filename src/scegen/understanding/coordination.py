@@ -35,6 +35,9 @@ def coordinate(event: Event, state: State) -> None:
     else:
         wanted = "ing" if event.form == "ing" and not helped else "finite"
     verbs = [e for e in state.events if not e.nominal and _agree(event, e.subject)]
+    main = [e for e in verbs if not any(m in state.trailing for m in e.subject)]
+    if "," in state.between and main:
+        verbs = main  # "A van turns as the ego waits, then stops."
     alike = [e for e in verbs if _shape(e) == wanted]
     alike = alike or [e for e in verbs if wanted == "finite" and e.finite and e.modal]
     exact = [e for e in alike if wanted == "finite" and e.form == event.form and not e.perfect]

@@ -277,7 +277,8 @@ class Discourse:
         options = [e for e in options if not (loci and e.loci) or loci & e.loci]
         others = [e for e in options if not e.ego]
         others = [e for e in others if e.named_by & reading.called] or others
-        placed = mention.pps or mention.elsewhere or mention.narrowed
+        done = any(m.cat == "verb" and m.form == "ed" for m in mention.mods)  # "the overtaken car"
+        placed = mention.pps or mention.elsewhere or mention.narrowed or done
         restricted = reading.dirs or reading.labels or placed
         if others or reading.det == "bare" or restricted:
             return others[:1]

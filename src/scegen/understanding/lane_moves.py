@@ -37,6 +37,17 @@ def merge(scene: Scene, context: Context) -> None:
         lane_change(scene, context)
 
 
+def swerve(scene: Scene, context: Context) -> None:
+    """``swerves into the oncoming lane``, ``veers into the left lane``."""
+    lane = ways.into_lane(scene.event)
+    if lane is None or lane.kind != "lane" or lane.owner is not None:
+        return
+    if "opposite" in lane.dirs and not any(context.oncoming(e) for e in scene.drivers):
+        use_oncoming_lane(scene, lane, context)
+    elif ways.next_lane(scene.event, context):
+        lane_change(scene, context)
+
+
 def forced(scene: Scene, context: Context) -> None:
     """``is forced into the opposite lane``, ``pushes the ego into the left lane``."""
     lane = ways.into_lane(scene.event)

@@ -14,6 +14,7 @@ from scegen.understanding.lane_moves import (
     forced,
     lane_change,
     merge,
+    swerve,
     use_oncoming_lane,
 )
 
@@ -226,6 +227,7 @@ MOVEMENTS: dict[str, Callable[[Scene, Context], None]] = {
     "match": courses.hold,
     "cause": forced,
     "send": forced,
+    "swerve": swerve,
     "follow": courses.follow,
     "tailgate": courses.follow,
     "precede": courses.precede,

@@ -46,7 +46,7 @@ def is_nominal(
     placed = has_dir(mods) or mods[-1].cat == "compass"
     turned = head.value == "turn" and _way(following)
     turned = turned or mods[-1].cat == "compass" or mods[-1].value in {"front", "rear"}
-    listed = _after_a_side(chunks)
+    listed = after_a_side(chunks)
     sided = placed and (head.form == "s" or turned or listed)
     after_prep = after_prep or listed
     if after_prep and placed and len(mods) <= _SIDE_ONLY and head.value not in _NAMED_BY_SIDE:
@@ -62,8 +62,12 @@ def is_nominal(
     return not (mods[0].cat == "manner" and head.form == "s")
 
 
-def _after_a_side(chunks: list[Chunk]) -> bool:
-    """``from the left and the right stop …``: the second side, not a noun."""
+def after_a_side(chunks: list[Chunk]) -> bool:
+    """``from the left and the right stop …``: the second side, not a noun.
+
+    Args:
+        chunks: the chunks before it.
+    """
     if len(chunks) < 2:
         return False
     place, joint = chunks[-2:]

@@ -100,9 +100,16 @@ def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -
     return not finite_follows(chunks, k)
 
 
+def _ego(mention: Mention) -> bool:
+    return any(h.data.get("ego") for h in mention.heads)
+
+
 def _start_clause(mention: Mention, state: State) -> None:
     mention.denied = "neg:not" in state.between
     exists = "copy" in state.between or ("aux:be" in state.between and bool(state.fronted))
+    others = any(e.finite and e.subject and not _ego(e.subject[-1]) for e in state.events)
+    if "sub" in state.between and others and _ego(mention):
+        state.trailing.append(mention)
     state.candidate = mention
     state.candidate_done = exists  # "there is a van": that is all of its clause
     for event in state.pending:

@@ -39,7 +39,13 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     everywhere = _sides(events, chunks)
     beside = _beside(chunks)
     settled = _settled(events)
-    around = {id(p.target): e for e in events for p in e.pps if _is_it(p.target)}
+    around = {
+        id(m): e
+        for e in events
+        for p in e.pps
+        if isinstance(p.target, Mention) and (_is_it(p.target) or p.value == "between")
+        for m in (p.target, *(c for c in chunks if isinstance(c, Mention) and c.joined is p.target))
+    }  # "drives between the ego and the van ahead": not the van itself
     behind = {
         id(p.target): e
         for e in events
