@@ -8,7 +8,15 @@ from itertools import pairwise
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, event_of
 from scegen.understanding.lanes import between_lanes
 from scegen.understanding.naming import Namer
-from scegen.understanding.nominal import OPENERS, ORDINALS, VERBAL_LINKS, has_dir, is_nominal
+from scegen.understanding.nominal import (
+    OPENERS,
+    ORDINALS,
+    VERBAL_LINKS,
+    WAYS,
+    has_dir,
+    is_nominal,
+    one_side,
+)
 from scegen.understanding.split_verbs import with_particles
 from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
@@ -19,7 +27,6 @@ _MODIFIERS = frozenset(
 _OWNED = frozenset({"lane", "path", "side"})
 _MAX_MODS = 10
 _COMING_FROM = frozenset({"opposite", "ahead", "behind", "lateral", "adjacent"})
-_WAYS = frozenset({"left", "right", "straight"})
 _SIDE_DIRS = frozenset({"left", "right", "opposite", "front", "rear", "adjacent", "straight"})
 
 
@@ -248,7 +255,7 @@ class Chunker:
             side = (mod.cat == "dir" and mod.value in _SIDE_DIRS) or mod.cat == "compass"
             if not side and (seen or mod.cat not in {"det", "possessive"}):
                 break
-            if seen and mod.value in _WAYS and mods[length - 1].value in _WAYS:
+            if seen and mod.value in WAYS and not one_side(mods[length - 1]):
                 break  # "from the right straight on"
             seen = seen or side
             length += 1

@@ -7,6 +7,7 @@ from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
 OPENERS = frozenset({"det", "possessive", "num", "quant"})
+WAYS = frozenset({"left", "right", "straight"})
 _SIDE_ONLY = 2
 _NAMED_BY_SIDE = frozenset({"turn", "u_turn", "lane_change", "sharp_turn", "merge", "leave"})
 """Actions that a side tells apart: "the left turn"."""
@@ -81,3 +82,12 @@ def _way(follows: Term | None) -> bool:
 def has_dir(mods: list[Term]) -> bool:
     """Whether a direction stands among the words before a noun."""
     return any(m.cat == "dir" for m in mods)
+
+
+def one_side(term: Term) -> bool:
+    """Whether a further direction may belong to the same side ("front left").
+
+    Args:
+        term: the direction before it.
+    """
+    return term.value not in WAYS and term.cat != "compass"
