@@ -65,6 +65,9 @@ def attach(prep: Prep, state: State) -> None:
         state.fronted.append(prep)
         return
     head = _head_of(prep, state)
+    whom = prep.on_mention
+    if whom is not None and _landmark(whom) and prep.value == "from" and state.events:
+        prep.on_mention = None  # "falls onto the road ahead of the ego from the pavement"
     if head is not None:
         prep.on_mention = head
     if prep.on_mention is not None:
@@ -76,6 +79,11 @@ def attach(prep: Prep, state: State) -> None:
         state.events[-1].pps.append(prep)
     elif prep.on_mention is None and state.candidate is not None:
         state.candidate.pps.append(prep)
+
+
+def _landmark(mention: Mention) -> bool:
+    """Whether a noun only says where something is."""
+    return mention.prep is not None and mention.prep.cat == "locus"
 
 
 def _head_of(prep: Prep, state: State) -> Mention | None:

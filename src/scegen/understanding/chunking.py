@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import pairwise
 
+from scegen.understanding.adjectives import listed, loose_modifier
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, event_of
 from scegen.understanding.lanes import between_lanes
 from scegen.understanding.naming import Namer
@@ -87,8 +88,7 @@ class Chunker:
         """``red light violation``: a noun of a doing with what it is done to before it."""
         event = event_of(term, [], nominal=True)
         before = self._chunks[-1] if self._chunks else None
-        if isinstance(before, Place) and before.j == term.i:
-            event.object = before
+        event.object = before if isinstance(before, Place) and before.j == term.i else None
         return event
 
     def _that_of(self, k: int) -> bool:
@@ -135,32 +135,14 @@ class Chunker:
             if term.cat in OPENERS or term.cat in _MODIFIERS:
                 opened = opened or term.cat in OPENERS
             elif term.cat == "manner":
-                if not opened and self._is_adverb(term):
+                sided = bool(mods) and mods[-1].cat == "dir"  # "from the left also going on"
+                if self._is_adverb(term) and (sided or not opened):
                     break
-            elif not (self._loose_modifier(term, m, opened) or self._listed(term, m, mods)):
+            elif not (loose_modifier(self._terms, m, opened) or listed(self._terms, m, mods)):
                 break
             mods.append(term)
             m += 1
         return mods, m
-
-    def _loose_modifier(self, term: Term, m: int, opened: bool) -> bool:
-        """Participles before a noun, and nouns or weather words used as adjectives."""
-        if term.cat == "verb" and term.premod:
-            return True
-        follows = self._terms[m + 1].cat if m + 1 < len(self._terms) else ""
-        nounlike = follows in {"actor", "place", "thing", "view", "verb", "inert", "shape"}
-        if term.cat == "inert":
-            return opened and term.value == "adjective" and nounlike
-        if term.cat == "env":
-            return follows in {"place", "actor"}
-        return opened and term.cat == "unknown" and follows in {"actor", "place", "unknown"}
-
-    def _listed(self, term: Term, m: int, mods: list[Term]) -> bool:
-        """A comma between two adjectives ("a slow, old car")."""
-        if term.cat != "punct" or term.value != "," or not mods:
-            return False
-        follows = self._terms[m + 1].cat if m + 1 < len(self._terms) else ""
-        return mods[-1].cat in {"manner", "label", "state"} and follows in {"manner", "label"}
 
     def _noun_phrase(self, k: int) -> int | None:
         mods, m = self._scan(k)

@@ -140,5 +140,6 @@ class Context:
         named = [p for p in self.draft.placements if p.entity is entity]
         lateral = {Approach.LEFT, Approach.RIGHT}
         met = self.junction.crossing or self.draft.crossing_implied is not None
+        met = met or self.draft.side_road is not None
         met = met or any(p.approaches == lateral for p in named)  # "on perpendicular roads"
         return met and any(p.approaches & across for p in named)

@@ -26,6 +26,21 @@ def cross(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.CROSSING_CYCLIST, basis, cyclists)
 
 
+def after_a_thing(scene: Scene, context: Context) -> None:
+    """``a ball rolls onto the road, followed by a boy``: the boy crosses.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    if scene.event.name != "follow" or not scene.event.passive or scene.targets:
+        return
+    for entity in scene.walkers:
+        context.draft.maneuver(entity, {Maneuver.CROSS}, scene.words)
+    if scene.walkers:
+        context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, scene.words, scene.walkers)
+
+
 def onto_the_road(scene: Scene, context: Context) -> None:
     """Whoever is on foot and gets onto the road or into somebody's way crosses, by any verb."""
     onto = any(

@@ -14,6 +14,7 @@ _WAYS = frozenset({"left", "right", "straight"})
 _SEPARATORS = frozenset({",", "and", "but", "or", "while", "when", "as", "(", "both"})
 _AFTER = frozenset({"prep", "conj", "sub", "manner", "env", "locus", "control"})
 _WITHIN = frozenset({"prep", "locus", "dir", "manner", "label"})
+_NAMED = frozenset({"cut_in", "lane_change", "merge", "u_turn", "hard_brake", "swerve"})
 _TO = frozenset({"prep", "manner", "locus"})
 _UNDERGONE = frozenset({"park", "hide", "block", "collide", "locate", "follow", "overtake",
                         "encounter", "cut_off", "cut_in", "cause", "prevent", "stop"})  # fmt: skip
@@ -180,8 +181,10 @@ def _named_doing(chunks: list[Chunk], k: int) -> bool:
     event = chunks[k]
     said = isinstance(event, Event) and event.form in {"base", "ing"}
     opens = _ends(_at(chunks, k - 1))
-    doer = isinstance(following, Word) and following.value in _DOER
-    return said and opens and doer and isinstance(who, Mention)
+    doer = isinstance(following, Word) and following.value in _DOER and isinstance(who, Mention)
+    placed = isinstance(following, Word) and following.cat in {"prep", "locus", "manner"}
+    bare = isinstance(event, Event) and event.form == "base" and event.name in _NAMED
+    return said and opens and (doer or (bare and placed))
 
 
 def _going(chunks: list[Chunk], k: int) -> Event | None:
