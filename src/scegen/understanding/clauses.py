@@ -17,6 +17,7 @@ from scegen.understanding.lookahead import (
     ADVERBS,
     BOUNDARIES,
     GOVERNING,
+    by_follows,
     event_follows,
     main_verb_follows,
     only_a_noun_follows,
@@ -224,8 +225,7 @@ class ClauseReader:
             subjects.link(event, state)
             event.pps += state.opening
             state.opening = []
-        following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
-        if isinstance(following, Word) and following.value == "by":
+        if by_follows(self._chunks, k):
             subjects.before_by(event)
         negated = any(word.startswith("neg:") for word in state.between)
         event.unable = negated and bool({"neg:unable", "aux:can"} & state.between)

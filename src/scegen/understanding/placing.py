@@ -29,10 +29,10 @@ _SIDES = {"left": Approach.LEFT, "right": Approach.RIGHT}
 _STEADY = frozenset(
     {"move", "stop", "brake", "hard_brake", "slow", "locate", "wait", "park", "accelerate",
      "approach", "speed", "tailgate", "follow", "light", "hide", "appear", "walk",
-     "unknown", "inert", "pass", "lose_control", "swerve", "reverse", "crawl"}
+     "unknown", "inert", "pass", "lose_control", "swerve", "reverse", "crawl", "merge"}
 )  # fmt: skip
 _PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane",
-                     "leg"})  # fmt: skip
+                     "path", "leg"})  # fmt: skip
 _AROUND = frozenset({"around", "round", "past"})
 _OPPOSED = "opposed"
 

@@ -230,7 +230,8 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
         return Term("actor", "car", i, i + 1)
     number = number_at(tokens, i)
     match = _match_at(tokens, i, previous) if _first_person(token) else None
-    counted = number is not None and match is not None and match.has("shape") and match.form == "s"
+    counted = number is not None and match is not None and match.has("shape", "label")
+    counted = counted and match is not None and match.form == "s"
     if match and not counted and (number is None or match.j > i + number.length):
         entry, premod = choose(match, tokens, previous)
         form = _own_form(entry, match, token)
