@@ -232,3 +232,44 @@ def test_who_is_out_of_control():
     text = "An out-of-control van comes across the median toward the ego."
     kinds = {h.kind for h in read(text).hazards}
     assert kinds == {HazardKind.LOSS_OF_CONTROL, HazardKind.ONCOMING_LANE}
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("Cut-in from the left at a gap of 8 m, cut-in car slower than the VUT.", "cut_in"),
+        ("Moving at lower speed, lead vehicle: the VUT catches up with a bus.", "slow_driving"),
+        ("A car coming from the left rolls over the stop line at a junction.", "failure_to_yield"),
+        ("An oncoming van leaves its lane, the ego keeps its lane.", "oncoming_lane"),
+        ("A ball rolls onto the road, followed by a boy.", "crossing_pedestrian"),
+        ("V1 drives on and V2 comes from the left, where it should have stopped.",
+         "failure_to_yield"),
+        ("The ego leaves the road on a curve.", "loss_of_control"),
+    ],
+)  # fmt: skip
+def test_what_is_dangerous(text, kind):
+    assert kind in {h.kind.value for h in read(text).hazards}
+
+
+def test_the_truck_is_the_ego():
+    text = "Right-turning truck, cyclist going straight on its right side: the truck is the ego."
+    scenario = read(text)
+    assert [p.kind.value for p in scenario.participants if p.role == "ego"] == ["truck"]
+    assert len(scenario.participants) == 2
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "side"),
+    [
+        ("A bus in the oncoming lane, children about to run out from the left.", "bus",
+         Approach.OPPOSITE),
+        ("A man falls onto the roadway ahead of the VUT from the right-hand pavement.",
+         "pedestrian", Approach.RIGHT),
+        ("Ego on the main road. Van on the left-hand side road does not yield.", "van",
+         Approach.LEFT),
+        ("Junction ahead of the ego; a van from the left also going straight.", "van",
+         Approach.LEFT),
+    ],
+)  # fmt: skip
+def test_who_is_placed_by_which_words(text, kind, side):
+    assert where(text, kind) == {side}

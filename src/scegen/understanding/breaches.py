@@ -96,6 +96,15 @@ def breach(scene: Scene, context: Context) -> bool:
         _breach_of_control(scene, context)
     if scene.event.name == "breach" and _sign(scene.event.object, context):
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers)
+    over = {
+        id(p.target)
+        for p in scene.event.pps
+        if context.tokens[p.word.i].low in {"over", "past", "through", "across", "beyond"}
+    }
+    if any(p.kind == "stop_line" and id(p) in over for p in scene.places()):
+        others = [e for e in scene.drivers if not e.ego]
+        if others:
+            context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, others)
     for place in scene.places():
         certain = scene.event.name in _CERTAIN or id(place) in driven_through
         basis = Basis(scene.event.i, max(place.j, scene.event.j))

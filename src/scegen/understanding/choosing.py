@@ -13,6 +13,7 @@ _NOMINAL_BEFORE = frozenset(
 )
 _NO_PREMODIFIER = frozenset({"aux", "actor", "pronoun", "neg", "rel"})
 _VERBAL_BEFORE = frozenset({"actor", "pronoun", "aux", "rel", "neg"})
+_DOINGS = frozenset({"cut_in", "lane_change", "merge", "overtake", "u_turn"})
 _MEASURES = frozenset({"difference", "differential", "gap", "of", "is", "was", "about", "approx",
                        "approximately", "around", "up"})  # fmt: skip
 _NOUNS = ("place", "inert", "thing", "view", "env")
@@ -248,6 +249,24 @@ def _relative_or_article(match: Match, tokens: list[Token], previous: Term | Non
     return match.get("rel" if noun_before else "det")
 
 
+def _of_a_kind(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """``the cut-in vehicle``, ``a lane-change car``: a doing that tells which one is meant."""
+    opens = previous is None or previous.cat in {"det", "punct", "sub"}
+    noun = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    hyphen = match.j - 1 > 0 and tokens[match.j - 1].start == tokens[match.j - 2].end + 1
+    return opens and hyphen and noun is not None and noun.only("actor") and noun.form == "base"
+
+
+def _describes_a_noun(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """Whether the only meaning is a verb that stands before the noun it describes."""
+    entry = match.entries[0]
+    if entry.cat != "verb":
+        return False
+    if entry.value in _DOINGS and match.form == "base":
+        return _of_a_kind(match, tokens, previous)
+    return match.form in {"ing", "ed"} and _attributive(match, tokens, previous)
+
+
 def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
     """The meaning that fits the words around, and whether it is a participle before a noun.
 
@@ -262,13 +281,7 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
     if match.has("noted") and match.has("actor") and previous and previous.cat == "det":
         return match.get("noted" if noun_follows(tokens, match.j) else "actor"), False
     if len(match.entries) == 1:
-        entry = match.entries[0]
-        premod = (
-            entry.cat == "verb"
-            and match.form in {"ing", "ed"}
-            and _attributive(match, tokens, previous)
-        )
-        return entry, premod
+        return match.entries[0], _describes_a_noun(match, tokens, previous)
     if match.has("verb"):
         return _verb_or_other(match, tokens, previous)
     if match.has("rel") and match.has("det"):

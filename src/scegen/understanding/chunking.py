@@ -18,6 +18,7 @@ _MODIFIERS = frozenset(
 )
 _OWNED = frozenset({"lane", "path", "side"})
 _MAX_MODS = 10
+_COMING_FROM = frozenset({"opposite", "ahead", "behind", "lateral", "adjacent"})
 _WAYS = frozenset({"left", "right", "straight"})
 _OF_OWNERS = frozenset({"unknown", "det", "label", "possessive"})
 _SIDE_DIRS = frozenset({"left", "right", "opposite", "front", "rear", "adjacent", "straight"})
@@ -80,8 +81,7 @@ class Chunker:
         """``red light violation``: a noun of a doing with what it is done to before it."""
         event = event_of(term, [], nominal=True)
         before = self._chunks[-1] if self._chunks else None
-        if isinstance(before, Place) and before.j == term.i:
-            event.object = before
+        event.object = before if isinstance(before, Place) and before.j == term.i else None
         return event
 
     def _that_of(self, k: int) -> bool:
@@ -128,7 +128,8 @@ class Chunker:
             if term.cat in OPENERS or term.cat in _MODIFIERS:
                 opened = opened or term.cat in OPENERS
             elif term.cat == "manner":
-                if not opened and self._is_adverb(term):
+                sided = bool(mods) and mods[-1].cat == "dir"  # "from the left also going on"
+                if self._is_adverb(term) and (sided or not opened):
                     break
             elif not (self._loose_modifier(term, m, opened) or self._listed(term, m, mods)):
                 break
@@ -168,7 +169,8 @@ class Chunker:
         if head is not None and is_nominal(
             mods, head, self._term(m + 1), self._chunks, self._tokens
         ):
-            if any(mod.cat == "num" for mod in mods) and not has_dir(mods):
+            coming = head.form == "ing" and mods[-1].value in _COMING_FROM
+            if any(mod.cat == "num" for mod in mods) and (coming or not has_dir(mods)):
                 return self._bare(mods, k)
             self._chunks.append(event_of(head, mods, nominal=True))
             return m + 1
@@ -198,6 +200,10 @@ class Chunker:
         if first.cat == "num" and len(mods) == 1 and self._low(k + 1) == "others":
             self._chunks.append(Mention(first.i, first.j + 1, [first], None, pronoun="others"))
             return k + 2  # "two others"
+        if first.cat == "num" and len(mods) > 1 and mods[1].value in _COMING_FROM:
+            named = "one" if first.data["number"] == 1 else "count"
+            self._chunks.append(Mention(first.i, mods[1].j, mods[:2], None, pronoun=named))
+            return k + 2  # "one oncoming"
         if first.cat == "num" and first.data["number"] < 10:
             return self._stand_alone(first, "one" if first.data["number"] == 1 else "count", k)
         if first.cat == "det" and first.value in {"another", "other"}:

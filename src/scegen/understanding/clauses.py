@@ -245,6 +245,8 @@ class ClauseReader:
         event.unable = event.unable or (denied and "aux:can" in state.between)
         event.negated = event.negated or denied
         event.perfect = "aux:have" in state.between
+        if event.perfect and "aux:modal" in state.between:
+            event.negated = not event.negated  # "where it should have stopped": it did not
         event.modal = event.modal or "aux:modal" in state.between
         release(self._state)
         state.events.append(event)

@@ -71,6 +71,9 @@ def lane_change(scene: Scene, context: Context) -> None:
         return
     if head_on(scene, lane, context):
         return  # an oncoming vehicle uses the wrong lane
+    if oncoming and context.tokens[scene.event.i].forms[-1][0] == "leave":
+        context.draft.hazard(HazardKind.ONCOMING_LANE, scene.words, scene.drivers)
+        return  # "an oncoming van leaves its lane"
     if sudden is not None and not scene.reaction:
         context.draft.hazard(
             HazardKind.CUT_IN, sudden, scene.drivers, _owners(lane, scene, context)
@@ -227,7 +230,8 @@ def merge(scene: Scene, context: Context) -> None:
     if ahead and _mentioned(scene.event) and not context.junction.crossing:
         context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, _mentioned(scene.event))
         return  # "merges in front of the bus"
-    if lane is not None and (lane.owner is not None or lane.dirs):
+    own = all(e.ego for e in scene.drivers) and not _owners(lane, scene, context)
+    if lane is not None and (lane.owner is not None or lane.dirs) and not own:
         context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, _owners(lane, scene, context))
         return
     to = [

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from scegen.scenario.vocabulary import Approach, ParticipantKind
 from scegen.understanding.chunks import Event, Place
@@ -95,6 +95,8 @@ class Context:
     tokens: list[Token]
     across: str = "left"
     """The side of a turn across oncoming traffic: right where traffic keeps left."""
+    screens: list[int] = field(default_factory=list)
+    """Where in the text things are named that one cannot see through."""
 
     def crossing_implied(self, basis: Basis, reason: str) -> None:
         """Something takes place that needs a junction."""
@@ -138,5 +140,6 @@ class Context:
         named = [p for p in self.draft.placements if p.entity is entity]
         lateral = {Approach.LEFT, Approach.RIGHT}
         met = self.junction.crossing or self.draft.crossing_implied is not None
+        met = met or self.draft.side_road is not None
         met = met or any(p.approaches == lateral for p in named)  # "on perpendicular roads"
         return met and any(p.approaches & across for p in named)

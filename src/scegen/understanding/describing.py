@@ -5,11 +5,13 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.bystanders import mark_bystanders
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
+from scegen.understanding.reference import tells
 from scegen.understanding.tokens import Token
 
 _ONLY_VEHICLES = frozenset(
     {"brake", "hard_brake", "overtake", "merge", "lane_change", "accelerate", "tailgate", "cut_off",
-     "cut_in", "pull_out", "park", "swerve", "u_turn", "pull_over", "undertake", "unpark"}
+     "cut_in", "pull_out", "park", "swerve", "u_turn", "pull_over", "undertake", "unpark",
+     "door"}
 )  # fmt: skip
 _CYCLING = frozenset({"cycle", "pedal"})
 _WALKING = frozenset({"walk", "jog", "stroll"})
@@ -38,12 +40,14 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
     _vehicles_of_parties(chunks)
     _drivers(events, tokens)
     _ridden(chunks, events, tokens)
+    _towed(events)
 
 
 def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     mention.seated = mention.seated or event.name == "door"
     failing = event.negated and event.name in {"stop", "yield"}
-    alone = event.drives or event.name in _ONLY_VEHICLES or _takes_a_turn(event)
+    across = event.name == "cut_in" and tokens[event.j - 1].low == "across"
+    alone = event.drives or (event.name in _ONLY_VEHICLES and not across) or _takes_a_turn(event)
     alone = alone or _breaks_a_rule(event) or any("pace" in m.data for m in event.mods)
     vague = mention.head is not None and "vague" in mention.head.data
     turns = vague or event.name in {"turn", "sharp_turn"}
@@ -86,7 +90,7 @@ def _own_vehicles(events: list[Event], tokens: list[Token]) -> None:
         who = event.subject[-1]
         whose = what.mods[0] if what.mods else None
         own = whose is not None and whose.cat == "possessive" and whose.value == "its"
-        driven = (_is_person(who) or who.pronoun is not None or _tells(who)) and tokens[
+        driven = (_is_person(who) or who.pronoun is not None or tells(who)) and tokens[
             event.i
         ].forms[-1][0] in _OPERATING
         if what.heads and not what.label and (own or driven):
@@ -131,13 +135,23 @@ def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> No
     """``I'm on a motorbike``, ``we sit in a coach``: whoever tells it stands for it."""
     for event in events:
         for prep in event.pps if event.subject else []:
-            if tokens[prep.word.i].low in _ABOARD and _tells(event.subject[-1]):
+            if tokens[prep.word.i].low in _ABOARD and tells(event.subject[-1]):
                 _stands_for(event.subject[-1], prep.target)
-    tellers = [c for c in chunks if isinstance(c, Mention) and _tells(c)]
+    tellers = [c for c in chunks if isinstance(c, Mention) and tells(c)]
     for teller in tellers:
         for prep in teller.pps:
             if tokens[prep.word.i].low in _ABOARD:
                 _stands_for(teller, prep.target)
+
+
+def _towed(events: list[Event]) -> None:
+    """``a car towing a van``, ``a van towed by a car``: what is towed does not drive."""
+    for event in (e for e in events if e.name == "tow"):
+        if isinstance(event.object, Mention) and not event.passive:
+            event.object.negated = True
+        agents = [p.target for p in event.pps if p.value == "by" and isinstance(p.target, Mention)]
+        for mention in event.subject if agents else []:
+            mention.same_as = agents[0]
 
 
 def _stands_for(who: Mention, what: object) -> None:
@@ -151,11 +165,6 @@ def _vehicle(noun: object) -> bool:
     single = isinstance(noun, Mention) and noun.pronoun is None and noun.owner is None
     head = noun.head if isinstance(noun, Mention) and single else None
     return head is not None and head.value in _BY_TRADE and head.form != "s"
-
-
-def _tells(mention: Mention) -> bool:
-    """Whether it is the one who tells it ("I", "we")."""
-    return any("speaks" in h.data or "me" in h.data for h in mention.heads)
 
 
 def _on_foot(event: Event) -> bool:

@@ -8,8 +8,15 @@ from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.groups import Group, opened, vehicle_around
 from scegen.understanding.located import as_the_ego_sees, loci_of
 from scegen.understanding.mention_words import DEFAULT_COUNT, Reading, read_mention
-from scegen.understanding.pronouns import POSITIONS, Pronouns
-from scegen.understanding.reference import is_pronoun, kin, own_vehicle, refers_to_nobody
+from scegen.understanding.pronouns import Pronouns
+from scegen.understanding.reference import (
+    elsewhere,
+    is_pronoun,
+    kin,
+    own_vehicle,
+    refers_to_nobody,
+    tells,
+)
 from scegen.understanding.roster import Roster
 from scegen.understanding.tokens import Token
 
@@ -116,7 +123,9 @@ class Discourse:
         if reading.ego and not reading.plural:
             if mention.prep is None and (mention.joined is not None or not exclude):
                 self._roster.last_is_ego()
-            return [self._ego(reading.kind, basis, told=not reading.generic)]
+            ego = self._ego(reading.kind, basis, told=not reading.generic)
+            ego.named_by |= {"speaks"} if tells(mention) else set()
+            return [ego]
         if reading.ego:
             return self._roster.subject  # "we arrive in our cars"
         of_whom = next((p.target for p in mention.pps if p.value == "of"), None)
@@ -179,7 +188,7 @@ class Discourse:
         if names:
             known = [e for e in self._draft.entities if names & e.labels][:1]
             return known or self._roster.named(reading, names, exclude)
-        counted = self._counted(reading, mention)
+        counted = self._roster.by_order(reading, mention)
         if counted is not None:
             return counted
         included = self._roster.included(reading, mention)
@@ -206,28 +215,6 @@ class Discourse:
             member = self._member(reading, mention, exclude)
             return member or self._roster.from_title(reading, mention)
         return self._definite(reading, mention, exclude)
-
-    def _counted(self, reading: Reading, mention: Mention) -> list[Entity] | None:
-        """``the first car``, ``the second truck``: by the order in which they came up."""
-        which = next((m.value for m in mention.mods if m.value in POSITIONS), None)
-        if which is None or reading.det not in {"def", "ordinal"} or reading.plural:
-            return None
-        if mention.mods[0].value != "def":
-            return None
-        for group in reversed(self._roster.groups):
-            alike = [e for e in group.members if self._roster.compatible(e, reading)]
-            if len(alike) > abs(POSITIONS[which]):
-                return self._claimed(alike[POSITIONS[which]])
-        alike = [e for e in self._draft.entities if self._roster.compatible(e, reading)]
-        alike = [e for e in alike if not e.ego]
-        if not alike:
-            return None
-        known = alike[POSITIONS[which] :][:1] if POSITIONS[which] < len(alike) else []
-        return self._claimed(known[0]) if known else []
-
-    def _claimed(self, entity: Entity) -> list[Entity]:
-        entity.claimed = True
-        return [entity]
 
     def _known_plural(self, reading: Reading) -> list[Entity]:
         if reading.det != "def" and reading.count != DEFAULT_COUNT:
@@ -276,11 +263,8 @@ class Discourse:
         return []
 
     def _definite(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
-        options = [
-            e
-            for e in reversed(self._roster.recent)
-            if e not in exclude and self._roster.compatible(e, reading)
-        ]
+        alike = [e for e in reversed(self._roster.recent) if self._roster.compatible(e, reading)]
+        options = [e for e in alike if not (e in exclude or elsewhere(reading, mention, e))]
         told = any(m.cat in {"verb", "manner", "state"} for m in mention.mods)
         narrowed = bool(mention.pps) or mention.narrowed or told
         loci = loci_of(mention)

@@ -98,6 +98,7 @@ def _copy_phrase(fresh: Event, word: Word, target: Chunk) -> Event | None:
     if not isinstance(target, Place):
         return None
     alike = any(p.value == word.value for p in fresh.pps)
+    alike = alike and (word.value != "in" or fresh.form != "ing")
     kept = [p for p in fresh.pps if p.value != word.value]
     if not alike:
         return None

@@ -14,7 +14,6 @@ _WAY = frozenset({"crosswalk", "road", "lane", "path", "highway"})
 _OVER = frozenset({"over", "across"})
 _TAKING = frozenset({"use", "block", "enter"})
 _REMAINING = frozenset({"stop", "wait", "locate", "inert", "unknown", "slow"})
-_UPON = frozenset({"on", "in", "over", "across"})
 
 
 def cross(scene: Scene, context: Context) -> None:
@@ -27,22 +26,19 @@ def cross(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.CROSSING_CYCLIST, basis, cyclists)
 
 
-def on_the_road(mention: Mention, context: Context) -> None:
-    """``a pedestrian on the crosswalk``, ``brakes for a child``: they cross.
+def after_a_thing(scene: Scene, context: Context) -> None:
+    """``a ball rolls onto the road, followed by a boy``: the boy crosses.
 
     Args:
-        mention: who is spoken of.
+        scene: what happens.
         context: the scenario in the making.
     """
-    walkers = [e for e in mention.entities if not e.is_vehicle]
-    if not walkers:
+    if scene.event.name != "follow" or not scene.event.passive or scene.targets:
         return
-    for prep in mention.pps:
-        place = prep.target
-        on = prep.value == "in" and isinstance(place, Place) and place.kind in _WAY
-        if on and isinstance(place, Place) and context.tokens[prep.word.i].low in _UPON:
-            basis = Basis(mention.i, place.j)
-            context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, basis, walkers)
+    for entity in scene.walkers:
+        context.draft.maneuver(entity, {Maneuver.CROSS}, scene.words)
+    if scene.walkers:
+        context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, scene.words, scene.walkers)
 
 
 def onto_the_road(scene: Scene, context: Context) -> None:
@@ -183,5 +179,9 @@ def cause(scene: Scene, context: Context) -> None:
 def door(scene: Scene, context: Context) -> None:
     """An opened door stands in the way."""
     basis = scene.words
+    people = any(h.value == "pedestrian" for m in scene.event.subject for h in m.heads)
+    for entity in scene.drivers if people else []:  # "a woman opens her door": she has parked
+        if not entity.ego and entity.moves is None and not entity.maneuvers:
+            entity.parked, entity.parked_basis = True, basis
     context.draft.hazard(HazardKind.OBSTACLE, basis, scene.actors)
     context.draft.note(scene.event.i, scene.event.j, "doors are not modelled; an obstacle is")

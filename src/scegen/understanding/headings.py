@@ -91,6 +91,8 @@ def _stands_for(named: Mention, mention: Mention) -> bool:
 def _silence(title: list[Chunk], rest: list[Chunk]) -> None:
     """Those of whom a heading says more are the same as those of their kind after it."""
     mentions = [c for c in title if isinstance(c, Mention)]
+    if not _names_ego(rest):
+        mentions = [m for m in mentions if not _names_ego([m])]  # "Ego merging: a van …"
     for mention in mentions:
         kind = mention.head.value if mention.head is not None else ""
         alone = sum(m.head is not None and m.head.value == kind for m in mentions) == 1
@@ -101,13 +103,18 @@ def _silence(title: list[Chunk], rest: list[Chunk]) -> None:
             same.same_as = mention
         else:
             mention.negated = True
-            if len(title) == 1:
-                _pass_on(mention, rest)
+            if len(mentions) == 1:
+                _pass_on(mention, title, rest)
 
 
-def _pass_on(mention: Mention, rest: list[Chunk]) -> None:
+def _names_ego(chunks: list[Chunk]) -> bool:
+    return any(h.data.get("ego") for c in chunks if isinstance(c, Mention) for h in c.heads)
+
+
+def _pass_on(mention: Mention, title: list[Chunk], rest: list[Chunk]) -> None:
     """``Slow vehicle: a tractor …``: what the heading says holds for the first one named."""
-    told = [m for m in mention.mods if (m.cat, m.value) in _QUALITIES or m.cat == "state"]
+    words = [*mention.mods, *(c.term for c in title if isinstance(c, Word))]
+    told = [m for m in words if (m.cat, m.value) in _QUALITIES or m.cat == "state"]
     others = [c for c in rest if isinstance(c, Mention) and c.pronoun is None and c.heads]
     others = [c for c in others if not any(h.data.get("ego") for h in c.heads)]
     for other in others[:1] if told else []:

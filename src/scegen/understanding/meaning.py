@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding import (
+    afoot,
     breaches,
     courses,
     dangers,
@@ -17,7 +18,6 @@ from scegen.understanding import (
 )
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
-from scegen.understanding.dependents import chain
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.movements import MOVEMENTS
 from scegen.understanding.omissions import not_done
@@ -27,6 +27,7 @@ from scegen.understanding.recasting import recast
 from scegen.understanding.reciprocal import towards_each_other
 from scegen.understanding.resolving import from_everywhere
 from scegen.understanding.roadside import read_thing
+from scegen.understanding.scenes import scene_of
 from scegen.understanding.terms import Term
 
 _RELATIVE = frozenset({"difference", "differential", "relative", "closing", "delta"})
@@ -43,9 +44,9 @@ _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
 _BREACHING = frozenset(
     {"walk", "follow", "breach", "move", "enter", "cross", "speed", "accelerate"}
 )
-_ON_THE_MOVE = frozenset({"pull_out", "swerve", "use", "enter", "move", "cross", "lose_control",
-                          "lane_change", "merge", "overtake", "bypass", "turn", "sharp_turn",
-                          "approach", "unknown"})  # fmt: skip
+_ON_THE_MOVE = frozenset({"swing_wide", "pull_out", "swerve", "use", "enter", "move", "cross",
+                          "lose_control", "lane_change", "merge", "overtake", "bypass", "turn",
+                          "sharp_turn", "approach", "unknown"})  # fmt: skip
 _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
                        "pull_out", "collide"})  # fmt: skip
@@ -84,11 +85,15 @@ class Interpreter:
             and (self._starts(e, p) or (e.name in _BESIDE and _is_side(p)))
         }
         handled = {id(e.object) for e in events if e.name in {"inert", "send"}}  # "kicks a ball"
+        acting = {id(m) for e in events for m in e.subject if e.name != "hide"}
         for chunk in chunks:
             if isinstance(chunk, Mention) and chunk.entities:
                 self._mention(chunk)
+                if id(chunk) not in acting:
+                    afoot.comes_from_the_side(chunk, self._context)
             elif isinstance(chunk, Thing) and id(chunk) not in handled:
                 read_thing(chunk, chunks, self._draft)
+                self._context.screens += [chunk.i] if chunk.kind == "object" else []
         for chunk in chunks:
             if isinstance(chunk, Mention):
                 self._share_sides(chunk.pps, chunk.entities, hidden=False)
@@ -105,7 +110,7 @@ class Interpreter:
 
     def _mention(self, mention: Mention) -> None:
         self._placer.adjectives(mention)
-        encounters.on_the_road(mention, self._context)
+        afoot.on_the_road(mention, self._context)
         sides = [p for p in mention.pps if p.value in {"from", "in"} and _is_side(p)]
         for prep in mention.pps:
             if id(prep) in self._of_verbs:
@@ -159,35 +164,8 @@ class Interpreter:
                 entity.speed = quantity.value
                 entity.speed_basis = Basis(term.i, term.j, quantity.note)
 
-    def _scene(self, event: Event) -> Scene:
-        actors = [e for m in event.subject for e in m.entities]
-        direct = event.object
-        targets = (
-            [e for m in chain(direct) for e in m.entities] if isinstance(direct, Mention) else []
-        )
-        if event.passive:
-            agents = [
-                e
-                for p in event.pps
-                if p.value == "by" and isinstance(p.target, Mention)
-                for e in p.target.entities
-            ]
-            if not agents and isinstance(direct, Mention):
-                agents = targets  # "is passed by a bus": the verb has taken the "by"
-            if event.name != "hide":
-                return Scene(event, agents, actors)
-            return Scene(event, actors, [])
-        if not targets and event.name in {"yield", "merge", "follow", "collide"}:
-            targets = [
-                e
-                for p in event.pps
-                if p.value in {"to", "with", "in"} and isinstance(p.target, Mention)
-                for e in p.target.entities
-            ]
-        return Scene(event, actors, [e for e in targets if e not in actors])
-
     def _event(self, event: Event) -> None:
-        scene = self._scene(event)
+        scene = scene_of(event)
         courses.move_off(scene, self._context)
         event.name = recast(scene, self._context)
         self._scenes.append(scene)
@@ -218,6 +196,7 @@ class Interpreter:
         if movement is not None:
             movement(scene, self._context)
         encounters.onto_the_road(scene, self._context)
+        encounters.after_a_thing(scene, self._context)
         danger = dangers.DANGERS.get(event.name)
         if danger is not None and not self._overruled(scene):
             danger(scene, self._context)

@@ -9,6 +9,8 @@ from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
 _MOST_NAMES = 12
+_WIDEST_GAP = 2
+"""Room for a space and a "#"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,6 +100,8 @@ class Namer:
             return None
         term = self.terms[m]
         token = self.tokens[term.i]
+        if term.i and token.start - self.tokens[term.i - 1].end > _WIDEST_GAP:
+            return None  # "ego + 2 others"
         follows = self.terms[m + 1].cat if m + 1 < len(self.terms) else ""
         spoken = (
             bare or token.kind == "number" or follows not in {"actor", "place", "verb", "manner"}

@@ -5,11 +5,12 @@ from __future__ import annotations
 from scegen.understanding import relatives
 from scegen.understanding.attachment import attach, place_in_front
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
+from scegen.understanding.joining import joins
 from scegen.understanding.lookahead import copula_follows, finite_follows
-from scegen.understanding.phrases import also_from, apposed_to, bracketed, further_ones, whose
+from scegen.understanding.partitives import further_ones, partitive_before
+from scegen.understanding.phrases import also_from, apposed_to, bracketed, whose
 from scegen.understanding.state import State
 
-_COMING = frozenset({"approach", "collide", "overtake", "pass", "cut_in", "cut_off", "follow"})
 _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
 _OWNED = frozenset({"side", "lane", "path"})
 
@@ -36,7 +37,7 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         return
     anchor = state.anchor
     direct = isinstance(anchor, Event) and not anchor.nominal and not state.between
-    whole = _partitive_before(k, chunks)
+    whole = partitive_before(k, chunks)
     if whole is not None and (mention.mods == [] or mention.mods[0].value == "indef"):
         mention.same_as = whole
         return
@@ -50,7 +51,7 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         mention.same_as = described
         if described is state.candidate or bracketed(chunks, k):
             return
-    elif _joins(mention, k, chunks, state):
+    elif joins(mention, k, chunks, state):
         return
     else:
         _start_clause(mention, state)
@@ -83,81 +84,19 @@ def _described(mention: Mention, k: int, chunks: list[Chunk], state: State) -> M
     return apposed_to(chunks, k, state)
 
 
-def _partitive_before(k: int, chunks: list[Chunk]) -> Mention | None:
-    """``four of them trucks``, ``one of which a bus``: the noun says what kind they are."""
-    if k < 3:
-        return None
-    part, of, whole = chunks[k - 3 : k]
-    if not isinstance(part, Mention) or not isinstance(of, Word) or of.value != "of":
-        return None
-    named = isinstance(whole, Mention) and whole.pronoun == "they"
-    return part if named or (isinstance(whole, Word) and whole.cat == "rel") else None
-
-
 def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     """``vehicle 1 is a pickup truck``: the noun after "is" says what the subject is."""
     who = state.candidate
     if who is None or state.candidate_done or state.anchor is not who:
         return False
     bare = not mention.mods or mention.mods[0].value == "indef" or mention.mods[0].cat != "det"
+    bare = bare or any(h.data.get("ego") for h in mention.heads)  # "the truck is the ego"
     named = (mention.label or "").startswith("#")
     if "aux:be" not in state.between or mention.pronoun or named or not bare:
         return False
     if state.between & {"copy", "conj", "sub"} or who.pronoun in {"it", "they"}:
         return False
     return not finite_follows(chunks, k)
-
-
-def _joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
-    """``a car and a truck``: the second takes the role of the first."""
-    anchor = state.anchor
-    listed = "and" in state.between or "or" in state.between or state.between == {","}
-    if not (isinstance(anchor, Mention) and listed) or "sub" in state.between:
-        return False
-    if mention.pronoun in {"count", "one", "another"} and "," in state.between:
-        return False  # "four vans, two turning left": some of them, not further ones
-    waiting = anchor is state.candidate and not state.candidate_done
-    waiting = waiting and not any(anchor in event.subject for event in state.events)
-    if state.between == {","} and not waiting:
-        return False
-    let = _let(anchor, k, chunks, state)
-    if not waiting and ((finite_follows(chunks, k) and not let) or "," in state.between):
-        return False
-    if _in_parallel(anchor, k, chunks, state):
-        return False
-    mention.joined = anchor
-    mention.pps += [p for p in anchor.pps if p.fronted]
-    for event in state.events:
-        if event.finite and event.i < anchor.i and event.subject[-1:] == [anchor]:
-            event.subject.append(mention)  # "from the left come a bus and a van"
-    if waiting:
-        state.candidate = mention
-    for event in state.events:
-        if event.object is anchor:
-            event.object = mention
-    state.anchor = mention
-    state.between = set()
-    return True
-
-
-def _let(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
-    """``lets two people and a cyclist cross``: both are let."""
-    last = state.events[-1] if state.events else None
-    if last is None or last.control != "object" or last.object is not anchor:
-        return False
-    verb = next((c for c in chunks[k + 1 : k + 4] if isinstance(c, Event)), None)
-    return verb is not None and verb.form == "base"
-
-
-def _in_parallel(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
-    """``a bus hits me from the left and a taxi from the right``: the taxi hits, too."""
-    last = state.events[-1] if state.events else None
-    if last is None or last.object is not anchor or last.name not in _COMING or k < 3:
-        return False
-    before, after = chunks[k - 3], chunks[k + 1] if k + 1 < len(chunks) else None
-    if not isinstance(before, Word) or not isinstance(after, Word) or before.cat != "prep":
-        return False
-    return before.value == after.value and isinstance(chunks[k - 2], Place)
 
 
 def _start_clause(mention: Mention, state: State) -> None:

@@ -16,6 +16,7 @@ _STOPPING = frozenset({"stop", "brake", "wait", "slow"})
 _TO_BRAKE_FOR = frozenset({HazardKind.HARD_BRAKING, HazardKind.STOPPING, HazardKind.OBSTACLE,
                           HazardKind.SLOW_DRIVING, HazardKind.CROSSING_PEDESTRIAN,
                           HazardKind.CROSSING_CYCLIST, HazardKind.CUT_IN})  # fmt: skip
+_NEAR = 12
 _HARMLESS = frozenset({"light", "inert", "return", "move", "encounter", "try"})
 
 
@@ -50,6 +51,8 @@ def not_done(scene: Scene, context: Context) -> None:
         and (event.name != "slow" or _due(scene, context))
     ):
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
+    elif event.name == "encounter" and any(0 < event.i - i < _NEAR for i in context.screens):
+        context.draft.hazard(HazardKind.OCCLUSION, basis, [])
     elif event.name not in _HARMLESS:
         context.draft.note(event.i, event.j, "said not to happen; left out")
 
@@ -126,5 +129,7 @@ def _has_to_wait(scene: Scene, context: Context) -> bool:
         return True
     if any(context.comes_across(e) for e in scene.drivers):
         return True
+    awaited = any(p.value == "for" and isinstance(p.target, Mention) for p in scene.event.pps)
+    awaited = awaited and scene.event.name == "wait"
     joins = context.junction.crossing or context.draft.access is not None
-    return scene.event.link == "ing" and joins
+    return (scene.event.link == "ing" or awaited) and joins

@@ -8,7 +8,7 @@ from scegen.understanding.tokens import Token
 _LETTING = frozenset({"let", "make", "help", "see", "watch", "have"})
 _PARTICLES = frozenset({"through", "past", "over", "up", "by", "off", "out", "around", "round"})
 _GIVES = frozenset({"dir", "verb"})
-_OPENS_A_NOUN = ("det", "possessive", "actor", "compass")
+_OPENS_A_NOUN = ("det", "possessive", "actor", "compass", "place")
 
 
 def just_right(tokens: list[Token], i: int, previous: Term | None) -> bool:
@@ -53,7 +53,7 @@ def then_a_noun(tokens: list[Token], match: Match) -> bool:
         return _place_at(tokens, match.j)  # "comes across the median"
     if tokens[match.j - 1].low not in {"on", "through"} or match.j >= len(tokens):
         return False
-    if not all(e.cat in _GIVES and e.value in {"straight", "move"} for e in match.entries):
+    if not all(e.cat in _GIVES and e.value in {"straight", "move", "inert"} for e in match.entries):
         return False
     noun = longest_match(tokens, match.j)
     return noun is not None and noun.has(*_OPENS_A_NOUN)
@@ -83,7 +83,11 @@ def over_a_place(tokens: list[Token], match: Match) -> bool:
     noun = longest_match(tokens, match.j)
     if noun is not None and noun.has("det", "possessive") and noun.j < len(tokens):
         noun = longest_match(tokens, noun.j)
-    return match.get("verb").value == "collide" and noun is not None and noun.has("place")
+    return (
+        match.get("verb").value in {"collide", "lose_control"}
+        and noun is not None
+        and noun.has("place")
+    )
 
 
 def in_front(tokens: list[Token], match: Match) -> bool:

@@ -52,7 +52,7 @@ def adjective_approaches(dirs: list[str]) -> frozenset[Approach]:
 
 
 def _place_approaches(place: Place, prep: str) -> frozenset[Approach]:
-    if place.kind == "access" and prep == "from":
+    if place.kind == "access" and prep in {"from", "in"}:
         return frozenset(_SIDES[d] for d in place.dirs if d in _SIDES)
     if place.kind not in _PLACES:
         return frozenset()

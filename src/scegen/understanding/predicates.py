@@ -10,6 +10,7 @@ _WAYS = frozenset({"left", "right", "straight"})
 _OPENERS = frozenset({",", "and", "but", "while", "when", "(", ":"})
 _ENDS = frozenset({",", "and", "but", "while", "when", "(", ")", "before", "or"})
 _AT = frozenset({"in", "from", "into"})
+_UNSAFE = frozenset({"cut_in", "lane_change", "merge", "hard_brake", "swerve", "cut_off"})
 _ITS_OWN = frozenset({"move", "turn", "u_turn", "sharp_turn", "light", "cross", "leave", "use",
                       "lane_change", "merge", "swerve", "try", "pull_out"})  # fmt: skip
 """Verbs that a direction after a comma belongs to."""
@@ -24,6 +25,7 @@ def complete(chunks: list[Chunk], events: list[Event]) -> list[Event]:
     """
     found = list(events)
     _titled(chunks, events)
+    _by_the_other(chunks, events)
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Event) and chunk.nominal and not chunk.subject:
             chunk.subject = _whose(chunks, k, found)
@@ -53,6 +55,24 @@ def _titled(chunks: list[Chunk], events: list[Event]) -> None:
     across = any(getattr(p.target, "kind", "") == "path" for p in doing.pps)
     if not settled and not across:
         doing.subject = [who]
+
+
+def _by_the_other(chunks: list[Chunk], events: list[Event]) -> None:
+    """``Cut-in from the left, the ego at 80 km/h, a van …``: done by who is not the ego."""
+    for event in events:
+        if not event.nominal or event.subject or event.parent or event.name not in _UNSAFE:
+            continue
+        before = next((c for c in reversed(chunks) if c.j <= event.i), None)
+        opens = before is None or (isinstance(before, Word) and before.value in BOUNDARIES)
+        told = any(e.name == event.name and e is not event for e in events)
+        others = [c for c in chunks if isinstance(c, Mention) and c.heads and c.i > event.i]
+        others = [c for c in others if not any(h.data.get("ego") for h in c.heads)]
+        if opens and others and not (told and any(c.mods for c in others if _premod(c, event))):
+            event.subject = others[:1]
+
+
+def _premod(mention: Mention, event: Event) -> bool:
+    return any(m.cat == "verb" and m.value == event.name for m in mention.mods)
 
 
 def _ways(event: Event) -> bool:

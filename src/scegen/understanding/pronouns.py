@@ -7,22 +7,9 @@ from dataclasses import dataclass
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
-from scegen.understanding.roster import Roster
+from scegen.understanding.roster import POSITIONS, Roster
 from scegen.understanding.tokens import Token
 
-POSITIONS = {
-    "first": 0,
-    "second": 1,
-    "third": 2,
-    "fourth": 3,
-    "fifth": 4,
-    "sixth": 5,
-    "seventh": 6,
-    "eighth": 7,
-    "former": 0,
-    "latter": -1,
-}
-"""Place within those spoken of last; "the former" and "the latter" are of two."""
 _PERSONS = ("ist", "rider", "biker", "driver", "courier")
 _MOST = 20
 _PERSONAL = frozenset({"he", "she", "him"})

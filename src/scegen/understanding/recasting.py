@@ -8,11 +8,12 @@ is to pull out. On foot, whoever jumps out crosses.
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, Control
-from scegen.understanding.chunks import Mention, Prep
+from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.context import Context, Scene
 
 _OPEN = frozenset({"dash", "breach"})
 """Verbs that say nothing without a phrase of place."""
+_MAKING = frozenset({"light", "use"})
 _OUT = frozenset({"pull_out", "cut_in", "dash"})
 _PAST = frozenset({"past", "by", "around", "round"})
 _ACROSS = frozenset({"across", "over"})
@@ -28,6 +29,12 @@ def recast(scene: Scene, context: Context) -> str:
         context: the scenario in the making.
     """
     event = scene.event
+    if event.name in _MAKING and _into_a_turn(event):
+        return "turn"
+    if event.name == "walk" and scene.drivers and _runs_it(scene, context):
+        return "breach"
+    if event.name == "move" and scene.walkers and "across" in _own(scene, context):
+        return "cross"
     if event.name in _OUT and scene.actors and not any(e.is_vehicle for e in scene.actors):
         return "cross" if not _around(scene, context) else "walk"
     riders = scene.drivers and all(context.is_cyclist(e) and not e.ego for e in scene.drivers)
@@ -43,6 +50,25 @@ def recast(scene: Scene, context: Context) -> str:
     if not scene.drivers:
         return event.name
     return _by_path(scene, context, riding=bool(riders))
+
+
+def _into_a_turn(event: Event) -> bool:
+    """``makes a left``, ``hangs a right``: turns; the side moves to the verb."""
+    side = event.object
+    if not isinstance(side, Place) or side.kind != "side" or side.owner is not None:
+        return False
+    ways = [m for m in side.mods if m.cat == "dir" and m.value in {"left", "right"}]
+    if not ways or any(d in side.dirs for d in ("front", "rear", "opposite")):
+        return False
+    event.mods, event.object = [*event.mods, *ways], None
+    return True
+
+
+def _runs_it(scene: Scene, context: Context) -> bool:
+    """``the light changed and he ran it``."""
+    it, verb = scene.event.object, context.tokens[scene.event.i].forms[-1][0]
+    named = isinstance(it, Mention) and context.tokens[it.i].low == "it"
+    return named and verb == "run" and context.junction.control is not None
 
 
 def _ignores_it(scene: Scene, context: Context) -> bool:

@@ -1,4 +1,4 @@
-"""What is said of several towards each other: "face each other", "meet head-on"."""
+"""What is said of several towards each other: "face each other", "meet one another"."""
 
 from __future__ import annotations
 
@@ -25,9 +25,8 @@ def towards_each_other(chunks: list[Chunk], events: list[Event], context: Contex
         mutual = [event.object, *(p.target for p in event.pps)]
         towards = any(_mutual(m, context) for m in mutual)
         racing = event.name == "speed" and _mutual(event.object, context)
-        head_on = any(context.tokens[m.i].low == "head" for m in event.mods)
         towards = towards and not racing
-        met = event.name in _TOWARDS and not context.junction.crossing and (towards or head_on)
+        met = event.name in _TOWARDS and not context.junction.crossing and towards
         if met or (towards and _faces(event, context)):
             _place(members, Approach.OPPOSITE, Basis(event.i, event.j), context)
     places = [(e.subject, p) for e in events for p in e.pps]

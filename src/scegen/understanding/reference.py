@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
+from scegen.understanding.draft import Entity
 from scegen.understanding.mention_words import Reading
 
 
@@ -39,3 +40,29 @@ def kin(reading: Reading, mention: Mention) -> bool:
     whose = mention.mods[0] if mention.mods else None
     people = reading.kind is ParticipantKind.PEDESTRIAN and not reading.driver
     return people and whose is not None and (whose.cat, whose.value) == ("possessive", "its")
+
+
+def tells(mention: Mention) -> bool:
+    """Whether it is the one who tells it ("I", "we").
+
+    Args:
+        mention: a mention.
+    """
+    return any("speaks" in h.data or "me" in h.data for h in mention.heads)
+
+
+def elsewhere(reading: Reading, mention: Mention, entity: Entity) -> bool:
+    """``lead car brakes; car on the left``: a bare noun with a place of its own is another one.
+
+    Args:
+        reading: what the words of the mention say.
+        mention: the mention.
+        entity: somebody known.
+    """
+    if entity.ego and reading.called - entity.named_by and "speaks" in entity.named_by:
+        return True  # "this Audi": not the one who tells it
+    person = mention.head is not None and mention.head.value == "pedestrian" and reading.driver
+    if person and mention.pps and entity.is_vehicle:
+        return not reading.called & entity.named_by  # "the bloke behind me"
+    bare = reading.det == "bare" and not reading.dirs and reading.kind is entity.kind
+    return bare and bool(mention.pps) and bool(entity.dirs)

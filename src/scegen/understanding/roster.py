@@ -15,6 +15,19 @@ from scegen.understanding.tokens import Token
 _MOTOR = frozenset(ParticipantKind) - {ParticipantKind.PEDESTRIAN}
 _RIDDEN = ParticipantKind.MOTORCYCLE
 _INCLUDING = frozenset({"including", "among", "amongst"})
+POSITIONS = {
+    "first": 0,
+    "second": 1,
+    "third": 2,
+    "fourth": 3,
+    "fifth": 4,
+    "sixth": 5,
+    "seventh": 6,
+    "eighth": 7,
+    "former": 0,
+    "latter": -1,
+}
+"""Place within those spoken of last; "the former" and "the latter" are of two."""
 
 
 @dataclass(slots=True)
@@ -168,6 +181,37 @@ class Roster:
         before = [e for e in self.draft.entities if (e.basis.i or 0) < colon and not e.ego]
         alike = [e for e in before if self.compatible(e, reading) and e.dirs == reading.dirs]
         return alike[:1]
+
+    def by_order(self, reading: Reading, mention: Mention) -> list[Entity] | None:
+        """``the first car``, ``the second truck``: by the order in which they came up.
+
+        Args:
+            reading: what the words of the mention say.
+            mention: the mention.
+
+        Returns:
+            Whom it means; None if it says nothing of an order.
+        """
+        which = next((m.value for m in mention.mods if m.value in POSITIONS), None)
+        if which is None or reading.det not in {"def", "ordinal"} or reading.plural:
+            return None
+        if mention.mods[0].value != "def":
+            return None
+        for group in reversed(self.groups):
+            alike = [e for e in group.members if self.compatible(e, reading)]
+            if len(alike) > abs(POSITIONS[which]):
+                return self._claimed(alike[POSITIONS[which]])
+        alike = [e for e in self.draft.entities if self.compatible(e, reading)]
+        alike = [e for e in alike if not e.ego]
+        if not alike:
+            return None
+        known = alike[POSITIONS[which] :][:1] if POSITIONS[which] < len(alike) else []
+        return self._claimed(known[0]) if known else []
+
+    def _claimed(self, entity: Entity) -> list[Entity]:
+        """Picks somebody out of a group."""
+        entity.claimed = True
+        return [entity]
 
     def fits(self, entity: Entity, reading: Reading | None) -> bool:
         """Whether a member of a group can be meant."""

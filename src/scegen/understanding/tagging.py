@@ -8,12 +8,11 @@ from scegen.understanding.choosing import choose, is_adverb
 from scegen.understanding.labels import named_at
 from scegen.understanding.lexicon import Entry
 from scegen.understanding.numbers import number_at
-from scegen.understanding.paces import doing, pace_at
+from scegen.understanding.paces import pace_at
 from scegen.understanding.particles import (
     after_a_phrase,
     in_front,
     just_right,
-    measured,
     over_a_place,
     sends_back,
     then_a_noun,
@@ -21,6 +20,7 @@ from scegen.understanding.particles import (
 )
 from scegen.understanding.passages import from_side_to_side
 from scegen.understanding.quantities import quantity_at
+from scegen.understanding.retagging import retag
 from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
 
@@ -90,67 +90,10 @@ def tag(tokens: list[Token]) -> list[Term]:
             term = _term_at(tokens[: i + 1], i, _before(terms, tokens))
         if term.cat == "verb" and sends_back(tokens, terms, i):
             term = Term("manner", "mild", i, i + 1)
-        if (term.cat, term.value, term.form) == ("verb", "stop", "base") and _at_a(terms, tokens):
-            term = Term("place", "bus_stop", term.i, term.j)  # "pulls away from the stop"
-        if (term.cat, term.value) == ("verb", "yield") and _a_noun(terms, tokens, term):
-            term = Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
-        if (term.cat, tokens[term.i].low) == ("possessive", "her") and _alone(tokens, term.j):
-            term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
-        if terms and measured(tokens, terms, term):
-            number = terms.pop()  # "the car two vehicles ahead"
-            term = Term("quantity", "other", number.i, term.j, data={"quantity": None})
-        if term.cat == "dir" and terms and terms[-1].value == "unprotected" and _bare(tokens, term):
-            term = replace(term, cat="verb", value="turn", data={"way": term.value})
-        if _speed(term) and doing(tokens, i):
-            _as_motion(terms, tokens)
-        if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
-            terms[-1] = replace(terms[-1], value="move", data={})  # "carries straight on"
+        term = retag(term, terms, tokens)
         terms.append(term)
         i = terms[-1].j
     return _crossings(from_side_to_side(terms), tokens)
-
-
-def _bare(tokens: list[Token], term: Term) -> bool:
-    """``an unprotected left``: a turn, although nobody says so."""
-    following = longest_match(tokens, term.j) if term.j < len(tokens) else None
-    return following is None or not following.has("verb", "place", "actor")
-
-
-def _as_motion(terms: list[Term], tokens: list[Token]) -> None:
-    """``doing about fifty``: driving."""
-    k = next((k for k in range(len(terms) - 1, -1, -1) if terms[k].cat == "verb"), None)
-    if k is not None and tokens[terms[k].i].forms[-1][0] == "do":
-        terms[k] = replace(terms[k], value="move", data={"drives": True})
-
-
-def _speed(term: Term) -> bool:
-    """Whether a term says how fast: "50 mph", "40 in a 30", or a bare number after "doing"."""
-    return term.cat in {"quantity", "num"} or (
-        term.cat == "manner" and term.value in {"fast", "slow"}
-    )
-
-
-def _at_a(terms: list[Term], tokens: list[Token]) -> bool:
-    """Whether "at the" or "from a" stands before."""
-    if len(terms) < 2 or terms[-1].cat not in {"det", "possessive"}:
-        return False
-    if terms[-1].cat == "possessive" and terms[-2].value in {"leave", "approach", "pull_out"}:
-        return True  # "leaves its stop"
-    return tokens[terms[-2].i].low in {"at", "from"}
-
-
-def _alone(tokens: list[Token], j: int) -> bool:
-    """Whether no noun follows that a possessive could belong to."""
-    if j >= len(tokens) or tokens[j].kind == "punct":
-        return True
-    following = longest_match(tokens, j)
-    return following is not None and following.only("prep", "conj", "sub", "locus", "aux")
-
-
-def _a_noun(terms: list[Term], tokens: list[Token], term: Term) -> bool:
-    """``through the give way``: the sign."""
-    after = tokens[term.j].kind if term.j < len(tokens) else "punct"
-    return bool(terms) and terms[-1].cat == "det" and after == "punct"
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:

@@ -14,6 +14,11 @@ _WAYS = frozenset({"left", "right", "straight"})
 _SEPARATORS = frozenset({",", "and", "but", "or", "while", "when", "as", "(", "both"})
 _AFTER = frozenset({"prep", "conj", "sub", "manner", "env", "locus", "control"})
 _WITHIN = frozenset({"prep", "locus", "dir", "manner", "label"})
+_NAMED = frozenset({"cut_in", "lane_change", "merge", "u_turn", "hard_brake", "swerve"})
+_TO = frozenset({"prep", "manner", "locus"})
+_UNDERGONE = frozenset({"park", "hide", "block", "collide", "locate", "follow", "overtake",
+                        "encounter", "cut_off", "cut_in", "cause", "prevent", "stop"})  # fmt: skip
+"""Verbs whose participle says what happened to somebody."""
 _DOER = frozenset({"of", "by"})
 
 
@@ -23,11 +28,16 @@ def spell_out(chunks: list[Chunk]) -> list[Chunk]:
     Args:
         chunks: the chunks of the text.
     """
-    chunks = _after_headings(chunks)
+    chunks = _told_by_nobody(_after_headings(_from_titles(chunks)))
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Event) and not chunk.nominal and _named_doing(chunks, k):
             chunk.nominal = True
-    return [_going(chunks, k) or chunk for k, chunk in enumerate(chunks)]
+    found: list[Chunk] = []
+    for k, chunk in enumerate(chunks):
+        going = _going(chunks, k)
+        leaving = _leaving(chunks, k)
+        found += [leaving, chunk] if leaving is not None else [going or chunk]
+    return found
 
 
 def _is(chunk: Chunk | None, value: str) -> bool:
@@ -58,6 +68,74 @@ def _after_headings(chunks: list[Chunk]) -> list[Chunk]:
         if _ends(chunk):
             begin = k + 1
     return kept
+
+
+def _from_titles(chunks: list[Chunk]) -> list[Chunk]:
+    """``Side road on the right: van``, ``Left lane: a bus``, ``Right: a taxi``: from there."""
+    found: list[Chunk] = []
+    begin = comma = 0
+    for k, chunk in enumerate(chunks):
+        comma = k + 1 if _is(chunk, ",") else comma
+        start = max(begin, comma)
+        title, following = chunks[start:k], _at(chunks, k + 1)
+        if _is(chunk, ":") and title and isinstance(following, Mention):
+            place = _titled(title)
+            if place is not None:
+                word = "in" if place.kind == "lane" else "from"
+                found[len(found) - len(title) :] = [
+                    Word(Term("prep", word, place.i, place.i)),
+                    place,
+                    *(c for c in title[1:] if place.kind == "access"),
+                ]
+                continue
+        found.append(chunk)
+        if _ends(chunk):
+            begin = k + 1
+    return found
+
+
+def _titled(title: list[Chunk]) -> Place | None:
+    first = title[0]
+    if isinstance(first, Place) and first.kind in {"access", "lane", "side", "leg"}:
+        simple = all(isinstance(c, Word | Place) for c in title)
+        return first if simple and first.prep is None else None
+    if len(title) == 1 and isinstance(first, Word) and first.cat in {"dir", "compass"}:
+        sided = first.cat == "compass" or first.value in {"left", "right"}
+        return Place(first.i, first.j, [first.term], None) if sided else None
+    return None
+
+
+def _told_by_nobody(chunks: list[Chunk]) -> list[Chunk]:
+    """``Turned right and hit a van``, ``Was going straight``: whoever tells it did."""
+    first = _at(chunks, 0)
+    auxiliary = isinstance(first, Word) and (first.cat, first.value) == ("aux", "be")
+    verb = _at(chunks, 1) if auxiliary else first
+    if not isinstance(verb, Event) or verb.nominal:
+        return chunks
+    past = verb.form == "ing" if auxiliary else verb.form == "ed"
+    following = _at(chunks, chunks.index(verb) + 1)
+    undergone = verb.name in _UNDERGONE and not isinstance(following, Mention)
+    if not past or (undergone and not auxiliary) or _is(following, "by"):
+        return chunks
+    term = Term("actor", "ego", verb.i, verb.i, data={"ego": True, "speaks": True})
+    return [Mention(verb.i, verb.i, [], term, heads=[term]), *chunks]
+
+
+def _leaving(chunks: list[Chunk], k: int) -> Event | None:
+    """``ego 3rd exit``, ``out at the third exit``: takes it."""
+    place = chunks[k]
+    if not isinstance(place, Place) or place.kind != "exit":
+        return None
+    m = k
+    while m and isinstance(_at(chunks, m - 1), Word) and getattr(chunks[m - 1], "cat", "") in _TO:
+        m -= 1
+    opener = _clause_opener(chunks, m)
+    if opener is None and _is(_at(chunks, m - 1), ","):
+        opener = _clause_opener(chunks, m - 1)
+    ordered = any(mod.cat == "label" for mod in place.mods)
+    if opener is None or not ordered:
+        return None
+    return Event("leave", place.i, place.i, "s")
 
 
 def _adds_nothing(title: list[Chunk], chunks: list[Chunk], k: int) -> bool:
@@ -92,8 +170,10 @@ def _named_doing(chunks: list[Chunk], k: int) -> bool:
     event = chunks[k]
     said = isinstance(event, Event) and event.form in {"base", "ing"}
     opens = _ends(_at(chunks, k - 1))
-    doer = isinstance(following, Word) and following.value in _DOER
-    return said and opens and doer and isinstance(who, Mention)
+    doer = isinstance(following, Word) and following.value in _DOER and isinstance(who, Mention)
+    placed = isinstance(following, Word) and following.cat in {"prep", "locus", "manner"}
+    bare = isinstance(event, Event) and event.form == "base" and event.name in _NAMED
+    return said and opens and (doer or (bare and placed))
 
 
 def _going(chunks: list[Chunk], k: int) -> Event | None:
