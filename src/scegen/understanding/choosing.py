@@ -106,7 +106,8 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     before = previous.cat if previous else ""
     verb = match.get("verb")
     participle = match.form in {"ing", "ed"}
-    if match.has("actor") and not participle and before not in _VERBAL_BEFORE:
+    infinitive = previous is not None and previous.value == "to" and match.form == "base"
+    if match.has("actor") and not (participle or infinitive) and before not in _VERBAL_BEFORE:
         return match.get("actor"), False  # "a cycle", not "they cycle"
     attributive = _attributive(match, tokens, previous)
     if participle and before in {"conj", "sub"} and match.has("dir"):

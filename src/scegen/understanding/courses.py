@@ -7,8 +7,6 @@ from scegen.understanding.chunks import Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
 
-_SETTING_OFF = frozenset({"pull_out", "unpark", "merge", "cut_in", "lane_change", "reverse"})
-
 
 def hold(scene: Scene, _context: Context) -> None:
     """``keeps to the left lane``, ``maintains its course``: it drives on."""
@@ -33,7 +31,7 @@ def follow(scene: Scene, context: Context) -> None:
 
 
 def move_off(scene: Scene, context: Context) -> None:
-    """``a parked van pulls out``: it stands there no longer.
+    """``a parked van drives off``: whoever comes along has to be let through.
 
     Args:
         scene: what happens.
@@ -45,13 +43,9 @@ def move_off(scene: Scene, context: Context) -> None:
     words = {t.low for t in context.tokens[event.i : event.j]}
     parking = any(p.kind in {"parking", "sidewalk", "shoulder"} for p in scene.places())
     away = event.name == "leave" and (parking or bool(words & {"off", "away"}))
-    if event.name not in _SETTING_OFF and not away:
-        return
-    for entity in scene.actors:
-        if entity.parked and entity.is_vehicle and not entity.ego:
-            entity.parked, entity.parked_basis, entity.pulls_out = False, None, True
-            if away:
-                context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, [entity])
+    others = [e for e in scene.drivers if e.pulls_out and not e.ego]
+    if away and others:
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, others)
 
 
 def precede(scene: Scene, context: Context) -> None:
@@ -76,6 +70,7 @@ def park(scene: Scene, _context: Context) -> None:
     if scene.event.form != "ed":
         return
     for entity in scene.actors:
-        if entity.is_vehicle and not entity.ego:
+        if entity.is_vehicle and not entity.ego and entity.sets_off < scene.event.i:
             entity.parked = True
             entity.parked_basis = Basis(scene.event.i, scene.event.j)
+        entity.pulls_out = entity.pulls_out or entity.sets_off > scene.event.i

@@ -35,6 +35,8 @@ class Entity:
     ego: bool = False
     parked: bool = False
     parked_basis: Basis | None = None
+    sets_off: int = -1
+    """Where the text says last that it moves, as the index of a token."""
     labels: set[str] = field(default_factory=set)
     dirs: set[str] = field(default_factory=set)
     named_by: set[str] = field(default_factory=set)

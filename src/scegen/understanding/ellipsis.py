@@ -7,14 +7,16 @@ from dataclasses import replace
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
 from scegen.understanding.lookahead import BOUNDARIES
 from scegen.understanding.predicates import complete
+from scegen.understanding.tokens import Token
 
 _JOINTS = frozenset({"and", "but", ",", "while", "when", ";"})
 _EMPTY = frozenset({"light", "try", "cause", "inert", "unknown", "likewise", "avoid"})
+_DOES = frozenset({"do", "does", "did"})
 _WAYS = frozenset({"left", "right", "straight"})
 _MOST_AFTER = 3
 
 
-def fill_in(chunks: list[Chunk], events: list[Event]) -> list[Event]:
+def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> list[Event]:
     """The events with a copy of the verb before for each clause that leaves its verb out.
 
     Such a clause is a participant after "and" or a comma, followed by nothing but a direction,
@@ -23,8 +25,9 @@ def fill_in(chunks: list[Chunk], events: list[Event]) -> list[Event]:
     Args:
         chunks: the chunks of the text; an ordinal that stands for an exit is replaced by it.
         events: its events.
+        tokens: its tokens.
     """
-    _likewise(events)
+    _likewise(events, tokens)
     acting = {id(m) for e in events for m in e.subject}
     found = list(events)
     for k, chunk in enumerate(chunks):
@@ -42,9 +45,11 @@ def fill_in(chunks: list[Chunk], events: list[Event]) -> list[Event]:
     return complete(chunks, found)
 
 
-def _likewise(events: list[Event]) -> None:
+def _likewise(events: list[Event], tokens: list[Token]) -> None:
     """``and the van ahead does the same``: what somebody else was last said to do."""
     for k, event in enumerate(events):
+        if event.i and tokens[event.i].low in _DOES and tokens[event.i - 1].low in {"so", "as"}:
+            _turned_round(event)
         if event.name != "likewise":
             continue
         who = set(map(id, event.subject))
@@ -58,6 +63,12 @@ def _likewise(events: list[Event]) -> None:
             event.name, event.object = model.name, event.object or model.object
             event.mods = [*event.mods, *(m for m in model.mods if m.cat == "dir")]
             event.pps = [*event.pps, *(p for p in model.pps if isinstance(p.target, Place))]
+
+
+def _turned_round(event: Event) -> None:
+    """``and so does the van``: the subject stands after the verb."""
+    if isinstance(event.object, Mention):
+        event.name, event.subject, event.object = "likewise", [event.object], None
 
 
 def _verb_before(mention: Mention, events: list[Event]) -> Event | None:

@@ -29,6 +29,7 @@ def positions(scenes: list[Scene], context: Context) -> None:
         parked = [e for e in scene.targets if e.parked]
         if scene.event.name == "bypass" and parked and not scene.event.negated:
             context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
+        _owing_to_the_parked(scene, context)
         _hidden_behind(scene, context)
         _overtaken(scene, context)
         _met(scene, context)
@@ -37,6 +38,19 @@ def positions(scenes: list[Scene], context: Context) -> None:
     for danger in context.draft.dangers:
         if danger.kind is HazardKind.ONCOMING_LANE:
             _face_to_face(danger, context)
+
+
+def _owing_to_the_parked(scene: Scene, context: Context) -> None:
+    """``has to leave its lane because of a broken-down lorry``: that is in the way."""
+    for prep in scene.event.pps:
+        by = prep.target.entities if isinstance(prep.target, Mention) else []
+        parked = [e for e in by if e.parked]
+        if (
+            prep.value == "due"
+            and parked
+            and scene.event.name not in {"hide", "encounter", "appear"}
+        ):
+            context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
 
 
 def _hidden_behind(scene: Scene, context: Context) -> None:

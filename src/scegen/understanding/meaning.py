@@ -28,6 +28,7 @@ from scegen.understanding.reciprocal import towards_each_other
 from scegen.understanding.resolving import from_everywhere
 from scegen.understanding.roadside import read_thing
 from scegen.understanding.scenes import scene_of
+from scegen.understanding.setting_off import set_off
 from scegen.understanding.terms import Term
 
 _RELATIVE = frozenset({"difference", "differential", "relative", "closing", "delta"})
@@ -84,6 +85,7 @@ class Interpreter:
             if p.on_mention is e.object
             and (self._starts(e, p) or (e.name in _BESIDE and _is_side(p)))
         }
+        set_off(events, self._context)
         handled = {id(e.object) for e in events if e.name in {"inert", "send"}}  # "kicks a ball"
         acting = {id(m) for e in events for m in e.subject if e.name != "hide"}
         for chunk in chunks:
@@ -144,7 +146,7 @@ class Interpreter:
                 self._draft.hazard(HazardKind.STOPPING, basis, others)
         elif term.cat == "state" and term.value == "parked":
             for entity in entities:
-                if not entity.ego and entity.is_vehicle:
+                if not entity.ego and entity.is_vehicle and entity.sets_off < 0:
                     entity.parked, entity.parked_basis = True, basis
 
     def _quantity(self, term: Term, entities: list[Entity]) -> None:

@@ -27,7 +27,8 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
     if _emphasises(mention, state):
         return
     state.mentions.append(mention)
-    state.topic = None
+    within = state.prep is not None and state.prep.value == "of"
+    state.topic = state.topic if within else None  # "the view of the road is blocked"
     if mention.possessor:
         return
     if state.prep is not None:

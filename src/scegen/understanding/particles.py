@@ -160,3 +160,28 @@ def after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
     after = tokens[k + 1].low if k + 1 < len(tokens) else ""
     governs = after in {"the", "a", "an", "its", "their", "his", "her", "to", "into", "and"}
     return sided or (previous.cat in {"place", "locus", "compass"} and governs)
+
+
+def lane_then_verb(tokens: list[Token], match: Match, previous: Term | None) -> bool:
+    """``a van in the left lane changes lanes``: no lane changes in the plural.
+
+    Args:
+        tokens: the tokens of the text.
+        match: a phrase.
+        previous: the term before it.
+    """
+    sided = previous is not None and previous.cat in {"dir", "det", "compass"}
+    if not sided or match.form != "s" or match.get("verb").value != "lane_change":
+        return False
+    after = tokens[match.j].low if match.j < len(tokens) else ""
+    return tokens[match.j - 1].low == "changes" and after in {"lane", "lanes", "to", "into", "onto"}
+
+
+def suffix_form(token: Token) -> str | None:
+    """The inflection that the ending of an unknown word shows.
+
+    Args:
+        token: the word.
+    """
+    endings = (("ing", "ing"), ("ed", "ed"), ("s", "s"))
+    return next((form for ending, form in endings if token.low.endswith(ending)), None)

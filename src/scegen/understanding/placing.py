@@ -163,7 +163,10 @@ class Placer:
             return
         if prep.value not in {"from", "in"} and not (prep.value == "to" and event is None):
             return
-        if event is not None and prep.value == "in" and event.name not in _STEADY | {"cross"}:
+        facing = target.kind in {"direction", "side"} and "opposite" in target.dirs
+        allowed = _STEADY | ({"cross", "turn"} if facing else {"cross"})
+        steady = event is None or event.name in allowed
+        if prep.value == "in" and not steady:
             return
         if len(entities) > 1 and _differ(target):
             self._apart(entities, basis)

@@ -69,7 +69,7 @@ def read(text: str) -> FunctionalScenario:
     terms = settle_sides(terms, surroundings.side)
     chunks = spell_out(Chunker(terms, tokens).run())
     chunks = repeat(silence(chunks), tokens)
-    events = fill_in(chunks, ClauseReader(chunks).run())
+    events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     draft = Draft(text, tokens)
     shared = share_arms(chunks, events)
     resolve_mentions(chunks, events, Discourse(draft, tokens, _arms(junction)))

@@ -10,6 +10,7 @@ from scegen.understanding.terms import Term
 
 _A_PAIR = 2
 """Of two sides named, there may still be any number of vehicles."""
+_CLOSING_IN = frozenset({"avoid"})
 _BEHIND = frozenset({"follow", "tailgate"})
 _LETTING_BY = frozenset({"wait", "yield", "stop", "brake", "slow", "hard_brake", "react"})
 _BACK = frozenset({"it", "him", "they"})
@@ -102,6 +103,11 @@ def _named_later(pronoun: Mention, chunks: list[Chunk]) -> bool:
     return False
 
 
+def _is_view(chunk: Chunk) -> bool:
+    """``the view of oncoming traffic``."""
+    return isinstance(chunk, Thing) and chunk.kind == "view"
+
+
 def _generic(chunks: list[Chunk], events: list[Event]) -> None:
     """``red for cross traffic``, ``looks for oncoming traffic``: nobody in particular.
 
@@ -114,7 +120,9 @@ def _generic(chunks: list[Chunk], events: list[Event]) -> None:
         several = chunk.head.form == "s" and chunk.mod("det", "num", "quant") is None
         lit = any(isinstance(c, Place) and c.kind == "signal" for c in chunks[max(0, k - 4) : k])
         anybody = "mass" in chunk.head.data or (several and lit)
-        purpose = chunk.prep.value in {"for", "against"}
+        purpose = chunk.prep.value in {"for", "against"} or (
+            chunk.prep.value == "of" and any(_is_view(c) for c in chunks[max(0, k - 2) : k])
+        )
         chunk.negated = chunk.negated or (anybody and purpose and id(chunk) not in met)
 
 
@@ -147,7 +155,7 @@ def _resolve(
         settled=id(mention) in settled,
     )
     _seen_from_the_ego(mention, described)
-    if event is not None and event.name in _BEHIND and mention is event.object:
+    if event is not None and event.name in _BEHIND | _CLOSING_IN and mention is event.object:
         _in_front_of_the_ego(mention, event)
     driving = behind.get(id(mention))
     if driving is not None:

@@ -13,8 +13,10 @@ from scegen.understanding.particles import (
     after_a_phrase,
     in_front,
     just_right,
+    lane_then_verb,
     over_a_place,
     sends_back,
+    suffix_form,
     then_a_noun,
     then_a_side,
 )
@@ -51,18 +53,13 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
         return None
     infinitive = previous.cat == "prep" and previous.value == "to"
     if infinitive or previous.cat in {"aux", "neg"}:
-        return _suffix_form(token) or "base"
+        return suffix_form(token) or "base"
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
     if previous.cat in {"actor", "pronoun", "rel"} or adverb:
-        return _suffix_form(token)
+        return suffix_form(token)
     if after_a_phrase(token, previous, tokens):
         return "s"
     return None
-
-
-def _suffix_form(token: Token) -> str | None:
-    endings = (("ing", "ing"), ("ed", "ed"), ("s", "s"))
-    return next((form for ending, form in endings if token.low.endswith(ending)), None)
 
 
 def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term | None) -> bool:
@@ -178,6 +175,8 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
         match = replace(match, j=match.j + 2)  # "forces its way in front of"
     if match and match.j > i + 1 and match.only("verb", "aux") and _needs_infinitive(tokens, match):
         match = longest_match(tokens[: match.j - 1], i) or match
+    if match and lane_then_verb(tokens, match, previous):
+        match = longest_match(tokens[: match.j - 1], i)  # "in the left lane changes to"
     plural = any(form == "s" for _, form in token.forms)
     if match and match.j > i + 1 and plural and match.only(*_NOUNS):
         match = longest_match(tokens[: i + 1], i)  # "two pedestrians crossing", no crossing
