@@ -125,6 +125,8 @@ class Placer:
             if approaches and term is not None:
                 self._draft.place(entity, None, set(approaches), Basis(term.i, term.j))
         for mod in mention.mods:
+            for entity in mention.entities if "bound" in mod.data else []:
+                entity.bound = True
             if mod.cat == "compass":
                 self._head(mention.entities, mod.value, Basis(mod.i, mod.j))
 
@@ -240,6 +242,8 @@ class Placer:
     def heading(self, term: Term, entities: list[Entity]) -> None:
         """``travelling northbound``."""
         self._head(entities, term.value, Basis(term.i, term.j))
+        for entity in entities if "bound" in term.data else []:
+            entity.bound = True
 
 
 def thing_sides(entity: Entity, draft: Draft) -> set[Approach]:
