@@ -273,3 +273,40 @@ def test_the_truck_is_the_ego():
 )  # fmt: skip
 def test_who_is_placed_by_which_words(text, kind, side):
     assert where(text, kind) == {side}
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("Junction; adversary from the left has to yield but does not; ego straight.",
+         "failure_to_yield"),
+        ("A bus making a left turn from the opposite direction at a permissive signal, ego "
+         "straight.", "unprotected_left_turn"),
+        ("Host vehicle departing its lane on a bend as the driver falls asleep.", "swerving"),
+        ("A car turns right; conflict with a pedestrian walking straight across.",
+         "crossing_pedestrian"),
+    ],
+)  # fmt: skip
+def test_further_dangers(text, kind):
+    assert kind in {h.kind.value for h in read(text).hazards}
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "side"),
+    [
+        ("Ego stopped in a queue, struck from behind by a pickup.", "truck", Approach.BEHIND),
+        ("Cyclist from the nearside path rides onto the road, ego ahead.", "bicycle",
+         Approach.RIGHT),
+        ("A coach merging from the ramp at the same speed alongside; ego on the motorway.", "bus",
+         Approach.ADJACENT),
+    ],
+)  # fmt: skip
+def test_who_is_where(text, kind, side):
+    assert where(text, kind) == {side}
+
+
+def test_two_lanes_are_changed_and_traffic_is_the_scene():
+    text = "The ego has to change two lanes to the right to reach its exit."
+    assert doings(text) == [{Maneuver.LANE_CHANGE}]
+    text = "Stop-and-go traffic on a ring road; the car ahead rolls back towards the ego."
+    assert len(read(text).participants) == 2

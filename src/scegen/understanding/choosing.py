@@ -20,8 +20,13 @@ _NOUNS = ("place", "inert", "thing", "view", "env")
 _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
 
 
-def _noun_follows(tokens: list[Token], j: int) -> bool:
-    """Whether a participant or thing is named at token ``j``, adjectives skipped."""
+def noun_follows(tokens: list[Token], j: int) -> bool:
+    """Whether a participant or thing is named at token ``j``, adjectives skipped.
+
+    Args:
+        tokens: the tokens of the text.
+        j: index of a token.
+    """
     for step in range(3):
         if j >= len(tokens):
             return False
@@ -56,7 +61,7 @@ def _letter(token: Token) -> bool:
 
 def _attributive(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     """Whether a participle stands before the noun that it describes."""
-    if not (_may_describe(previous) and _noun_follows(tokens, match.j)):
+    if not (_may_describe(previous) and noun_follows(tokens, match.j)):
         return False
     following = longest_match(tokens, match.j)
     adverb = previous is not None and previous.cat in {"conj", "manner", "sub"}
@@ -185,7 +190,7 @@ def _second_verb(match: Match, tokens: list[Token], previous: Term | None) -> bo
     """Whether a verb is due, also as the second of two ("get off and cross")."""
     joined = previous is not None and (previous.cat == "conj" or previous.value == ",")
     joined = joined and match.get("dir").value == "lateral"
-    return _verb_slot(previous) or (joined and not _noun_follows(tokens, match.j))
+    return _verb_slot(previous) or (joined and not noun_follows(tokens, match.j))
 
 
 def _without_place(match: Match, attributive: bool) -> Entry:
@@ -205,7 +210,7 @@ def _describes(match: Match, tokens: list[Token]) -> bool:
     following = longest_match(tokens, match.j) if match.j < len(tokens) else None
     if following is None or following.has("actor"):
         return False
-    return _noun_follows(tokens, match.j)
+    return noun_follows(tokens, match.j)
 
 
 def _relates(match: Match, tokens: list[Token], previous: Term | None) -> bool:
@@ -275,7 +280,7 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
     if match.has("actor") and match.has("label") and _describes(match, tokens):
         return match.get("label"), False  # "the adversarial leading car"
     if match.has("noted") and match.has("actor") and previous and previous.cat == "det":
-        return match.get("noted" if _noun_follows(tokens, match.j) else "actor"), False
+        return match.get("noted" if noun_follows(tokens, match.j) else "actor"), False
     if len(match.entries) == 1:
         return match.entries[0], _describes_a_noun(match, tokens, previous)
     if match.has("verb"):

@@ -28,6 +28,7 @@ _MODIFIERS = frozenset(
 _OWNED = frozenset({"lane", "path", "side"})
 _MAX_MODS = 10
 _COMING_FROM = frozenset({"opposite", "ahead", "behind", "lateral", "adjacent"})
+_OF_OWNERS = frozenset({"unknown", "det", "label", "possessive"})
 _SIDE_DIRS = frozenset({"left", "right", "opposite", "front", "rear", "adjacent", "straight"})
 
 
@@ -79,7 +80,7 @@ class Chunker:
 
     def _of_a_stranger(self, k: int) -> int:
         """``the vicar's van``: a van, whoever the vicar is."""
-        while self._chunks and getattr(self._chunks[-1], "cat", "") in {"unknown", "det", "label"}:
+        while self._chunks and getattr(self._chunks[-1], "cat", "") in _OF_OWNERS:
             self._chunks.pop()
         self._terms[k] = replace(self._terms[k], cat="det", value="indef")
         return self._noun_phrase(k) or k + 1

@@ -21,7 +21,8 @@ def turn(scene: Scene, context: Context) -> None:
         encounters.cyclists_cross(scene, context)
         return
     left = any(t.value == context.across for t in event.dirs)
-    unprotected = scene.how("unprotected")
+    lit = any(m.value == "unprotected" for p in scene.places() for m in p.mods)
+    unprotected = scene.how("unprotected") or (scene.words if lit else None)
     if unprotected is not None and left:
         context.draft.hazard(HazardKind.UNPROTECTED_LEFT_TURN, scene.words, scene.drivers)
         return

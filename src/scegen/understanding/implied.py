@@ -254,7 +254,8 @@ def _placed(entity: Entity, observer: Entity, context: Context) -> bool:
         turned = p.entity is observer and p.reference is entity
         if (pair or turned) and p.approaches & across:
             return True
-    return entity.heading is not None and observer.heading is not None
+    headings = {entity.heading, observer.heading}
+    return None not in headings and len(headings) > 1
 
 
 def _face_to_face(danger: Danger, context: Context) -> None:

@@ -123,6 +123,9 @@ class Interpreter:
             screens.wait_behind(prep, mention.entities, self._context)
         for term in mention.mods:
             self._quality(term, mention.entities)
+        at_light = [p.word for p in mention.pps if getattr(p.target, "kind", "") == "signal"]
+        for entity in mention.entities if at_light else []:
+            entity.waits = entity.waits or Basis(mention.i, at_light[0].j)
         roles.act_by_name(mention, self._context)
 
     def _quality(self, term: Term, entities: list[Entity]) -> None:

@@ -232,6 +232,8 @@ MOVEMENTS: dict[str, Callable[[Scene, Context], None]] = {
     "wait": courses.stay,
     "stop": courses.stay,
     "slow": courses.stay,
+    "brake": courses.stay,
+    "hard_brake": courses.stay,
     "park": courses.park,
     "merge": merge,
     "approach": through_junction,

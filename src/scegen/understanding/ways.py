@@ -17,6 +17,7 @@ BESIDE = frozenset({"adjacent", "left", "right"})
 _OTHER = {"left": "right", "right": "left"}
 _KEEPING = frozenset({"keep", "stay", "remain", "stick", "hold", "continue"})
 _WAY = frozenset({"road", "lane", "path", "highway"})
+_TO_PASS = frozenset({"pull_out", "try", "accelerate", "lane_change", "swerve", "enter"})
 _THROUGH = frozenset({"through", "across"})
 
 
@@ -111,6 +112,10 @@ def overtaking(scene: Scene, context: Context) -> bool:
     """
     if scene.event.name != "pass" or scene.targets:
         return True
+    if scene.event.link == "inf" and scene.event.parent is not None and scene.drivers:
+        same = scene.event.parent.subject == scene.event.subject
+        if same and scene.event.parent.name in _TO_PASS:
+            return True  # "pulls out to pass", "tries to pass"
     over = any(p.kind == "centerline" for p in scene.places())
     if any(p.value == "behind" for p in scene.event.pps):
         return False  # "passes behind": across the road there
