@@ -155,6 +155,9 @@ def _driven_up_to(scene: Scene, context: Context) -> None:
         towards = towards or (prep.value == "of" and rear)
         if towards and isinstance(prep.target, Mention):
             targets += [e for e in prep.target.entities if e not in scene.actors]
+    ends = [event.object, *(p.target for p in event.pps)]
+    owners = [c.owner for c in ends if isinstance(c, Place) and "rear" in c.dirs and c.owner]
+    targets += [e for m in owners for e in m.entities if e not in (*scene.actors, *targets)]
     driver = scene.drivers[0]
     if any(e.ego for e in targets):
         _comes_towards(scene, driver, context)
