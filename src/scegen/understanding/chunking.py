@@ -8,7 +8,7 @@ from itertools import pairwise
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, event_of
 from scegen.understanding.lanes import between_lanes
 from scegen.understanding.naming import Namer
-from scegen.understanding.nominal import OPENERS, ORDINALS, VERBAL_LINKS, has_dir, is_nominal
+from scegen.understanding.nominal import OPENERS, ORDINALS, governed, has_dir, is_nominal
 from scegen.understanding.split_verbs import with_particles
 from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
@@ -253,8 +253,7 @@ class Chunker:
                 break  # "from the right straight on"
             seen = seen or side
             length += 1
-        previous = self._chunks[-1] if self._chunks else None
-        preposed = isinstance(previous, Word) and previous.cat in VERBAL_LINKS
+        preposed = governed(self._chunks)
         determined = mods[0].cat in {"det", "possessive"}
         if not seen or not (preposed or determined):
             return None

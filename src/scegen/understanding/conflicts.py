@@ -205,6 +205,8 @@ def unpark(scene: Scene, context: Context) -> None:
     careless = scene.how("aggressive", "sudden")
     to = _mentioned(scene.event)
     others = [e for e in scene.drivers if not e.ego]
+    for entity in others:
+        entity.pulls_out = True
     if others and (careless is not None or to):
         basis = careless or scene.words
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, others, to)
