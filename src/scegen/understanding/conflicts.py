@@ -121,7 +121,9 @@ def head_on(scene: Scene, place: Place | None, context: Context) -> bool:
     if place is None or not _owners(place, scene, context):
         return False
     if place.kind == "side" and not place.dirs:  # "comes onto the ego's side"
-        return any(p.target is place and p.value == "into" for p in scene.event.pps)
+        return any(
+            p.target is place and context.tokens[p.word.i].low == "onto" for p in scene.event.pps
+        )
     entered = place is scene.event.object or any(
         p.target is place and p.value == "into" for p in scene.event.pps
     )
