@@ -17,6 +17,7 @@ from scegen.understanding.lookahead import (
     ADVERBS,
     BOUNDARIES,
     GOVERNING,
+    by_follows,
     event_follows,
     main_verb_follows,
     only_a_noun_follows,
@@ -25,6 +26,7 @@ from scegen.understanding.nominals import read_mention, read_noun
 from scegen.understanding.state import State
 from scegen.understanding.terms import Term
 
+_OPENERS = frozenset({"conj", "sub", "punct"})
 _VIEW_OF = 3
 _COMMA_REACH = 2
 LANES = frozenset({"lane", "bike_lane", "shoulder", "sidewalk", "side"})
@@ -164,10 +166,14 @@ class ClauseReader:
         return not any(state.candidate in event.subject for event in state.events)
 
     def _inverted(self, event: Event, k: int) -> bool:
-        """``from the left comes a bus``: the subject stands after its verb."""
+        """``from the left comes a bus``, ``along comes a van``: the subject follows its verb."""
         following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
         finite = not event.nominal and event.form != "ing"
-        return bool(self._state.fronted) and finite and isinstance(following, Mention)
+        before, opener = (self._chunks[m] if m >= 0 else None for m in (k - 1, k - 2))
+        adverb = isinstance(before, Word) and before.cat == "manner" and event.name == "move"
+        opens = opener is None or (isinstance(opener, Word) and opener.cat in _OPENERS)
+        fronted = bool(self._state.fronted) or (adverb and opens)
+        return fronted and finite and isinstance(following, Mention)
 
     def _is_spoken_of(self, event: Event, k: int) -> bool:
         """``so that overtaking is impossible``: a doing that the clause is about, not done."""
@@ -235,8 +241,7 @@ class ClauseReader:
             subjects.link(event, state)
             event.pps += state.opening
             state.opening = []
-        following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
-        if isinstance(following, Word) and following.value == "by":
+        if by_follows(self._chunks, k):
             subjects.before_by(event)
         negated = any(word.startswith("neg:") for word in state.between)
         event.unable = negated and bool({"neg:unable", "aux:can"} & state.between)

@@ -21,7 +21,8 @@ def turn(scene: Scene, context: Context) -> None:
         encounters.cyclists_cross(scene, context)
         return
     left = any(t.value == context.across for t in event.dirs)
-    unprotected = scene.how("unprotected")
+    lit = any(m.value == "unprotected" for p in scene.places() for m in p.mods)
+    unprotected = scene.how("unprotected") or (scene.words if lit else None)
     if unprotected is not None and left:
         context.draft.hazard(HazardKind.UNPROTECTED_LEFT_TURN, scene.words, scene.drivers)
         return
@@ -121,7 +122,9 @@ def head_on(scene: Scene, place: Place | None, context: Context) -> bool:
     if place is None or not _owners(place, scene, context):
         return False
     if place.kind == "side" and not place.dirs:  # "comes onto the ego's side"
-        return any(p.target is place and p.value == "into" for p in scene.event.pps)
+        return any(
+            p.target is place and context.tokens[p.word.i].low == "onto" for p in scene.event.pps
+        )
     entered = place is scene.event.object or any(
         p.target is place and p.value == "into" for p in scene.event.pps
     )
@@ -205,6 +208,8 @@ def unpark(scene: Scene, context: Context) -> None:
     careless = scene.how("aggressive", "sudden")
     to = _mentioned(scene.event)
     others = [e for e in scene.drivers if not e.ego]
+    for entity in others:
+        entity.pulls_out = True
     if others and (careless is not None or to):
         basis = careless or scene.words
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, others, to)

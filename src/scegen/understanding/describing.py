@@ -68,7 +68,9 @@ def _breaks_a_rule(event: Event) -> bool:
     """``runs the light``, ``blows through a stop sign``."""
     places = [event.object, *(p.target for p in event.pps if p.value == "in")]
     kinds = {p.kind for p in places if isinstance(p, Place)}
-    return event.name in {"breach", "dash"} and bool(kinds & {"signal", "stop_sign", "yield_sign"})
+    return event.name in {"breach", "dash", "walk"} and bool(
+        kinds & {"signal", "stop_sign", "yield_sign"}
+    )
 
 
 def _by_word(mention: Mention, word: Token) -> None:

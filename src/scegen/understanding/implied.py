@@ -34,6 +34,7 @@ def positions(scenes: list[Scene], context: Context) -> None:
         _overtaken(scene, context)
         _met(scene, context)
         _cuts_out(scene, context)
+        _revealed(scene, context)
         _across(scene, context)
     for danger in context.draft.dangers:
         if danger.kind is HazardKind.ONCOMING_LANE:
@@ -111,6 +112,17 @@ def _cuts_out(scene: Scene, context: Context) -> None:
     for entity in scene.drivers:
         seen = [p for p in context.draft.placements if p.entity is entity and _by_the_ego(p)]
         if not entity.ego and not seen:
+            context.draft.place(entity, None, {Approach.AHEAD}, basis)
+
+
+def _revealed(scene: Scene, context: Context) -> None:
+    """``swerves and exposes a stopped van``: the van is ahead in the lane."""
+    if scene.event.name != "reveal" or context.junction.crossing:
+        return
+    basis = Basis(scene.event.i, scene.event.j, "what comes into view is ahead")
+    for entity in scene.targets:
+        seen = [p for p in context.draft.placements if p.entity is entity]
+        if entity.is_vehicle and not entity.ego and not seen:
             context.draft.place(entity, None, {Approach.AHEAD}, basis)
 
 

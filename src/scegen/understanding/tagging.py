@@ -205,10 +205,13 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
         return Term("actor", "car", i, i + 1)
     number = number_at(tokens, i)
     match = _match_at(tokens, i, previous) if _first_person(token) else None
-    counted = number is not None and match is not None and match.has("shape") and match.form == "s"
+    counted = number is not None and match is not None and match.has("shape", "label")
+    counted = counted and match is not None and match.form == "s"
     if match and not counted and (number is None or match.j > i + number.length):
         entry, premod = choose(match, tokens, previous)
         form = _own_form(entry, match, token)
+        if token.low == "about" and entry.cat == "verb" and (not previous or previous.cat != "aux"):
+            form = "ing"  # "children about to cross": describes them
         return Term(entry.cat, entry.value, i, match.j, form, entry.data, premod)
     if number:
         return Term("num", token.low, i, i + number.length, data={"number": number.value})
