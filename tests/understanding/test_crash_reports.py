@@ -178,3 +178,27 @@ def test_ways_that_follow(text, who, does):
 def test_only_an_open_door_is_in_the_way():
     assert read("A van struck V2 in the driver's door.").hazards == ()
     assert [h.kind for h in read("A cyclist hit the open door of a car.").hazards] == ["obstacle"]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Two students survived when their van hit a tree.", ["van"]),
+        ("An autonomous van in driverless mode followed a bus.", ["bus", "van"]),
+        ("One pedestrian crosses, another waits at the kerb, and the ego stops.",
+         ["car", "pedestrian", "pedestrian"]),
+        ("The first car in the right lane brakes, the second swerves in front of the ego.",
+         ["car", "car", "car"]),
+    ],
+)  # fmt: skip
+def test_how_many(text, expected):
+    assert kinds(text) == expected
+
+
+def test_a_turn_further_ahead_cuts_nobody_off():
+    assert read("The ego slows as a van turns left ahead of it at a junction.").hazards == ()
+
+
+def test_driving_through_is_going_straight_on():
+    scenario = read("V1 ignored the stop sign and drove through the crossroads.")
+    assert scenario.participant("car_1").maneuvers == {"straight"}

@@ -310,3 +310,39 @@ def test_two_lanes_are_changed_and_traffic_is_the_scene():
     assert doings(text) == [{Maneuver.LANE_CHANGE}]
     text = "Stop-and-go traffic on a ring road; the car ahead rolls back towards the ego."
     assert len(read(text).participants) == 2
+
+
+def test_one_from_each_side():
+    text = "At the T-junction the ego turns left; a van approaches from each side."
+    vans = [set(p.approaches) for p in read(text).participants if p.kind.value == "van"]
+    assert vans == [{Approach.LEFT}, {Approach.RIGHT}]
+    text = "The ego crosses a junction while two vans from left and right wait."
+    vans = [set(p.approaches) for p in read(text).participants if p.kind.value == "van"]
+    assert vans == [{Approach.LEFT}, {Approach.RIGHT}]
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "side"),
+    [
+        ("A van pulling out of a parking space on the left side, ego passing.", "van",
+         Approach.LEFT),
+        ("A taxi makes a U-turn from the right-hand kerb, ego behind it.", "car",
+         Approach.RIGHT),
+        ("The car ahead swerves, exposing a broken-down van to the ego.", "van", Approach.AHEAD),
+        ("Ego nears a zebra crossing with two pupils about to step onto it from the right.",
+         "pedestrian", Approach.RIGHT),
+    ],
+)  # fmt: skip
+def test_sides_of_those_who_set_off(text, kind, side):
+    assert side in {a for p in read(text).participants if p.kind.value == kind
+                    for a in p.approaches}  # fmt: skip
+
+
+def test_what_is_prevented_is_not_done():
+    text = "The ego stays behind a cyclist since oncoming cars prevent overtaking."
+    assert HazardKind.OVERTAKING not in {h.kind for h in read(text).hazards}
+
+
+def test_who_is_oncoming_in_the_ego_lane():
+    text = "An oncoming ambulance in the ego's lane; the ego has to stop."
+    assert HazardKind.ONCOMING_LANE in {h.kind for h in read(text).hazards}

@@ -12,8 +12,8 @@ from scegen.understanding.naming import Namer
 from scegen.understanding.nominal import (
     OPENERS,
     ORDINALS,
-    VERBAL_LINKS,
     WAYS,
+    governed,
     has_dir,
     is_nominal,
     one_side,
@@ -244,8 +244,7 @@ class Chunker:
                 break  # "from the right straight on"
             seen = seen or side
             length += 1
-        previous = self._chunks[-1] if self._chunks else None
-        preposed = isinstance(previous, Word) and previous.cat in VERBAL_LINKS
+        preposed = governed(self._chunks)
         determined = mods[0].cat in {"det", "possessive"}
         if not seen or not (preposed or determined):
             return None

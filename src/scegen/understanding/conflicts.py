@@ -7,7 +7,7 @@ from scegen.understanding import encounters, lane_moves, movements
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.ways import across_the_road, into_lane, next_lane, overtaking
+from scegen.understanding.ways import across_the_road, into_lane, leads, next_lane, overtaking
 
 _ACROSS = {"left": Maneuver.LEFT, "right": Maneuver.RIGHT}
 _TURNS = frozenset(_ACROSS.values())
@@ -34,7 +34,8 @@ def turn(scene: Scene, context: Context) -> None:
         kind = HazardKind.UNPROTECTED_LEFT_TURN if left else HazardKind.FAILURE_TO_YIELD
         context.draft.hazard(kind, scene.words, scene.drivers)
         return
-    in_front = next((p for p in event.pps if p.word.cat == "locus" and p.value == "ahead"), None)
+    fronts = (p for p in event.pps if p.word.cat == "locus" and p.value == "ahead")
+    in_front = next((p for p in fronts if not leads(p, context)), None)
     if in_front is not None and in_front.target is not None and scene.drivers:
         basis = Basis(event.i, in_front.target.j)
         to = in_front.target.entities if isinstance(in_front.target, Mention) else []
@@ -207,6 +208,8 @@ def unpark(scene: Scene, context: Context) -> None:
     careless = scene.how("aggressive", "sudden")
     to = _mentioned(scene.event)
     others = [e for e in scene.drivers if not e.ego]
+    for entity in others:
+        entity.pulls_out = True
     if others and (careless is not None or to):
         basis = careless or scene.words
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, others, to)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from scegen.understanding.choosing import noun_follows
+from scegen.understanding.ahead import noun_follows
 from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 

@@ -229,6 +229,7 @@ MOVEMENTS: dict[str, Callable[[Scene, Context], None]] = {
     "follow": courses.follow,
     "tailgate": courses.follow,
     "precede": courses.precede,
+    "breach": move,
     "wait": courses.stay,
     "stop": courses.stay,
     "slow": courses.stay,

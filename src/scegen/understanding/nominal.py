@@ -84,6 +84,17 @@ def has_dir(mods: list[Term]) -> bool:
     return any(m.cat == "dir" for m in mods)
 
 
+def governed(chunks: list[Chunk]) -> bool:
+    """Whether a side named next belongs to a preposition ("from left and right").
+
+    Args:
+        chunks: the chunks read so far.
+    """
+    previous = chunks[-1] if chunks else None
+    preposed = isinstance(previous, Word) and previous.cat in VERBAL_LINKS
+    return preposed or _after_a_side(chunks)
+
+
 def one_side(term: Term) -> bool:
     """Whether a further direction may belong to the same side ("front left").
 

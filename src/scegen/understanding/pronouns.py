@@ -113,7 +113,7 @@ class Pronouns:
 
     def _ordinal(self, mention: Mention) -> list[Entity]:
         position = POSITIONS[mention.label or "first"]
-        vehicles = [e for e in self.draft.entities if e.moving_vehicle]
+        vehicles = [e for e in self.draft.entities if e.moving_vehicle and not e.ego]
         everybody = vehicles or self.draft.entities
         group = self.roster.groups[-1].members if self.roster.groups else everybody
         if position < 0 or mention.label == "former":

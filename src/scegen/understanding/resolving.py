@@ -235,17 +235,32 @@ def from_everywhere(prep: Prep) -> bool:
     return quantified and target.kind in {"direction", "side", "exit", "leg", "road"}
 
 
+def each_side(prep: Prep) -> bool:
+    """``from each side``: one from the left, one from the right.
+
+    Args:
+        prep: a phrase of place.
+    """
+    target = prep.target
+    single = isinstance(target, Place) and target.head is not None and target.head.form != "s"
+    return from_everywhere(prep) and single and isinstance(target, Place) and target.kind == "side"
+
+
 def _sides(events: list[Event], chunks: list[Chunk]) -> dict[int, int]:
     """Mentions of those who come one from each of some sides -> how many sides; 0: all."""
     found: dict[int, int] = {}
     for event in events:
         sides = {m.value for p in event.pps if p.value == "from" for m in _compass(p)}
-        if any(from_everywhere(p) for p in event.pps):
+        if any(each_side(p) for p in event.pps):
+            found |= {id(m): _A_PAIR for m in event.subject}
+        elif any(from_everywhere(p) for p in event.pps):
             found |= {id(m): 0 for m in event.subject}
         elif len(sides) > _A_PAIR:
             found |= {id(m): len(sides) for m in event.subject}
     for chunk in chunks:
-        if isinstance(chunk, Mention) and any(from_everywhere(p) for p in chunk.pps):
+        if isinstance(chunk, Mention) and any(each_side(p) for p in chunk.pps):
+            found[id(chunk)] = _A_PAIR
+        elif isinstance(chunk, Mention) and any(from_everywhere(p) for p in chunk.pps):
             found[id(chunk)] = 0
     return found
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
-from scegen.understanding.chunks import Event, Place
+from scegen.understanding.chunks import Event, Place, Prep
 from scegen.understanding.context import Context, Scene, span
 from scegen.understanding.draft import Basis
 
@@ -142,3 +142,13 @@ def across_the_road(event: Event, context: Context) -> bool:
         if prep.word.cat == "locus" and prep.value == "ahead" and place is not None:
             return True
     return not any(d.value in DIRECTIONS for d in event.dirs)
+
+
+def leads(prep: Prep, context: Context) -> bool:
+    """``turns left ahead of it``: it drives in front, and does not turn in front of it.
+
+    Args:
+        prep: "ahead of", "in front of".
+        context: the scenario in the making.
+    """
+    return any(t.low == "ahead" for t in context.tokens[prep.word.i : prep.word.j])
