@@ -38,6 +38,7 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
     _chases(events)
     _own_vehicles(events, tokens)
     _vehicles_of_parties(chunks)
+    _drivers(events, tokens)
     _ridden(chunks, events, tokens)
     _towed(events)
 
@@ -67,7 +68,9 @@ def _breaks_a_rule(event: Event) -> bool:
     """``runs the light``, ``blows through a stop sign``."""
     places = [event.object, *(p.target for p in event.pps if p.value == "in")]
     kinds = {p.kind for p in places if isinstance(p, Place)}
-    return event.name in {"breach", "dash"} and bool(kinds & {"signal", "stop_sign", "yield_sign"})
+    return event.name in {"breach", "dash", "walk"} and bool(
+        kinds & {"signal", "stop_sign", "yield_sign"}
+    )
 
 
 def _by_word(mention: Mention, word: Token) -> None:
@@ -95,6 +98,16 @@ def _own_vehicles(events: list[Event], tokens: list[Token]) -> None:
         if what.heads and not what.label and (own or driven):
             what.same_as = who
             who.drives = True
+
+
+def _drivers(events: list[Event], tokens: list[Token]) -> None:
+    """``a van driven by a student``: the student drives it."""
+    for event in events:
+        if tokens[event.i].forms[-1][0] not in _OPERATING or event.form != "ed":
+            continue
+        for prep in event.pps if event.subject else []:
+            if prep.value == "by" and isinstance(prep.target, Mention) and _is_person(prep.target):
+                prep.target.same_as = event.subject[-1]
 
 
 def _is_person(mention: Mention) -> bool:

@@ -34,6 +34,7 @@ def positions(scenes: list[Scene], context: Context) -> None:
         _overtaken(scene, context)
         _met(scene, context)
         _cuts_out(scene, context)
+        _revealed(scene, context)
         _across(scene, context)
     for danger in context.draft.dangers:
         if danger.kind is HazardKind.ONCOMING_LANE:
@@ -114,6 +115,17 @@ def _cuts_out(scene: Scene, context: Context) -> None:
             context.draft.place(entity, None, {Approach.AHEAD}, basis)
 
 
+def _revealed(scene: Scene, context: Context) -> None:
+    """``swerves and exposes a stopped van``: the van is ahead in the lane."""
+    if scene.event.name != "reveal" or context.junction.crossing:
+        return
+    basis = Basis(scene.event.i, scene.event.j, "what comes into view is ahead")
+    for entity in scene.targets:
+        seen = [p for p in context.draft.placements if p.entity is entity]
+        if entity.is_vehicle and not entity.ego and not seen:
+            context.draft.place(entity, None, {Approach.AHEAD}, basis)
+
+
 def _by_the_ego(placement: Placement) -> bool:
     return placement.reference is None or placement.reference.ego
 
@@ -155,6 +167,9 @@ def _driven_up_to(scene: Scene, context: Context) -> None:
         towards = towards or (prep.value == "of" and rear)
         if towards and isinstance(prep.target, Mention):
             targets += [e for e in prep.target.entities if e not in scene.actors]
+    ends = [event.object, *(p.target for p in event.pps)]
+    owners = [c.owner for c in ends if isinstance(c, Place) and "rear" in c.dirs and c.owner]
+    targets += [e for m in owners for e in m.entities if e not in (*scene.actors, *targets)]
     driver = scene.drivers[0]
     if any(e.ego for e in targets):
         _comes_towards(scene, driver, context)
@@ -254,7 +269,8 @@ def _placed(entity: Entity, observer: Entity, context: Context) -> bool:
         turned = p.entity is observer and p.reference is entity
         if (pair or turned) and p.approaches & across:
             return True
-    return entity.heading is not None and observer.heading is not None
+    headings = {entity.heading, observer.heading}
+    return None not in headings and len(headings) > 1
 
 
 def _face_to_face(danger: Danger, context: Context) -> None:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Maneuver
+from scegen.scenario.vocabulary import HazardKind, Maneuver
 from scegen.understanding import ways
-from scegen.understanding.chunks import Place
+from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
 
@@ -71,3 +71,21 @@ def use_oncoming_lane(scene: Scene, lane: Place, context: Context) -> None:
     reason = "the oncoming lane is used to get past something"
     basis = Basis(scene.event.i, max(scene.event.j, lane.j), reason)
     apply(scene, context, {Maneuver.OVERTAKE}, basis)
+
+
+def on_the_wrong_side(mention: Mention, context: Context) -> None:
+    """``an oncoming bus in the ego's lane``: it has no business there.
+
+    Args:
+        mention: who is there.
+        context: the scenario in the making.
+    """
+    if "opposite" not in mention.dirs:
+        return
+    for prep in mention.pps:
+        lane = prep.target
+        owner = lane.owner if isinstance(lane, Place) and lane.kind == "lane" else None
+        if prep.value == "in" and owner is not None and any(e.ego for e in owner.entities):
+            by = [e for e in mention.entities if e.moving_vehicle]
+            basis = Basis(prep.word.i, owner.j)
+            context.draft.hazard(HazardKind.ONCOMING_LANE, basis, by, owner.entities)

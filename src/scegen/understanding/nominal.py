@@ -7,6 +7,7 @@ from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
 OPENERS = frozenset({"det", "possessive", "num", "quant"})
+WAYS = frozenset({"left", "right", "straight"})
 _SIDE_ONLY = 2
 _NAMED_BY_SIDE = frozenset({"turn", "u_turn", "lane_change", "sharp_turn", "merge", "leave"})
 """Actions that a side tells apart: "the left turn"."""
@@ -46,7 +47,7 @@ def is_nominal(
     placed = has_dir(mods) or mods[-1].cat == "compass"
     turned = head.value == "turn" and _way(following)
     turned = turned or mods[-1].cat == "compass" or mods[-1].value in {"front", "rear"}
-    listed = after_a_side(chunks)
+    listed = _after_a_side(chunks)
     sided = placed and (head.form == "s" or turned or listed)
     after_prep = after_prep or listed
     if after_prep and placed and len(mods) <= _SIDE_ONLY and head.value not in _NAMED_BY_SIDE:
@@ -62,12 +63,8 @@ def is_nominal(
     return not (mods[0].cat == "manner" and head.form == "s")
 
 
-def after_a_side(chunks: list[Chunk]) -> bool:
-    """``from the left and the right stop …``: the second side, not a noun.
-
-    Args:
-        chunks: the chunks before it.
-    """
+def _after_a_side(chunks: list[Chunk]) -> bool:
+    """``from the left and the right stop …``: the second side, not a noun."""
     if len(chunks) < 2:
         return False
     place, joint = chunks[-2:]
@@ -85,3 +82,23 @@ def _way(follows: Term | None) -> bool:
 def has_dir(mods: list[Term]) -> bool:
     """Whether a direction stands among the words before a noun."""
     return any(m.cat == "dir" for m in mods)
+
+
+def governed(chunks: list[Chunk]) -> bool:
+    """Whether a side named next belongs to a preposition ("from left and right").
+
+    Args:
+        chunks: the chunks read so far.
+    """
+    previous = chunks[-1] if chunks else None
+    preposed = isinstance(previous, Word) and previous.cat in VERBAL_LINKS
+    return preposed or _after_a_side(chunks)
+
+
+def one_side(term: Term) -> bool:
+    """Whether a further direction may belong to the same side ("front left").
+
+    Args:
+        term: the direction before it.
+    """
+    return term.value not in WAYS and term.cat != "compass"

@@ -44,7 +44,7 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         return
     if further_ones(mention, k, chunks, state):
         mention.pronoun = "further"
-    if state.fronted:
+    if state.fronted or (direct and any(e is anchor and e.finite for e in state.pending)):
         _start_clause(mention, state)
     elif isinstance(anchor, Event) and direct and _takes(anchor, k, chunks):
         anchor.object = mention
@@ -71,7 +71,8 @@ def _emphasises(mention: Mention, state: State) -> bool:
 
 def _takes(verb: Event, k: int, chunks: list[Chunk]) -> bool:
     """Whether a noun after a verb is its object; "he said the van stopped" tells of the van."""
-    reported = verb.says and (finite_follows(chunks, k) or copula_follows(chunks, k))
+    tells = verb.says or (verb.control == "subject" and isinstance(chunks[k], Mention))
+    reported = tells and (finite_follows(chunks, k) or copula_follows(chunks, k))
     return verb.object is None and not reported
 
 
@@ -114,7 +115,7 @@ def _start_clause(mention: Mention, state: State) -> None:
     state.candidate_done = exists  # "there is a van": that is all of its clause
     for event in state.pending:
         event.subject = [mention]
-        inverted = event.finite and bool(state.fronted)
+        inverted = event.finite and (bool(state.fronted) or state.anchor is event)
         event.pps += state.fronted if inverted else []
         state.candidate_done = state.candidate_done or inverted
     state.pending = []

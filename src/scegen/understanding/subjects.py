@@ -118,6 +118,7 @@ def _clause(event: Event, state: State) -> None:
     elif isinstance(anchor, Event):
         depend(event, anchor, "ing")
         event.subject = anchor.subject
+        event.negated = anchor.name == "prevent"  # "oncoming cars prevent overtaking"
     else:
         _subjectless(event, state)
 
