@@ -7,7 +7,14 @@ from scegen.understanding import encounters, lane_moves, movements
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.ways import across_the_road, into_lane, leads, next_lane, overtaking
+from scegen.understanding.ways import (
+    across_the_road,
+    against,
+    into_lane,
+    leads,
+    next_lane,
+    overtaking,
+)
 
 _ACROSS = {"left": Maneuver.LEFT, "right": Maneuver.RIGHT}
 _TURNS = frozenset(_ACROSS.values())
@@ -86,19 +93,6 @@ def lane_change(scene: Scene, context: Context) -> None:
         )
 
 
-def against(entity: Entity, place: Place) -> bool:
-    """Whether a lane leads the other way than somebody is headed ("the northbound lane").
-
-    Args:
-        entity: who drives into it.
-        place: the lane.
-    """
-    ways = {m.value for m in place.mods if m.cat == "compass"}
-    opposed = {"north": "south", "south": "north", "east": "west", "west": "east"}
-    heading = entity.heading or ""
-    return place.kind == "lane" and opposed.get(heading, "") in ways
-
-
 def _owners(lane: Place | None, scene: Scene, context: Context) -> list[Entity]:
     """Whose lane it is; "its lane" is the ego's for everybody who moves into it."""
     if lane is None:
@@ -107,8 +101,9 @@ def _owners(lane: Place | None, scene: Scene, context: Context) -> list[Entity]:
         return list(lane.owner.entities)
     possessed = any(m.cat == "possessive" for m in lane.mods)
     kept = any(m.value == "same" for m in lane.mods)
-    egos = [e for e in context.draft.entities if e.ego and e not in scene.actors]
-    return egos if possessed and not kept else []
+    others = [e for e in context.draft.entities if e.moving_vehicle and e not in scene.actors]
+    its = [e for e in others if e.ego or (lane.kind == "path" and len(others) == 1)]
+    return its if possessed and not kept else []
 
 
 def head_on(scene: Scene, place: Place | None, context: Context) -> bool:
