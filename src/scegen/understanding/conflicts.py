@@ -121,10 +121,9 @@ def head_on(scene: Scene, place: Place | None, context: Context) -> bool:
     """
     if place is None or not _owners(place, scene, context):
         return False
+    words = context.tokens
     if place.kind == "side" and not place.dirs:  # "comes onto the ego's side"
-        return place in [
-            p.target for p in scene.event.pps if context.tokens[p.word.i].low == "onto"
-        ]
+        return any(p.target is place and words[p.word.i].low == "onto" for p in scene.event.pps)
     entered = place is scene.event.object or any(
         p.target is place and p.value == "into" for p in scene.event.pps
     )
@@ -210,8 +209,7 @@ def unpark(scene: Scene, context: Context) -> None:
     for entity in others:
         entity.pulls_out = True
     if others and (careless is not None or to):
-        basis = careless or scene.words
-        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, others, to)
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, careless or scene.words, others, to)
 
 
 def leave(scene: Scene, context: Context) -> None:
