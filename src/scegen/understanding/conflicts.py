@@ -122,9 +122,9 @@ def head_on(scene: Scene, place: Place | None, context: Context) -> bool:
     if place is None or not _owners(place, scene, context):
         return False
     if place.kind == "side" and not place.dirs:  # "comes onto the ego's side"
-        return any(
-            p.target is place and context.tokens[p.word.i].low == "onto" for p in scene.event.pps
-        )
+        return place in [
+            p.target for p in scene.event.pps if context.tokens[p.word.i].low == "onto"
+        ]
     entered = place is scene.event.object or any(
         p.target is place and p.value == "into" for p in scene.event.pps
     )
@@ -156,9 +156,8 @@ def cut_in(scene: Scene, context: Context) -> None:
     basis = scene.words
     context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, to)
     context.lanes_implied(basis, "cutting in needs a second lane")
-    for entity in scene.drivers:
-        if not entity.maneuvers:
-            context.draft.maneuver(entity, {Maneuver.LANE_CHANGE}, basis)
+    for entity in (e for e in scene.drivers if not e.maneuvers):
+        context.draft.maneuver(entity, {Maneuver.LANE_CHANGE}, basis)
 
 
 def _cuts_across_the_road(scene: Scene, context: Context) -> bool:
