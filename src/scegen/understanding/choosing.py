@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding.ahead import noun_follows
 from scegen.understanding.lexicon import Entry
+from scegen.understanding.measures import names_a_measure
 from scegen.understanding.nominal import ORDINALS
 from scegen.understanding.sidewords import across_from, left_or_gone
 from scegen.understanding.terms import Match, Term, longest_match
@@ -15,8 +16,6 @@ _NOMINAL_BEFORE = frozenset(
 _NO_PREMODIFIER = frozenset({"aux", "actor", "pronoun", "neg", "rel"})
 _VERBAL_BEFORE = frozenset({"actor", "pronoun", "aux", "rel", "neg"})
 _DOINGS = frozenset({"cut_in", "lane_change", "merge", "overtake", "u_turn"})
-_MEASURES = frozenset({"difference", "differential", "gap", "of", "is", "was", "about", "approx",
-                       "approximately", "around", "up"})  # fmt: skip
 _NOUNS = ("place", "inert", "thing", "view", "env")
 _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
 
@@ -88,7 +87,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         return match.get("dir", "state", "manner"), True
     if _must_be_verb(match, tokens, previous):
         return verb, False
-    if _measured(match, tokens, previous):
+    if names_a_measure(match, tokens, previous):
         return match.get("inert"), False
     if match.has(*_NOUNS) and match.form in {"base", "s"} and _noun_slot(match, tokens, previous):
         return match.get(*_NOUNS), False
@@ -111,16 +110,6 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> b
     one = one or (previous.cat == "label" and previous.value in ORDINALS)  # "the first brakes"
     sided = previous.cat == "dir" and previous.value in {"left", "right"} and match.has("inert")
     return one or sided
-
-
-def _measured(match: Match, tokens: list[Token], previous: Term | None) -> bool:
-    """``speed 50 km/h``, ``host speed: …``, ``speed difference``: what is measured, not a verb."""
-    if not match.has("inert") or match.form != "base" or match.get("verb").value != "speed":
-        return False
-    if previous is not None and (previous.cat in {"aux", "pronoun"} or previous.value == "to"):
-        return False
-    following = tokens[match.j] if match.j < len(tokens) else None
-    return following is None or following.kind in {"number", "punct"} or following.low in _MEASURES
 
 
 def _article(tokens: list[Token], j: int) -> bool:

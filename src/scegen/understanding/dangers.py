@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
-from scegen.understanding import conflicts, encounters, screens
+from scegen.understanding import conflicts, encounters, pulling_out, screens
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
@@ -251,7 +251,7 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "merge": conflicts.merge,
     "overtake": conflicts.overtake,
     "pass": conflicts.overtake,
-    "pull_out": conflicts.pull_out,
+    "pull_out": pulling_out.pull_out,
     "tailgate": tailgate,
     "follow": follow,
     "cross": encounters.cross,
