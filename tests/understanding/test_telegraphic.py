@@ -346,3 +346,13 @@ def test_what_is_prevented_is_not_done():
 def test_who_is_oncoming_in_the_ego_lane():
     text = "An oncoming ambulance in the ego's lane; the ego has to stop."
     assert HazardKind.ONCOMING_LANE in {h.kind for h in read(text).hazards}
+
+
+def test_what_stands_behind_the_lead_vehicle_is_not_the_ego():
+    text = "Cut-out: the lead vehicle moves to the right lane because of a stopped motorcycle."
+    assert where(text, "motorcycle") == {Approach.AHEAD}
+
+
+def test_who_crosses_behind_a_stationary_bus_is_hidden():
+    text = "Pedestrian crossing from the nearside behind a stationary bus; ego at 40 km/h."
+    assert HazardKind.OCCLUSION in {h.kind for h in read(text).hazards}

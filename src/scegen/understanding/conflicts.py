@@ -7,7 +7,14 @@ from scegen.understanding import encounters, lane_moves, movements
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.ways import across_the_road, into_lane, leads, next_lane, overtaking
+from scegen.understanding.ways import (
+    across_the_road,
+    against,
+    into_lane,
+    leads,
+    next_lane,
+    overtaking,
+)
 
 _ACROSS = {"left": Maneuver.LEFT, "right": Maneuver.RIGHT}
 _TURNS = frozenset(_ACROSS.values())
@@ -89,19 +96,6 @@ def lane_change(scene: Scene, context: Context) -> None:
         )
 
 
-def against(entity: Entity, place: Place) -> bool:
-    """Whether a lane leads the other way than somebody is headed ("the northbound lane").
-
-    Args:
-        entity: who drives into it.
-        place: the lane.
-    """
-    ways = {m.value for m in place.mods if m.cat == "compass"}
-    opposed = {"north": "south", "south": "north", "east": "west", "west": "east"}
-    heading = entity.heading or ""
-    return place.kind == "lane" and opposed.get(heading, "") in ways
-
-
 def _owners(lane: Place | None, scene: Scene, context: Context) -> list[Entity]:
     """Whose lane it is; "its lane" is the ego's for everybody who moves into it."""
     if lane is None:
@@ -110,8 +104,9 @@ def _owners(lane: Place | None, scene: Scene, context: Context) -> list[Entity]:
         return list(lane.owner.entities)
     possessed = any(m.cat == "possessive" for m in lane.mods)
     kept = any(m.value == "same" for m in lane.mods)
-    egos = [e for e in context.draft.entities if e.ego and e not in scene.actors]
-    return egos if possessed and not kept else []
+    others = [e for e in context.draft.entities if e.moving_vehicle and e not in scene.actors]
+    its = [e for e in others if e.ego or (lane.kind == "path" and len(others) == 1)]
+    return its if possessed and not kept else []
 
 
 def head_on(scene: Scene, place: Place | None, context: Context) -> bool:
@@ -124,10 +119,9 @@ def head_on(scene: Scene, place: Place | None, context: Context) -> bool:
     """
     if place is None or not _owners(place, scene, context):
         return False
+    words = context.tokens
     if place.kind == "side" and not place.dirs:  # "comes onto the ego's side"
-        return any(
-            p.target is place and context.tokens[p.word.i].low == "onto" for p in scene.event.pps
-        )
+        return any(p.target is place and words[p.word.i].low == "onto" for p in scene.event.pps)
     entered = place is scene.event.object or any(
         p.target is place and p.value == "into" for p in scene.event.pps
     )
@@ -159,9 +153,8 @@ def cut_in(scene: Scene, context: Context) -> None:
     basis = scene.words
     context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, to)
     context.lanes_implied(basis, "cutting in needs a second lane")
-    for entity in scene.drivers:
-        if not entity.maneuvers:
-            context.draft.maneuver(entity, {Maneuver.LANE_CHANGE}, basis)
+    for entity in (e for e in scene.drivers if not e.maneuvers):
+        context.draft.maneuver(entity, {Maneuver.LANE_CHANGE}, basis)
 
 
 def _cuts_across_the_road(scene: Scene, context: Context) -> bool:
@@ -206,12 +199,25 @@ def _enter_in_front(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, to)
 
 
-def mentioned(event: Event) -> list[Entity]:
-    """Who is named after "behind", "in front of" and the like.
+def unpark(scene: Scene, context: Context) -> None:
+    """Leaving a parking space is a danger when careless, sudden or right in front of somebody."""
+    careless = scene.how("aggressive", "sudden")
+    to = mentioned(scene.event)
+    others = [e for e in scene.drivers if not e.ego]
+    for entity in others:
+        entity.pulls_out = True
+    if others and (careless is not None or to):
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, careless or scene.words, others, to)
 
-    Args:
-        event: the event that the phrase belongs to.
-    """
+
+def leave(scene: Scene, context: Context) -> None:
+    """``leaves a lay-by right in front of the ego``: like leaving a parking space."""
+    if any(p.kind in {"access", "bus_stop", "parking"} for p in scene.places()):
+        unpark(scene, context)
+
+
+def mentioned(event: Event) -> list[Entity]:
+    """Who is named in the phrases that place an event ("in front of the bus")."""
     found = [p.target for p in event.pps if p.word.cat == "locus"]
     return [e for t in found if isinstance(t, Mention) for e in t.entities]
 

@@ -6,6 +6,7 @@ from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.bystanders import mark_bystanders
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.reference import tells
+from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
 _ONLY_VEHICLES = frozenset(
@@ -41,6 +42,7 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
     _drivers(events, tokens)
     _ridden(chunks, events, tokens)
     _towed(events)
+    _left_standing(events, tokens)
 
 
 def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
@@ -154,6 +156,19 @@ def _towed(events: list[Event]) -> None:
         agents = [p.target for p in event.pps if p.value == "by" and isinstance(p.target, Mention)]
         for mention in event.subject if agents else []:
             mention.same_as = agents[0]
+
+
+def _left_standing(events: list[Event], tokens: list[Token]) -> None:
+    """``somebody has left a van on the bend``: a parked van, and nobody about."""
+    for event in events:
+        what, who = event.object, event.subject[-1] if event.subject else None
+        put = tokens[event.i].forms[-1][0] in {"leave", "park", "dump", "abandon"}
+        if not put or who is None or not isinstance(what, Mention) or not _vehicle(what):
+            continue
+        if who.head is not None and who.head.value == "pedestrian" and not event.passive:
+            who.negated = True
+            what.same_as = None
+            what.mods = [*what.mods, Term("state", "parked", event.i, event.j)]
 
 
 def _stands_for(who: Mention, what: object) -> None:

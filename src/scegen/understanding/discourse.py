@@ -137,7 +137,7 @@ class Discourse:
         inside = vehicle_around(reading, mention)
         if inside is not None:
             return self.resolve(inside, subject=False, exclude=[])
-        if own_vehicle(reading, mention) and len(self._roster.subject) == 1:
+        if own_vehicle(reading, mention, self._roster.subject) and len(self._roster.subject) == 1:
             owner = self._roster.subject[0]
             if owner.is_vehicle:
                 owner.parked = owner.parked or (reading.parked and not owner.ego)

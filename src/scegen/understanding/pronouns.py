@@ -141,4 +141,7 @@ class Pronouns:
         if claimed or which == "count":
             return claimed
         new = which != "one" or bool(self.roster.recent)
-        return [self.roster.new(ParticipantKind.CAR, basis)] if new else []
+        kinds = {e.kind for e in self.draft.entities if not e.ego}
+        afoot = which == "one" and kinds == {ParticipantKind.PEDESTRIAN}
+        kind = ParticipantKind.PEDESTRIAN if afoot else ParticipantKind.CAR
+        return [self.roster.new(kind, basis)] if new else []

@@ -7,12 +7,15 @@ from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Entity
 from scegen.understanding.mention_words import Reading
 
+_RIDDEN = frozenset({ParticipantKind.MOTORCYCLE, ParticipantKind.BICYCLE})
 
-def own_vehicle(reading: Reading, mention: Mention) -> bool:
+
+def own_vehicle(reading: Reading, mention: Mention, owners: list[Entity]) -> bool:
     """``the driver opens the door of his vehicle``: what the driver stands for."""
     possessed = bool(mention.mods) and mention.mods[0].cat == "possessive"
     whose = possessed and mention.mods[0].value == "its"
-    return whose and reading.generic and not reading.plural and not reading.dirs
+    riding = reading.kind in _RIDDEN and any(e.kind in _RIDDEN for e in owners)
+    return whose and (reading.generic or riding) and not reading.plural and not reading.dirs
 
 
 def is_pronoun(target: object) -> bool:

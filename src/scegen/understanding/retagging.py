@@ -24,6 +24,8 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         term = Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
     if (term.cat, tokens[term.i].low) == ("possessive", "her") and _alone(tokens, term.j):
         term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
+    if term.value == "genitive" and _has_done(tokens, term):
+        term = replace(term, cat="aux", value="have")
     if _does_not(tokens, term):
         term = replace(term, cat="aux", value="do")
     if terms and measured(tokens, terms, term):
@@ -36,6 +38,17 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
         terms[-1] = replace(terms[-1], value="move", data={})  # "carries straight on"
     return term
+
+
+_DONE = frozenset({"left", "parked", "stopped", "pulled", "turned", "stuck", "dumped", "broken"})
+_AFTER = frozenset({"a", "an", "the", "their", "his", "her", "my", "our", "on", "in", "right", "at",
+                    "half", "out", "up", "down", "across", "dead", "over"})  # fmt: skip
+
+
+def _has_done(tokens: list[Token], term: Term) -> bool:
+    """``someone's left a van there``: has left, nothing of theirs."""
+    done, after = (tokens[k].low if k < len(tokens) else "" for k in (term.j, term.j + 1))
+    return done in _DONE and after in _AFTER
 
 
 def _does_not(tokens: list[Token], term: Term) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
 from scegen.understanding.chunks import Event, Place, Prep
 from scegen.understanding.context import Context, Scene, span
-from scegen.understanding.draft import Basis
+from scegen.understanding.draft import Basis, Entity
 
 DIRECTIONS = {
     "left": Maneuver.LEFT,
@@ -152,3 +152,16 @@ def leads(prep: Prep, context: Context) -> bool:
         context: the scenario in the making.
     """
     return any(t.low == "ahead" for t in context.tokens[prep.word.i : prep.word.j])
+
+
+def against(entity: Entity, place: Place) -> bool:
+    """Whether a lane leads the other way than somebody is headed ("the northbound lane").
+
+    Args:
+        entity: who drives into it.
+        place: the lane.
+    """
+    ways = {m.value for m in place.mods if m.cat == "compass"}
+    opposed = {"north": "south", "south": "north", "east": "west", "west": "east"}
+    heading = entity.heading or ""
+    return place.kind == "lane" and opposed.get(heading, "") in ways

@@ -1,4 +1,4 @@
-"""Dangers from those who come out of a side road or leave a parking space."""
+"""Pulling out: of a side road or a parking space, or from lane to lane."""
 
 from __future__ import annotations
 
@@ -7,24 +7,6 @@ from scegen.understanding import lane_moves
 from scegen.understanding.conflicts import lane_change, mentioned
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.ways import into_lane
-
-
-def unpark(scene: Scene, context: Context) -> None:
-    """Leaving a parking space is a danger when careless, sudden or right in front of somebody."""
-    careless = scene.how("aggressive", "sudden")
-    to = mentioned(scene.event)
-    others = [e for e in scene.drivers if not e.ego]
-    for entity in others:
-        entity.pulls_out = True
-    if others and (careless is not None or to):
-        basis = careless or scene.words
-        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, others, to)
-
-
-def leave(scene: Scene, context: Context) -> None:
-    """``leaves a lay-by right in front of the ego``: like leaving a parking space."""
-    if any(p.kind in {"access", "bus_stop", "parking"} for p in scene.places()):
-        unpark(scene, context)
 
 
 def pull_out(scene: Scene, context: Context) -> None:
