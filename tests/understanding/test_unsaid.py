@@ -18,3 +18,8 @@ from scegen.understanding import read
 )
 def test_what_follows_without_being_said(text, who, expected):
     assert read(text).participant(who).maneuvers == expected
+
+
+def test_who_has_the_way_goes_straight_on():
+    scenario = read("A van emerged from a driveway in front of a moped.")
+    assert scenario.participant("motorcycle_1").maneuvers == {"straight"}

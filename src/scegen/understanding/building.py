@@ -14,17 +14,12 @@ from scegen.scenario.vocabulary import JunctionKind, Role
 from scegen.understanding.draft import Basis, Danger, Draft, Entity
 from scegen.understanding.junctions import JunctionReading
 from scegen.understanding.layout import Layout
+from scegen.understanding.open_road import abreast, in_the_way
 from scegen.understanding.proving import Proofs
 from scegen.understanding.surroundings import Surroundings
 from scegen.understanding.tokens import Token
 from scegen.understanding.unsaid import maneuvers_of
-from scegen.understanding.viewpoint import (
-    abreast,
-    choose_ego,
-    in_the_way,
-    settle_positions,
-    suffers,
-)
+from scegen.understanding.viewpoint import choose_ego, settle_positions, suffers
 
 
 class Builder:

@@ -83,6 +83,7 @@ class Mention(NounPhrase):
         negated: there is none ("no pedestrians").
         denied: it does not do what its verb says ("neither the bus nor the taxi").
         distributed: a plural noun that stands for one ("ego and adversary vehicles").
+        seated: somebody who opens the door of the vehicle around them.
         events: what it does, filled in by the clause reader.
         entities: whom it refers to, filled in by the discourse.
     """
@@ -103,6 +104,7 @@ class Mention(NounPhrase):
     narrowed: bool = False
     besides: bool = False
     distributed: bool = False
+    seated: bool = False
     goes_by: ParticipantKind | None = None
     negated: bool = False
     denied: bool = False
@@ -140,10 +142,12 @@ class Event:
         pps: prepositional phrases that belong to it.
         parent: the verb on which it depends ("tries" in "tries to merge").
         drives: only vehicles, or people in them, do it.
+        says: it tells what somebody says or thinks ("he said the van had stopped").
         link: how it hangs on its parent: ``inf``, ``ing`` or ``noun``.
         reduced: it only describes its noun ("a man hidden behind a van runs out").
         unable: it does not take place because it cannot ("could not stop").
         perfect: it is over ("had slowed").
+        late: it comes too late for the one in front ("failed to stop and hit its rear").
         modal: obliged, forced or reacting ("must stop", "causing it to stop").
     """
 
@@ -160,6 +164,7 @@ class Event:
     unable: bool = False
     perfect: bool = False
     modal: bool = False
+    late: bool = False
     purpose: bool = False
     mods: list[Term] = field(default_factory=list)
     subject: list[Mention] = field(default_factory=list)
@@ -170,6 +175,7 @@ class Event:
     children: list[Event] = field(default_factory=list)
     alternative: int | None = None
     drives: bool = False
+    says: bool = False
     sentence: int = 0
     premod_of: Mention | None = None
 
@@ -216,3 +222,21 @@ class Prep:
 
 
 Chunk: TypeAlias = Word | Mention | Place | Thing | Event
+
+
+def event_of(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:
+    """The event that a verb makes.
+
+    Args:
+        term: the verb.
+        mods: the words before it, for a noun.
+        nominal: it stands as a noun ("a left turn").
+    """
+    start = mods[0].i if mods else term.i
+    event = Event(term.value, start, term.j, term.form, nominal=nominal, mods=list(mods))
+    event.control = term.data.get("control")
+    event.drives, event.says = bool(term.data.get("drives")), bool(term.data.get("says"))
+    event.negated = any((m.cat, m.value) == ("det", "negative") for m in mods)
+    if "way" in term.data:
+        event.mods.append(Term("dir", term.data["way"], term.i, term.j))
+    return event

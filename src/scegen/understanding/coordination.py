@@ -35,15 +35,18 @@ def coordinate(event: Event, state: State) -> None:
     else:
         wanted = "ing" if event.form == "ing" and not helped else "finite"
     verbs = [e for e in state.events if not e.nominal and _agree(event, e.subject)]
+    main = [e for e in verbs if not any(m in state.trailing for m in e.subject)]
+    if "," in state.between and main:
+        verbs = main  # "A van turns as the ego waits, then stops."
     alike = [e for e in verbs if _shape(e) == wanted]
     alike = alike or [e for e in verbs if wanted == "finite" and e.finite and e.modal]
     exact = [e for e in alike if wanted == "finite" and e.form == event.form and not e.perfect]
     parallel = next(reversed(exact or alike), None)
     if parallel is None:
         parallel = next((e for e in reversed(verbs) if e.finite), None)
-    waiting = state.candidate is not None and not state.candidate_done
-    if parallel is None and waiting and state.candidate is not None:
-        event.subject = chain(state.candidate)
+    who = state.candidate if not state.candidate_done else None
+    if who is not None and (parallel is None or (parallel.i < who.i and event.finite and helped)):
+        event.subject = chain(who)  # "… while the ego has green and goes straight"
         return
     parallel = parallel or state.events[-1]
     event.subject = parallel.subject

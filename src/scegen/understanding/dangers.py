@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
-from scegen.understanding import conflicts, encounters
-from scegen.understanding.chunks import Mention
+from scegen.understanding import conflicts, encounters, pulling_out, screens
+from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
-from scegen.understanding.ways import into_lane
+from scegen.understanding.walking import keep_along
+from scegen.understanding.ways import against, into_lane
 
+_HASTY = frozenset({"early", "soon", "closely", "close", "tightly"})
 _REGULATED = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_stop", "parking",
                         "shoulder", "sidewalk", "crosswalk"})  # fmt: skip
 
@@ -39,6 +41,7 @@ def brake(scene: Scene, context: Context) -> None:
         return
     sudden = scene.sudden
     answer = scene.reaction or any(p.value == "for" for p in scene.event.pps)
+    answer = answer or (all(e.ego for e in scene.drivers) and bool(context.draft.dangers))
     if sudden is None and answer:
         return
     if sudden is None and not scene.drivers:
@@ -85,6 +88,21 @@ def stop(scene: Scene, context: Context) -> None:
     context.draft.hazard(HazardKind.STOPPING, sudden or scene.words, scene.actors)
 
 
+def wait(scene: Scene, context: Context) -> None:
+    """``a taxi standing in the lane``: it blocks the way."""
+    lanes = any(
+        p.word.value == "in"
+        and isinstance(p.target, Place)
+        and p.target.kind in {"lane", "middle"}
+        and not ({"adjacent", "opposite"} & set(p.target.dirs))
+        for p in scene.event.pps
+    )
+    others = [e for e in scene.drivers if not e.ego]
+    stands = context.tokens[scene.event.i].forms[-1][0] in {"stand", "sit", "idle"}
+    if lanes and stands and others:
+        context.draft.hazard(HazardKind.STOPPING, scene.words, others)
+
+
 def move(scene: Scene, context: Context) -> None:
     """``moves left into the lane of the van``: a change of lane."""
     lane = into_lane(scene.event)
@@ -95,6 +113,7 @@ def move(scene: Scene, context: Context) -> None:
         elif lane is not scene.event.object:
             conflicts.enter(scene, context)
     encounters.ride(scene, context)
+    keep_along(scene, context)
     close = scene.how("close")
     behind = [e for e in scene.drivers if context.placed(e, Approach.BEHIND)]
     if close is not None and behind:
@@ -120,6 +139,10 @@ def swerve(scene: Scene, context: Context) -> None:
     if not drivers or (scene.event.modal and any(e.ego for e in drivers)):
         return
     context.draft.hazard(HazardKind.SWERVING, scene.words, drivers, scene.targets)
+    ahead = [p for p in scene.event.pps if p.word.cat == "locus" and p.value == "ahead"]
+    whom = [e for p in ahead if isinstance(p.target, Mention) for e in p.target.entities]
+    if whom and not scene.reaction and not any(context.oncoming(e) for e in drivers):
+        conflicts.cut_in(scene, context)  # "swings out in front of the bus"
 
 
 def oncoming_lane(scene: Scene, context: Context) -> None:
@@ -130,10 +153,10 @@ def oncoming_lane(scene: Scene, context: Context) -> None:
             continue  # "coming from opposite lanes": where one belongs
         lane = place.kind == "lane" and "opposite" in place.dirs and place.owner is None
         lane = lane or conflicts.head_on(scene, place, context)
-        against = [e for e in scene.drivers if conflicts.against(e, place)]
-        if lane or against or place.kind == "centerline":
-            over = place.kind == "centerline" or bool(against) or "opposite" not in place.dirs
-            by = [e for e in against or scene.drivers if over or not context.oncoming(e)]
+        wrong = [e for e in scene.drivers if against(e, place)]
+        if lane or wrong or place.kind == "centerline":
+            over = place.kind == "centerline" or bool(wrong) or "opposite" not in place.dirs
+            by = [e for e in wrong or scene.drivers if over or not context.oncoming(e)]
             meets = scene.event.name == "approach"
             by = [e for e in by if not meets or Maneuver.OVERTAKE in e.maneuvers]
             if by:
@@ -173,6 +196,16 @@ def swerve_around(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.SWERVING, scene.words, others, scene.targets)
 
 
+def pull_back(scene: Scene, context: Context) -> None:
+    """``overtakes the ego and moves back in too early``: a cut-in."""
+    others = [e for e in scene.drivers if not e.ego and Maneuver.OVERTAKE in e.maneuvers]
+    last = context.tokens[scene.event.j - 1].low
+    in_front = any(p.word.cat == "locus" and p.value == "ahead" for p in scene.event.pps)
+    hasty = any(context.tokens[m.j - 1].low in _HASTY for m in scene.event.mods)
+    if others and (in_front or (last == "in" and hasty) or scene.sudden is not None):
+        context.draft.hazard(HazardKind.CUT_IN, scene.words, others)
+
+
 def reverse(scene: Scene, context: Context) -> None:
     """Driving backwards."""
     context.draft.hazard(HazardKind.REVERSING, scene.words, scene.drivers)
@@ -208,6 +241,7 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "hard_brake": hard_brake,
     "slow": slow,
     "stop": stop,
+    "wait": wait,
     "swerve": swerve,
     "turn": conflicts.turn,
     "sharp_turn": conflicts.turn,
@@ -217,24 +251,28 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "merge": conflicts.merge,
     "overtake": conflicts.overtake,
     "pass": conflicts.overtake,
-    "pull_out": conflicts.pull_out,
+    "pull_out": pulling_out.pull_out,
     "tailgate": tailgate,
     "follow": follow,
     "cross": encounters.cross,
     "walk": encounters.walk,
+    "collide": encounters.struck,
     "enter": enter,
     "move": move,
     "unpark": conflicts.unpark,
+    "leave": conflicts.leave,
     "appear": encounters.appear,
-    "block": encounters.block,
-    "hide": encounters.occlude,
+    "block": screens.block,
+    "hide": screens.occlude,
     "cause": encounters.cause,
+    "send": encounters.cause,
     "door": encounters.door,
     "encounter": too_late,
     "react": too_late,
     "crawl": crawl,
     "bypass": swerve_around,
     "undertake": undertake,
+    "return": pull_back,
     "reverse": reverse,
     "lose_control": lose_control,
     "delay": delay,

@@ -5,6 +5,9 @@ from __future__ import annotations
 from scegen.understanding.chunks import Event, Mention
 from scegen.understanding.state import State
 
+_ABOUT_OTHERS = frozenset({"cause", "prevent", "block", "hide", "encounter", "overlook"})
+"""Verbs whose object is what others do ("blocks the merge")."""
+
 
 def chain(mention: Mention) -> list[Mention]:
     """A mention with those that it is joined to ("a car and a truck"), in order."""
@@ -63,7 +66,7 @@ def nominal(event: Event, state: State) -> None:
         event.subject = state.main  # "before its left turn"
     if isinstance(anchor, Event) and not (state.between - {"either", "or"}):
         depend(event, anchor, "noun")
-        if not event.subject and anchor.name not in {"cause", "prevent"}:
+        if not event.subject and anchor.name not in _ABOUT_OTHERS:
             _share_subject(event, anchor, state)
     elif "conj" in state.between and state.events:
         event.subject = event.subject or state.events[-1].subject
@@ -110,7 +113,9 @@ def gerund(event: Event, state: State) -> None:
     """
     prep = state.prep.value if state.prep else ""
     parent = state.events[-1] if state.events else None
-    event.negated = prep == "without"
+    event.negated = prep in {"without", "instead"}
+    if prep == "instead" and event.name != "yield":
+        event.name = "inert"  # "speeds up instead of slowing down": only what is owed counts
     if parent is None:
         anchor = state.anchor
         event.subject = chain(anchor) if isinstance(anchor, Mention) else []

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.bystanders import mark_bystanders
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
+from scegen.understanding.reference import tells
+from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
 _ONLY_VEHICLES = frozenset(
     {"brake", "hard_brake", "overtake", "merge", "lane_change", "accelerate", "tailgate", "cut_off",
-     "cut_in", "pull_out", "park", "swerve", "u_turn", "pull_over", "undertake", "unpark"}
+     "cut_in", "pull_out", "park", "swerve", "u_turn", "pull_over", "undertake", "unpark",
+     "door"}
 )  # fmt: skip
 _CYCLING = frozenset({"cycle", "pedal"})
 _WALKING = frozenset({"walk", "jog", "stroll"})
@@ -31,14 +35,21 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
         for mention in event.subject:
             _by_doing(mention, event, tokens)
     _people_in_traffic(chunks, events)
+    mark_bystanders(chunks, events)
+    _chases(events)
     _own_vehicles(events, tokens)
     _vehicles_of_parties(chunks)
+    _drivers(events, tokens)
     _ridden(chunks, events, tokens)
+    _towed(events)
+    _left_standing(events, tokens)
 
 
 def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
+    mention.seated = mention.seated or event.name == "door"
     failing = event.negated and event.name in {"stop", "yield"}
-    alone = event.drives or event.name in _ONLY_VEHICLES or _takes_a_turn(event)
+    across = event.name == "cut_in" and tokens[event.j - 1].low == "across"
+    alone = event.drives or (event.name in _ONLY_VEHICLES and not across) or _takes_a_turn(event)
     alone = alone or _breaks_a_rule(event) or any("pace" in m.data for m in event.mods)
     vague = mention.head is not None and "vague" in mention.head.data
     turns = vague or event.name in {"turn", "sharp_turn"}
@@ -59,7 +70,9 @@ def _breaks_a_rule(event: Event) -> bool:
     """``runs the light``, ``blows through a stop sign``."""
     places = [event.object, *(p.target for p in event.pps if p.value == "in")]
     kinds = {p.kind for p in places if isinstance(p, Place)}
-    return event.name in {"breach", "dash"} and bool(kinds & {"signal", "stop_sign", "yield_sign"})
+    return event.name in {"breach", "dash", "walk"} and bool(
+        kinds & {"signal", "stop_sign", "yield_sign"}
+    )
 
 
 def _by_word(mention: Mention, word: Token) -> None:
@@ -81,12 +94,22 @@ def _own_vehicles(events: list[Event], tokens: list[Token]) -> None:
         who = event.subject[-1]
         whose = what.mods[0] if what.mods else None
         own = whose is not None and whose.cat == "possessive" and whose.value == "its"
-        driven = (_is_person(who) or who.pronoun is not None or _tells(who)) and tokens[
+        driven = (_is_person(who) or who.pronoun is not None or tells(who)) and tokens[
             event.i
         ].forms[-1][0] in _OPERATING
         if what.heads and not what.label and (own or driven):
             what.same_as = who
             who.drives = True
+
+
+def _drivers(events: list[Event], tokens: list[Token]) -> None:
+    """``a van driven by a student``: the student drives it."""
+    for event in events:
+        if tokens[event.i].forms[-1][0] not in _OPERATING or event.form != "ed":
+            continue
+        for prep in event.pps if event.subject else []:
+            if prep.value == "by" and isinstance(prep.target, Mention) and _is_person(prep.target):
+                prep.target.same_as = event.subject[-1]
 
 
 def _is_person(mention: Mention) -> bool:
@@ -104,17 +127,48 @@ def _vehicles_of_parties(chunks: list[Chunk]) -> None:
             chunk.same_as = owner
 
 
+def _chases(events: list[Event]) -> None:
+    """``a boy chases a ball`` over the road; a police car that chases a van follows it."""
+    for event in events:
+        if event.name == "chase":
+            afoot = any(h.value == "pedestrian" for m in event.subject for h in m.heads)
+            event.name = "cross" if afoot and not event.passive else "follow"
+
+
 def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
     """``I'm on a motorbike``, ``we sit in a coach``: whoever tells it stands for it."""
     for event in events:
         for prep in event.pps if event.subject else []:
-            if tokens[prep.word.i].low in _ABOARD and _tells(event.subject[-1]):
+            if tokens[prep.word.i].low in _ABOARD and tells(event.subject[-1]):
                 _stands_for(event.subject[-1], prep.target)
-    tellers = [c for c in chunks if isinstance(c, Mention) and _tells(c)]
+    tellers = [c for c in chunks if isinstance(c, Mention) and tells(c)]
     for teller in tellers:
         for prep in teller.pps:
             if tokens[prep.word.i].low in _ABOARD:
                 _stands_for(teller, prep.target)
+
+
+def _towed(events: list[Event]) -> None:
+    """``a car towing a van``, ``a van towed by a car``: what is towed does not drive."""
+    for event in (e for e in events if e.name == "tow"):
+        if isinstance(event.object, Mention) and not event.passive:
+            event.object.negated = True
+        agents = [p.target for p in event.pps if p.value == "by" and isinstance(p.target, Mention)]
+        for mention in event.subject if agents else []:
+            mention.same_as = agents[0]
+
+
+def _left_standing(events: list[Event], tokens: list[Token]) -> None:
+    """``somebody has left a van on the bend``: a parked van, and nobody about."""
+    for event in events:
+        what, who = event.object, event.subject[-1] if event.subject else None
+        put = tokens[event.i].forms[-1][0] in {"leave", "park", "dump", "abandon"}
+        if not put or who is None or not isinstance(what, Mention) or not _vehicle(what):
+            continue
+        if who.head is not None and who.head.value == "pedestrian" and not event.passive:
+            who.negated = True
+            what.same_as = None
+            what.mods = [*what.mods, Term("state", "parked", event.i, event.j)]
 
 
 def _stands_for(who: Mention, what: object) -> None:
@@ -128,11 +182,6 @@ def _vehicle(noun: object) -> bool:
     single = isinstance(noun, Mention) and noun.pronoun is None and noun.owner is None
     head = noun.head if isinstance(noun, Mention) and single else None
     return head is not None and head.value in _BY_TRADE and head.form != "s"
-
-
-def _tells(mention: Mention) -> bool:
-    """Whether it is the one who tells it ("I", "we")."""
-    return any("speaks" in h.data or "me" in h.data for h in mention.heads)
 
 
 def _on_foot(event: Event) -> bool:

@@ -5,11 +5,18 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
-from scegen.understanding.groups import Group, vehicle_around
+from scegen.understanding.groups import Group, opened, vehicle_around
 from scegen.understanding.located import as_the_ego_sees, loci_of
 from scegen.understanding.mention_words import DEFAULT_COUNT, Reading, read_mention
-from scegen.understanding.pronouns import POSITIONS, Pronouns
-from scegen.understanding.reference import is_pronoun, own_vehicle, refers_to_nobody
+from scegen.understanding.pronouns import Pronouns
+from scegen.understanding.reference import (
+    elsewhere,
+    is_pronoun,
+    kin,
+    own_vehicle,
+    refers_to_nobody,
+    tells,
+)
 from scegen.understanding.roster import Roster
 from scegen.understanding.tokens import Token
 
@@ -54,10 +61,8 @@ class Discourse:
         if mention.entities:
             return mention.entities
         if mention.same_as is not None:
-            first = mention.same_as.entities or self.resolve(
-                mention.same_as, subject=True, exclude=[]
-            )  # "riding a moped, I …"
-            mention.entities = list(first)
+            same = mention.same_as  # "riding a moped, I …": whom comes later
+            mention.entities = list(same.entities or self.resolve(same, subject=True, exclude=[]))
             self._refine(mention)
             return mention.entities
         if refers_to_nobody(mention) or self._their_own_queue(mention):
@@ -116,30 +121,35 @@ class Discourse:
     def _noun(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         basis = Basis(mention.i, mention.j)
         if reading.ego and not reading.plural:
-            return [self._ego(reading.kind, basis, told=not reading.generic)]
+            if mention.prep is None and (mention.joined is not None or not exclude):
+                self._roster.last_is_ego()
+            ego = self._ego(reading.kind, basis, told=not reading.generic)
+            ego.named_by |= {"speaks"} if tells(mention) else set()
+            return [ego]
         if reading.ego:
             return self._roster.subject  # "we arrive in our cars"
         of_whom = next((p.target for p in mention.pps if p.value == "of"), None)
         if reading.driver and isinstance(of_whom, Mention):
             return self.resolve(of_whom, subject=False, exclude=[])
+        parked = opened(reading, mention, self._draft.entities)
+        if parked:
+            return parked
         inside = vehicle_around(reading, mention)
         if inside is not None:
             return self.resolve(inside, subject=False, exclude=[])
-        if own_vehicle(reading, mention) and len(self._roster.subject) == 1:
+        if own_vehicle(reading, mention, self._roster.subject) and len(self._roster.subject) == 1:
             owner = self._roster.subject[0]
             if owner.is_vehicle:
                 owner.parked = owner.parked or (reading.parked and not owner.ego)
                 return [owner]
+        if kin(reading, mention):
+            strangers = [e for e in self._draft.entities if not e.named_by & reading.called]
+            exclude = [*exclude, *strangers]  # "a man with his son"
         known = self._known(reading, mention, exclude)
         if known:
             self._roster.enrich(known, reading)
             return known
         return self._roster.introduce(reading, basis)
-
-    @property
-    def nobody_yet(self) -> bool:
-        """Whether nobody has come up so far."""
-        return not self._draft.entities
 
     def tells(self, i: int, j: int) -> bool:
         """Whether words name the one who tells it ("on my side of the road").
@@ -178,12 +188,14 @@ class Discourse:
         if names:
             known = [e for e in self._draft.entities if names & e.labels][:1]
             return known or self._roster.named(reading, names, exclude)
-        counted = self._counted(reading, mention)
+        counted = self._roster.by_order(reading, mention)
         if counted is not None:
             return counted
         included = self._roster.included(reading, mention)
         if included:
             return included
+        if reading.plural and det == "other" and mention.mod("num") is not None:
+            return self._roster.claim(reading.count, exclude, reading)
         if reading.plural:
             return self._known_plural(reading)
         if det == "def" and not reading.driver:
@@ -203,28 +215,6 @@ class Discourse:
             member = self._member(reading, mention, exclude)
             return member or self._roster.from_title(reading, mention)
         return self._definite(reading, mention, exclude)
-
-    def _counted(self, reading: Reading, mention: Mention) -> list[Entity] | None:
-        """``the first car``, ``the second truck``: by the order in which they came up."""
-        which = next((m.value for m in mention.mods if m.value in POSITIONS), None)
-        if which is None or reading.det not in {"def", "ordinal"} or reading.plural:
-            return None
-        if mention.mods[0].value != "def":
-            return None
-        for group in reversed(self._roster.groups):
-            alike = [e for e in group.members if self._roster.compatible(e, reading)]
-            if len(alike) > abs(POSITIONS[which]):
-                return self._claimed(alike[POSITIONS[which]])
-        alike = [e for e in self._draft.entities if self._roster.compatible(e, reading)]
-        alike = [e for e in alike if not e.ego]
-        if not alike:
-            return None
-        known = alike[POSITIONS[which] :][:1] if POSITIONS[which] < len(alike) else []
-        return self._claimed(known[0]) if known else []
-
-    def _claimed(self, entity: Entity) -> list[Entity]:
-        entity.claimed = True
-        return [entity]
 
     def _known_plural(self, reading: Reading) -> list[Entity]:
         if reading.det != "def" and reading.count != DEFAULT_COUNT:
@@ -273,11 +263,8 @@ class Discourse:
         return []
 
     def _definite(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
-        options = [
-            e
-            for e in reversed(self._roster.recent)
-            if e not in exclude and self._roster.compatible(e, reading)
-        ]
+        alike = [e for e in reversed(self._roster.recent) if self._roster.compatible(e, reading)]
+        options = [e for e in alike if not (e in exclude or elsewhere(reading, mention, e))]
         told = any(m.cat in {"verb", "manner", "state"} for m in mention.mods)
         narrowed = bool(mention.pps) or mention.narrowed or told
         loci = loci_of(mention)
@@ -290,8 +277,9 @@ class Discourse:
         options = [e for e in options if not (loci and e.loci) or loci & e.loci]
         others = [e for e in options if not e.ego]
         others = [e for e in others if e.named_by & reading.called] or others
-        restricted = reading.dirs or reading.labels or mention.pps or mention.elsewhere
-        restricted = restricted or mention.narrowed
+        done = any(m.cat == "verb" and m.form == "ed" for m in mention.mods)  # "the overtaken car"
+        placed = mention.pps or mention.elsewhere or mention.narrowed or done
+        restricted = reading.dirs or reading.labels or placed
         if others or reading.det == "bare" or restricted:
             return others[:1]
         return options[:1]

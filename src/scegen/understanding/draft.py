@@ -35,6 +35,8 @@ class Entity:
     ego: bool = False
     parked: bool = False
     parked_basis: Basis | None = None
+    sets_off: int = -1
+    """Where the text says last that it moves, as the index of a token."""
     labels: set[str] = field(default_factory=set)
     dirs: set[str] = field(default_factory=set)
     named_by: set[str] = field(default_factory=set)
@@ -50,6 +52,7 @@ class Entity:
     speed_basis: Basis | None = None
     heading: str | None = None
     heading_basis: Basis | None = None
+    bound: bool = False
     by_heading: Basis | None = None
     counted: Basis | None = None
     moves: Basis | None = None
@@ -57,6 +60,7 @@ class Entity:
     through: Basis | None = None
     waits: Basis | None = None
     claimed: bool = False
+    pulls_out: bool = False
     opposed: set[int] = field(default_factory=set)
     name: str = ""
 
@@ -192,7 +196,7 @@ class Draft:
         if alternative is None and values in (_OVERRIDABLE, _ON_THE_WAY) and known & _TURNS:
             return
         if Maneuver.CROSS in values:
-            known = known - {Maneuver.STAY}
+            known = known - {Maneuver.STAY, Maneuver.STRAIGHT}
         entity.maneuvers = set(known | values)
         entity.maneuver_basis = _joined(entity.maneuver_basis, basis, bool(known))
         entity.turn_alternative = alternative or entity.turn_alternative

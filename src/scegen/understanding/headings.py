@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.lookahead import BOUNDARIES
 
 _SPECIFIC = frozenset({"pedestrian", "bicycle", "motorcycle", "truck", "bus"})
+_QUALITIES = frozenset({("manner", "slow"), ("manner", "fast"), ("manner", "wrong_way")})
 _FIRST_WORDS = frozenset({"det", "num", "quant", "possessive"})
 
 
@@ -52,12 +53,33 @@ def _of_one(title: list[Chunk], rest: list[Chunk]) -> bool:
 def _is_title(title: list[Chunk], rest: list[Chunk]) -> bool:
     """``Car-to-cyclist, crossing from the near side. The cyclist …``: all come up again."""
     mentions = [c for c in title if isinstance(c, Mention)]
+    named = [c for c in rest if isinstance(c, Mention) and c.pronoun is None]
+    if len(mentions) == 1 and _type_of(mentions[0], title, named):
+        return True
     if not mentions or any(isinstance(c, Event) for c in title):
         return False
-    named = [c for c in rest if isinstance(c, Mention) and c.pronoun is None]
     pair = len(mentions) > 1 and any(isinstance(c, Word) and c.value == "to" for c in title)
     again = all(any(_stands_for(n, m) for n in named) for m in mentions)
     return pair and again and len(named) >= len(mentions)
+
+
+def _type_of(mention: Mention, title: list[Chunk], named: list[Mention]) -> bool:
+    """``Overtaking truck. … a lorry …``, ``Lead vehicle stopped. A van …``: a kind of situation."""
+    if mention.head is None or any(h.data.get("ego") for h in mention.heads) or mention.prep:
+        return False
+    described = any(m.cat in {"verb", "state", "manner"} for m in mention.mods)
+    described = described or any(isinstance(c, Event) for c in title)
+    whole = all(
+        isinstance(c, Mention | Event | Place | Thing) or c.cat in {"punct", "prep", "state"}
+        for c in title
+    )
+    sided = any(isinstance(c, Word) and c.value in {"left", "right"} for c in title)
+    ego = any(h.data.get("ego") for n in named for h in n.heads)
+    fresh = [n for n in named if n.mods and n.mods[0].value == "indef"]
+    alike = [n for n in fresh if _of_kind(n, mention.head.value)]
+    generic = mention.head.value == "car" and not mention.label
+    again = bool(alike) or (generic and any(n.head is not None for n in fresh))
+    return described and whole and not sided and ego and again
 
 
 def _stands_for(named: Mention, mention: Mention) -> bool:
@@ -69,6 +91,8 @@ def _stands_for(named: Mention, mention: Mention) -> bool:
 def _silence(title: list[Chunk], rest: list[Chunk]) -> None:
     """Those of whom a heading says more are the same as those of their kind after it."""
     mentions = [c for c in title if isinstance(c, Mention)]
+    if not _names_ego(rest):
+        mentions = [m for m in mentions if not _names_ego([m])]  # "Ego merging: a van …"
     for mention in mentions:
         kind = mention.head.value if mention.head is not None else ""
         alone = sum(m.head is not None and m.head.value == kind for m in mentions) == 1
@@ -79,6 +103,22 @@ def _silence(title: list[Chunk], rest: list[Chunk]) -> None:
             same.same_as = mention
         else:
             mention.negated = True
+            if len(mentions) == 1:
+                _pass_on(mention, title, rest)
+
+
+def _names_ego(chunks: list[Chunk]) -> bool:
+    return any(h.data.get("ego") for c in chunks if isinstance(c, Mention) for h in c.heads)
+
+
+def _pass_on(mention: Mention, title: list[Chunk], rest: list[Chunk]) -> None:
+    """``Slow vehicle: a tractor …``: what the heading says holds for the first one named."""
+    words = [*mention.mods, *(c.term for c in title if isinstance(c, Word))]
+    told = [m for m in words if (m.cat, m.value) in _QUALITIES or m.cat == "state"]
+    others = [c for c in rest if isinstance(c, Mention) and c.pronoun is None and c.heads]
+    others = [c for c in others if not any(h.data.get("ego") for h in c.heads)]
+    for other in others[:1] if told else []:
+        other.mods = [*other.mods, *told]
 
 
 def _of_kind(mention: Mention, kind: str) -> bool:
@@ -87,6 +127,9 @@ def _of_kind(mention: Mention, kind: str) -> bool:
 
 def _is_heading(title: list[Chunk], rest: list[Chunk]) -> bool:
     first = title[0] if len(title) == 1 else None
+    told = rest[0] if rest else None
+    if isinstance(first, Mention) and isinstance(told, Event) and told.dirs:
+        return False  # "Truck: left turn."
     if isinstance(first, Mention) and any(h.data.get("ego") for h in first.heads):
         return False  # "Ego: left turn."
     spoken = any(_finite(c) for c in title) or any(

@@ -86,6 +86,11 @@ class Layout:
         for placement in self._draft.placements:
             if placement.approaches == lateral and placement.entity.moving_vehicle:
                 return Basis(placement.basis.i, placement.basis.j, "a vehicle comes across")
+        for entity in self._draft.entities:
+            crosses = entity.moving_vehicle and entity.approaches & lateral
+            if entity.by_heading is not None and crosses:
+                basis = entity.heading_basis or entity.by_heading
+                return Basis(basis.i, basis.j, "the ways of two vehicles cross")
         return None
 
     def _side_road(self) -> Basis | None:

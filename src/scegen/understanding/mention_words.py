@@ -60,7 +60,8 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
     if mention.goes_by is not None and people:
         kind, driver = mention.goes_by, False
         kinds, specific = [kind], [kind]
-    plural = mass or (heads[-1].form == "s" and not (mention.label or "").startswith("#"))
+    named = (mention.label or "").startswith("#")
+    plural = mass or "several" in heads[-1].data or (heads[-1].form == "s" and not named)
     count, vague, reason = _count(mention, tokens, plural, arms)
     det = next((m for m in mention.mods if m.cat in {"det", "possessive"}), None)
     numbered = mention.mod("num")
@@ -125,6 +126,11 @@ def _count(
         return count, True, f"'{word}' is read as {count}"
     if quant is not None and quant.value == "both" and plural:
         return DEFAULT_COUNT, False, None
+    if "several" in mention.heads[-1].data:
+        return int(mention.heads[-1].data["several"]), False, None
+    head = mention.heads[-1].data if mention.heads else {}
+    if not plural and "count" in head:
+        return int(head["count"]), False, None  # "an old couple"
     if not plural:
         return 1, False, None
     return DEFAULT_COUNT, True, f"no number is given; {DEFAULT_COUNT} are assumed"

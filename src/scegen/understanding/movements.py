@@ -9,10 +9,17 @@ from scegen.understanding import courses, ways
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene, span
 from scegen.understanding.draft import Basis
+from scegen.understanding.lane_moves import (
+    apply,
+    forced,
+    lane_change,
+    merge,
+    swerve,
+    use_oncoming_lane,
+)
 
 _ASIDE = frozenset({"move", "shift", "steer", "edge", "ease"})
 """Verbs that on an open road mean a shift to the side, not a turn."""
-_BESIDE = frozenset({"adjacent", "left", "right"})
 _ORDINALS = {
     "first": Maneuver.EXIT_1,
     "second": Maneuver.EXIT_2,
@@ -42,14 +49,7 @@ def turn(scene: Scene, context: Context) -> None:
             return
         basis = Basis(basis.i, basis.j, "the text does not say which way it turns")
     context.crossing_implied(basis, "vehicles turn")
-    _apply(scene, context, values, basis)
-
-
-def _apply(scene: Scene, context: Context, values: set[Maneuver], basis: Basis) -> None:
-    alternative = scene.alternative
-    for entity in scene.drivers:
-        later = context.in_order(entity.maneuver_basis, scene.event)
-        context.draft.maneuver(entity, values, basis, alternative, later=later)
+    apply(scene, context, values, basis)
 
 
 def move(scene: Scene, context: Context) -> None:
@@ -60,7 +60,9 @@ def move(scene: Scene, context: Context) -> None:
     aside = context.tokens[event.i].forms[-1][0] in _ASIDE and not context.junction.crossing
     sideways = set(directions) & {Maneuver.LEFT, Maneuver.RIGHT}
     lane = ways.into_lane(event)
-    if sideways and (aside or (lane is not None and lane.kind == "lane")):
+    if ways.next_lane(event, context) or (
+        sideways and (aside or (lane is not None and lane.kind == "lane"))
+    ):
         lane_change(scene, context)  # "moves left into the next lane"
         return
     if any(p.kind == "exit" for p in scene.places()):
@@ -74,29 +76,30 @@ def move(scene: Scene, context: Context) -> None:
         return
     values = set(directions)
     basis = next(iter(directions.values()))
+    if any(context.tokens[m.i].low == "instead" for m in event.mods):
+        for entity in scene.drivers:
+            entity.maneuvers = set()  # "was waiting to turn left, goes straight instead"
+    if ways.side_to_side(event) and any(not context.is_cyclist(e) for e in scene.drivers):
+        context.crossing_implied(basis, "a vehicle comes across")
     if values & {Maneuver.LEFT, Maneuver.RIGHT}:
         context.crossing_implied(basis, "vehicles turn")
-    _apply(scene, context, values, basis)
+    apply(scene, context, values, basis)
 
 
 def u_turn(scene: Scene, context: Context) -> None:
     """A U-turn."""
     basis = Basis(scene.event.i, scene.event.j)
-    _apply(scene, context, {Maneuver.U_TURN}, basis)
-
-
-def lane_change(scene: Scene, context: Context) -> None:
-    """A change of lane on the way; where the vehicle leaves stays free."""
-    basis = Basis(scene.event.i, scene.event.j)
-    context.lanes_implied(basis, "a lane change needs a second lane")
-    _apply(scene, context, {Maneuver.LANE_CHANGE}, basis)
+    apply(scene, context, {Maneuver.U_TURN}, basis)
 
 
 def overtake(scene: Scene, context: Context) -> None:
     """Overtaking, or passing something that stands in the lane."""
     event = scene.event
-    if event.name == "bypass" and event.object is None and event.pps:
-        return
+    if event.name == "bypass" and event.object is None and not event.passive:
+        by = context.tokens[event.j - 1].low == "past"
+        if by or event.pps:
+            move(scene, context)  # "waits for the bus to go past"
+            return
     if event.name == "bypass" and isinstance(event.object, Place):
         return
     if not ways.overtaking(scene, context):
@@ -105,7 +108,7 @@ def overtake(scene: Scene, context: Context) -> None:
     basis = Basis(event.i, event.j)
     means = event.parent if event.link == "inf" else None
     if not (means is not None and _changes_lane(means)):
-        _apply(scene, context, {Maneuver.OVERTAKE}, basis)
+        apply(scene, context, {Maneuver.OVERTAKE}, basis)
     if any(entity.moving_vehicle for entity in scene.targets):
         draft = context.draft
         draft.passing_implied = draft.passing_implied or basis
@@ -138,6 +141,10 @@ def cross(scene: Scene, context: Context) -> None:
         if not entity.is_vehicle or (context.is_cyclist(entity) and onto):
             context.draft.maneuver(entity, {Maneuver.CROSS}, basis)
     drivers = [e for e in scene.drivers if Maneuver.CROSS not in e.maneuvers]
+    lanes = isinstance(scene.event.object, Place) and scene.event.object.kind == "lane"
+    if lanes and drivers and not context.junction.crossing:
+        lane_change(scene, context)  # "crosses two lanes to get to the exit"
+        return
     if ways.directions(scene.event) and drivers:
         move(scene, context)
         return
@@ -170,14 +177,14 @@ def leave(scene: Scene, context: Context) -> None:
         if sides:
             basis = span(scene.event, target.i, target.j)
             context.crossing_implied(basis, "vehicles turn")
-            _apply(scene, context, sides, basis)
+            apply(scene, context, sides, basis)
         return
     if target.kind != "exit":
         return
     ordinal = next((m.value for m in target.mods if m.value in _ORDINALS), None)
     if ordinal is not None:
         basis = Basis(target.i, target.j)
-        _apply(scene, context, {_ORDINALS[ordinal]}, basis)
+        apply(scene, context, {_ORDINALS[ordinal]}, basis)
 
 
 def use(scene: Scene, context: Context) -> None:
@@ -189,45 +196,12 @@ def use(scene: Scene, context: Context) -> None:
     leave(scene, context)
 
 
-def forced(scene: Scene, context: Context) -> None:
-    """``is forced into the opposite lane``, ``pushes the ego into the left lane``."""
-    lane = ways.into_lane(scene.event)
-    moved = [e for e in scene.targets if e.moving_vehicle]
-    if lane is None or lane.kind != "lane" or not moved:
-        return
-    if "opposite" in lane.dirs:
-        use_oncoming_lane(Scene(scene.event, moved, []), lane, context)
-    elif _BESIDE & set(lane.dirs):
-        lane_change(Scene(scene.event, moved, []), context)
-
-
-def use_oncoming_lane(scene: Scene, lane: Place, context: Context) -> None:
-    """Whoever is in the oncoming lane passes something there.
-
-    Args:
-        scene: what happens.
-        lane: the oncoming lane.
-        context: the scenario in the making.
-    """
-    reason = "the oncoming lane is used to get past something"
-    basis = Basis(scene.event.i, max(scene.event.j, lane.j), reason)
-    _apply(scene, context, {Maneuver.OVERTAKE}, basis)
-
-
-def merge(scene: Scene, context: Context) -> None:
-    """Merging on a road without a junction, or into a lane, is a lane change."""
-    if ways.into_lane(scene.event) is not None or not context.junction.crossing:
-        lane_change(scene, context)
-
-
 def through_junction(scene: Scene, context: Context) -> None:
     """Approaching or entering says no more than that the vehicle moves."""
     event = scene.event
     for entity in scene.drivers:
         entity.moves = entity.moves or Basis(event.i, event.j)
-    lane = event.object if event.name == "enter" else None
-    beside = isinstance(lane, Place) and lane.kind == "lane" and bool(_BESIDE & set(lane.dirs))
-    if beside and not context.junction.crossing:
+    if event.name == "enter" and ways.next_lane(event, context):
         lane_change(scene, context)
     if isinstance(event.object, Mention) and event.name == "approach":
         targets = [e for e in scene.targets if e.parked]
@@ -252,12 +226,17 @@ MOVEMENTS: dict[str, Callable[[Scene, Context], None]] = {
     "use": use,
     "match": courses.hold,
     "cause": forced,
+    "send": forced,
+    "swerve": swerve,
     "follow": courses.follow,
     "tailgate": courses.follow,
     "precede": courses.precede,
+    "breach": move,
     "wait": courses.stay,
     "stop": courses.stay,
     "slow": courses.stay,
+    "brake": courses.stay,
+    "hard_brake": courses.stay,
     "park": courses.park,
     "merge": merge,
     "approach": through_junction,

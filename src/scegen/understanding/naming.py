@@ -1,4 +1,4 @@
-"""Numbers and letters that name participants: "vehicle 1", "cars A and B"."""
+"""Numbers and letters that name participants and places: "vehicle 1", "cars A and B", "lane 2"."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
 _MOST_NAMES = 12
+_WIDEST_GAP = 2
+"""Room for a space and a "#"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,6 +66,21 @@ class Namer:
             m += 2
         return found, m
 
+    def numbered(self, head: Term, m: int) -> bool:
+        """``lane 2``: the number is the place's name.
+
+        Args:
+            head: the noun for the place.
+            m: index of the term after it.
+        """
+        term = self.terms[m] if m < len(self.terms) else None
+        follows = self.terms[m + 1].cat if m + 1 < len(self.terms) else ""
+        number = term is not None and term.cat == "num"
+        bare = self.terms[m - 2].cat not in {"det", "dir"} if m > 1 else True
+        written = term is not None and self.tokens[term.i].kind == "number"
+        digits = number and (bare or written)
+        return digits and head.value in {"lane", "road"} and follows not in {"actor", "place"}
+
     def _joint(self, m: int) -> bool:
         return m < len(self.terms) and self.terms[m].value in {"and", "or", ","}
 
@@ -83,6 +100,8 @@ class Namer:
             return None
         term = self.terms[m]
         token = self.tokens[term.i]
+        if term.i and token.start - self.tokens[term.i - 1].end > _WIDEST_GAP:
+            return None  # "ego + 2 others"
         follows = self.terms[m + 1].cat if m + 1 < len(self.terms) else ""
         spoken = (
             bare or token.kind == "number" or follows not in {"actor", "place", "verb", "manner"}

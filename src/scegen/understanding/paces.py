@@ -14,6 +14,7 @@ _PACING = frozenset({"do", "go", "drive", "travel", "hit", "come", "move", "ride
 _VAGUELY = frozenset({"about", "around", "only", "maybe", "at", "barely", "nearly", "over", "just",
                       "well", "like", "roughly", "approximately", "easily"})  # fmt: skip
 _FEWEST, _MOST = 3, 200
+_LOWEST_LIMIT = 10
 
 
 def pace_at(tokens: list[Token], i: int) -> Term | None:
@@ -30,7 +31,8 @@ def pace_at(tokens: list[Token], i: int) -> Term | None:
     speed = quantity is not None and quantity.dimension == "speed"
     j = quantity.j if quantity is not None and speed else i + number.length
     limit = number_at(tokens, j + 2) if j + 2 < len(tokens) else None
-    if limit is not None and tokens[j].low in {"in", "on"} and tokens[j + 1].low in _ARTICLES:
+    lowest = limit is not None and limit.value >= _LOWEST_LIMIT  # "30 km/h on a two-lane road"
+    if limit and lowest and tokens[j].low in {"in", "on"} and tokens[j + 1].low in _ARTICLES:
         allowed = quantity_at(tokens, j + 2)
         end = allowed.j if allowed is not None else j + 2 + limit.length
         while end < len(tokens) and tokens[end].low in _ZONE:

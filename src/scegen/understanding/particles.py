@@ -6,12 +6,13 @@ from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
 
 _LETTING = frozenset({"let", "make", "help", "see", "watch", "have"})
+_PARTICLES = frozenset({"through", "past", "over", "up", "by", "off", "out", "around", "round"})
 _GIVES = frozenset({"dir", "verb"})
-_OPENS_A_NOUN = ("det", "possessive", "actor", "compass")
+_OPENS_A_NOUN = ("det", "possessive", "actor", "compass", "place")
 
 
 def just_right(tokens: list[Token], i: int, previous: Term | None) -> bool:
-    """``right behind``, ``right in front of``: no direction, except after a turn.
+    """``right behind``, ``right past``, ``right in front of``: no direction, except after a turn.
 
     Args:
         tokens: the tokens of the text.
@@ -22,7 +23,13 @@ def just_right(tokens: list[Token], i: int, previous: Term | None) -> bool:
         return False
     following = longest_match(tokens, i + 1)
     located = following is not None and following.has("locus")
+    located = located or (tokens[i + 1].low in _PARTICLES and previous.cat == "verb")
+    located = located or (i + 2 < len(tokens) and tokens[i + 1].low == "at" and _me(tokens[i + 2]))
     return located and not previous.value.endswith("turn") and previous.cat != "det"
+
+
+def _me(token: Token) -> bool:
+    return token.low in {"me", "us", "him", "her", "them", "it"}
 
 
 def then_a_side(tokens: list[Token], match: Match) -> bool:
@@ -45,12 +52,47 @@ def then_a_noun(tokens: list[Token], match: Match) -> bool:
         tokens: the tokens of the text.
         match: a phrase of motion or direction that may end in "on".
     """
-    if tokens[match.j - 1].low != "on" or match.j >= len(tokens):
+    if match.j < len(tokens) and tokens[match.j].low == "of":
+        return all(e.cat == "manner" and e.value == "row" for e in match.entries)
+    if tokens[match.j - 1].low == "across" and any(e.value == "encounter" for e in match.entries):
+        return _place_at(tokens, match.j)  # "comes across the median"
+    if tokens[match.j - 1].low not in {"on", "through"} or match.j >= len(tokens):
         return False
-    if not all(e.cat in _GIVES and e.value in {"straight", "move"} for e in match.entries):
+    if not all(e.cat in _GIVES and e.value in {"straight", "move", "inert"} for e in match.entries):
         return False
     noun = longest_match(tokens, match.j)
     return noun is not None and noun.has(*_OPENS_A_NOUN)
+
+
+def _place_at(tokens: list[Token], j: int) -> bool:
+    """Whether a place is named at token ``j``, articles and the like skipped."""
+    for _ in range(3):
+        found = longest_match(tokens, j) if j < len(tokens) else None
+        if found is None or found.has("actor", "thing"):
+            return False
+        if found.has("place"):
+            return True
+        j = found.j
+    return False
+
+
+def over_a_place(tokens: list[Token], match: Match) -> bool:
+    """``runs over the crosswalk``: nothing is run over.
+
+    Args:
+        tokens: the tokens of the text.
+        match: a verb that may end in "over".
+    """
+    if tokens[match.j - 1].low != "over" or not match.only("verb") or match.j >= len(tokens):
+        return False
+    noun = longest_match(tokens, match.j)
+    if noun is not None and noun.has("det", "possessive") and noun.j < len(tokens):
+        noun = longest_match(tokens, noun.j)
+    return (
+        match.get("verb").value in {"collide", "lose_control"}
+        and noun is not None
+        and noun.has("place")
+    )
 
 
 def in_front(tokens: list[Token], match: Match) -> bool:
@@ -85,3 +127,66 @@ def sends_back(tokens: list[Token], terms: list[Term], i: int) -> bool:
         tokens[t.i].forms[-1][0] in _LETTING for t in terms[-4:-1] if t.cat == "verb"
     )
     return single and not let
+
+
+def measured(tokens: list[Token], terms: list[Term], noun: Term) -> bool:
+    """``the car two vehicles ahead``: how far, not who.
+
+    Args:
+        tokens: the tokens of the text.
+        terms: the terms before the noun.
+        noun: a term.
+    """
+    if noun.cat != "actor" or noun.form != "s" or len(terms) < 2 or noun.j >= len(tokens):
+        return False
+    counted, before = terms[-1].cat == "num", terms[-2]
+    where = longest_match(tokens, noun.j)
+    along = where is not None and where.has("locus")
+    placed = before.cat == "actor" and before.form == "base"
+    placed = placed or (before.cat, before.value) == ("aux", "be")
+    return counted and along and placed
+
+
+def after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
+    """``a bus from the left asserts its priority``, ``the car ahead overshoots the line``.
+
+    A noun would not stand there with an ending and an object of its own.
+
+    Args:
+        token: a word that no phrase of the lexicon holds.
+        previous: the term before it.
+        tokens: the tokens of the text.
+    """
+    if not token.low.endswith("s") or token.low.endswith(("ss", "ings", "us")):
+        return False
+    k = tokens.index(token)
+    before = tokens[k - 2].low if k > 1 else ""
+    sided = previous.cat == "dir" and previous.value in {"left", "right"} and before == "the"
+    after = tokens[k + 1].low if k + 1 < len(tokens) else ""
+    governs = after in {"the", "a", "an", "its", "their", "his", "her", "to", "into", "and"}
+    return sided or (previous.cat in {"place", "locus", "compass"} and governs)
+
+
+def lane_then_verb(tokens: list[Token], match: Match, previous: Term | None) -> bool:
+    """``a van in the left lane changes lanes``: no lane changes in the plural.
+
+    Args:
+        tokens: the tokens of the text.
+        match: a phrase.
+        previous: the term before it.
+    """
+    sided = previous is not None and previous.cat in {"dir", "det", "compass"}
+    if not sided or match.form != "s" or match.get("verb").value != "lane_change":
+        return False
+    after = tokens[match.j].low if match.j < len(tokens) else ""
+    return tokens[match.j - 1].low == "changes" and after in {"lane", "lanes", "to", "into", "onto"}
+
+
+def suffix_form(token: Token) -> str | None:
+    """The inflection that the ending of an unknown word shows.
+
+    Args:
+        token: the word.
+    """
+    endings = (("ing", "ing"), ("ed", "ed"), ("s", "s"))
+    return next((form for ending, form in endings if token.low.endswith(ending)), None)

@@ -29,10 +29,11 @@ _SIDES = {"left": Approach.LEFT, "right": Approach.RIGHT}
 _STEADY = frozenset(
     {"move", "stop", "brake", "hard_brake", "slow", "locate", "wait", "park", "accelerate",
      "approach", "speed", "tailgate", "follow", "light", "hide", "appear", "walk",
-     "unknown", "inert", "pass", "lose_control", "swerve", "reverse", "crawl"}
+     "unknown", "inert", "pass", "lose_control", "swerve", "reverse", "crawl", "merge", "unpark"}
 )  # fmt: skip
 _PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane",
-                     "leg"})  # fmt: skip
+                     "path", "leg"})  # fmt: skip
+_AROUND = frozenset({"around", "round", "past"})
 _OPPOSED = "opposed"
 
 
@@ -51,11 +52,13 @@ def adjective_approaches(dirs: list[str]) -> frozenset[Approach]:
 
 
 def _place_approaches(place: Place, prep: str) -> frozenset[Approach]:
-    if place.kind == "access" and prep == "from":
+    if place.kind == "access" and prep in {"from", "in"}:
         return frozenset(_SIDES[d] for d in place.dirs if d in _SIDES)
     if place.kind not in _PLACES:
         return frozenset()
     dirs = place.dirs
+    if prep in _AROUND and {"front", "rear"} & set(dirs):
+        return frozenset()  # "runs around its front": past it, not there
     sides = {_SIDES[d] for d in dirs if d in _SIDES}
     if place.kind == "direction" and any(m.cat == "det" and m.value == "other" for m in place.mods):
         return _BY_DIR["opposite"]
@@ -122,6 +125,8 @@ class Placer:
             if approaches and term is not None:
                 self._draft.place(entity, None, set(approaches), Basis(term.i, term.j))
         for mod in mention.mods:
+            for entity in mention.entities if "bound" in mod.data else []:
+                entity.bound = True
             if mod.cat == "compass":
                 self._head(mention.entities, mod.value, Basis(mod.i, mod.j))
 
@@ -146,7 +151,11 @@ class Placer:
         basis = Basis(prep.word.i, target.j)
         compass = _compass(target)
         if compass is not None and prep.value in {"from", "to", "in"}:
-            heading = _FROM[compass.value] if prep.value == "from" else compass.value
+            bound = "bound" in compass.data  # "from southbound Elm Street"
+            back = prep.value == "from" and not bound
+            heading = _FROM[compass.value] if back else compass.value
+            if bound and prep.value == "to":
+                return  # "turned onto eastbound Elm Street": where it gets to
             self._head(entities, heading, basis)
             return
         if _at_its_side(prep, event):
@@ -154,12 +163,16 @@ class Placer:
             return
         if prep.value not in {"from", "in"} and not (prep.value == "to" and event is None):
             return
-        if event is not None and prep.value == "in" and event.name not in _STEADY | {"cross"}:
+        facing = target.kind in {"direction", "side"} and "opposite" in target.dirs
+        allowed = _STEADY | ({"cross", "turn"} if facing else {"cross"})
+        steady = event is None or event.name in allowed
+        if prep.value == "in" and not steady:
             return
         if len(entities) > 1 and _differ(target):
             self._apart(entities, basis)
             return
-        approaches = _place_approaches(target, prep.value)
+        word = self._draft.tokens[prep.word.i].low
+        approaches = _place_approaches(target, word if word in _AROUND else prep.value)
         if not approaches:
             return
         plural = target.head is not None and target.head.form == "s"
@@ -175,6 +188,8 @@ class Placer:
         for entity in entities:
             if wrong and Maneuver.OVERTAKE in entity.maneuvers:
                 continue  # who overtakes is in the oncoming lane, but does not come from there
+            kerb = target.kind in {"sidewalk", "shoulder"} and prep.value == "from"
+            entity.pulls_out = entity.pulls_out or kerb
             self._draft.place(entity, reference, set(approaches), basis)
 
     def _beside(self, side: Place, entities: list[Entity], basis: Basis) -> None:
@@ -196,8 +211,13 @@ class Placer:
     def _locus(self, prep: Prep, entities: list[Entity], event: Event | None) -> None:
         target = prep.target
         basis = Basis(prep.word.i, target.j if isinstance(target, Mention) else prep.word.j)
-        if isinstance(target, Thing | Place) or prep.value == "between":
+        if isinstance(target, Thing | Place):
             return
+        if prep.value == "between":
+            by = target.entities if isinstance(target, Mention) else []
+            for entity in entities if len(by) == 1 and by[0].ego else []:
+                self._draft.place(entity, None, {Approach.ADJACENT}, basis)
+            return  # "between the ego and the kerb"
         if event is not None and event.name not in _STEADY and prep.outer != "from":
             return
         if prep.outer == "from" and isinstance(target, Mention) and event is not None:
@@ -224,6 +244,8 @@ class Placer:
     def heading(self, term: Term, entities: list[Entity]) -> None:
         """``travelling northbound``."""
         self._head(entities, term.value, Basis(term.i, term.j))
+        for entity in entities if "bound" in term.data else []:
+            entity.bound = True
 
 
 def thing_sides(entity: Entity, draft: Draft) -> set[Approach]:

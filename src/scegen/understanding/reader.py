@@ -26,6 +26,7 @@ from scegen.understanding.respectively import share_out
 from scegen.understanding.sides import settle_sides
 from scegen.understanding.surroundings import read_surroundings
 from scegen.understanding.tagging import tag
+from scegen.understanding.telegrams import spell_out
 from scegen.understanding.tokens import tokenize
 
 MAX_CHARACTERS = 20_000
@@ -66,9 +67,9 @@ def read(text: str) -> FunctionalScenario:
     junction = read_junction(terms, tokens)
     surroundings = read_surroundings(terms, tokens)
     terms = settle_sides(terms, surroundings.side)
-    chunks = Chunker(terms, tokens).run()
+    chunks = spell_out(Chunker(terms, tokens).run())
     chunks = repeat(silence(chunks), tokens)
-    events = fill_in(chunks, ClauseReader(chunks).run())
+    events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     draft = Draft(text, tokens)
     shared = share_arms(chunks, events)
     resolve_mentions(chunks, events, Discourse(draft, tokens, _arms(junction)))

@@ -105,7 +105,10 @@ def _sentence(k: int, chunks: list[Chunk]) -> tuple[int, int]:
 def _opens_sentence(k: int, chunks: list[Chunk], begins: int) -> bool:
     """Whether the sentence begins by saying that the light is red."""
     before = [c for c in chunks[:k] if c.i >= begins]
-    return bool(before) and not any(isinstance(c, Mention | Event) for c in before)
+    acts = any(
+        isinstance(c, Mention) or (isinstance(c, Event) and c.name not in _SAYING) for c in before
+    )
+    return bool(before) and not acts
 
 
 def _in_spite(k: int, chunks: list[Chunk], later: list[Event]) -> Event | None:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, Word
 from scegen.understanding.describing import describe
 from scegen.understanding.discourse import Discourse
+from scegen.understanding.located import share_places
+from scegen.understanding.lookahead import BOUNDARIES
 from scegen.understanding.terms import Term
 
 _A_PAIR = 2
 """Of two sides named, there may still be any number of vehicles."""
+_CLOSING_IN = frozenset({"avoid"})
 _BEHIND = frozenset({"follow", "tailgate"})
 _LETTING_BY = frozenset({"wait", "yield", "stop", "brake", "slow", "hard_brake", "react"})
 _BACK = frozenset({"it", "him", "they"})
@@ -24,6 +27,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         discourse: the participants so far.
     """
     describe(chunks, events, discourse.tokens)
+    share_places(chunks)
     _generic(chunks, events)
     objects = {id(e.object) for e in events}
     subjects = {
@@ -36,7 +40,13 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     everywhere = _sides(events, chunks)
     beside = _beside(chunks)
     settled = _settled(events)
-    around = {id(p.target): e for e in events for p in e.pps if _is_it(p.target)}
+    around = {
+        id(m): e
+        for e in events
+        for p in e.pps
+        if isinstance(p.target, Mention) and (_is_it(p.target) or p.value == "between")
+        for m in (p.target, *(c for c in chunks if isinstance(c, Mention) and c.joined is p.target))
+    }  # "drives between the ego and the van ahead": not the van itself
     behind = {
         id(p.target): e
         for e in events
@@ -61,7 +71,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     waiting: list[Mention] = []
     early: list[Mention] = []
     for chunk in chunks:
-        if isinstance(chunk, Place) and any(m.value == "first_person" for m in chunk.mods):
+        if isinstance(chunk, Place | Thing) and any(m.value == "first_person" for m in chunk.mods):
             discourse.observer(chunk.i, chunk.j)
         if isinstance(chunk, Word) and discourse.tells(chunk.i, chunk.j):
             discourse.observer(chunk.i, chunk.j)
@@ -70,7 +80,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         if chunk.partitive and chunk.pronoun in _PARTS:
             waiting.append(chunk)
             continue
-        if chunk.pronoun in _BACK and discourse.nobody_yet and _named_later(chunk, chunks):
+        if chunk.pronoun in _BACK and _named_later(chunk, chunks):
             early.append(chunk)
             continue
         _resolve(chunk, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
@@ -88,6 +98,8 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
 def _named_later(pronoun: Mention, chunks: list[Chunk]) -> bool:
     """``before it turns right, the ego …``: the main clause names whom "it" means."""
     opened = False
+    if any(isinstance(c, Mention) and c.entities for c in chunks):
+        return False
     for chunk in chunks:
         if isinstance(chunk, Word) and chunk.i < pronoun.i:
             opened = opened or chunk.cat == "sub"
@@ -98,18 +110,43 @@ def _named_later(pronoun: Mention, chunks: list[Chunk]) -> bool:
     return False
 
 
+def _is_view(chunk: Chunk) -> bool:
+    """``the view of oncoming traffic``."""
+    return isinstance(chunk, Thing) and chunk.kind == "view"
+
+
 def _generic(chunks: list[Chunk], events: list[Event]) -> None:
     """``red for cross traffic``, ``looks for oncoming traffic``: nobody in particular.
 
     Traffic that somebody waits for, or gives way to, is there.
     """
     met = {id(p.target) for e in events if e.name in _LETTING_BY for p in e.pps}
-    for chunk in chunks:
-        mass = isinstance(chunk, Mention) and chunk.head is not None and "mass" in chunk.head.data
-        if not mass or not isinstance(chunk, Mention) or chunk.prep is None:
+    for k, chunk in enumerate(chunks):
+        if not isinstance(chunk, Mention) or chunk.head is None:
             continue
-        purpose = chunk.prep.value in {"for", "against"}
-        chunk.negated = chunk.negated or (purpose and id(chunk) not in met)
+        if chunk.prep is None:
+            chunk.negated = chunk.negated or _only_the_scene(chunk, k, chunks)
+            continue
+        several = chunk.head.form == "s" and chunk.mod("det", "num", "quant") is None
+        lit = any(isinstance(c, Place) and c.kind == "signal" for c in chunks[max(0, k - 4) : k])
+        anybody = "mass" in chunk.head.data or (several and lit)
+        purpose = chunk.prep.value in {"for", "against"} or (
+            chunk.prep.value == "of" and any(_is_view(c) for c in chunks[max(0, k - 2) : k])
+        )
+        chunk.negated = chunk.negated or (anybody and purpose and id(chunk) not in met)
+
+
+def _only_the_scene(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
+    """``Stop-and-go traffic on a ring road; the car ahead …``: where it all takes place."""
+    opens = k == 0 or getattr(chunks[k - 1], "value", "") in BOUNDARIES
+    if not opens or mention.head is None or "mass" not in mention.head.data or mention.dirs:
+        return False
+    for chunk in chunks[k + 1 :]:
+        if isinstance(chunk, Event | Mention):
+            return False
+        if isinstance(chunk, Word) and chunk.value in BOUNDARIES:
+            return any(isinstance(c, Mention) for c in chunks if c.i > chunk.i)
+    return False
 
 
 def _resolve(
@@ -141,7 +178,7 @@ def _resolve(
         settled=id(mention) in settled,
     )
     _seen_from_the_ego(mention, described)
-    if event is not None and event.name in _BEHIND and mention is event.object:
+    if event is not None and event.name in _BEHIND | _CLOSING_IN and mention is event.object:
         _in_front_of_the_ego(mention, event)
     driving = behind.get(id(mention))
     if driving is not None:
@@ -204,17 +241,32 @@ def from_everywhere(prep: Prep) -> bool:
     return quantified and target.kind in {"direction", "side", "exit", "leg", "road"}
 
 
+def each_side(prep: Prep) -> bool:
+    """``from each side``: one from the left, one from the right.
+
+    Args:
+        prep: a phrase of place.
+    """
+    target = prep.target
+    single = isinstance(target, Place) and target.head is not None and target.head.form != "s"
+    return from_everywhere(prep) and single and isinstance(target, Place) and target.kind == "side"
+
+
 def _sides(events: list[Event], chunks: list[Chunk]) -> dict[int, int]:
     """Mentions of those who come one from each of some sides -> how many sides; 0: all."""
     found: dict[int, int] = {}
     for event in events:
         sides = {m.value for p in event.pps if p.value == "from" for m in _compass(p)}
-        if any(from_everywhere(p) for p in event.pps):
+        if any(each_side(p) for p in event.pps):
+            found |= {id(m): _A_PAIR for m in event.subject}
+        elif any(from_everywhere(p) for p in event.pps):
             found |= {id(m): 0 for m in event.subject}
         elif len(sides) > _A_PAIR:
             found |= {id(m): len(sides) for m in event.subject}
     for chunk in chunks:
-        if isinstance(chunk, Mention) and any(from_everywhere(p) for p in chunk.pps):
+        if isinstance(chunk, Mention) and any(each_side(p) for p in chunk.pps):
+            found[id(chunk)] = _A_PAIR
+        elif isinstance(chunk, Mention) and any(from_everywhere(p) for p in chunk.pps):
             found[id(chunk)] = 0
     return found
 

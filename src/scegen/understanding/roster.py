@@ -15,6 +15,19 @@ from scegen.understanding.tokens import Token
 _MOTOR = frozenset(ParticipantKind) - {ParticipantKind.PEDESTRIAN}
 _RIDDEN = ParticipantKind.MOTORCYCLE
 _INCLUDING = frozenset({"including", "among", "amongst"})
+POSITIONS = {
+    "first": 0,
+    "second": 1,
+    "third": 2,
+    "fourth": 3,
+    "fifth": 4,
+    "sixth": 5,
+    "seventh": 6,
+    "eighth": 7,
+    "former": 0,
+    "latter": -1,
+}
+"""Place within those spoken of last; "the former" and "the latter" are of two."""
 
 
 @dataclass(slots=True)
@@ -92,8 +105,9 @@ class Roster:
             claimed = self.claim(1, exclude)
             if claimed:
                 return claimed
-        alike = [e.kind for e in self.recent if e.is_vehicle] or [ParticipantKind.CAR]
-        return [self.new(alike[-1], basis)]
+        afoot = len(self.subject) == 1 and self.subject[0] is self.draft.entities[-1]
+        alike = [e.kind for e in self.recent if e.is_vehicle or (afoot and e in self.subject)]
+        return [self.new((alike or [ParticipantKind.CAR])[-1], basis)]
 
     def named(self, reading: Reading, names: set[str], exclude: list[Entity]) -> list[Entity]:
         """``Two cars collided. Vehicle 1 …``: a new name goes to one without a name."""
@@ -140,6 +154,17 @@ class Roster:
         stops = [k for k, t in enumerate(self.tokens[: mention.i]) if t.low == "."]
         return bool(colons) and not any(k > colons[0] for k in stops)
 
+    def last_is_ego(self) -> None:
+        """``three cars: the first …, the second …, and the ego``: the one that is left."""
+        if any(e.ego for e in self.draft.entities):
+            return
+        for group in reversed(self.groups):
+            counted = not group.vague and len(group.members) > 2 and len(group.free) == 1
+            last = group.free[0] if counted else None
+            if last is not None and last.kind is ParticipantKind.CAR and not last.parked:
+                last.ego = last.claimed = True
+                last.named_by.add("ego")
+
     def told_what(self, reading: Reading, basis: Basis) -> list[Entity]:
         """``three of us …, the van on my right``: what one of the others drives."""
         for group in self.groups:
@@ -157,6 +182,37 @@ class Roster:
         before = [e for e in self.draft.entities if (e.basis.i or 0) < colon and not e.ego]
         alike = [e for e in before if self.compatible(e, reading) and e.dirs == reading.dirs]
         return alike[:1]
+
+    def by_order(self, reading: Reading, mention: Mention) -> list[Entity] | None:
+        """``the first car``, ``the second truck``: by the order in which they came up.
+
+        Args:
+            reading: what the words of the mention say.
+            mention: the mention.
+
+        Returns:
+            Whom it means; None if it says nothing of an order.
+        """
+        which = next((m.value for m in mention.mods if m.value in POSITIONS), None)
+        if which is None or reading.det not in {"def", "ordinal"} or reading.plural:
+            return None
+        if mention.mods[0].value != "def":
+            return None
+        for group in reversed(self.groups):
+            alike = [e for e in group.members if self.compatible(e, reading)]
+            if len(alike) > abs(POSITIONS[which]):
+                return self._claimed(alike[POSITIONS[which]])
+        alike = [e for e in self.draft.entities if self.compatible(e, reading)]
+        alike = [e for e in alike if not e.ego]
+        if not alike:
+            return None
+        known = alike[POSITIONS[which] :][:1] if POSITIONS[which] < len(alike) else []
+        return self._claimed(known[0]) if known else []
+
+    def _claimed(self, entity: Entity) -> list[Entity]:
+        """Picks somebody out of a group."""
+        entity.claimed = True
+        return [entity]
 
     def fits(self, entity: Entity, reading: Reading | None) -> bool:
         """Whether a member of a group can be meant."""

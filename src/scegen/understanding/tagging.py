@@ -2,39 +2,34 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 from scegen.understanding.choosing import choose, is_adverb
+from scegen.understanding.labels import named_at
 from scegen.understanding.lexicon import Entry
 from scegen.understanding.numbers import number_at
-from scegen.understanding.paces import doing, pace_at
+from scegen.understanding.paces import pace_at
 from scegen.understanding.particles import (
+    after_a_phrase,
     in_front,
     just_right,
+    lane_then_verb,
+    over_a_place,
     sends_back,
+    suffix_form,
     then_a_noun,
     then_a_side,
 )
+from scegen.understanding.passages import from_side_to_side
 from scegen.understanding.quantities import quantity_at
+from scegen.understanding.retagging import retag
 from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
 
-_LABELLED = re.compile(r"^(?:v|veh|u|d|car|cv)\d{1,2}$")
-_WALKER = re.compile(r"^(?:p|ped)\d{1,2}$")
 _NOUNS = ("actor", "place", "thing", "inert")
 _CROSSED = frozenset({"road", "lane", "path", "highway", "crosswalk"})
+_STEERED = frozenset({"driven", "ridden"})
 _UNIT_WORDS = frozenset({"unit", "veh", "v"})
-
-
-def _labelled(token: Token, i: int) -> Term | None:
-    """``V1``, ``car2``: a participant called by a short name."""
-    digits = token.low.lstrip("abcdefghijklmnopqrstuvwxyz")
-    if token.kind == "label" and _LABELLED.match(token.low):
-        return Term("actor", "car", i, i + 1, "base", {"label": f"#{digits}"})
-    if token.kind == "label" and _WALKER.match(token.low):
-        return Term("actor", "pedestrian", i, i + 1, "base", {"label": f"#p{digits}"})
-    return None
 
 
 def _first_person(token: Token) -> bool:
@@ -58,16 +53,13 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
         return None
     infinitive = previous.cat == "prep" and previous.value == "to"
     if infinitive or previous.cat in {"aux", "neg"}:
-        return _suffix_form(token) or "base"
+        return suffix_form(token) or "base"
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
     if previous.cat in {"actor", "pronoun", "rel"} or adverb:
-        return _suffix_form(token)
+        return suffix_form(token)
+    if after_a_phrase(token, previous, tokens):
+        return "s"
     return None
-
-
-def _suffix_form(token: Token) -> str | None:
-    endings = (("ing", "ing"), ("ed", "ed"), ("s", "s"))
-    return next((form for ending, form in endings if token.low.endswith(ending)), None)
 
 
 def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term | None) -> bool:
@@ -95,56 +87,10 @@ def tag(tokens: list[Token]) -> list[Term]:
             term = _term_at(tokens[: i + 1], i, _before(terms, tokens))
         if term.cat == "verb" and sends_back(tokens, terms, i):
             term = Term("manner", "mild", i, i + 1)
-        if (term.cat, term.value, term.form) == ("verb", "stop", "base") and _at_a(terms, tokens):
-            term = Term("place", "bus_stop", term.i, term.j)  # "pulls away from the stop"
-        if (term.cat, term.value) == ("verb", "yield") and _a_noun(terms, tokens, term):
-            term = Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
-        if (term.cat, tokens[term.i].low) == ("possessive", "her") and _alone(tokens, term.j):
-            term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
-        if _speed(term) and doing(tokens, i):
-            _as_motion(terms, tokens)
-        if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
-            terms[-1] = replace(terms[-1], value="move", data={})  # "carries straight on"
+        term = retag(term, terms, tokens)
         terms.append(term)
         i = terms[-1].j
-    return _crossings(terms, tokens)
-
-
-def _as_motion(terms: list[Term], tokens: list[Token]) -> None:
-    """``doing about fifty``: driving."""
-    k = next((k for k in range(len(terms) - 1, -1, -1) if terms[k].cat == "verb"), None)
-    if k is not None and tokens[terms[k].i].forms[-1][0] == "do":
-        terms[k] = replace(terms[k], value="move", data={"drives": True})
-
-
-def _speed(term: Term) -> bool:
-    """Whether a term says how fast: "50 mph", "40 in a 30", or a bare number after "doing"."""
-    return term.cat in {"quantity", "num"} or (
-        term.cat == "manner" and term.value in {"fast", "slow"}
-    )
-
-
-def _at_a(terms: list[Term], tokens: list[Token]) -> bool:
-    """Whether "at the" or "from a" stands before."""
-    if len(terms) < 2 or terms[-1].cat not in {"det", "possessive"}:
-        return False
-    if terms[-1].cat == "possessive" and terms[-2].value in {"leave", "approach", "pull_out"}:
-        return True  # "leaves its stop"
-    return tokens[terms[-2].i].low in {"at", "from"}
-
-
-def _alone(tokens: list[Token], j: int) -> bool:
-    """Whether no noun follows that a possessive could belong to."""
-    if j >= len(tokens) or tokens[j].kind == "punct":
-        return True
-    following = longest_match(tokens, j)
-    return following is not None and following.only("prep", "conj", "sub", "locus", "aux")
-
-
-def _a_noun(terms: list[Term], tokens: list[Token], term: Term) -> bool:
-    """``through the give way``: the sign."""
-    after = tokens[term.j].kind if term.j < len(tokens) else "punct"
-    return bool(terms) and terms[-1].cat == "det" and after == "punct"
+    return _crossings(from_side_to_side(terms), tokens)
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:
@@ -213,33 +159,40 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
     """The phrase at a token, cut down where its words are no phrase here."""
     token = tokens[i]
     match = longest_match(tokens, i)
+    if match and match.form in {"ed", "ing"} and match.only("actor", "pronoun", "possessive"):
+        return None  # nouns are not inflected so
+    if match and token.low in _STEERED and tokens[match.j - 1].low == "by":
+        match = longest_match(tokens[: i + 1], i)  # "driven by a student"
     if match and _is_clause(match, tokens, i, previous):
         match = longest_match(tokens[: i + 1], i)
     if match and token.low == "right" and match.only("sub") and _turning(previous):
         match = longest_match(tokens[: i + 1], i)  # "turns right when …"
     if match and match.only("locus") and then_a_side(tokens, match):
         match = longest_match(tokens[: match.j - 1], i)  # "darts across from the left"
-    if match and match.j > i + 1 and then_a_noun(tokens, match):
+    if match and match.j > i + 1 and (then_a_noun(tokens, match) or over_a_place(tokens, match)):
         match = longest_match(tokens[: match.j - 1], i)
     if match and match.only("verb") and in_front(tokens, match):
         match = replace(match, j=match.j + 2)  # "forces its way in front of"
-    if match and match.j > i + 1 and match.only("verb") and _needs_infinitive(tokens, match):
+    if match and match.j > i + 1 and match.only("verb", "aux") and _needs_infinitive(tokens, match):
         match = longest_match(tokens[: match.j - 1], i) or match
+    if match and lane_then_verb(tokens, match, previous):
+        match = longest_match(tokens[: match.j - 1], i)  # "in the left lane changes to"
     plural = any(form == "s" for _, form in token.forms)
     if match and match.j > i + 1 and plural and match.only(*_NOUNS):
         match = longest_match(tokens[: i + 1], i)  # "two pedestrians crossing", no crossing
     if match and match.j > i + 1 and match.form in {"ed", "ing"} and match.only(*_NOUNS):
         match = longest_match(tokens[: match.j - 1], i)  # "a car parked", no car park
-    return match
+    verbal = match is not None and match.form in {"ed", "ing"} and match.only("thing", "actor")
+    return None if verbal else match  # "boxed in"
 
 
 def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     token = tokens[i]
     if token.kind == "punct":
         return Term("punct", token.low, i, i + 1)
-    labelled = _labelled(token, i)
-    if labelled:
-        return labelled
+    named = named_at(tokens, i)
+    if named:
+        return named
     if just_right(tokens, i, previous):
         return Term("manner", "mild", i, i + 1)
     pace = pace_at(tokens, i)
@@ -252,10 +205,13 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
         return Term("actor", "car", i, i + 1)
     number = number_at(tokens, i)
     match = _match_at(tokens, i, previous) if _first_person(token) else None
-    counted = number is not None and match is not None and match.has("shape") and match.form == "s"
+    counted = number is not None and match is not None and match.has("shape", "label")
+    counted = counted and match is not None and match.form == "s"
     if match and not counted and (number is None or match.j > i + number.length):
         entry, premod = choose(match, tokens, previous)
         form = _own_form(entry, match, token)
+        if token.low == "about" and entry.cat == "verb" and (not previous or previous.cat != "aux"):
+            form = "ing"  # "children about to cross": describes them
         return Term(entry.cat, entry.value, i, match.j, form, entry.data, premod)
     if number:
         return Term("num", token.low, i, i + number.length, data={"number": number.value})

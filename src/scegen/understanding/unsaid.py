@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.functional import Junction
-from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Basis, Draft, Entity
 
 
@@ -41,9 +41,15 @@ def _followed(
         return Maneuver.STRAIGHT, entity.moves or Basis(), reason
     if junction.kind is JunctionKind.ROUNDABOUT:
         return None
-    if entity.heading is not None and entity.moves is not None:
-        reason = "it keeps its heading: nothing says that it turns"
-        return Maneuver.STRAIGHT, entity.moves, reason
+    crossed = _turned_across(entity, draft)
+    if crossed is not None:
+        return Maneuver.STRAIGHT, crossed, "its way is crossed: nothing says that it turns"
+    priority = _has_the_way(entity, draft)
+    if priority is not None:
+        return Maneuver.STRAIGHT, priority, "it has the way: nothing says that it turns"
+    underway = entity.moves or (entity.heading_basis if entity.bound else None)
+    if entity.heading is not None and underway is not None:
+        return Maneuver.STRAIGHT, underway, "it keeps its heading: nothing says that it turns"
     if entity.through is not None and (entity.ego or entity.claimed):
         reason = "it drives through: nothing says that it turns"
         return Maneuver.STRAIGHT, entity.through, reason
@@ -53,6 +59,34 @@ def _followed(
     if entity.waits is not None:
         return Maneuver.STRAIGHT, entity.waits, "it waits for the light: nothing says that it turns"
     return None
+
+
+def _has_the_way(entity: Entity, draft: Draft) -> Basis | None:
+    """``pulls out of a driveway in front of a bus``: the bus keeps to its road."""
+    if draft.access is None or not entity.moving_vehicle:
+        return None
+    for danger in draft.dangers:
+        met = [e for e in draft.entities if e.moving_vehicle and e not in danger.by]
+        alone = entity.ego or met == [entity]
+        suffers = entity in danger.to or (not danger.to and alone)
+        along = suffers and entity not in danger.by
+        if danger.kind is HazardKind.FAILURE_TO_YIELD and along:
+            return danger.basis
+    return None
+
+
+def _turned_across(entity: Entity, draft: Draft) -> Basis | None:
+    """``turns left across the path of the van``: the van goes straight on."""
+    return next(
+        (
+            d.basis
+            for d in draft.dangers
+            if d.kind is HazardKind.UNPROTECTED_LEFT_TURN
+            and (entity in d.to or (not d.to and entity.ego))
+            and entity not in d.by
+        ),
+        None,
+    )
 
 
 def _oncoming(entity: Entity, draft: Draft) -> Basis | None:
