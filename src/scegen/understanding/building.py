@@ -11,6 +11,7 @@ from scegen.scenario.functional import (
     Unsupported,
 )
 from scegen.scenario.vocabulary import JunctionKind, Role
+from scegen.understanding.alongside import abreast, both_change_lanes, in_the_way
 from scegen.understanding.draft import Basis, Danger, Draft, Entity
 from scegen.understanding.junctions import JunctionReading
 from scegen.understanding.layout import Layout
@@ -18,13 +19,7 @@ from scegen.understanding.proving import Proofs
 from scegen.understanding.surroundings import Surroundings
 from scegen.understanding.tokens import Token
 from scegen.understanding.unsaid import maneuvers_of
-from scegen.understanding.viewpoint import (
-    abreast,
-    choose_ego,
-    in_the_way,
-    settle_positions,
-    suffers,
-)
+from scegen.understanding.viewpoint import choose_ego, settle_positions, suffers
 
 
 class Builder:
@@ -57,6 +52,7 @@ class Builder:
         if junction.kind is JunctionKind.STRAIGHT:
             in_the_way(self._draft, ego)
             abreast(self._draft, ego)
+            both_change_lanes(self._draft, ego)
         self._name(ego)
         participants = tuple(
             self._participant(e, ego_basis, junction) for e in self._draft.entities

@@ -8,7 +8,7 @@ from itertools import pairwise
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, event_of
 from scegen.understanding.lanes import between_lanes
 from scegen.understanding.naming import Namer
-from scegen.understanding.nominal import OPENERS, ORDINALS, VERBAL_LINKS, has_dir, is_nominal
+from scegen.understanding.nominal import OPENERS, ORDINALS, compound_end, has_dir, is_nominal
 from scegen.understanding.split_verbs import with_particles
 from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
@@ -52,7 +52,7 @@ class Chunker:
             self._chunks.append(event_of(term, []))
             return k + 1
         if term.cat == "pronoun":
-            self._chunks.append(_pronoun(term))
+            self._chunks.append(Mention(term.i, term.j, [], term, pronoun=term.value))
             return k + 1
         if term.cat == "possessive" and term.value == "genitive":
             if self._chunks and getattr(self._chunks[-1], "cat", "") == "unknown":
@@ -217,9 +217,9 @@ class Chunker:
                 self._chunks.append(mention)
                 return self._one_after(k + 2)
         one = next((m for m, mod in enumerate(mods) if mod.value == "one"), 0)
-        if one > 1 and first.value == "def" and mods[one].cat == "num":
+        if one > 0 and first.value == "def" and mods[one].cat == "num":
             self._chunks.append(Mention(first.i, mods[one].j, mods[:one], None, pronoun="one"))
-            return k + one + 1  # "the red one", "the left one"
+            return k + one + 1  # "the one", "the red one"
         if first.cat == "quant" and first.value in {"both", "all"} and len(mods) == 1:
             return self._stand_alone(first, first.value, k)
         return self._side(mods, k)
@@ -253,7 +253,7 @@ class Chunker:
             seen = seen or side
             length += 1
         previous = self._chunks[-1] if self._chunks else None
-        preposed = isinstance(previous, Word) and previous.cat in VERBAL_LINKS
+        preposed = isinstance(previous, Word) and previous.cat in {"prep", "locus"}
         determined = mods[0].cat in {"det", "possessive"}
         if not seen or not (preposed or determined):
             return None
@@ -292,9 +292,7 @@ class Chunker:
                 return m + 2
         else:
             kind = head.cat if head.cat == "view" else head.value
-            self._chunks.append(Thing(start, head.j, mods, head, owner, kind=kind))
+            end = compound_end(head, self._term(m + 1))
+            self._chunks.append(Thing(start, end.j, mods, head, owner, kind=kind))
+            return m + 1 + (end is not head)
         return m + 1
-
-
-def _pronoun(term: Term) -> Mention:
-    return Mention(term.i, term.j, [], term, pronoun=term.value)

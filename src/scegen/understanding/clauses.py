@@ -81,8 +81,14 @@ class ClauseReader:
             state.between.add(word.value if word.cat in {"punct", "conj"} else word.cat)
             if word.cat == "conj" and word.value != "either":
                 state.between.add("conj")
+            if word.cat == "conj" and word.value in {"and", "but"}:
+                state.between.discard("aux:be")  # "was tired and did not notice the van"
             if word.value == "where":
                 self._where(k)
+            if word.cat == "sub" or word.value == ",":
+                state.where = word.value == "where"
+            if word.cat == "rel" and k and _blocks(self._chunks[k - 1]):
+                state.between.add("thing")
             if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
                 state.candidate = None
 
@@ -224,7 +230,7 @@ class ClauseReader:
             subjects.link(event, state)
             event.pps += state.opening
             state.opening = []
-        following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
+        following = next((c for c in self._chunks[k + 1 :] if not _is_manner(c)), None)
         if isinstance(following, Word) and following.value == "by":
             subjects.before_by(event)
         negated = any(word.startswith("neg:") for word in state.between)
@@ -243,6 +249,17 @@ class ClauseReader:
         state.anchor = event
         state.between = set()
         state.last_pp = None
+
+
+def _is_manner(chunk: Chunk) -> bool:
+    return isinstance(chunk, Word) and chunk.cat == "manner"
+
+
+def _blocks(chunk: Chunk) -> bool:
+    """``a fallen tree that blocks the lane``: the tree does it."""
+    if not isinstance(chunk, Thing) or (chunk.prep is not None and chunk.prep.value == "with"):
+        return False
+    return chunk.kind in {"obstacle", "object"}
 
 
 def _view_of(before: list[Chunk]) -> Thing | None:

@@ -169,7 +169,7 @@ def _cuts_across_the_road(scene: Scene, context: Context) -> bool:
 def enter(scene: Scene, context: Context) -> None:
     """``enters the lane in front of V1``: a cut-in; from the front, the oncoming lane is used."""
     lane = into_lane(scene.event)
-    others = [e for e in scene.drivers if not e.ego]
+    others = [e for e in scene.drivers if not e.ego and Maneuver.CROSS not in e.maneuvers]
     _enter_in_front(scene, context)
     if lane is None or not others or scene.reaction:
         return

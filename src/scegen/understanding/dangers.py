@@ -13,6 +13,7 @@ from scegen.understanding.walking import keep_along
 from scegen.understanding.ways import into_lane
 
 _HASTY = frozenset({"early", "soon", "closely", "close", "tightly"})
+_BEYOND = frozenset({"past", "beyond", "after"})
 _REGULATED = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_stop", "parking",
                         "shoulder", "sidewalk", "crosswalk"})  # fmt: skip
 
@@ -79,7 +80,10 @@ def stop(scene: Scene, context: Context) -> None:
     motor = [e for e in scene.drivers if e.kind is not ParticipantKind.BICYCLE]
     if sudden is not None and motor:
         context.draft.hazard(HazardKind.HARD_BRAKING, sudden, motor)
-    if any(p.kind in _REGULATED for p in scene.places()):
+    beyond = {
+        id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low in _BEYOND
+    }  # "stops just past the crosswalk"
+    if any(p.kind in _REGULATED and id(p) not in beyond for p in scene.places()):
         return
     if any(p.value == "for" and isinstance(p.target, Mention) for p in scene.event.pps):
         return  # "stops for her"

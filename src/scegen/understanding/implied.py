@@ -10,6 +10,7 @@ from scegen.understanding.draft import Basis, Danger, Entity, Placement
 from scegen.understanding.reactions import into_rear
 from scegen.understanding.terms import Term
 
+_TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
 _CLOSING = frozenset({"approach", "encounter", "collide", "move", "brake", "hard_brake", "slow"})
 _COMING = frozenset({"move", "approach", "enter", "speed", "accelerate", "collide", "overtake"})
 _TOWARDS = frozenset({"to", "into", "in", "for", "with"})
@@ -37,6 +38,7 @@ def positions(scenes: list[Scene], context: Context) -> None:
         _across(scene, context)
     for danger in context.draft.dangers:
         if danger.kind is HazardKind.ONCOMING_LANE:
+            _around_something(danger, context)
             _face_to_face(danger, context)
 
 
@@ -70,16 +72,18 @@ def _hidden_behind(scene: Scene, context: Context) -> None:
 
 
 def _overtaken(scene: Scene, context: Context) -> None:
-    """``an oncoming van overtakes a bus``: the bus comes the same way as the van."""
+    """``an oncoming van overtakes a bus``: both come the same way."""
     if scene.event.name not in {"overtake", "pass", "bypass"} or scene.event.negated:
         return
-    if not any(context.oncoming(e) for e in scene.drivers):
-        return
-    basis = Basis(scene.event.i, scene.event.j, "who overtakes it comes from the front")
-    for entity in scene.targets:
-        seen = [p for p in context.draft.placements if p.entity is entity and _by_the_ego(p)]
-        if entity.moving_vehicle and not entity.ego and not seen:
-            context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
+    called = [e for e in scene.targets if "opposite" in e.dirs]
+    for known, others in ((scene.drivers, scene.targets), (called, scene.drivers)):
+        if not any(context.oncoming(e) for e in known):
+            continue
+        basis = Basis(scene.event.i, scene.event.j, "one that comes from the front passes another")
+        for entity in others:
+            seen = [p for p in context.draft.placements if p.entity is entity and _by_the_ego(p)]
+            if entity.moving_vehicle and not entity.ego and not seen:
+                context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
 
 
 def _met(scene: Scene, context: Context) -> None:
@@ -122,19 +126,20 @@ def _across(scene: Scene, context: Context) -> None:
     """Who crosses on red, or leaves the side road of a T, comes from the left or the right."""
     event = scene.event
     ego = next((e for e in context.draft.entities if e.ego), None)
-    if ego is None or ego in scene.actors or not context.junction.crossing:
+    implied = context.draft.access is not None and context.junction.straight is None
+    if ego is None or ego in scene.actors or not (context.junction.crossing or implied):
         return
     on_red = event.name == "cross" and any(
         scene.drivers == d.by and d.kind is HazardKind.RED_LIGHT_RUNNING
         for d in context.draft.dangers
     )
     sources = [*event.pps, *(p for m in event.subject for p in m.pps)]
-    stem = [
-        p
-        for p in sources
-        if p.value in {"from", "in"} and isinstance(p.target, Place) and p.target.kind == "access"
-    ]
+    out = event.name in {"pull_out", "reverse", "leave", "appear"}
+    words = {"from", "in", "of"} if out else {"from", "in"}
+    stem = [p.target for p in sources if p.value in words] + ([event.object] if out else [])
+    stem = [p for p in stem if isinstance(p, Place) and p.kind == "access"]
     along = context.junction.kind is JunctionKind.T and ego.maneuvers == {Maneuver.STRAIGHT}
+    along = along or (not context.junction.crossing and not ego.maneuvers & _TURNS)
     if not on_red and not (stem and along):
         return
     basis = Basis(event.i, event.j, "it comes across the way of the ego")
@@ -255,6 +260,17 @@ def _placed(entity: Entity, observer: Entity, context: Context) -> bool:
         if (pair or turned) and p.approaches & across:
             return True
     return entity.heading is not None and observer.heading is not None
+
+
+def _around_something(danger: Danger, context: Context) -> None:
+    """``a parked bus blocks the lane; the ego detours through the oncoming lane``: past it."""
+    draft = context.draft
+    blocked = any(e.parked for e in draft.entities) or any(
+        d.kind in _SLOWER | {HazardKind.OBSTACLE} for d in draft.dangers
+    )
+    for entity in danger.by if blocked else []:
+        if entity.ego and not entity.maneuvers:
+            draft.maneuver(entity, {Maneuver.OVERTAKE}, danger.basis)
 
 
 def _face_to_face(danger: Danger, context: Context) -> None:

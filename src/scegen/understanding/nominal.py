@@ -81,3 +81,15 @@ def _way(follows: Term | None) -> bool:
 def has_dir(mods: list[Term]) -> bool:
     """Whether a direction stands among the words before a noun."""
     return any(m.cat == "dir" for m in mods)
+
+
+def compound_end(head: Term, following: Term | None) -> Term:
+    """``a construction area``: the last noun of a compound, the head itself if it is none.
+
+    Args:
+        head: a noun for a thing.
+        following: the term after it.
+    """
+    if head.value != "obstacle" or following is None:
+        return head
+    return following if (following.cat, following.value) == ("inert", "noun") else head

@@ -61,6 +61,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         if p.word.cat == "locus" and isinstance(p.target, Mention)
     } | relative
     owners = {id(c.owner) for c in chunks if isinstance(c, Mention)}
+    stand = {id(m): e for e in events if e.name == "park" and not e.negated for m in e.subject}
     waiting: list[Mention] = []
     early: list[Mention] = []
     for chunk in chunks:
@@ -77,6 +78,8 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
             early.append(chunk)
             continue
         _resolve(chunk, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
+        if id(chunk) in stand:
+            _parked(chunk, stand[id(chunk)])
         if early and id(chunk) in subjects:
             waiting, early = [*waiting, *early], []
         for earlier in waiting:
@@ -86,6 +89,12 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         waiting = []
     for earlier in (*waiting, *early):
         _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
+
+
+def _parked(mention: Mention, event: Event) -> None:
+    """``vehicle 1 was parked``: from then on, "the parked vehicle" is that one."""
+    for entity in mention.entities if event.form == "ed" else []:
+        entity.parked = entity.parked or (entity.is_vehicle and not entity.ego)
 
 
 def _named_later(pronoun: Mention, chunks: list[Chunk]) -> bool:

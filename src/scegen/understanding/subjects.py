@@ -103,6 +103,9 @@ def _bare_participle(event: Event, state: State) -> bool:
 def _clause(event: Event, state: State) -> None:
     anchor = state.anchor
     between = state.between
+    event.embedded = "rel" in between or state.where
+    if "thing" in between:
+        return  # "a fallen tree that blocks the lane"
     if "rel" in between and state.mentions:
         which = _antecedent(state)
         singular = event.form == "s" and (which.head is None or which.head.form != "s")
@@ -115,11 +118,18 @@ def _clause(event: Event, state: State) -> None:
         _after_comma(event, state)
     elif isinstance(anchor, Mention):
         _after_mention(event, anchor, state)
+    elif isinstance(anchor, Event) and event.finite and _waits(state):
+        event.subject = chain(state.candidate) if state.candidate else []
     elif isinstance(anchor, Event):
         depend(event, anchor, "ing")
         event.subject = anchor.subject
     else:
         _subjectless(event, state)
+
+
+def _waits(state: State) -> bool:
+    """``a man with a walking frame crosses``: whether a noun still has no verb of its own."""
+    return state.candidate is not None and not state.candidate_done
 
 
 def _antecedent(state: State) -> Mention:
@@ -146,7 +156,9 @@ def _subjectless(event: Event, state: State) -> None:
 
 def _after_comma(event: Event, state: State) -> None:
     waiting = state.candidate is not None and not state.candidate_done
-    if waiting and state.anchor is state.candidate and state.candidate is not None:
+    who = state.candidate
+    placed = who is not None and any(p.target is state.anchor for p in who.pps)
+    if waiting and (state.anchor is who or placed) and state.candidate is not None:
         event.subject = chain(state.candidate)  # "when a van, turning left, fails to yield"
         return
     if state.candidate is not None and (event.finite or not state.main):
@@ -185,8 +197,15 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     if anchor is not state.candidate:
         event.finite = event.finite and event.form != "ed"
     last = state.events[-1] if state.events else None
+    within = anchor.prep is not None and anchor.prep.value == "in" and anchor.head is not None
+    if last and within and anchor.head and "mass" in anchor.head.data and event.form == "ing":
+        event.subject = last.subject  # "is stopped in traffic waiting to turn"
+        return
     if last is not None and last.object is anchor and last.name in {"cause", "prevent"}:
         depend(event, last, "ing")
+    granted = last is not None and last.object is anchor and last.name in {"leave", "inert"}
+    if granted and "neg:unable" in state.between:
+        event.name = "inert"  # "leaving the ego no time to brake"
     if last is not None and _pronoun_object(anchor, last) and not event.finite:
         event.subject = last.subject  # "nearly hit me coming from the right"
         return

@@ -6,9 +6,10 @@ import re
 from dataclasses import replace
 
 from scegen.understanding.choosing import choose, is_adverb
+from scegen.understanding.collectives import gather
 from scegen.understanding.lexicon import Entry
 from scegen.understanding.numbers import number_at
-from scegen.understanding.paces import pace_at
+from scegen.understanding.paces import pace_at, speed_at
 from scegen.understanding.particles import (
     after_a_phrase,
     in_front,
@@ -116,7 +117,7 @@ def tag(tokens: list[Token]) -> list[Term]:
         term = retag(term, terms, tokens)
         terms.append(term)
         i = terms[-1].j
-    return _crossings(from_side_to_side(terms), tokens)
+    return _crossings(gather(from_side_to_side(terms), tokens), tokens)
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:
@@ -219,7 +220,7 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
         return named
     if just_right(tokens, i, previous):
         return Term("manner", "mild", i, i + 1)
-    pace = pace_at(tokens, i)
+    pace = pace_at(tokens, i) or speed_at(tokens, i)
     if pace is not None:
         return pace
     quantity = quantity_at(tokens, i)

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
 from scegen.understanding.draft import Basis, Danger, Draft, Entity, Placement
 from scegen.understanding.placing import INVERSE
 
-_IN_THE_WAY = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING, HazardKind.HARD_BRAKING,
-                         HazardKind.OBSTACLE})  # fmt: skip
 _COMPASS = ("north", "east", "south", "west")
 _SEEN = {1: Approach.LEFT, 2: Approach.OPPOSITE, 3: Approach.RIGHT}
 """Quarter turns clockwise from the ego's heading to the other's -> where the other comes from."""
@@ -175,8 +173,22 @@ def settle_positions(
             seen = ego.heading_basis or Basis()
             entity.by_heading = Basis(seen.i, seen.j, f"the ego is headed {ego.heading}")
     _beside(draft, ego)
+    _in_file(relations)
     ego.approaches = set()
     return relations
+
+
+def _in_file(relations: list[tuple[Entity, Entity, set[Approach], Basis]]) -> None:
+    """``a van from the left, and a bus behind it``: both come from there."""
+    for entity, leader, approaches, basis in relations:
+        seen = leader.approaches
+        across = len(seen) == 1 and seen <= {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
+        farther = len(seen) == 1 and seen == approaches
+        along = approaches <= {Approach.AHEAD, Approach.BEHIND} and len(approaches) == 1
+        free = not entity.approaches and entity.heading is None and not entity.entries
+        if along and (across or farther) and free and not entity.parked:
+            entity.approaches = set(seen)
+            entity.approach_basis = Basis(basis.i, basis.j, "it is in one file with another")
 
 
 def _against_the_ego(draft: Draft, ego: Entity) -> None:
@@ -201,51 +213,6 @@ def _beside(draft: Draft, ego: Entity) -> None:
                 entity.approaches = {Approach.ADJACENT}
                 reason = "who cuts in comes from the next lane"
                 entity.approach_basis = Basis(danger.basis.i, danger.basis.j, reason)
-
-
-def in_the_way(draft: Draft, ego: Entity) -> None:
-    """On a straight road, who endangers the ego by going slowly or stopping is ahead of it.
-
-    Args:
-        draft: the scenario in the making, positions settled.
-        ego: its ego.
-    """
-    placed = {p.entity.index for p in draft.placements} | {
-        p.reference.index for p in draft.placements if p.reference is not None
-    }
-    for danger in draft.dangers:
-        if danger.kind not in _IN_THE_WAY or (danger.to and ego not in danger.to):
-            continue
-        for entity in danger.by:
-            free = entity.index not in placed and not entity.approaches and entity.heading is None
-            if free and entity is not ego and entity.is_vehicle:
-                entity.approaches = {Approach.AHEAD}
-                reason = "on a straight road, who is in the way is ahead"
-                entity.approach_basis = Basis(danger.basis.i, danger.basis.j, reason)
-
-
-def abreast(draft: Draft, ego: Entity) -> None:
-    """On a straight road, a vehicle on the left is not one that comes out of a road there.
-
-    Args:
-        draft: the scenario in the making, positions settled.
-        ego: its ego.
-    """
-    along = draft.access is None and not draft.from_kerb
-    for entity in draft.entities if along else []:
-        side = entity.approaches and entity.approaches <= {Approach.LEFT, Approach.RIGHT}
-        alongside = entity.moving_vehicle and Maneuver.CROSS not in entity.maneuvers
-        if entity is ego or not side or len(entity.approaches) > 1 or not alongside:
-            continue
-        if entity.by_heading is not None or entity.pulls_out:
-            continue  # headings across each other: the roads meet somewhere
-        basis = entity.approach_basis or entity.basis
-        rides = entity.kind is ParticipantKind.BICYCLE and basis.i is not None
-        if rides and draft.tokens[basis.i or 0].low == "from":
-            continue  # a cyclist comes from the right: off the pavement
-        reason = "on a straight road, who is at one's side drives in the next lane"
-        entity.approaches = {Approach.ADJACENT}
-        entity.approach_basis = Basis(basis.i, basis.j, reason)
 
 
 def _own_side(draft: Draft, ego: Entity) -> Approach | None:
