@@ -143,3 +143,80 @@ def test_whose_rear_is_hit_is_ahead():
 def test_a_failing_driver_is_no_failed_light():
     scenario = read("V1 waited at the traffic lights when V2 failed to stop.")
     assert scenario.junction.control == "signals"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("A coach driven by a 40-year-old female hit a moped ridden by a student.",
+         ["bus", "motorcycle"]),
+        ("The 12-year-old was hit by a van.", ["pedestrian", "van"]),
+        ("A 52-year-old motorcyclist passed a tram.", ["bus", "motorcycle"]),
+        ("The insured was driving her sister's van when a bus hit her.", ["bus", "van"]),
+        ("A father with a pram had to leap out of the way of a taxi.", ["car", "pedestrian"]),
+    ],
+)  # fmt: skip
+def test_people_by_age_and_at_the_wheel(text, expected):
+    assert kinds(text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "who", "does"),
+    [
+        ("V1 followed a tractor and pulled out to pass.", "car_1", {"overtake"}),
+        ("I was stationary at the traffic lights when a van hit me.", "ego", {"straight"}),
+        ("At the lights a van turned left across the path of the ego.", "ego", {"straight"}),
+        ("V1 pulled out of a yard into the path of V2, northbound on Elm Street.", "car_2",
+         {"straight"}),
+        ("A jogger ran into the path of the ego as it was turning left.", "ego", {"left"}),
+    ],
+)  # fmt: skip
+def test_ways_that_follow(text, who, does):
+    assert read(text).participant(who).maneuvers == does
+
+
+def test_only_an_open_door_is_in_the_way():
+    assert read("A van struck V2 in the driver's door.").hazards == ()
+    assert [h.kind for h in read("A cyclist hit the open door of a car.").hazards] == ["obstacle"]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Two students survived when their van hit a tree.", ["van"]),
+        ("An autonomous van in driverless mode followed a bus.", ["bus", "van"]),
+        ("One pedestrian crosses, another waits at the kerb, and the ego stops.",
+         ["car", "pedestrian", "pedestrian"]),
+        ("The first car in the right lane brakes, the second swerves in front of the ego.",
+         ["car", "car", "car"]),
+    ],
+)  # fmt: skip
+def test_how_many(text, expected):
+    assert kinds(text) == expected
+
+
+def test_a_turn_further_ahead_cuts_nobody_off():
+    assert read("The ego slows as a van turns left ahead of it at a junction.").hazards == ()
+
+
+def test_driving_through_is_going_straight_on():
+    scenario = read("V1 ignored the stop sign and drove through the crossroads.")
+    assert scenario.participant("car_1").maneuvers == {"straight"}
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("D-1 was northbound. D-2 was ahead and stopped. D-1 hit D-2.", ["car", "car"]),
+        ("The motorcyclist came off his bike and was hit by a van.", ["motorcycle", "van"]),
+        ("The pedestrian on the left waits while the one on the right crosses before the ego.",
+         ["car", "pedestrian", "pedestrian"]),
+    ],
+)  # fmt: skip
+def test_one_name_for_each(text, expected):
+    assert kinds(text) == expected
+
+
+def test_its_path_is_that_of_the_only_other_one():
+    (hazard,) = read("V2 was going north. V1 came out of a yard and pulled into its path.").hazards
+    assert (hazard.kind, hazard.by, hazard.to) == ("failure_to_yield", ("car_2",), ("car_1",))

@@ -273,3 +273,86 @@ def test_the_truck_is_the_ego():
 )  # fmt: skip
 def test_who_is_placed_by_which_words(text, kind, side):
     assert where(text, kind) == {side}
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("Junction; adversary from the left has to yield but does not; ego straight.",
+         "failure_to_yield"),
+        ("A bus making a left turn from the opposite direction at a permissive signal, ego "
+         "straight.", "unprotected_left_turn"),
+        ("Host vehicle departing its lane on a bend as the driver falls asleep.", "swerving"),
+        ("A car turns right; conflict with a pedestrian walking straight across.",
+         "crossing_pedestrian"),
+    ],
+)  # fmt: skip
+def test_further_dangers(text, kind):
+    assert kind in {h.kind.value for h in read(text).hazards}
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "side"),
+    [
+        ("Ego stopped in a queue, struck from behind by a pickup.", "truck", Approach.BEHIND),
+        ("Cyclist from the nearside path rides onto the road, ego ahead.", "bicycle",
+         Approach.RIGHT),
+        ("A coach merging from the ramp at the same speed alongside; ego on the motorway.", "bus",
+         Approach.ADJACENT),
+    ],
+)  # fmt: skip
+def test_who_is_where(text, kind, side):
+    assert where(text, kind) == {side}
+
+
+def test_two_lanes_are_changed_and_traffic_is_the_scene():
+    text = "The ego has to change two lanes to the right to reach its exit."
+    assert doings(text) == [{Maneuver.LANE_CHANGE}]
+    text = "Stop-and-go traffic on a ring road; the car ahead rolls back towards the ego."
+    assert len(read(text).participants) == 2
+
+
+def test_one_from_each_side():
+    text = "At the T-junction the ego turns left; a van approaches from each side."
+    vans = [set(p.approaches) for p in read(text).participants if p.kind.value == "van"]
+    assert vans == [{Approach.LEFT}, {Approach.RIGHT}]
+    text = "The ego crosses a junction while two vans from left and right wait."
+    vans = [set(p.approaches) for p in read(text).participants if p.kind.value == "van"]
+    assert vans == [{Approach.LEFT}, {Approach.RIGHT}]
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "side"),
+    [
+        ("A van pulling out of a parking space on the left side, ego passing.", "van",
+         Approach.LEFT),
+        ("A taxi makes a U-turn from the right-hand kerb, ego behind it.", "car",
+         Approach.RIGHT),
+        ("The car ahead swerves, exposing a broken-down van to the ego.", "van", Approach.AHEAD),
+        ("Ego nears a zebra crossing with two pupils about to step onto it from the right.",
+         "pedestrian", Approach.RIGHT),
+    ],
+)  # fmt: skip
+def test_sides_of_those_who_set_off(text, kind, side):
+    assert side in {a for p in read(text).participants if p.kind.value == kind
+                    for a in p.approaches}  # fmt: skip
+
+
+def test_what_is_prevented_is_not_done():
+    text = "The ego stays behind a cyclist since oncoming cars prevent overtaking."
+    assert HazardKind.OVERTAKING not in {h.kind for h in read(text).hazards}
+
+
+def test_who_is_oncoming_in_the_ego_lane():
+    text = "An oncoming ambulance in the ego's lane; the ego has to stop."
+    assert HazardKind.ONCOMING_LANE in {h.kind for h in read(text).hazards}
+
+
+def test_what_stands_behind_the_lead_vehicle_is_not_the_ego():
+    text = "Cut-out: the lead vehicle moves to the right lane because of a stopped motorcycle."
+    assert where(text, "motorcycle") == {Approach.AHEAD}
+
+
+def test_who_crosses_behind_a_stationary_bus_is_hidden():
+    text = "Pedestrian crossing from the nearside behind a stationary bus; ego at 40 km/h."
+    assert HazardKind.OCCLUSION in {h.kind for h in read(text).hazards}

@@ -11,10 +11,10 @@ from scegen.scenario.functional import (
     Unsupported,
 )
 from scegen.scenario.vocabulary import JunctionKind, Role
-from scegen.understanding.alongside import abreast, both_change_lanes, in_the_way
 from scegen.understanding.draft import Basis, Danger, Draft, Entity
 from scegen.understanding.junctions import JunctionReading
 from scegen.understanding.layout import Layout
+from scegen.understanding.open_road import abreast, both_change_lanes, in_the_way
 from scegen.understanding.proving import Proofs
 from scegen.understanding.surroundings import Surroundings
 from scegen.understanding.tokens import Token

@@ -43,10 +43,11 @@ def _victim(mention: Mention, event: Event, chunks: list[Chunk]) -> None:
     """``a man was hurt when his van left the road``: his van; else nobody, unless told more of."""
     after = [c for c in chunks if isinstance(c, Mention) and c.i >= event.j]
     own = next((m for m in after if _his(m)), None)
-    if own is not None:
+    several = mention.head is not None and mention.head.form == "s"
+    if own is not None and not several:
         own.same_as = mention
         mention.drives = True
-    elif not any(m.pronoun in _REFERRING for m in after):
+    elif own is not None or not any(m.pronoun in _REFERRING for m in after):
         mention.negated = True
 
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from scegen.understanding.ahead import noun_follows
 from scegen.understanding.lexicon import Entry
+from scegen.understanding.measures import names_a_measure
 from scegen.understanding.nominal import ORDINALS
 from scegen.understanding.sidewords import across_from, left_or_gone
 from scegen.understanding.terms import Match, Term, longest_match
@@ -14,49 +16,13 @@ _NOMINAL_BEFORE = frozenset(
 _NO_PREMODIFIER = frozenset({"aux", "actor", "pronoun", "neg", "rel"})
 _VERBAL_BEFORE = frozenset({"actor", "pronoun", "aux", "rel", "neg"})
 _DOINGS = frozenset({"cut_in", "lane_change", "merge", "overtake", "u_turn"})
-_MEASURES = frozenset({"difference", "differential", "gap", "of", "is", "was", "about", "approx",
-                       "approximately", "around", "up"})  # fmt: skip
 _NOUNS = ("place", "inert", "thing", "view", "env")
 _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
 
 
-def _noun_follows(tokens: list[Token], j: int) -> bool:
-    """Whether a participant or thing is named at token ``j``, adjectives skipped."""
-    for step in range(3):
-        if j >= len(tokens):
-            return False
-        following = longest_match(tokens, j)
-        if following is None and step == 0 and tokens[j].kind == "word":
-            j += 1  # "a slow milk truck"
-            continue
-        if following is None:
-            return False
-        if following.has("actor", "thing"):
-            return not _needs_no_article(following, tokens, j)
-        if not following.has("state", "label", "dir", "manner", "verb") or following.has("prep"):
-            return following.has("view")
-        if following.has("verb") and following.form not in {"ing", "ed"}:
-            return False
-        j = following.j
-    return False
-
-
-def _needs_no_article(noun: Match, tokens: list[Token], j: int) -> bool:
-    """Pronouns and names ("me", "V1", "vehicle 2"): no participle describes them."""
-    if tokens[j].kind == "label" or any("me" in e.data or "speaks" in e.data for e in noun.entries):
-        return True
-    after = tokens[noun.j] if noun.j < len(tokens) else None
-    named = after is not None and (after.kind == "number" or _letter(after))
-    return named and noun.form == "base"
-
-
-def _letter(token: Token) -> bool:
-    return len(token.text) == 1 and token.text.isupper() and token.text != "I"
-
-
 def _attributive(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     """Whether a participle stands before the noun that it describes."""
-    if not (_may_describe(previous) and _noun_follows(tokens, match.j)):
+    if not (_may_describe(previous) and noun_follows(tokens, match.j)):
         return False
     following = longest_match(tokens, match.j)
     adverb = previous is not None and previous.cat in {"conj", "manner", "sub"}
@@ -121,7 +87,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         return match.get("dir", "state", "manner"), True
     if _must_be_verb(match, tokens, previous):
         return verb, False
-    if _measured(match, tokens, previous):
+    if names_a_measure(match, tokens, previous):
         return match.get("inert"), False
     if match.has(*_NOUNS) and match.form in {"base", "s"} and _noun_slot(match, tokens, previous):
         return match.get(*_NOUNS), False
@@ -145,16 +111,6 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> b
     one = one or (previous.cat == "label" and previous.value in ORDINALS)  # "the first brakes"
     sided = previous.cat == "dir" and previous.value in {"left", "right"} and match.has("inert")
     return one or sided
-
-
-def _measured(match: Match, tokens: list[Token], previous: Term | None) -> bool:
-    """``speed 50 km/h``, ``host speed: …``, ``speed difference``: what is measured, not a verb."""
-    if not match.has("inert") or match.form != "base" or match.get("verb").value != "speed":
-        return False
-    if previous is not None and (previous.cat in {"aux", "pronoun"} or previous.value == "to"):
-        return False
-    following = tokens[match.j] if match.j < len(tokens) else None
-    return following is None or following.kind in {"number", "punct"} or following.low in _MEASURES
 
 
 def _article(tokens: list[Token], j: int) -> bool:
@@ -186,7 +142,7 @@ def _second_verb(match: Match, tokens: list[Token], previous: Term | None) -> bo
     """Whether a verb is due, also as the second of two ("get off and cross")."""
     joined = previous is not None and (previous.cat == "conj" or previous.value == ",")
     joined = joined and match.get("dir").value == "lateral"
-    return _verb_slot(previous) or (joined and not _noun_follows(tokens, match.j))
+    return _verb_slot(previous) or (joined and not noun_follows(tokens, match.j))
 
 
 def _without_place(match: Match, attributive: bool) -> Entry:
@@ -206,7 +162,7 @@ def _describes(match: Match, tokens: list[Token]) -> bool:
     following = longest_match(tokens, match.j) if match.j < len(tokens) else None
     if following is None or following.has("actor"):
         return False
-    return _noun_follows(tokens, match.j)
+    return noun_follows(tokens, match.j)
 
 
 def _relates(match: Match, tokens: list[Token], previous: Term | None) -> bool:
@@ -276,7 +232,7 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
     if match.has("actor") and match.has("label") and _describes(match, tokens):
         return match.get("label"), False  # "the adversarial leading car"
     if match.has("noted") and match.has("actor") and previous and previous.cat == "det":
-        return match.get("noted" if _noun_follows(tokens, match.j) else "actor"), False
+        return match.get("noted" if noun_follows(tokens, match.j) else "actor"), False
     if len(match.entries) == 1:
         return match.entries[0], _describes_a_noun(match, tokens, previous)
     if match.has("verb"):

@@ -5,10 +5,20 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import pairwise
 
+from scegen.understanding.adjectives import listed, loose_modifier
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, event_of
 from scegen.understanding.lanes import between_lanes
 from scegen.understanding.naming import Namer
-from scegen.understanding.nominal import OPENERS, ORDINALS, compound_end, has_dir, is_nominal
+from scegen.understanding.nominal import (
+    OPENERS,
+    ORDINALS,
+    WAYS,
+    compound_end,
+    governed,
+    has_dir,
+    is_nominal,
+    one_side,
+)
 from scegen.understanding.split_verbs import with_particles
 from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
@@ -19,7 +29,7 @@ _MODIFIERS = frozenset(
 _OWNED = frozenset({"lane", "path", "side"})
 _MAX_MODS = 10
 _COMING_FROM = frozenset({"opposite", "ahead", "behind", "lateral", "adjacent"})
-_WAYS = frozenset({"left", "right", "straight"})
+_OF_OWNERS = frozenset({"unknown", "det", "label", "possessive"})
 _SIDE_DIRS = frozenset({"left", "right", "opposite", "front", "rear", "adjacent", "straight"})
 
 
@@ -71,7 +81,7 @@ class Chunker:
 
     def _of_a_stranger(self, k: int) -> int:
         """``the vicar's van``: a van, whoever the vicar is."""
-        while self._chunks and getattr(self._chunks[-1], "cat", "") in {"unknown", "det", "label"}:
+        while self._chunks and getattr(self._chunks[-1], "cat", "") in _OF_OWNERS:
             self._chunks.pop()
         self._terms[k] = replace(self._terms[k], cat="det", value="indef")
         return self._noun_phrase(k) or k + 1
@@ -130,36 +140,19 @@ class Chunker:
                 sided = bool(mods) and mods[-1].cat == "dir"  # "from the left also going on"
                 if self._is_adverb(term) and (sided or not opened):
                     break
-            elif not (self._loose_modifier(term, m, opened) or self._listed(term, m, mods)):
+            elif not (loose_modifier(self._terms, m, opened) or listed(self._terms, m, mods)):
                 break
             mods.append(term)
             m += 1
         return mods, m
-
-    def _loose_modifier(self, term: Term, m: int, opened: bool) -> bool:
-        """Participles before a noun, and nouns or weather words used as adjectives."""
-        if term.cat == "verb" and term.premod:
-            return True
-        follows = self._terms[m + 1].cat if m + 1 < len(self._terms) else ""
-        nounlike = follows in {"actor", "place", "thing", "view", "verb", "inert", "shape"}
-        if term.cat == "inert":
-            return opened and term.value == "adjective" and nounlike
-        if term.cat == "env":
-            return follows in {"place", "actor"}
-        return opened and term.cat == "unknown" and follows in {"actor", "place", "unknown"}
-
-    def _listed(self, term: Term, m: int, mods: list[Term]) -> bool:
-        """A comma between two adjectives ("a slow, old car")."""
-        if term.cat != "punct" or term.value != "," or not mods:
-            return False
-        follows = self._terms[m + 1].cat if m + 1 < len(self._terms) else ""
-        return mods[-1].cat in {"manner", "label", "state"} and follows in {"manner", "label"}
 
     def _noun_phrase(self, k: int) -> int | None:
         mods, m = self._scan(k)
         head = self._terms[m] if m < len(self._terms) else None
         owner = self._owner(mods)
         if head is not None and head.cat == "actor":
+            if any(m.cat == "manner" for m in mods) and "speaks" in head.data:
+                return self._bare(mods, k)  # "so close I can't see it"
             if self._side_before_number(mods):
                 return self._side(mods, k)
             return self._mention(mods, m, owner)
@@ -248,12 +241,11 @@ class Chunker:
             side = (mod.cat == "dir" and mod.value in _SIDE_DIRS) or mod.cat == "compass"
             if not side and (seen or mod.cat not in {"det", "possessive"}):
                 break
-            if seen and mod.value in _WAYS and mods[length - 1].value in _WAYS:
+            if seen and mod.value in WAYS and not one_side(mods[length - 1]):
                 break  # "from the right straight on"
             seen = seen or side
             length += 1
-        previous = self._chunks[-1] if self._chunks else None
-        preposed = isinstance(previous, Word) and previous.cat in {"prep", "locus"}
+        preposed = governed(self._chunks)
         determined = mods[0].cat in {"det", "possessive"}
         if not seen or not (preposed or determined):
             return None

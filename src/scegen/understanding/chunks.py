@@ -240,6 +240,7 @@ def event_of(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:
     event = Event(term.value, start, term.j, term.form, nominal=nominal, mods=list(mods))
     event.control = term.data.get("control")
     event.drives, event.says = bool(term.data.get("drives")), bool(term.data.get("says"))
+    event.negated = any((m.cat, m.value) == ("det", "negative") for m in mods)
     if "way" in term.data:
         event.mods.append(Term("dir", term.data["way"], term.i, term.j))
     return event

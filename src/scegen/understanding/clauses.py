@@ -17,6 +17,7 @@ from scegen.understanding.lookahead import (
     ADVERBS,
     BOUNDARIES,
     GOVERNING,
+    by_follows,
     event_follows,
     main_verb_follows,
     only_a_noun_follows,
@@ -25,7 +26,9 @@ from scegen.understanding.nominals import read_mention, read_noun
 from scegen.understanding.state import State
 from scegen.understanding.terms import Term
 
+_OPENERS = frozenset({"conj", "sub", "punct"})
 _VIEW_OF = 3
+_COMMA_REACH = 2
 LANES = frozenset({"lane", "bike_lane", "shoulder", "sidewalk", "side"})
 
 
@@ -70,7 +73,8 @@ class ClauseReader:
         elif word.cat in GOVERNING or only_a_noun_follows(word, k, self._chunks):
             preposition(word, k, self._chunks, state)
         elif word.cat in ADVERBS or word.cat == "state":
-            self._adverb(word, k)
+            if not self._heading_of_a_noun(word, k):
+                self._adverb(word, k)
         elif word.value == "either" and state.prep is not None:
             return  # "from either the left or the right"
         else:
@@ -78,19 +82,24 @@ class ClauseReader:
             if word.cat == "punct" and word.value in "()":
                 self._parenthesis(word.value)
                 return
-            state.between.add(word.value if word.cat in {"punct", "conj"} else word.cat)
-            if word.cat == "conj" and word.value != "either":
-                state.between.add("conj")
-            if word.cat == "conj" and word.value in {"and", "but"}:
-                state.between.discard("aux:be")  # "was tired and did not notice the van"
-            if word.value == "where":
-                self._where(k)
-            if word.cat == "sub" or word.value == ",":
-                state.where = word.value == "where"
-            if word.cat == "rel" and k and _blocks(self._chunks[k - 1]):
-                state.between.add("thing")
-            if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
-                state.candidate = None
+            self._joint(word, k)
+
+    def _joint(self, word: Word, k: int) -> None:
+        """A word between phrases or clauses: "and", a comma, "where", "that"."""
+        state = self._state
+        state.between.add(word.value if word.cat in {"punct", "conj"} else word.cat)
+        if word.cat == "conj" and word.value != "either":
+            state.between.add("conj")
+        if word.cat == "conj" and word.value in {"and", "but"}:
+            state.between.discard("aux:be")  # "was tired and did not notice the van"
+        if word.value == "where":
+            self._where(k)
+        if word.cat == "sub" or word.value == ",":
+            state.where = word.value == "where"
+        if word.cat == "rel" and k and _blocks(self._chunks[k - 1]):
+            state.between.add("thing")
+        if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
+            state.candidate = None
 
     def _where(self, k: int) -> None:
         """``the next lane, where a van drives``: the van is in that lane."""
@@ -151,6 +160,15 @@ class ClauseReader:
         elif self.events and not state.mentions:
             self.events[-1].mods.append(word.term)
 
+    def _heading_of_a_noun(self, word: Word, k: int) -> bool:
+        """``the path of V2, eastbound on Elm Street``."""
+        before = self._chunks[max(0, k - 2) : k]
+        after = "bound" in word.term.data and _after_a_comma(before)
+        if after and isinstance(before[0], Mention):
+            release(self._state)
+            before[0].mods.append(word.term)
+        return after
+
     def _clause_start(self) -> bool:
         """The candidate is new: words after it belong to it and not to the verb before."""
         state = self._state
@@ -159,10 +177,14 @@ class ClauseReader:
         return not any(state.candidate in event.subject for event in state.events)
 
     def _inverted(self, event: Event, k: int) -> bool:
-        """``from the left comes a bus``: the subject stands after its verb."""
+        """``from the left comes a bus``, ``along comes a van``: the subject follows its verb."""
         following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
         finite = not event.nominal and event.form != "ing"
-        return bool(self._state.fronted) and finite and isinstance(following, Mention)
+        before, opener = (self._chunks[m] if m >= 0 else None for m in (k - 1, k - 2))
+        adverb = isinstance(before, Word) and before.cat == "manner" and event.name == "move"
+        opens = opener is None or (isinstance(opener, Word) and opener.cat in _OPENERS)
+        fronted = bool(self._state.fronted) or (adverb and opens)
+        return fronted and finite and isinstance(following, Mention)
 
     def _is_spoken_of(self, event: Event, k: int) -> bool:
         """``so that overtaking is impossible``: a doing that the clause is about, not done."""
@@ -207,6 +229,7 @@ class ClauseReader:
             before = [m for m in mention.mods[:position] if m.cat in {"dir", "manner"}]
             event = Event(mod.value, mod.i, mod.j, mod.form, subject=[mention], mods=before)
             event.premod_of = mention
+            event.passive = mod.form == "ed" and mod.value in subjects.PASSIVE - {"hide"}
             event.sentence = self._sentence
             self.events.append(event)
 
@@ -230,8 +253,7 @@ class ClauseReader:
             subjects.link(event, state)
             event.pps += state.opening
             state.opening = []
-        following = next((c for c in self._chunks[k + 1 :] if not _is_manner(c)), None)
-        if isinstance(following, Word) and following.value == "by":
+        if by_follows(self._chunks, k):
             subjects.before_by(event)
         negated = any(word.startswith("neg:") for word in state.between)
         event.unable = negated and bool({"neg:unable", "aux:can"} & state.between)
@@ -251,15 +273,18 @@ class ClauseReader:
         state.last_pp = None
 
 
-def _is_manner(chunk: Chunk) -> bool:
-    return isinstance(chunk, Word) and chunk.cat == "manner"
-
-
 def _blocks(chunk: Chunk) -> bool:
     """``a fallen tree that blocks the lane``: the tree does it."""
     if not isinstance(chunk, Thing) or (chunk.prep is not None and chunk.prep.value == "with"):
         return False
     return chunk.kind in {"obstacle", "object"}
+
+
+def _after_a_comma(before: list[Chunk]) -> bool:
+    """Whether a noun and a comma stand before."""
+    if len(before) < _COMMA_REACH or not isinstance(before[0], Mention):
+        return False
+    return isinstance(before[1], Word) and before[1].value == ","
 
 
 def _view_of(before: list[Chunk]) -> Thing | None:

@@ -7,7 +7,14 @@ from scegen.understanding import encounters, lane_moves, movements
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.ways import across_the_road, into_lane, next_lane, overtaking
+from scegen.understanding.ways import (
+    across_the_road,
+    against,
+    into_lane,
+    leads,
+    next_lane,
+    overtaking,
+)
 
 _ACROSS = {"left": Maneuver.LEFT, "right": Maneuver.RIGHT}
 _TURNS = frozenset(_ACROSS.values())
@@ -21,7 +28,8 @@ def turn(scene: Scene, context: Context) -> None:
         encounters.cyclists_cross(scene, context)
         return
     left = any(t.value == context.across for t in event.dirs)
-    unprotected = scene.how("unprotected")
+    lit = any(m.value == "unprotected" for p in scene.places() for m in p.mods)
+    unprotected = scene.how("unprotected") or (scene.words if lit else None)
     if unprotected is not None and left:
         context.draft.hazard(HazardKind.UNPROTECTED_LEFT_TURN, scene.words, scene.drivers)
         return
@@ -29,11 +37,15 @@ def turn(scene: Scene, context: Context) -> None:
     known = {m for e in scene.drivers for m in e.maneuvers}
     left = left or (not event.dirs and known & _TURNS == {_ACROSS[context.across]})
     settled = event.dirs or known & _TURNS
+    sideways = all(context.from_the_side(e) for e in scene.drivers)
     if settled and scene.drivers and into_way:
-        kind = HazardKind.UNPROTECTED_LEFT_TURN if left else HazardKind.FAILURE_TO_YIELD
+        kind = HazardKind.FAILURE_TO_YIELD
+        if left and not sideways:
+            kind = HazardKind.UNPROTECTED_LEFT_TURN
         context.draft.hazard(kind, scene.words, scene.drivers)
         return
-    in_front = next((p for p in event.pps if p.word.cat == "locus" and p.value == "ahead"), None)
+    fronts = (p for p in event.pps if p.word.cat == "locus" and p.value == "ahead")
+    in_front = next((p for p in fronts if not leads(p, context)), None)
     if in_front is not None and in_front.target is not None and scene.drivers:
         basis = Basis(event.i, in_front.target.j)
         to = in_front.target.entities if isinstance(in_front.target, Mention) else []
@@ -84,19 +96,6 @@ def lane_change(scene: Scene, context: Context) -> None:
         )
 
 
-def against(entity: Entity, place: Place) -> bool:
-    """Whether a lane leads the other way than somebody is headed ("the northbound lane").
-
-    Args:
-        entity: who drives into it.
-        place: the lane.
-    """
-    ways = {m.value for m in place.mods if m.cat == "compass"}
-    opposed = {"north": "south", "south": "north", "east": "west", "west": "east"}
-    heading = entity.heading or ""
-    return place.kind == "lane" and opposed.get(heading, "") in ways
-
-
 def _owners(lane: Place | None, scene: Scene, context: Context) -> list[Entity]:
     """Whose lane it is; "its lane" is the ego's for everybody who moves into it."""
     if lane is None:
@@ -105,8 +104,9 @@ def _owners(lane: Place | None, scene: Scene, context: Context) -> list[Entity]:
         return list(lane.owner.entities)
     possessed = any(m.cat == "possessive" for m in lane.mods)
     kept = any(m.value == "same" for m in lane.mods)
-    egos = [e for e in context.draft.entities if e.ego and e not in scene.actors]
-    return egos if possessed and not kept else []
+    others = [e for e in context.draft.entities if e.moving_vehicle and e not in scene.actors]
+    its = [e for e in others if e.ego or (lane.kind == "path" and len(others) == 1)]
+    return its if possessed and not kept else []
 
 
 def head_on(scene: Scene, place: Place | None, context: Context) -> bool:
@@ -119,8 +119,9 @@ def head_on(scene: Scene, place: Place | None, context: Context) -> bool:
     """
     if place is None or not _owners(place, scene, context):
         return False
+    words = context.tokens
     if place.kind == "side" and not place.dirs:  # "comes onto the ego's side"
-        return any(p.target is place and p.value == "into" for p in scene.event.pps)
+        return any(p.target is place and words[p.word.i].low == "onto" for p in scene.event.pps)
     entered = place is scene.event.object or any(
         p.target is place and p.value == "into" for p in scene.event.pps
     )
@@ -141,7 +142,7 @@ def cut_in(scene: Scene, context: Context) -> None:
     if head_on(scene, into_lane(scene.event), context):
         context.draft.hazard(HazardKind.ONCOMING_LANE, scene.words, scene.drivers, scene.targets)
         return
-    to = scene.targets or _mentioned(scene.event)
+    to = scene.targets or mentioned(scene.event)
     turning = any(e.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT} for e in scene.drivers)
     words = {t.low for t in context.tokens[scene.event.i : scene.event.j]}
     across = "across" in words and context.junction.crossing
@@ -152,9 +153,8 @@ def cut_in(scene: Scene, context: Context) -> None:
     basis = scene.words
     context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, to)
     context.lanes_implied(basis, "cutting in needs a second lane")
-    for entity in scene.drivers:
-        if not entity.maneuvers:
-            context.draft.maneuver(entity, {Maneuver.LANE_CHANGE}, basis)
+    for entity in (e for e in scene.drivers if not e.maneuvers):
+        context.draft.maneuver(entity, {Maneuver.LANE_CHANGE}, basis)
 
 
 def _cuts_across_the_road(scene: Scene, context: Context) -> bool:
@@ -187,13 +187,13 @@ def enter(scene: Scene, context: Context) -> None:
     if any(context.oncoming(e) for e in others):
         context.draft.hazard(HazardKind.ONCOMING_LANE, scene.words, others, owners)
         return
-    context.draft.hazard(HazardKind.CUT_IN, scene.words, others, owners or _mentioned(scene.event))
+    context.draft.hazard(HazardKind.CUT_IN, scene.words, others, owners or mentioned(scene.event))
     lane_moves.lane_change(scene, context)
 
 
 def _enter_in_front(scene: Scene, context: Context) -> None:
     """``pulls into the junction in front of the bus``: the bus had to be let through."""
-    to = _mentioned(scene.event)
+    to = mentioned(scene.event)
     meets = any(p.kind == "junction" for p in scene.places())
     if meets and to and scene.drivers and not scene.reaction:
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, to)
@@ -202,11 +202,12 @@ def _enter_in_front(scene: Scene, context: Context) -> None:
 def unpark(scene: Scene, context: Context) -> None:
     """Leaving a parking space is a danger when careless, sudden or right in front of somebody."""
     careless = scene.how("aggressive", "sudden")
-    to = _mentioned(scene.event)
+    to = mentioned(scene.event)
     others = [e for e in scene.drivers if not e.ego]
+    for entity in others:
+        entity.pulls_out = True
     if others and (careless is not None or to):
-        basis = careless or scene.words
-        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, others, to)
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, careless or scene.words, others, to)
 
 
 def leave(scene: Scene, context: Context) -> None:
@@ -215,7 +216,8 @@ def leave(scene: Scene, context: Context) -> None:
         unpark(scene, context)
 
 
-def _mentioned(event: Event) -> list[Entity]:
+def mentioned(event: Event) -> list[Entity]:
+    """Who is named in the phrases that place an event ("in front of the bus")."""
     found = [p.target for p in event.pps if p.word.cat == "locus"]
     return [e for t in found if isinstance(t, Mention) for e in t.entities]
 
@@ -227,8 +229,8 @@ def merge(scene: Scene, context: Context) -> None:
     lane = into_lane(scene.event)
     basis = scene.how("sudden", "aggressive") or scene.words
     ahead = [p for p in scene.event.pps if p.word.cat == "locus" and p.value == "ahead"]
-    if ahead and _mentioned(scene.event) and not context.junction.crossing:
-        context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, _mentioned(scene.event))
+    if ahead and mentioned(scene.event) and not context.junction.crossing:
+        context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, mentioned(scene.event))
         return  # "merges in front of the bus"
     own = all(e.ego for e in scene.drivers) and not _owners(lane, scene, context)
     if lane is not None and (lane.owner is not None or lane.dirs) and not own:
@@ -249,49 +251,3 @@ def overtake(scene: Scene, context: Context) -> None:
         return
     if scene.drivers and (not scene.targets or any(not e.parked for e in scene.targets)):
         context.draft.hazard(HazardKind.OVERTAKING, scene.words, scene.drivers, scene.targets)
-
-
-def pull_out(scene: Scene, context: Context) -> None:
-    """Leaving a side road or a parking space without giving way."""
-    out_of_sight = any(p.word.cat == "locus" and p.outer == "from" for p in scene.event.pps)
-    drivers = [e for e in scene.drivers if not (out_of_sight and context.is_cyclist(e))]
-    drivers = [e for e in drivers if Maneuver.OVERTAKE not in e.maneuvers]  # out of its lane
-    front = [] if out_of_sight else _mentioned(scene.event)
-    if front and any(context.placed(e, Approach.AHEAD) for e in drivers):
-        context.draft.hazard(HazardKind.CUT_IN, scene.words, drivers, front)
-        return  # out of the queue that is being overtaken
-    along = any(context.placed(e, a) for e in drivers for a in (Approach.BEHIND, Approach.AHEAD))
-    if drivers and _into_the_next_lane(scene, context):
-        lane_moves.lane_change(scene, context)
-        lane_change(scene, context)
-        return
-    if drivers and not along and not _to_overtake(scene, context):
-        for entity in drivers:
-            entity.pulls_out = True
-        to = [] if out_of_sight else _mentioned(scene.event)
-        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, drivers, to)
-
-
-def _into_the_next_lane(scene: Scene, context: Context) -> bool:
-    """``pulls out into the left lane``: from lane to lane, unless it comes out of somewhere."""
-    lane = into_lane(scene.event)
-    sides = {"left", "right", "adjacent", "opposite"}
-    named = lane is not None and lane.head is not None and lane.head.j - lane.head.i > 1
-    named = named and not context.junction.crossing  # "the overtaking lane"
-    beside = lane is not None and lane.kind == "lane" and (named or bool(sides & set(lane.dirs)))
-    out = any(
-        p.kind in {"access", "parking", "shoulder", "sidewalk", "junction", "bus_stop"}
-        for p in scene.places()
-    )
-    kerb = any(context.comes_across(e) for e in scene.drivers) or context.draft.from_kerb
-    return beside and not out and not kerb
-
-
-def _to_overtake(scene: Scene, context: Context) -> bool:
-    """``pulls out to pass``, ``from behind a bus``: out of a lane, not out of a side road."""
-    around = {"around", "round", "past"}
-    if any(context.tokens[p.word.i].low in around for p in scene.event.pps):
-        return True
-    following = [c.name for c in scene.event.children]
-    purpose = scene.event.parent.name if scene.event.parent is not None else ""
-    return bool({*following, purpose} & {"overtake", "bypass", "pass"})

@@ -35,6 +35,9 @@ def coordinate(event: Event, state: State) -> None:
     else:
         wanted = "ing" if event.form == "ing" and not helped else "finite"
     verbs = [e for e in state.events if not e.nominal and _agree(event, e.subject)]
+    main = [e for e in verbs if not any(m in state.trailing for m in e.subject)]
+    if "," in state.between and main:
+        verbs = main  # "A van turns as the ego waits, then stops."
     verbs = [e for e in verbs if e.subject] or verbs
     outer = [e for e in verbs if not e.embedded]
     if "," in state.between and "aux:modal" in state.between:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
+from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver
 from scegen.understanding.chunks import Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
@@ -57,7 +57,8 @@ def stay(scene: Scene, context: Context) -> None:
     """Whoever waits on foot stays where they are; who drives waits for the light."""
     basis = Basis(scene.event.i, scene.event.j)
     held = any(p.kind == "signal" for p in scene.places())
-    for entity in scene.drivers if held else []:
+    lit = context.junction.control is Control.SIGNALS
+    for entity in [e for e in scene.drivers if held or (lit and e.ego)]:
         entity.waits = entity.waits or basis
     for entity in scene.actors:
         if not entity.is_vehicle and not entity.maneuvers:

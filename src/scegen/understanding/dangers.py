@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
-from scegen.understanding import conflicts, encounters, screens
+from scegen.understanding import conflicts, encounters, pulling_out, screens
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
 from scegen.understanding.walking import keep_along
-from scegen.understanding.ways import into_lane
+from scegen.understanding.ways import against, into_lane
 
 _HASTY = frozenset({"early", "soon", "closely", "close", "tightly"})
 _BEYOND = frozenset({"past", "beyond", "after"})
@@ -157,10 +157,10 @@ def oncoming_lane(scene: Scene, context: Context) -> None:
             continue  # "coming from opposite lanes": where one belongs
         lane = place.kind == "lane" and "opposite" in place.dirs and place.owner is None
         lane = lane or conflicts.head_on(scene, place, context)
-        against = [e for e in scene.drivers if conflicts.against(e, place)]
-        if lane or against or place.kind == "centerline":
-            over = place.kind == "centerline" or bool(against) or "opposite" not in place.dirs
-            by = [e for e in against or scene.drivers if over or not context.oncoming(e)]
+        wrong = [e for e in scene.drivers if against(e, place)]
+        if lane or wrong or place.kind == "centerline":
+            over = place.kind == "centerline" or bool(wrong) or "opposite" not in place.dirs
+            by = [e for e in wrong or scene.drivers if over or not context.oncoming(e)]
             meets = scene.event.name == "approach"
             by = [e for e in by if not meets or Maneuver.OVERTAKE in e.maneuvers]
             if by:
@@ -255,7 +255,7 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "merge": conflicts.merge,
     "overtake": conflicts.overtake,
     "pass": conflicts.overtake,
-    "pull_out": conflicts.pull_out,
+    "pull_out": pulling_out.pull_out,
     "tailgate": tailgate,
     "follow": follow,
     "cross": encounters.cross,

@@ -6,6 +6,7 @@ from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.bystanders import mark_bystanders
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
 from scegen.understanding.reference import tells
+from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
 _ONLY_VEHICLES = frozenset(
@@ -41,8 +42,10 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
     _chases(events)
     _own_vehicles(events, tokens)
     _vehicles_of_parties(chunks)
+    _drivers(events, tokens)
     _ridden(chunks, events, tokens)
     _towed(events)
+    _left_standing(events, tokens)
 
 
 def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
@@ -78,7 +81,9 @@ def _breaks_a_rule(event: Event) -> bool:
     """``runs the light``, ``blows through a stop sign``."""
     places = [event.object, *(p.target for p in event.pps if p.value == "in")]
     kinds = {p.kind for p in places if isinstance(p, Place)}
-    return event.name in {"breach", "dash"} and bool(kinds & {"signal", "stop_sign", "yield_sign"})
+    return event.name in {"breach", "dash", "walk"} and bool(
+        kinds & {"signal", "stop_sign", "yield_sign"}
+    )
 
 
 def _by_word(mention: Mention, word: Token) -> None:
@@ -106,6 +111,16 @@ def _own_vehicles(events: list[Event], tokens: list[Token]) -> None:
         if what.heads and not what.label and (own or driven):
             what.same_as = who
             who.drives = True
+
+
+def _drivers(events: list[Event], tokens: list[Token]) -> None:
+    """``a van driven by a student``: the student drives it."""
+    for event in events:
+        if tokens[event.i].forms[-1][0] not in _OPERATING or event.form != "ed":
+            continue
+        for prep in event.pps if event.subject else []:
+            if prep.value == "by" and isinstance(prep.target, Mention) and _is_person(prep.target):
+                prep.target.same_as = event.subject[-1]
 
 
 def _is_person(mention: Mention) -> bool:
@@ -152,6 +167,19 @@ def _towed(events: list[Event]) -> None:
         agents = [p.target for p in event.pps if p.value == "by" and isinstance(p.target, Mention)]
         for mention in event.subject if agents else []:
             mention.same_as = agents[0]
+
+
+def _left_standing(events: list[Event], tokens: list[Token]) -> None:
+    """``somebody has left a van on the bend``: a parked van, and nobody about."""
+    for event in events:
+        what, who = event.object, event.subject[-1] if event.subject else None
+        put = tokens[event.i].forms[-1][0] in {"leave", "park", "dump", "abandon"}
+        if not put or who is None or not isinstance(what, Mention) or not _vehicle(what):
+            continue
+        if who.head is not None and who.head.value == "pedestrian" and not event.passive:
+            who.negated = True
+            what.same_as = None
+            what.mods = [*what.mods, Term("state", "parked", event.i, event.j)]
 
 
 def _stands_for(who: Mention, what: object) -> None:

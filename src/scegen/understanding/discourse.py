@@ -141,7 +141,7 @@ class Discourse:
         inside = vehicle_around(reading, mention)
         if inside is not None:
             return self.resolve(inside, subject=False, exclude=[])
-        if own_vehicle(reading, mention) and len(self._roster.subject) == 1:
+        if own_vehicle(reading, mention, self._roster.subject) and len(self._roster.subject) == 1:
             owner = self._roster.subject[0]
             if owner.is_vehicle:
                 owner.parked = owner.parked or (reading.parked and not owner.ego)
@@ -291,7 +291,8 @@ class Discourse:
         options = [e for e in options if not (mention.sides and e.sides) or mention.sides & e.sides]
         others = [e for e in options if not e.ego]
         others = [e for e in others if e.named_by & reading.called] or others
-        placed = mention.pps or mention.elsewhere or mention.narrowed
+        done = any(m.cat == "verb" and m.form == "ed" for m in mention.mods)  # "the overtaken car"
+        placed = mention.pps or mention.elsewhere or mention.narrowed or done
         restricted = reading.dirs or reading.labels or placed
         if others or reading.det == "bare" or restricted:
             return others[:1]

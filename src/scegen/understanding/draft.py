@@ -52,6 +52,7 @@ class Entity:
     speed_basis: Basis | None = None
     heading: str | None = None
     heading_basis: Basis | None = None
+    bound: bool = False
     by_heading: Basis | None = None
     counted: Basis | None = None
     moves: Basis | None = None

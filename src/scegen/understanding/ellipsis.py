@@ -29,7 +29,7 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
     """
     _likewise(events, tokens)
     acting = {id(m) for e in events for m in e.subject}
-    found = list(events)
+    found = [*events, *_denied(chunks, events)]
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Mention) or id(chunk) in acting or chunk.prep is not None:
             continue
@@ -63,6 +63,21 @@ def _likewise(events: list[Event], tokens: list[Token]) -> None:
             event.name, event.object = model.name, event.object or model.object
             event.mods = [*event.mods, *(m for m in model.mods if m.cat == "dir")]
             event.pps = [*event.pps, *(p for p in model.pps if isinstance(p.target, Place))]
+
+
+def _denied(chunks: list[Chunk], events: list[Event]) -> list[Event]:
+    """``has to yield but does not``: the verb before, denied."""
+    found = []
+    for k, chunk in enumerate(chunks[1:], start=1):
+        helper, after = chunks[k - 1], chunks[k + 1] if k + 1 < len(chunks) else None
+        does = isinstance(helper, Word) and (helper.cat, helper.value) == ("aux", "do")
+        denies = isinstance(chunk, Word) and chunk.cat == "neg"
+        ends = after is None or (isinstance(after, Word) and after.value in _JOINTS | BOUNDARIES)
+        before = [e for e in events if e.j <= helper.i and e.subject and not e.nominal]
+        if does and denies and ends and before:
+            again = replace(before[-1], i=helper.i, j=chunk.j, negated=True, modal=False, pps=[])
+            found.append(replace(again, mods=[], parent=None, children=[], alternative=None))
+    return found
 
 
 def _turned_round(event: Event) -> None:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
-from scegen.understanding import conflicts
+from scegen.understanding import conflicts, oncoming
 from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.context import Context, Scene
-from scegen.understanding.draft import Basis, Danger, Entity, Placement
+from scegen.understanding.draft import Basis, Danger, Entity
 from scegen.understanding.reactions import into_rear
 from scegen.understanding.terms import Term
 
@@ -31,10 +31,11 @@ def positions(scenes: list[Scene], context: Context) -> None:
         if scene.event.name == "bypass" and parked and not scene.event.negated:
             context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
         _owing_to_the_parked(scene, context)
-        _hidden_behind(scene, context)
-        _overtaken(scene, context)
-        _met(scene, context)
+        oncoming.hidden_behind(scene, context)
+        oncoming.overtaken(scene, context)
+        oncoming.met(scene, context)
         _cuts_out(scene, context)
+        _revealed(scene, context)
         _across(scene, context)
     for danger in context.draft.dangers:
         if danger.kind is HazardKind.ONCOMING_LANE:
@@ -55,57 +56,6 @@ def _owing_to_the_parked(scene: Scene, context: Context) -> None:
             context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
 
 
-def _hidden_behind(scene: Scene, context: Context) -> None:
-    """``a motorcycle hidden behind an oncoming bus``: it comes the same way as the bus."""
-    if scene.event.name != "hide" or not scene.event.passive:
-        return
-    for prep in scene.event.pps:
-        if prep.value != "behind" or not isinstance(prep.target, Mention):
-            continue
-        if not any(context.oncoming(e) for e in prep.target.entities):
-            continue
-        basis = Basis(scene.event.i, prep.target.j, "what hides it comes from the front")
-        for entity in scene.drivers:
-            said = [p for p in context.draft.placements if p.entity is entity]
-            if not entity.ego and all(p.reference in prep.target.entities for p in said):
-                context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
-
-
-def _overtaken(scene: Scene, context: Context) -> None:
-    """``an oncoming van overtakes a bus``: both come the same way."""
-    if scene.event.name not in {"overtake", "pass", "bypass"} or scene.event.negated:
-        return
-    called = [e for e in scene.targets if "opposite" in e.dirs]
-    for known, others in ((scene.drivers, scene.targets), (called, scene.drivers)):
-        if not any(context.oncoming(e) for e in known):
-            continue
-        basis = Basis(scene.event.i, scene.event.j, "one that comes from the front passes another")
-        for entity in others:
-            seen = [p for p in context.draft.placements if p.entity is entity and _by_the_ego(p)]
-            if entity.moving_vehicle and not entity.ego and not seen:
-                context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
-
-
-def _met(scene: Scene, context: Context) -> None:
-    """``uses the oncoming lane once the approaching van has gone by``: the van is met there."""
-    event = scene.event
-    if event.name not in {"approach", "move"} or event.object is not None or event.negated:
-        return
-    meets = context.junction.crossing or context.draft.crossing_implied is not None
-    leaves = any(
-        d.kind is HazardKind.ONCOMING_LANE and any(e.ego for e in d.by)
-        for d in context.draft.dangers
-    )
-    described = event.premod_of is not None and event.name == "approach"
-    if meets or not (leaves or described):
-        return
-    basis = Basis(event.i, event.j, "who approaches on an open road comes from the front")
-    for entity in scene.drivers:
-        seen = [p for p in context.draft.placements if p.entity is entity or p.reference is entity]
-        if not entity.ego and not seen and entity.heading is None and not entity.maneuvers:
-            context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
-
-
 def _cuts_out(scene: Scene, context: Context) -> None:
     """``cuts out``: leaves the lane in which it drove ahead of the ego."""
     words = {t.low for t in context.tokens[scene.event.i : scene.event.j]}
@@ -113,13 +63,22 @@ def _cuts_out(scene: Scene, context: Context) -> None:
         return
     basis = Basis(scene.event.i, scene.event.j, "who cuts out was ahead in the lane")
     for entity in scene.drivers:
-        seen = [p for p in context.draft.placements if p.entity is entity and _by_the_ego(p)]
+        seen = [
+            p for p in context.draft.placements if p.entity is entity and oncoming.by_the_ego(p)
+        ]
         if not entity.ego and not seen:
             context.draft.place(entity, None, {Approach.AHEAD}, basis)
 
 
-def _by_the_ego(placement: Placement) -> bool:
-    return placement.reference is None or placement.reference.ego
+def _revealed(scene: Scene, context: Context) -> None:
+    """``swerves and exposes a stopped van``: the van is ahead in the lane."""
+    if scene.event.name != "reveal" or context.junction.crossing:
+        return
+    basis = Basis(scene.event.i, scene.event.j, "what comes into view is ahead")
+    for entity in scene.targets:
+        seen = [p for p in context.draft.placements if p.entity is entity]
+        if entity.is_vehicle and not entity.ego and not seen:
+            context.draft.place(entity, None, {Approach.AHEAD}, basis)
 
 
 def _across(scene: Scene, context: Context) -> None:
@@ -160,6 +119,9 @@ def _driven_up_to(scene: Scene, context: Context) -> None:
         towards = towards or (prep.value == "of" and rear)
         if towards and isinstance(prep.target, Mention):
             targets += [e for e in prep.target.entities if e not in scene.actors]
+    ends = [event.object, *(p.target for p in event.pps)]
+    owners = [c.owner for c in ends if isinstance(c, Place) and "rear" in c.dirs and c.owner]
+    targets += [e for m in owners for e in m.entities if e not in (*scene.actors, *targets)]
     driver = scene.drivers[0]
     if any(e.ego for e in targets):
         _comes_towards(scene, driver, context)
@@ -259,7 +221,8 @@ def _placed(entity: Entity, observer: Entity, context: Context) -> bool:
         turned = p.entity is observer and p.reference is entity
         if (pair or turned) and p.approaches & across:
             return True
-    return entity.heading is not None and observer.heading is not None
+    headings = {entity.heading, observer.heading}
+    return None not in headings and len(headings) > 1
 
 
 def _around_something(danger: Danger, context: Context) -> None:

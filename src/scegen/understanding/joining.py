@@ -26,7 +26,8 @@ def joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
         return False  # "four vans, two turning left": some of them, not further ones
     waiting = anchor is state.candidate and not state.candidate_done
     waiting = waiting and not any(anchor in event.subject for event in state.events)
-    complete = "aux:be" in state.between and finite_follows(chunks, k)  # "I'm here and a van …"
+    said = {"aux:be", "aux:have"} & state.between  # "I'm here and a van …"
+    complete = bool(said) and finite_follows(chunks, k)
     if complete or (state.between == {","} and not (waiting and _list_goes_on(k, chunks))):
         return False
     let = _let(anchor, k, chunks, state)

@@ -19,6 +19,8 @@ _CLAUSES = frozenset({",", ".", ";", "when", "while", "as", "and", "before", "bu
 _BROKEN_REACH = 7
 _ARM_NOUNS = frozenset({"exit", "road", "leg"})
 _ASSUMED_EXITS = 4
+_OF_SEVERAL = frozenset({"middle", "outside", "inside", "fast", "slow", "overtaking", "center",
+                         "centre", "passing"})  # fmt: skip
 _WINDOW = 6
 _FEWEST_ARMS = 3
 
@@ -126,7 +128,8 @@ def _place(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Tok
             _set_kind(reading, JunctionKind(term.data["kind"]), basis)
     elif term.value in {"road", "highway", "lane"}:
         reading.road = reading.road or basis
-        reading.highway = reading.highway or term.value == "highway"
+        lane = term.value == "lane" and tokens[term.i].low in _OF_SEVERAL
+        reading.highway = reading.highway or term.value == "highway" or lane
         before = terms[k - 1] if k else None
         if before is not None and before.value == "straight":
             reading.straight = Basis(before.i, term.j)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Maneuver
+from scegen.scenario.vocabulary import HazardKind, Maneuver
 from scegen.understanding import ways
-from scegen.understanding.chunks import Place
+from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
 
@@ -38,6 +38,17 @@ def merge(scene: Scene, context: Context) -> None:
         lane_change(scene, context)
 
 
+def swerve(scene: Scene, context: Context) -> None:
+    """``swerves into the oncoming lane``, ``veers into the left lane``."""
+    lane = ways.into_lane(scene.event)
+    if lane is None or lane.kind != "lane" or lane.owner is not None:
+        return
+    if "opposite" in lane.dirs and not any(context.oncoming(e) for e in scene.drivers):
+        use_oncoming_lane(scene, lane, context)
+    elif ways.next_lane(scene.event, context):
+        lane_change(scene, context)
+
+
 def forced(scene: Scene, context: Context) -> None:
     """``is forced into the opposite lane``, ``pushes the ego into the left lane``."""
     lane = ways.into_lane(scene.event)
@@ -61,3 +72,21 @@ def use_oncoming_lane(scene: Scene, lane: Place, context: Context) -> None:
     reason = "the oncoming lane is used to get past something"
     basis = Basis(scene.event.i, max(scene.event.j, lane.j), reason)
     apply(scene, context, {Maneuver.OVERTAKE}, basis)
+
+
+def on_the_wrong_side(mention: Mention, context: Context) -> None:
+    """``an oncoming bus in the ego's lane``: it has no business there.
+
+    Args:
+        mention: who is there.
+        context: the scenario in the making.
+    """
+    if "opposite" not in mention.dirs:
+        return
+    for prep in mention.pps:
+        lane = prep.target
+        owner = lane.owner if isinstance(lane, Place) and lane.kind == "lane" else None
+        if prep.value == "in" and owner is not None and any(e.ego for e in owner.entities):
+            by = [e for e in mention.entities if e.moving_vehicle]
+            basis = Basis(prep.word.i, owner.j)
+            context.draft.hazard(HazardKind.ONCOMING_LANE, basis, by, owner.entities)

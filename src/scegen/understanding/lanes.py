@@ -21,6 +21,9 @@ def between_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Event) or tokens[chunk.i].forms[-1][0] not in _CHANGING:
             continue
+        direct = chunks[k + 1] if k + 1 < len(chunks) else None
+        if isinstance(direct, Place) and direct.kind == "lane":
+            chunk.name = "lane_change"  # "has to change two lanes to the right"
         for before, place in pairwise(chunks[k + 1 : k + 1 + _CHANGE_REACH]):
             if isinstance(before, Mention | Event) or getattr(before, "cat", "") == "punct":
                 break

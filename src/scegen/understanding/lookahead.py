@@ -109,3 +109,20 @@ def only_a_noun_follows(word: Word, k: int, chunks: list[Chunk]) -> bool:
             after = chunks[m] if m < len(chunks) else None
             return not isinstance(after, Event)  # "before the ego, turning left, has cleared it"
     return True
+
+
+def by_follows(chunks: list[Chunk], k: int) -> bool:
+    """``struck from behind by a van``: who does it stands after "by".
+
+    Args:
+        chunks: the chunks of the text.
+        k: index of a participle.
+    """
+    for chunk in chunks[k + 1 : k + 7]:
+        if isinstance(chunk, Mention | Event):
+            return False
+        if isinstance(chunk, Word) and chunk.value == "by":
+            return True
+        if isinstance(chunk, Word) and chunk.cat not in {"prep", "locus", "manner", "dir"}:
+            return False
+    return False

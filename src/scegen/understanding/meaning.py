@@ -10,6 +10,7 @@ from scegen.understanding import (
     dangers,
     encounters,
     implied,
+    lane_moves,
     red_lights,
     roles,
     rows,
@@ -105,9 +106,9 @@ class Interpreter:
         for event in events:
             self._event(event)
         for scene in self._scenes:
-            event = scene.event
-            if not event.negated:
-                self._share_sides(event.pps, scene.actors, hidden=event.name == "hide")
+            if not scene.event.negated:
+                hidden = scene.event.name == "hide"
+                self._share_sides(scene.event.pps, scene.actors, hidden=hidden)
         red_lights.on_red(chunks, events, self._context)
         towards_each_other(chunks, events, self._context)
         screens.come_out(self._context)
@@ -118,6 +119,7 @@ class Interpreter:
         self._placer.adjectives(mention)
         afoot.on_the_road(mention, self._context)
         sides = [p for p in mention.pps if p.value in {"from", "in"} and _is_side(p)]
+        lane_moves.on_the_wrong_side(mention, self._context)
         for prep in mention.pps:
             if id(prep) in self._of_verbs:
                 continue  # "approaches the ego from the left": not the ego comes from there
@@ -127,6 +129,9 @@ class Interpreter:
             screens.wait_behind(prep, mention.entities, self._context)
         for term in mention.mods:
             self._quality(term, mention.entities)
+        at_light = [p.word for p in mention.pps if getattr(p.target, "kind", "") == "signal"]
+        for entity in mention.entities if at_light else []:
+            entity.waits = entity.waits or Basis(mention.i, at_light[0].j)
         roles.act_by_name(mention, self._context)
 
     def _quality(self, term: Term, entities: list[Entity]) -> None:

@@ -128,6 +128,9 @@ def _count(
         return DEFAULT_COUNT, False, None
     if "several" in mention.heads[-1].data:
         return int(mention.heads[-1].data["several"]), False, None
+    head = mention.heads[-1].data if mention.heads else {}
+    if not plural and "count" in head:
+        return int(head["count"]), False, None  # "an old couple"
     if not plural:
         return 1, False, None
     return DEFAULT_COUNT, True, f"no number is given; {DEFAULT_COUNT} are assumed"

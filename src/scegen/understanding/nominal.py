@@ -7,6 +7,7 @@ from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
 OPENERS = frozenset({"det", "possessive", "num", "quant"})
+WAYS = frozenset({"left", "right", "straight"})
 _SIDE_ONLY = 2
 _NAMED_BY_SIDE = frozenset({"turn", "u_turn", "lane_change", "sharp_turn", "merge", "leave"})
 """Actions that a side tells apart: "the left turn"."""
@@ -93,3 +94,23 @@ def compound_end(head: Term, following: Term | None) -> Term:
     if head.value != "obstacle" or following is None:
         return head
     return following if (following.cat, following.value) == ("inert", "noun") else head
+
+
+def governed(chunks: list[Chunk]) -> bool:
+    """Whether a side named next belongs to a preposition ("from left and right").
+
+    Args:
+        chunks: the chunks read so far.
+    """
+    previous = chunks[-1] if chunks else None
+    preposed = isinstance(previous, Word) and previous.cat in VERBAL_LINKS
+    return preposed or _after_a_side(chunks)
+
+
+def one_side(term: Term) -> bool:
+    """Whether a further direction may belong to the same side ("front left").
+
+    Args:
+        term: the direction before it.
+    """
+    return term.value not in WAYS and term.cat != "compass"

@@ -44,7 +44,7 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         return
     if further_ones(mention, k, chunks, state):
         mention.pronoun = "further"
-    if state.fronted:
+    if state.fronted or (direct and any(e is anchor and e.finite for e in state.pending)):
         _start_clause(mention, state)
     elif isinstance(anchor, Event) and direct and _takes(anchor, k, chunks):
         anchor.object = mention
@@ -71,7 +71,8 @@ def _emphasises(mention: Mention, state: State) -> bool:
 
 def _takes(verb: Event, k: int, chunks: list[Chunk]) -> bool:
     """Whether a noun after a verb is its object; "he said the van stopped" tells of the van."""
-    reported = verb.says and (finite_follows(chunks, k) or copula_follows(chunks, k))
+    tells = verb.says or (verb.control == "subject" and isinstance(chunks[k], Mention))
+    reported = tells and (finite_follows(chunks, k) or copula_follows(chunks, k))
     return verb.object is None and not reported
 
 
@@ -100,14 +101,21 @@ def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -
     return not finite_follows(chunks, k)
 
 
+def _ego(mention: Mention) -> bool:
+    return any(h.data.get("ego") for h in mention.heads)
+
+
 def _start_clause(mention: Mention, state: State) -> None:
     mention.denied = "neg:not" in state.between
     exists = "copy" in state.between or ("aux:be" in state.between and bool(state.fronted))
+    others = any(e.finite and e.subject and not _ego(e.subject[-1]) for e in state.events)
+    if "sub" in state.between and others and _ego(mention):
+        state.trailing.append(mention)
     state.candidate = mention
     state.candidate_done = exists  # "there is a van": that is all of its clause
     for event in state.pending:
         event.subject = event.subject if event.nominal and event.subject else [mention]
-        inverted = event.finite and bool(state.fronted)
+        inverted = event.finite and (bool(state.fronted) or state.anchor is event)
         event.pps += state.fronted if inverted else []
         state.candidate_done = state.candidate_done or inverted
     state.pending = []

@@ -138,5 +138,10 @@ def _has_to_wait(scene: Scene, context: Context) -> bool:
         return True
     awaited = any(p.value == "for" and isinstance(p.target, Mention) for p in scene.event.pps)
     awaited = awaited and scene.event.name == "wait"
+    parent = scene.event.parent
+    onto = parent is not None and parent.name in {"enter", "pull_out", "cross", "move"}
+    onto = onto and any(p.value == "into" for p in (parent.pps if parent else []))
+    if scene.event.link == "ing" and (onto or (parent and parent.name == "pull_out")):
+        return True  # "rides onto the road without stopping"
     joins = context.junction.crossing or context.draft.access is not None
     return (scene.event.link == "ing" or awaited) and joins

@@ -29,10 +29,10 @@ _SIDES = {"left": Approach.LEFT, "right": Approach.RIGHT}
 _STEADY = frozenset(
     {"move", "stop", "brake", "hard_brake", "slow", "locate", "wait", "park", "accelerate",
      "approach", "speed", "tailgate", "follow", "light", "hide", "appear", "walk",
-     "unknown", "inert", "pass", "lose_control", "swerve", "reverse", "crawl"}
+     "unknown", "inert", "pass", "lose_control", "swerve", "reverse", "crawl", "merge", "unpark"}
 )  # fmt: skip
 _PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane",
-                     "leg"})  # fmt: skip
+                     "path", "leg"})  # fmt: skip
 _SIDEWAYS = frozenset({"lane_change", "merge", "cut_in"})
 _AROUND = frozenset({"around", "round", "past"})
 _BY_WAY_OF = frozenset({"via", "through", "across", "over"})
@@ -133,6 +133,8 @@ class Placer:
             if approaches and term is not None:
                 self._draft.place(entity, None, set(approaches), Basis(term.i, term.j))
         for mod in mention.mods:
+            for entity in mention.entities if "bound" in mod.data else []:
+                entity.bound = True
             if mod.cat == "compass":
                 self._head(mention.entities, mod.value, Basis(mod.i, mod.j))
 
@@ -197,6 +199,8 @@ class Placer:
         for entity in entities:
             if wrong and Maneuver.OVERTAKE in entity.maneuvers:
                 continue  # who overtakes is in the oncoming lane, but does not come from there
+            kerb = target.kind in {"sidewalk", "shoulder"} and prep.value == "from"
+            entity.pulls_out = entity.pulls_out or kerb
             self._draft.place(entity, reference, set(approaches), basis)
 
     def _beside(self, side: Place, entities: list[Entity], basis: Basis) -> None:
@@ -264,6 +268,8 @@ class Placer:
     def heading(self, term: Term, entities: list[Entity]) -> None:
         """``travelling northbound``."""
         self._head(entities, term.value, Basis(term.i, term.j))
+        for entity in entities if "bound" in term.data else []:
+            entity.bound = True
 
 
 def thing_sides(entity: Entity, draft: Draft) -> set[Approach]:

@@ -72,7 +72,8 @@ class Pronouns:
             recent = [e for e in recent if e.is_vehicle] or recent
         options = subject if len(subject) == 1 else recent[-1:]
         if self.tokens[mention.i].low == "it" and any(map(self._person, options)):
-            since = recent[recent.index(options[0]) + 1 :] if options[0] in recent else []
+            order = self.roster.recent
+            since = order[order.index(options[0]) + 1 :] if options[0] in order else []
             others = [e for e in since if not self._person(e) and e not in exclude]
             options = others[-1:] or options  # "a rider passes the ego as it turns"
         if not self.draft.entities and word in {"he", "she"}:
@@ -84,7 +85,7 @@ class Pronouns:
     def _person(self, entity: Entity) -> bool:
         """Whether a word for a person named them: "he" or "she" would mean them."""
         last = self.tokens[(entity.basis.j or 1) - 1].low if entity.basis.i is not None else ""
-        return last.endswith(_PERSONS)
+        return not entity.is_vehicle or last.endswith(_PERSONS)
 
     def _new_driver(self, mention: Mention) -> list[Entity]:
         """``they pulled out in front of me``: somebody who drives, not named before."""
@@ -112,7 +113,7 @@ class Pronouns:
 
     def _ordinal(self, mention: Mention) -> list[Entity]:
         position = POSITIONS[mention.label or "first"]
-        vehicles = [e for e in self.draft.entities if e.moving_vehicle]
+        vehicles = [e for e in self.draft.entities if e.moving_vehicle and not e.ego]
         everybody = vehicles or self.draft.entities
         group = self.roster.groups[-1].members if self.roster.groups else everybody
         if position < 0 or mention.label == "former":
@@ -143,4 +144,7 @@ class Pronouns:
         if claimed or which == "count":
             return claimed
         new = which != "one" or bool(self.roster.recent)
-        return [self.roster.new(ParticipantKind.CAR, basis)] if new else []
+        kinds = {e.kind for e in self.draft.entities if not e.ego}
+        afoot = which == "one" and kinds == {ParticipantKind.PEDESTRIAN}
+        kind = ParticipantKind.PEDESTRIAN if afoot else ParticipantKind.CAR
+        return [self.roster.new(kind, basis)] if new else []

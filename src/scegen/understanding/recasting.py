@@ -107,6 +107,9 @@ def _by_path(scene: Scene, context: Context, *, riding: bool) -> str:
         return "cross"
     if to_somebody:
         return "cross" if riding else "cut_in"
+    beside = any(context.placed(e, Approach.ADJACENT) for e in scene.drivers)
+    if beside and words & _ACROSS:
+        return "lane_change"  # "the van next to me comes over"
     return "breach" if event.name == "breach" else "move"
 
 
@@ -126,7 +129,9 @@ def _around(scene: Scene, context: Context) -> bool:
 def _between_lanes(scene: Scene, context: Context) -> bool:
     """``a coach in the next lane pulls out in front of me``: out of its lane, not of a road."""
     event = scene.event
-    ahead = any(p.word.cat == "locus" and p.value == "ahead" and _who(p) for p in event.pps)
+    ahead = any(
+        _who(p) and (p.value == "ahead" or context.tokens[p.word.i].low == "on") for p in event.pps
+    )
     aside = any(p.kind in _ASIDE for p in scene.places())
     beside = any(context.placed(e, Approach.ADJACENT) for e in scene.drivers)
     along = context.junction.highway and not context.junction.crossing

@@ -7,12 +7,15 @@ from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Entity
 from scegen.understanding.mention_words import Reading
 
+_RIDDEN = frozenset({ParticipantKind.MOTORCYCLE, ParticipantKind.BICYCLE})
 
-def own_vehicle(reading: Reading, mention: Mention) -> bool:
+
+def own_vehicle(reading: Reading, mention: Mention, owners: list[Entity]) -> bool:
     """``the driver opens the door of his vehicle``: what the driver stands for."""
     possessed = bool(mention.mods) and mention.mods[0].cat == "possessive"
     whose = possessed and mention.mods[0].value == "its"
-    return whose and reading.generic and not reading.plural and not reading.dirs
+    riding = reading.kind in _RIDDEN and any(e.kind in _RIDDEN for e in owners)
+    return whose and (reading.generic or riding) and not reading.plural and not reading.dirs
 
 
 def is_pronoun(target: object) -> bool:
@@ -69,4 +72,6 @@ def elsewhere(reading: Reading, mention: Mention, entity: Entity) -> bool:
     if person and mention.pps and entity.is_vehicle:
         return not reading.called & entity.named_by  # "the bloke behind me"
     bare = reading.det == "bare" and not reading.dirs and reading.kind is entity.kind
+    if bare and reading.called and entity.named_by and not reading.called & entity.named_by:
+        return bool(mention.pps)  # "bus from the left, tram from the right"
     return bare and bool(mention.pps) and bool(entity.dirs)

@@ -6,6 +6,7 @@ from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thin
 from scegen.understanding.describing import describe
 from scegen.understanding.discourse import Discourse
 from scegen.understanding.located import share_places
+from scegen.understanding.lookahead import BOUNDARIES
 from scegen.understanding.terms import Term
 
 _A_PAIR = 2
@@ -39,7 +40,13 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     everywhere = _sides(events, chunks)
     beside = _beside(chunks)
     settled = _settled(events)
-    around = {id(p.target): e for e in events for p in e.pps if _is_it(p.target)}
+    around = {
+        id(m): e
+        for e in events
+        for p in e.pps
+        if isinstance(p.target, Mention) and (_is_it(p.target) or p.value == "between")
+        for m in (p.target, *(c for c in chunks if isinstance(c, Mention) and c.joined is p.target))
+    }  # "drives between the ego and the van ahead": not the van itself
     behind = {
         id(p.target): e
         for e in events
@@ -124,7 +131,10 @@ def _generic(chunks: list[Chunk], events: list[Event]) -> None:
     """
     met = {id(p.target) for e in events if e.name in _LETTING_BY for p in e.pps}
     for k, chunk in enumerate(chunks):
-        if not isinstance(chunk, Mention) or chunk.head is None or chunk.prep is None:
+        if not isinstance(chunk, Mention) or chunk.head is None:
+            continue
+        if chunk.prep is None:
+            chunk.negated = chunk.negated or _only_the_scene(chunk, k, chunks)
             continue
         several = chunk.head.form == "s" and chunk.mod("det", "num", "quant") is None
         lit = any(isinstance(c, Place) and c.kind == "signal" for c in chunks[max(0, k - 4) : k])
@@ -133,6 +143,19 @@ def _generic(chunks: list[Chunk], events: list[Event]) -> None:
             chunk.prep.value == "of" and any(_is_view(c) for c in chunks[max(0, k - 2) : k])
         )
         chunk.negated = chunk.negated or (anybody and purpose and id(chunk) not in met)
+
+
+def _only_the_scene(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
+    """``Stop-and-go traffic on a ring road; the car ahead …``: where it all takes place."""
+    opens = k == 0 or getattr(chunks[k - 1], "value", "") in BOUNDARIES
+    if not opens or mention.head is None or "mass" not in mention.head.data or mention.dirs:
+        return False
+    for chunk in chunks[k + 1 :]:
+        if isinstance(chunk, Event | Mention):
+            return False
+        if isinstance(chunk, Word) and chunk.value in BOUNDARIES:
+            return any(isinstance(c, Mention) for c in chunks if c.i > chunk.i)
+    return False
 
 
 def _resolve(
@@ -227,17 +250,32 @@ def from_everywhere(prep: Prep) -> bool:
     return quantified and target.kind in {"direction", "side", "exit", "leg", "road"}
 
 
+def each_side(prep: Prep) -> bool:
+    """``from each side``: one from the left, one from the right.
+
+    Args:
+        prep: a phrase of place.
+    """
+    target = prep.target
+    single = isinstance(target, Place) and target.head is not None and target.head.form != "s"
+    return from_everywhere(prep) and single and isinstance(target, Place) and target.kind == "side"
+
+
 def _sides(events: list[Event], chunks: list[Chunk]) -> dict[int, int]:
     """Mentions of those who come one from each of some sides -> how many sides; 0: all."""
     found: dict[int, int] = {}
     for event in events:
         sides = {m.value for p in event.pps if p.value == "from" for m in _compass(p)}
-        if any(from_everywhere(p) for p in event.pps):
+        if any(each_side(p) for p in event.pps):
+            found |= {id(m): _A_PAIR for m in event.subject}
+        elif any(from_everywhere(p) for p in event.pps):
             found |= {id(m): 0 for m in event.subject}
         elif len(sides) > _A_PAIR:
             found |= {id(m): len(sides) for m in event.subject}
     for chunk in chunks:
-        if isinstance(chunk, Mention) and any(from_everywhere(p) for p in chunk.pps):
+        if isinstance(chunk, Mention) and any(each_side(p) for p in chunk.pps):
+            found[id(chunk)] = _A_PAIR
+        elif isinstance(chunk, Mention) and any(from_everywhere(p) for p in chunk.pps):
             found[id(chunk)] = 0
     return found
 

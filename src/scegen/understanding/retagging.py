@@ -29,6 +29,8 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
     if _moment(tokens, term):
         term = Term("inert", "noun", term.i, term.j)
+    if term.value == "genitive" and _has_done(tokens, term):
+        term = replace(term, cat="aux", value="have")
     if _does_not(tokens, term):
         term = replace(term, cat="aux", value="do")
     if terms and measured(tokens, terms, term):
@@ -52,6 +54,17 @@ def _moment(tokens: list[Token], term: Term) -> bool:
     before = tokens[term.i - 1].low if term.i else ""
     after = tokens[term.j].low if term.j < len(tokens) else ""
     return before in _SHORT or after in {"later", "ago", "before", "after"}
+
+
+_DONE = frozenset({"left", "parked", "stopped", "pulled", "turned", "stuck", "dumped", "broken"})
+_AFTER = frozenset({"a", "an", "the", "their", "his", "her", "my", "our", "on", "in", "right", "at",
+                    "half", "out", "up", "down", "across", "dead", "over"})  # fmt: skip
+
+
+def _has_done(tokens: list[Token], term: Term) -> bool:
+    """``someone's left a van there``: has left, nothing of theirs."""
+    done, after = (tokens[k].low if k < len(tokens) else "" for k in (term.j, term.j + 1))
+    return done in _DONE and after in _AFTER
 
 
 def _does_not(tokens: list[Token], term: Term) -> bool:

@@ -6,6 +6,9 @@ from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding.chunks import Chunk, Mention, Thing
 from scegen.understanding.draft import Basis, Draft, Entity
 
+_REACH = 3
+_FLUNG = frozenset({"flung", "swung", "swings"})
+
 
 def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
     """What a thing on or beside the road means.
@@ -22,7 +25,7 @@ def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
     if thing.kind == "obstacle":
         draft.hazard(HazardKind.OBSTACLE, basis, [])
         draft.note(thing.i, thing.j, "things on the road are kept as the hazard 'obstacle' only")
-    elif thing.kind == "door":
+    elif thing.kind == "door" and _open(thing, draft):
         whose = [e for p in thing.pps if isinstance(p.target, Mention) for e in p.target.entities]
         whose += thing.owner.entities if thing.owner is not None else []
         draft.hazard(HazardKind.OBSTACLE, basis, whose)
@@ -31,6 +34,12 @@ def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
         draft.note(thing.i, thing.j, "things beside the road are not built; what they hide is kept")
     elif thing.kind == "view" and any(m.cat == "verb" for m in thing.mods):
         draft.hazard(HazardKind.OCCLUSION, basis, _owing_to(thing, chunks))
+
+
+def _open(thing: Thing, draft: Draft) -> bool:
+    """``an opening door``, ``a door opens``; "hit the driver's door" is a place on a car."""
+    around = draft.tokens[max(0, thing.i - 2) : thing.j + _REACH]
+    return any(t.low.startswith("open") or t.low in _FLUNG for t in around)
 
 
 def _carried(thing: Thing, chunks: list[Chunk]) -> bool:

@@ -105,8 +105,9 @@ class Roster:
             claimed = self.claim(1, exclude)
             if claimed:
                 return claimed
-        alike = [e.kind for e in self.recent if e.is_vehicle] or [ParticipantKind.CAR]
-        return [self.new(alike[-1], basis)]
+        afoot = len(self.subject) == 1 and self.subject[0] is self.draft.entities[-1]
+        alike = [e.kind for e in self.recent if e.is_vehicle or (afoot and e in self.subject)]
+        return [self.new((alike or [ParticipantKind.CAR])[-1], basis)]
 
     def named(self, reading: Reading, names: set[str], exclude: list[Entity]) -> list[Entity]:
         """``Two cars collided. Vehicle 1 …``: a new name goes to one without a name."""

@@ -83,7 +83,8 @@ def from_behind(scene: Scene, context: Context) -> None:
         out = prep.outer == "from" or context.tokens[prep.word.i].low == "from"
         sprung = out or scene.event.name == "appear"
         sprung = sprung or (prep.value == "between" and bool(scene.walkers))
-        sprung = sprung or (isinstance(prep.target, Thing) and scene.event.name == "cross")
+        still = isinstance(prep.target, Thing) or _stands(prep, context)
+        sprung = sprung or (still and people and scene.event.name == "cross")
         if sprung:
             basis, by = _screen(prep, scene.actors)
             context.draft.hazard(HazardKind.OCCLUSION, basis, by)
@@ -91,6 +92,15 @@ def from_behind(scene: Scene, context: Context) -> None:
                 encounters.cyclists_cross(scene, context)
         elif scene.event.name in _WAITING:
             wait_behind(prep, scene.actors, context)
+
+
+def _stands(prep: Prep, context: Context) -> bool:
+    """``crosses behind a stationary bus``: what hides stands still."""
+    target = prep.target
+    if not isinstance(target, Mention) or not target.entities:
+        return False
+    stopped = [e for d in context.draft.dangers if d.kind is HazardKind.STOPPING for e in d.by]
+    return all(e.parked or e in stopped for e in target.entities)
 
 
 def wait_behind(prep: Prep, entities: list[Entity], context: Context) -> None:

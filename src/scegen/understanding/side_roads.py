@@ -6,6 +6,7 @@ from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Event, Place, Prep
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.resolving import each_side
 
 _LEAVING = frozenset({"reverse", "pull_out", "leave", "unpark"})
 _COMING = frozenset({"move", "approach", "appear", "enter"})
@@ -77,6 +78,10 @@ def spread(prep: Prep, actors: list[Entity], context: Context) -> None:
     target = prep.target
     end = target.j if target is not None else prep.word.j
     arms = context.junction.arms or max(len(actors), 1)
+    if each_side(prep):
+        for entity, side in zip(actors, (Approach.LEFT, Approach.RIGHT), strict=False):
+            context.draft.place(entity, None, {side}, Basis(prep.word.i, end))
+        return
     for number, entity in enumerate(actors):
         entity.entries = {number % arms}
         entity.entry_basis = Basis(prep.word.i, end)

@@ -20,7 +20,7 @@ def left_or_gone(match: Match, tokens: list[Token], previous: Term | None) -> tu
     Returns:
         The meaning, and that it is no participle before a noun.
     """
-    subject = previous is not None and previous.cat in {"actor", "pronoun"}
+    subject = previous is not None and previous.cat in {"actor", "pronoun", "aux"}
     following = longest_match(tokens, match.j) if match.j < len(tokens) else None
     left = following is not None and following.has("det", "possessive", "place", "manner")
     left = left or (match.j < len(tokens) and tokens[match.j].low in _LEAVING)

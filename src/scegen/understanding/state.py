@@ -30,6 +30,7 @@ class State:
         last_prep: the phrase read last.
         bracket: anchor and words between, as they were when a bracket opened.
         where: a clause has been opened that says what takes place somewhere.
+        trailing: the ego where it opens a clause after that of another ("…, as the ego turns").
         relative: who acts in a relative clause, and on whom ("the van that the ego follows").
     """
 
@@ -50,4 +51,5 @@ class State:
     last_prep: Prep | None = None
     bracket: tuple[Mention | NounPhrase | Event | None, set[str]] | None = None
     where: bool = False
+    trailing: list[Mention] = field(default_factory=list)
     relative: tuple[Mention, NounPhrase] | None = None

@@ -13,13 +13,13 @@ from scegen.understanding.dependents import (
 )
 from scegen.understanding.state import State
 
-_PASSIVE = frozenset(
+PASSIVE = frozenset(
     {"collide", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate", "cause",
      "prevent", "precede", "encounter", "pass", "cut_in", "cut", "avoid", "approach", "undertake",
      "enter", "use", "door", "chase", "harm", "send"}
 )  # fmt: skip
 
-_DESCRIBING = _PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}
+_DESCRIBING = PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}
 """Verbs whose participle describes a noun ("a man hidden behind a van")."""
 
 
@@ -50,13 +50,13 @@ def link(event: Event, state: State) -> None:
         event.finite = event.finite and helped  # "lets them cross": no clause of its own
     if _blocked(event, state):
         return
-    if event.form == "base" and "aux:be" in state.between and event.name in _PASSIVE:
+    if event.form == "base" and "aux:be" in state.between and event.name in PASSIVE:
         event.form = "ed"  # "is cut off", "was hit": the participle looks like the base form
     if event.reduced and event.form == "ed" and not helped:
         event.finite = False
-        event.passive = event.name in _DESCRIBING & _PASSIVE
+        event.passive = event.name in _DESCRIBING & PASSIVE
         return
-    if event.form == "ed" and event.name in _PASSIVE:
+    if event.form == "ed" and event.name in PASSIVE:
         reduced = isinstance(state.anchor, Mention) and "aux:have" not in state.between
         event.passive = "aux:be" in state.between or (reduced and _bare_participle(event, state))
     if event.finite and event.subject:
@@ -71,22 +71,22 @@ def before_by(event: Event) -> None:
     Args:
         event: the verb form right before "by".
     """
-    if event.form == "ed" and event.name in _PASSIVE and not event.nominal:
+    if event.form == "ed" and event.name in PASSIVE and not event.nominal:
         event.passive = True
 
 
 def _said_of_a_thing(event: Event, state: State) -> None:
     """``the view is blocked by a van``: nobody acts but who stands after "by"."""
-    passive = event.form == "ed" or (event.form == "base" and event.name in _PASSIVE)
+    passive = event.form == "ed" or (event.form == "base" and event.name in PASSIVE)
     if passive and "aux:be" in state.between:
-        event.passive, event.object = event.name in _PASSIVE, state.topic
+        event.passive, event.object = event.name in PASSIVE, state.topic
     state.topic = None
 
 
 def _blocked(event: Event, state: State) -> bool:
     """``finds its lane blocked by a van``: the place suffers it, not the finder."""
     anchor = state.anchor
-    if event.form != "ed" or event.name not in _PASSIVE or state.between:
+    if event.form != "ed" or event.name not in PASSIVE or state.between:
         return False
     if isinstance(anchor, Mention) or not isinstance(anchor, NounPhrase):
         return False
@@ -123,6 +123,7 @@ def _clause(event: Event, state: State) -> None:
     elif isinstance(anchor, Event):
         depend(event, anchor, "ing")
         event.subject = anchor.subject
+        event.negated = anchor.name == "prevent"  # "oncoming cars prevent overtaking"
     else:
         _subjectless(event, state)
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 from scegen.understanding.choosing import choose, is_adverb
 from scegen.understanding.collectives import gather
+from scegen.understanding.labels import named_at
 from scegen.understanding.lexicon import Entry
 from scegen.understanding.numbers import number_at
 from scegen.understanding.paces import pace_at, speed_at
@@ -27,36 +27,10 @@ from scegen.understanding.retagging import retag
 from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
 
-_LABELLED = re.compile(r"^(?:v|veh|u|d|car|cv)\d{1,2}$")
-_WALKER = re.compile(r"^(?:p|ped)\d{1,2}$")
-_ROAD = re.compile(r"^(?:a|b|m|i|us|sr|cr|sh|fm|rn|hwy|rte)\d{1,2}$")
 _NOUNS = ("actor", "place", "thing", "inert")
 _CROSSED = frozenset({"road", "lane", "path", "highway", "crosswalk"})
+_STEERED = frozenset({"driven", "ridden"})
 _UNIT_WORDS = frozenset({"unit", "veh", "v"})
-
-
-def _labelled(token: Token, i: int) -> Term | None:
-    """``V1``, ``car2``: a participant called by a short name."""
-    digits = token.low.lstrip("abcdefghijklmnopqrstuvwxyz")
-    if token.kind == "label" and _LABELLED.match(token.low):
-        return Term("actor", "car", i, i + 1, "base", {"label": f"#{digits}"})
-    if token.kind == "label" and _WALKER.match(token.low):
-        return Term("actor", "pedestrian", i, i + 1, "base", {"label": f"#p{digits}"})
-    return None
-
-
-def _road_number(tokens: list[Token], i: int) -> Term | None:
-    """``the A40``, ``I-95``, ``US 1``: a road."""
-    token = tokens[i]
-    if token.kind == "label" and token.text[0].isupper() and _ROAD.match(token.low):
-        return Term("place", "highway" if token.low[0] in "mi" else "road", i, i + 1)
-    after = tokens[i + 1] if i + 1 < len(tokens) else None
-    joined = after is not None and after.kind == "number" and after.start <= token.end + 1
-    if not (joined and token.text.isupper() and _ROAD.match(f"{token.low}1")):
-        return None
-    if token.low == "a" and after is not None and after.start > token.end:
-        return None
-    return Term("place", "highway" if token.low[0] in "mi" else "road", i, i + 2)
 
 
 def _first_person(token: Token) -> bool:
@@ -188,6 +162,8 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
     match = longest_match(tokens, i)
     if match and match.form in {"ed", "ing"} and match.only("actor", "pronoun", "possessive"):
         return None  # nouns are not inflected so
+    if match and token.low in _STEERED and tokens[match.j - 1].low == "by":
+        match = longest_match(tokens[: i + 1], i)  # "driven by a student"
     if match and _is_clause(match, tokens, i, previous):
         match = longest_match(tokens[: i + 1], i)
     if match and token.low == "right" and match.only("sub") and _turning(previous):
@@ -215,7 +191,7 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     token = tokens[i]
     if token.kind == "punct":
         return Term("punct", token.low, i, i + 1)
-    named = _labelled(token, i) or _road_number(tokens, i)
+    named = named_at(tokens, i)
     if named:
         return named
     if just_right(tokens, i, previous):
@@ -230,10 +206,13 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
         return Term("actor", "car", i, i + 1)
     number = number_at(tokens, i)
     match = _match_at(tokens, i, previous) if _first_person(token) else None
-    counted = number is not None and match is not None and match.has("shape") and match.form == "s"
+    counted = number is not None and match is not None and match.has("shape", "label")
+    counted = counted and match is not None and match.form == "s"
     if match and not counted and (number is None or match.j > i + number.length):
         entry, premod = choose(match, tokens, previous)
         form = _own_form(entry, match, token)
+        if token.low == "about" and entry.cat == "verb" and (not previous or previous.cat != "aux"):
+            form = "ing"  # "children about to cross": describes them
         return Term(entry.cat, entry.value, i, match.j, form, entry.data, premod)
     if number:
         return Term("num", token.low, i, i + number.length, data={"number": number.value})

@@ -115,10 +115,21 @@ def _told_by_nobody(chunks: list[Chunk]) -> list[Chunk]:
     past = verb.form == "ing" if auxiliary else verb.form == "ed"
     following = _at(chunks, chunks.index(verb) + 1)
     undergone = verb.name in _UNDERGONE and not isinstance(following, Mention)
+    undergone = undergone and (verb.name != "stop" or _subject_later(chunks))
     if not past or (undergone and not auxiliary) or _is(following, "by"):
         return chunks
     term = Term("actor", "ego", verb.i, verb.i, data={"ego": True, "speaks": True})
     return [Mention(verb.i, verb.i, [], term, heads=[term]), *chunks]
+
+
+def _subject_later(chunks: list[Chunk]) -> bool:
+    """``Stopped at the lights, the car …``: who it was comes after the comma."""
+    for k, chunk in enumerate(chunks):
+        if _ends(chunk) or (k and isinstance(chunk, Event)):
+            return False
+        if isinstance(chunk, Mention) and _is(_at(chunks, k - 1), ","):
+            return isinstance(_at(chunks, k + 1), Event | Word)
+    return False
 
 
 def _leaving(chunks: list[Chunk], k: int) -> Event | None:

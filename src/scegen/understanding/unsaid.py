@@ -43,12 +43,15 @@ def _followed(
         return Maneuver.STRAIGHT, entity.moves or Basis(), reason
     if junction.kind is JunctionKind.ROUNDABOUT:
         return None
+    crossed = _turned_across(entity, draft)
+    if crossed is not None:
+        return Maneuver.STRAIGHT, crossed, "its way is crossed: nothing says that it turns"
     priority = _has_the_way(entity, draft)
     if priority is not None:
         return Maneuver.STRAIGHT, priority, "it has the way: nothing says that it turns"
-    if entity.heading is not None and entity.moves is not None:
-        reason = "it keeps its heading: nothing says that it turns"
-        return Maneuver.STRAIGHT, entity.moves, reason
+    underway = entity.moves or (entity.heading_basis if entity.bound else None)
+    if entity.heading is not None and underway is not None:
+        return Maneuver.STRAIGHT, underway, "it keeps its heading: nothing says that it turns"
     if entity.through is not None and (entity.ego or entity.claimed):
         reason = "it drives through: nothing says that it turns"
         return Maneuver.STRAIGHT, entity.through, reason
@@ -72,6 +75,20 @@ def _has_the_way(entity: Entity, draft: Draft) -> Basis | None:
         if danger.kind in _OUT_OF_THE_ACCESS and along:
             return danger.basis
     return None
+
+
+def _turned_across(entity: Entity, draft: Draft) -> Basis | None:
+    """``turns left across the path of the van``: the van goes straight on."""
+    return next(
+        (
+            d.basis
+            for d in draft.dangers
+            if d.kind is HazardKind.UNPROTECTED_LEFT_TURN
+            and (entity in d.to or (not d.to and entity.ego))
+            and entity not in d.by
+        ),
+        None,
+    )
 
 
 def _oncoming(entity: Entity, draft: Draft) -> Basis | None:

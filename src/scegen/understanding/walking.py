@@ -24,6 +24,7 @@ def keep_along(scene: Scene, context: Context) -> bool:
     """
     event = scene.event
     words = {context.tokens[p.word.i].low for p in event.pps}
+    words |= {context.tokens[m.j - 1].low for m in event.dirs}  # "straight across"
     aside = any(p.kind == "sidewalk" for p in scene.places())
     along = event.name in {"walk", "move"} and any(_lengthwise(p, context) for p in event.pps)
     along = along or (_own_word(event, context) in _LENGTHWISE and event.object is not None)

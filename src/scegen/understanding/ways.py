@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
-from scegen.understanding.chunks import Event, Place, Thing
+from scegen.understanding.chunks import Event, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene, span
-from scegen.understanding.draft import Basis
+from scegen.understanding.draft import Basis, Entity
 
 DIRECTIONS = {
     "left": Maneuver.LEFT,
@@ -17,6 +17,7 @@ BESIDE = frozenset({"adjacent", "left", "right"})
 _OTHER = {"left": "right", "right": "left"}
 _KEEPING = frozenset({"keep", "stay", "remain", "stick", "hold", "continue"})
 _WAY = frozenset({"road", "lane", "path", "highway"})
+_TO_PASS = frozenset({"pull_out", "try", "accelerate", "lane_change", "swerve", "enter"})
 _THROUGH = frozenset({"through", "across"})
 
 
@@ -120,6 +121,10 @@ def overtaking(scene: Scene, context: Context) -> bool:
     """
     if scene.event.name != "pass" or scene.targets:
         return True
+    if scene.event.link == "inf" and scene.event.parent is not None and scene.drivers:
+        same = scene.event.parent.subject == scene.event.subject
+        if same and scene.event.parent.name in _TO_PASS:
+            return True  # "pulls out to pass", "tries to pass"
     over = any(p.kind == "centerline" for p in scene.places())
     if any(p.value == "behind" for p in scene.event.pps):
         return False  # "passes behind": across the road there
@@ -146,3 +151,26 @@ def across_the_road(event: Event, context: Context) -> bool:
         if prep.word.cat == "locus" and prep.value == "ahead" and place is not None:
             return True
     return not any(d.value in DIRECTIONS for d in event.dirs)
+
+
+def leads(prep: Prep, context: Context) -> bool:
+    """``turns left ahead of it``: it drives in front, and does not turn in front of it.
+
+    Args:
+        prep: "ahead of", "in front of".
+        context: the scenario in the making.
+    """
+    return any(t.low == "ahead" for t in context.tokens[prep.word.i : prep.word.j])
+
+
+def against(entity: Entity, place: Place) -> bool:
+    """Whether a lane leads the other way than somebody is headed ("the northbound lane").
+
+    Args:
+        entity: who drives into it.
+        place: the lane.
+    """
+    ways = {m.value for m in place.mods if m.cat == "compass"}
+    opposed = {"north": "south", "south": "north", "east": "west", "west": "east"}
+    heading = entity.heading or ""
+    return place.kind == "lane" and opposed.get(heading, "") in ways

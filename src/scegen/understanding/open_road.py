@@ -1,4 +1,4 @@
-"""Where others are on a road without a junction, if the text leaves it to what they do."""
+"""Positions that hold on a straight road only: who is in the way, who drives abreast."""
 
 from __future__ import annotations
 
