@@ -26,6 +26,8 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
     if term.value == "genitive" and _has_done(tokens, term):
         term = replace(term, cat="aux", value="have")
+    if term.value == "genitive" and terms and _is_short(terms[-1], tokens):
+        term = replace(term, cat="aux", value="be")
     if _does_not(tokens, term):
         term = replace(term, cat="aux", value="do")
     if terms and measured(tokens, terms, term):
@@ -49,6 +51,12 @@ def _has_done(tokens: list[Token], term: Term) -> bool:
     """``someone's left a van there``: has left, nothing of theirs."""
     done, after = (tokens[k].low if k < len(tokens) else "" for k in (term.j, term.j + 1))
     return done in _DONE and after in _AFTER
+
+
+def _is_short(previous: Term, tokens: list[Token]) -> bool:
+    """``who's``, ``that's``, ``it's``: is."""
+    word = tokens[previous.i].low
+    return previous.cat == "rel" or word in {"it", "he", "she", "there", "here", "what", "that"}
 
 
 def _does_not(tokens: list[Token], term: Term) -> bool:

@@ -14,6 +14,7 @@ from scegen.understanding.particles import (
     in_front,
     just_right,
     lane_then_verb,
+    of_so_much,
     over_a_place,
     sends_back,
     suffix_form,
@@ -55,7 +56,8 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
     if infinitive or previous.cat in {"aux", "neg"}:
         return suffix_form(token) or "base"
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
-    if previous.cat in {"actor", "pronoun", "rel"} or adverb:
+    one = previous.cat == "num" and previous.value == "one" and token.low.endswith("es")
+    if previous.cat in {"actor", "pronoun", "rel"} or adverb or one:
         return suffix_form(token)
     if after_a_phrase(token, previous, tokens):
         return "s"
@@ -109,6 +111,9 @@ def _list_of_doings(terms: list[Term], tokens: list[Token], term: Term) -> bool:
     """``a van turning left and a pedestrian crossing``: not the place of that name."""
     if term.j - term.i != 2 or not tokens[term.j - 1].low.endswith("ing"):
         return False
+    walker = longest_match(tokens[: term.i + 1], term.i)
+    if walker is None or not walker.has("actor"):
+        return False  # "the zebra crossing that …"
     if _crossed(tokens, term.j):
         return True
     if len(terms) < 3:
@@ -175,6 +180,8 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
         match = replace(match, j=match.j + 2)  # "forces its way in front of"
     if match and match.j > i + 1 and match.only("verb", "aux") and _needs_infinitive(tokens, match):
         match = longest_match(tokens[: match.j - 1], i) or match
+    if match and match.only("manner") and of_so_much(tokens, match):
+        match = longest_match(tokens[: match.j - 1], i)  # "at speeds between 10 and 20 km/h"
     if match and lane_then_verb(tokens, match, previous):
         match = longest_match(tokens[: match.j - 1], i)  # "in the left lane changes to"
     plural = any(form == "s" for _, form in token.forms)
