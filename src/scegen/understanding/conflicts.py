@@ -37,8 +37,11 @@ def turn(scene: Scene, context: Context) -> None:
     known = {m for e in scene.drivers for m in e.maneuvers}
     left = left or (not event.dirs and known & _TURNS == {_ACROSS[context.across]})
     settled = event.dirs or known & _TURNS
+    sideways = all(context.from_the_side(e) for e in scene.drivers)
     if settled and scene.drivers and into_way:
-        kind = HazardKind.UNPROTECTED_LEFT_TURN if left else HazardKind.FAILURE_TO_YIELD
+        kind = HazardKind.FAILURE_TO_YIELD
+        if left and not sideways:
+            kind = HazardKind.UNPROTECTED_LEFT_TURN
         context.draft.hazard(kind, scene.words, scene.drivers)
         return
     fronts = (p for p in event.pps if p.word.cat == "locus" and p.value == "ahead")
@@ -179,7 +182,7 @@ def _cuts_across_the_road(scene: Scene, context: Context) -> bool:
 def enter(scene: Scene, context: Context) -> None:
     """``enters the lane in front of V1``: a cut-in; from the front, the oncoming lane is used."""
     lane = into_lane(scene.event)
-    others = [e for e in scene.drivers if not e.ego]
+    others = [e for e in scene.drivers if not e.ego and Maneuver.CROSS not in e.maneuvers]
     _enter_in_front(scene, context)
     if lane is None or not others or scene.reaction:
         return

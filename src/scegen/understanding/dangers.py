@@ -16,6 +16,7 @@ _HASTY = frozenset({"early", "soon", "closely", "close", "tightly"})
 _GENTLY = frozenset({"gently", "gentle", "lightly", "light", "softly", "soft", "smoothly", "smooth",
                      "gradually", "gradual", "moderately", "moderate", "mildly", "mild",
                      "slightly", "slight", "carefully", "comfortably"})  # fmt: skip
+_BEYOND = frozenset({"past", "beyond", "after"})
 _REGULATED = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_stop", "parking",
                         "shoulder", "sidewalk", "crosswalk"})  # fmt: skip
 
@@ -87,7 +88,10 @@ def stop(scene: Scene, context: Context) -> None:
     motor = [e for e in scene.drivers if e.kind is not ParticipantKind.BICYCLE]
     if sudden is not None and motor:
         context.draft.hazard(HazardKind.HARD_BRAKING, sudden, motor)
-    if any(p.kind in _REGULATED for p in scene.places()):
+    beyond = {
+        id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low in _BEYOND
+    }  # "stops just past the crosswalk"
+    if any(p.kind in _REGULATED and id(p) not in beyond for p in scene.places()):
         return
     if any(p.value == "for" and isinstance(p.target, Mention) for p in scene.event.pps):
         return  # "stops for her"

@@ -84,7 +84,7 @@ class Interpreter:
             for e in events
             for p in e.pps
             if p.on_mention is e.object
-            and (self._starts(e, p) or (e.name in _BESIDE and _is_side(p)))
+            and (self._starts(e, p) or (e.name in _BESIDE and _is_side(p)) or _own_lane(e, p))
         }
         set_off(events, self._context)
         handled = {id(e.object) for e in events if e.name in {"inert", "send"}}  # "kicks a ball"
@@ -270,7 +270,10 @@ class Interpreter:
         """Who comes out from behind something stands on its side of the road."""
         for prep in pps:
             beside = prep.word.cat == "locus" and prep.value in {"behind", "between"}
+            beside = beside or (prep.value, prep.outer) == ("ahead", "from")
             by = hidden and prep.value == "by"
+            if beside and isinstance(prep.target, Place | Thing):
+                self._placer.beside_a_thing(prep, prep.target, entities)
             if not (beside or by) or not isinstance(prep.target, Mention):
                 continue
             basis = Basis(prep.word.i, prep.target.j)
@@ -282,6 +285,13 @@ class Interpreter:
                     on_foot = not entity.is_vehicle or self._context.is_cyclist(entity)
                     if sides and on_foot:
                         self._draft.place(entity, None, sides, basis)
+
+
+def _own_lane(event: Event, prep: Prep) -> bool:
+    """``the ego follows a van in the right lane``: that is the ego's lane, too."""
+    lane = isinstance(prep.target, Place) and prep.target.kind == "lane" and prep.value == "in"
+    ego = any(e.ego for m in event.subject for e in m.entities)
+    return lane and ego and event.name in {"follow", "tailgate"} and not event.passive
 
 
 def _is_side(prep: Prep) -> bool:

@@ -16,6 +16,8 @@ _STOPPING = frozenset({"stop", "brake", "wait", "slow"})
 _TO_BRAKE_FOR = frozenset({HazardKind.HARD_BRAKING, HazardKind.STOPPING, HazardKind.OBSTACLE,
                           HazardKind.SLOW_DRIVING, HazardKind.CROSSING_PEDESTRIAN,
                           HazardKind.CROSSING_CYCLIST, HazardKind.CUT_IN})  # fmt: skip
+_CROSSING = frozenset({HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_CYCLIST})
+"""What concerns those who come from the front, too."""
 _NEAR = 12
 _PHRASE = 5
 _LEEWAY = frozenset({"time", "chance", "room", "space", "distance", "hope"})
@@ -50,7 +52,7 @@ def not_done(scene: Scene, context: Context) -> None:
     elif (event.name in _SEEING and scene.drivers and _ahead(scene, context)) or (
         event.name in _BRAKING | {"react"}
         and scene.drivers
-        and (event.name != "slow" or _due(scene, context))
+        and ((event.name != "slow" and not _oncoming(scene, context)) or _due(scene, context))
     ):
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name == "encounter" and any(0 < event.i - i < _NEAR for i in context.screens):
@@ -107,10 +109,15 @@ def _rear(scene: Scene, context: Context) -> bool:
 
 def _due(scene: Scene, context: Context) -> bool:
     """``does not slow down``: whether there is something to slow down for."""
+    oncoming = _oncoming(scene, context)
+    owed = _TO_BRAKE_FOR & _CROSSING if oncoming else _TO_BRAKE_FOR
     return any(
-        d.kind in _TO_BRAKE_FOR and not any(e in scene.drivers for e in d.by)
-        for d in context.draft.dangers
-    ) or _ahead(scene, context)
+        d.kind in owed and not any(e in scene.drivers for e in d.by) for d in context.draft.dangers
+    ) or (not oncoming and _ahead(scene, context))
+
+
+def _oncoming(scene: Scene, context: Context) -> bool:
+    return bool(scene.drivers) and all(context.oncoming(e) for e in scene.drivers)
 
 
 def _ahead(scene: Scene, context: Context) -> bool:

@@ -9,6 +9,9 @@ from scegen.understanding.particles import measured
 from scegen.understanding.terms import Term, longest_match
 from scegen.understanding.tokens import Token
 
+_SHORT = frozenset({"only", "half", "within", "of", "just", "barely", "than", "for", "about",
+                    "under", "in"})  # fmt: skip
+
 
 def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     """The term as the words before it would have it.
@@ -24,6 +27,8 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         term = Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
     if (term.cat, tokens[term.i].low) == ("possessive", "her") and _alone(tokens, term.j):
         term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
+    if _moment(tokens, term):
+        term = Term("inert", "noun", term.i, term.j)
     if term.value == "genitive" and _has_done(tokens, term):
         term = replace(term, cat="aux", value="have")
     if term.value == "genitive" and terms and _is_short(terms[-1], tokens):
@@ -35,11 +40,22 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         term = Term("quantity", "other", number.i, term.j, data={"quantity": None})
     if term.cat == "dir" and terms and terms[-1].value == "unprotected" and _bare(tokens, term):
         term = replace(term, cat="verb", value="turn", data={"way": term.value})
+    if (term.cat, term.value, term.form) == ("verb", "slow", "base") and doing(tokens, term.i):
+        term = replace(term, cat="manner", data={})  # "going really slow"
     if _speed(term) and doing(tokens, term.i):
         _as_motion(terms, tokens)
     if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
         terms[-1] = replace(terms[-1], value="move", data={})  # "carries straight on"
     return term
+
+
+def _moment(tokens: list[Token], term: Term) -> bool:
+    """``only a second to stop``, ``half a second later``: a time, nobody."""
+    if [t.low for t in tokens[term.i : term.j]] != ["a", "second"]:
+        return False
+    before = tokens[term.i - 1].low if term.i else ""
+    after = tokens[term.j].low if term.j < len(tokens) else ""
+    return before in _SHORT or after in {"later", "ago", "before", "after"}
 
 
 _DONE = frozenset({"left", "parked", "stopped", "pulled", "turned", "stuck", "dumped", "broken"})

@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.understanding.choosing import choose, is_adverb
+from scegen.understanding.collectives import gather
 from scegen.understanding.labels import named_at
 from scegen.understanding.lexicon import Entry
 from scegen.understanding.numbers import number_at
-from scegen.understanding.paces import pace_at
+from scegen.understanding.paces import pace_at, speed_at
 from scegen.understanding.particles import (
     after_a_phrase,
     in_front,
@@ -92,7 +93,7 @@ def tag(tokens: list[Token]) -> list[Term]:
         term = retag(term, terms, tokens)
         terms.append(term)
         i = terms[-1].j
-    return _crossings(from_side_to_side(terms), tokens)
+    return _crossings(gather(from_side_to_side(terms), tokens), tokens)
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:
@@ -172,7 +173,7 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
         match = longest_match(tokens[: i + 1], i)
     if match and token.low == "right" and match.only("sub") and _turning(previous):
         match = longest_match(tokens[: i + 1], i)  # "turns right when …"
-    if match and match.only("locus") and then_a_side(tokens, match):
+    if match and (then_a_side(tokens, match) or of_so_much(tokens, match)):
         match = longest_match(tokens[: match.j - 1], i)  # "darts across from the left"
     if match and match.j > i + 1 and (then_a_noun(tokens, match) or over_a_place(tokens, match)):
         match = longest_match(tokens[: match.j - 1], i)
@@ -180,8 +181,6 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
         match = replace(match, j=match.j + 2)  # "forces its way in front of"
     if match and match.j > i + 1 and match.only("verb", "aux") and _needs_infinitive(tokens, match):
         match = longest_match(tokens[: match.j - 1], i) or match
-    if match and match.only("manner") and of_so_much(tokens, match):
-        match = longest_match(tokens[: match.j - 1], i)  # "at speeds between 10 and 20 km/h"
     if match and lane_then_verb(tokens, match, previous):
         match = longest_match(tokens[: match.j - 1], i)  # "in the left lane changes to"
     plural = any(form == "s" for _, form in token.forms)
@@ -202,7 +201,7 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
         return named
     if just_right(tokens, i, previous):
         return Term("manner", "mild", i, i + 1)
-    pace = pace_at(tokens, i)
+    pace = pace_at(tokens, i) or speed_at(tokens, i)
     if pace is not None:
         return pace
     quantity = quantity_at(tokens, i)
