@@ -28,6 +28,7 @@ _MODIFIERS = frozenset(
 )
 _OWNED = frozenset({"lane", "path", "side"})
 _MAX_MODS = 10
+_SIDE_WORDS = 2
 _COMING_FROM = frozenset({"opposite", "ahead", "behind", "lateral", "adjacent"})
 _OF_OWNERS = frozenset({"unknown", "det", "label", "possessive"})
 _SIDE_DIRS = frozenset({"left", "right", "opposite", "front", "rear", "adjacent", "straight"})
@@ -210,12 +211,18 @@ class Chunker:
                 self._chunks.append(mention)
                 return self._one_after(k + 2)
         one = next((m for m, mod in enumerate(mods) if mod.value == "one"), 0)
-        if one > 0 and first.value == "def" and mods[one].cat == "num":
+        side_first = one == _SIDE_WORDS and governed(self._chunks) and self._acts(k + one + 1)
+        if one > 0 and first.value == "def" and mods[one].cat == "num" and not side_first:
             self._chunks.append(Mention(first.i, mods[one].j, mods[:one], None, pronoun="one"))
             return k + one + 1  # "the one", "the red one"
         if first.cat == "quant" and first.value in {"both", "all"} and len(mods) == 1:
             return self._stand_alone(first, first.value, k)
         return self._side(mods, k)
+
+    def _acts(self, k: int) -> bool:
+        """``on the left one pulls out``: whether a verb of its own comes here."""
+        term = self._term(k)
+        return term is not None and term.cat == "verb" and term.form == "s"
 
     def _term(self, k: int) -> Term | None:
         return self._terms[k] if k < len(self._terms) else None

@@ -196,6 +196,8 @@ class Draft:
             known = known - _OVERRIDABLE - _ON_THE_WAY if entity.turn_alternative is None else known
         if alternative is None and values in (_OVERRIDABLE, _ON_THE_WAY) and known & _TURNS:
             return
+        if alternative is None and entity.turn_alternative is None and values < known <= _TURNS:
+            known = set()  # "both turn: V1 goes left": now it is said which way
         if Maneuver.CROSS in values:
             known = known - {Maneuver.STAY, Maneuver.STRAIGHT}
         entity.maneuvers = set(known | values)

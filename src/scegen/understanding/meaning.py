@@ -184,7 +184,7 @@ class Interpreter:
         courses.move_off(scene, self._context)
         event.name = recast(scene, self._context)
         self._scenes.append(scene)
-        for prep in event.pps:
+        for prep in event.pps if not self._ended(event) else []:
             if from_everywhere(prep):
                 side_roads.spread(prep, scene.actors, self._context)
             elif self._from_behind_somebody(scene, prep):
@@ -221,6 +221,11 @@ class Interpreter:
             dangers.oncoming_lane(scene, self._context)
         screens.from_behind(scene, self._context)
 
+    def _ended(self, event: Event) -> bool:
+        """``ends up in front of the ego``: where it gets to, not where it comes from."""
+        word = self._context.tokens[event.i].forms[-1][0]
+        return event.name == "move" and word in {"end", "finish", "wind", "land"}
+
     def _from_behind_somebody(self, scene: Scene, prep: Prep) -> bool:
         """``hits the van from behind``: behind the van."""
         behind = prep.outer == "from" and prep.value == "behind" and prep.target is None
@@ -253,6 +258,8 @@ class Interpreter:
             elif term.cat == "compass":
                 self._placer.heading(term, scene.actors)
             elif term.cat == "dir" and term.value == "opposite" and event.name in _TRAVEL:
+                if self._ended(event):
+                    continue
                 for entity in scene.drivers:
                     basis = Basis(term.i, term.j)
                     self._draft.place(entity, None, {Approach.OPPOSITE}, basis)

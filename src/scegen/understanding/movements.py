@@ -217,6 +217,9 @@ def through_junction(scene: Scene, context: Context) -> None:
         entity.moves = entity.moves or Basis(event.i, event.j)
     if event.name == "enter" and ways.next_lane(event, context):
         lane_change(scene, context)
+    onward = next((d for d in event.dirs if d.value == "straight"), None)
+    if onward is not None:
+        apply(scene, context, {Maneuver.STRAIGHT}, Basis(onward.i, onward.j))
     if isinstance(event.object, Mention) and event.name == "approach":
         targets = [e for e in scene.targets if e.parked]
         context.ahead(targets, scene.actors, Basis(event.i, event.j))

@@ -13,6 +13,7 @@ from scegen.understanding.state import State
 
 _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
 _OWNED = frozenset({"side", "lane", "path"})
+_INTRANSITIVE = frozenset({"pass", "cross", "move", "walk", "merge", "enter", "turn", "leave"})
 
 
 def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
@@ -47,7 +48,7 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
     if state.fronted or (direct and any(e is anchor and e.finite for e in state.pending)):
         _start_clause(mention, state)
     elif isinstance(anchor, Event) and direct and _takes(anchor, k, chunks):
-        anchor.object = mention
+        _undergo(anchor, mention)
     elif (described := _described(mention, k, chunks, state)) is not None:
         mention.same_as = described
         if described is state.candidate or bracketed(chunks, k):
@@ -59,6 +60,17 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
     state.anchor = mention
     state.between = set()
     state.last_pp = None
+
+
+def _undergo(verb: Event, mention: Mention) -> None:
+    """The object of a verb; ``lets pass three cyclists``: they pass, nobody passes them."""
+    parent = verb.parent
+    let = parent is not None and parent.control == "object" and parent.object is None
+    let = let and verb.form == "base" and verb.link == "ing" and verb.name in _INTRANSITIVE
+    if let and parent is not None:
+        verb.subject, parent.object = [mention], mention
+    else:
+        verb.object = mention
 
 
 def _emphasises(mention: Mention, state: State) -> bool:
@@ -182,7 +194,8 @@ def _side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
 
 def _lane_beside(lane: Place, side: Place, k: int, chunks: list[Chunk]) -> bool:
     """``in the lane to the right of the bus``: no movement to the right."""
-    within = lane.kind == "lane" and lane.prep is not None and lane.prep.value in {"in", "into"}
+    along = lane.kind in {"lane", "bike_lane", "sidewalk", "shoulder"}
+    within = along and lane.prep is not None and lane.prep.value in {"in", "into"}
     if not within or not set(side.dirs) & {"left", "right"}:
         return False
     whose, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))

@@ -19,6 +19,8 @@ _TO_BRAKE_FOR = frozenset({HazardKind.HARD_BRAKING, HazardKind.STOPPING, HazardK
 _CROSSING = frozenset({HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_CYCLIST})
 """What concerns those who come from the front, too."""
 _NEAR = 12
+_PHRASE = 5
+_LEEWAY = frozenset({"time", "chance", "room", "space", "distance", "hope"})
 _HARMLESS = frozenset({"light", "inert", "return", "move", "encounter", "try"})
 
 
@@ -64,11 +66,18 @@ def _unable(scene: Scene, context: Context) -> None:
     event = scene.event
     basis = Basis(event.i, event.j)
     if event.name in {"brake", "stop", "slow"} and scene.drivers:
-        context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
+        if not _too_near(event.i, context):
+            context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name == "encounter":
         context.draft.hazard(HazardKind.OCCLUSION, basis, _in_the_way(scene, context))
     elif event.name not in _HARMLESS:
         context.draft.note(event.i, event.j, "said not to happen; left out")
+
+
+def _too_near(i: int, context: Context) -> bool:
+    """``has no chance to stop``, ``with no time left to brake``: nobody's fault but the other's."""
+    before = {t.low for t in context.tokens[max(0, i - _PHRASE) : i]}
+    return bool(before & _LEEWAY) and bool(before & {"no", "not", "little", "without"})
 
 
 def _in_the_way(scene: Scene, context: Context) -> list[Entity]:

@@ -43,6 +43,8 @@ def then_a_side(tokens: list[Token], match: Match) -> bool:
     """
     if tokens[match.j - 1].low != "from" or match.j + 1 >= len(tokens):
         return False
+    if not match.only("locus"):
+        return False
     side = longest_match(tokens, match.j + 1)
     return tokens[match.j].low == "the" and side is not None and side.has("dir")
 
@@ -184,6 +186,23 @@ def lane_then_verb(tokens: list[Token], match: Match, previous: Term | None) -> 
         return _in_the_lane(tokens, match)
     after = tokens[match.j].low if match.j < len(tokens) else ""
     return tokens[match.j - 1].low == "changes" and after in {"lane", "lanes", "to", "into", "onto"}
+
+
+_MEASURING = frozenset({"between", "of", "from", "up", "ranging", "around", "about", "below",
+                        "under", "above", "over"})  # fmt: skip
+
+
+def of_so_much(tokens: list[Token], match: Match) -> bool:
+    """``at speeds of 10 to 80 km/h``: how fast is said by the number alone.
+
+    Args:
+        tokens: the tokens of the text.
+        match: a phrase of manner.
+    """
+    words = [t.low for t in tokens[match.j - 2 : match.j]]
+    after = tokens[match.j].low if match.j < len(tokens) else ""
+    bare = match.j >= 2 and words[0] == "at" and words[1] in {"speed", "speeds"}
+    return bare and after in _MEASURING
 
 
 def _in_the_lane(tokens: list[Token], match: Match) -> bool:

@@ -29,8 +29,8 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
     if _moment(tokens, term):
         term = Term("inert", "noun", term.i, term.j)
-    if term.value == "genitive" and _has_done(tokens, term):
-        term = replace(term, cat="aux", value="have")
+    if term.value == "genitive":
+        term = _shortened(term, terms, tokens)
     if _does_not(tokens, term):
         term = replace(term, cat="aux", value="do")
     if terms and measured(tokens, terms, term):
@@ -65,6 +65,17 @@ def _has_done(tokens: list[Token], term: Term) -> bool:
     """``someone's left a van there``: has left, nothing of theirs."""
     done, after = (tokens[k].low if k < len(tokens) else "" for k in (term.j, term.j + 1))
     return done in _DONE and after in _AFTER
+
+
+def _shortened(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
+    """``someone's left a van there``, ``the ego, who's forced to brake``: has, is."""
+    if _has_done(tokens, term):
+        return replace(term, cat="aux", value="have")
+    word = tokens[terms[-1].i].low if terms else ""
+    short = word in {"it", "he", "she", "there", "here", "what", "that"}
+    if short or (terms and terms[-1].cat == "rel"):
+        return replace(term, cat="aux", value="be")
+    return term
 
 
 def _does_not(tokens: list[Token], term: Term) -> bool:
