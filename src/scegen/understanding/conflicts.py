@@ -96,6 +96,19 @@ def lane_change(scene: Scene, context: Context) -> None:
         )
 
 
+def cuts_in(scene: Scene, context: Context) -> bool:
+    """Whether whoever acts is known to cut in on an open road, by whatever verb.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    if context.junction.crossing or any(e.maneuvers for e in scene.drivers):
+        return False
+    cut = [e for d in context.draft.dangers if d.kind is HazardKind.CUT_IN for e in d.by]
+    return bool(scene.drivers) and all(e in cut for e in scene.drivers)
+
+
 def _owners(lane: Place | None, scene: Scene, context: Context) -> list[Entity]:
     """Whose lane it is; "its lane" is the ego's for everybody who moves into it."""
     if lane is None:
@@ -169,7 +182,7 @@ def _cuts_across_the_road(scene: Scene, context: Context) -> bool:
 def enter(scene: Scene, context: Context) -> None:
     """``enters the lane in front of V1``: a cut-in; from the front, the oncoming lane is used."""
     lane = into_lane(scene.event)
-    others = [e for e in scene.drivers if not e.ego]
+    others = [e for e in scene.drivers if not e.ego and Maneuver.CROSS not in e.maneuvers]
     _enter_in_front(scene, context)
     if lane is None or not others or scene.reaction:
         return

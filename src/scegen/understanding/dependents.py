@@ -73,8 +73,16 @@ def nominal(event: Event, state: State) -> None:
         alternative(event, state.events[-1], state)
     elif state.prep is not None and state.events and not event.subject:
         event.subject = state.events[-1].subject
-    elif not event.subject and not state.events and "sub" in state.between:
+    elif not event.subject and not state.events and ("sub" in state.between or _opens(state)):
         state.pending.append(event)  # "after a right turn, the car …"
+
+
+def _opens(state: State) -> bool:
+    """``during a left turn, the car …``: who does it comes after."""
+    word = state.prep.value if state.prep is not None else ""
+    return (
+        state.candidate is None and not state.mentions and word in {"against", "in", "with", "of"}
+    )
 
 
 def infinitive(event: Event, state: State) -> None:
@@ -90,6 +98,8 @@ def infinitive(event: Event, state: State) -> None:
         parent = anchor
     if parent is None:
         event.subject = chain(anchor) if isinstance(anchor, Mention) else []
+        if not event.subject:
+            state.pending.append(event)  # "in an attempt to turn, the van …"
         return
     depend(event, parent, "inf")
     event.negated = parent.negated and parent.control == "subject"
@@ -100,6 +110,7 @@ def infinitive(event: Event, state: State) -> None:
     elif controlled and isinstance(parent.object, Mention):
         event.subject = chain(parent.object)
         event.modal = True
+        event.name = "inert" if parent.name == "inert" else event.name  # "no time to brake"
     else:
         _share_subject(event, parent, state)
 

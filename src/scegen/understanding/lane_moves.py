@@ -33,7 +33,8 @@ def lane_change(scene: Scene, context: Context) -> None:
 
 def merge(scene: Scene, context: Context) -> None:
     """Merging on a road without a junction, or into a lane, is a lane change."""
-    if ways.into_lane(scene.event) is not None or not context.junction.crossing:
+    meets = context.junction.crossing or context.draft.access is not None
+    if ways.into_lane(scene.event) is not None or not meets:
         lane_change(scene, context)
 
 

@@ -29,6 +29,10 @@ def refers_to_nobody(mention: Mention) -> bool:
     mass = bool(mention.head and mention.head.data.get("mass")) and not mention.mods
     if mass and prep in {"in", "of", "for"}:
         return True
+    gathered = bool(mention.mods) and mention.mods[0].cat in {"det", "quant"}
+    gathered = gathered and mention.mods[0].j - mention.mods[0].i > 1
+    if gathered and prep == "with" and mention.head and "mass" in mention.head.data:
+        return True  # "travels with the flow of traffic"
     place = mention.pronoun == "ordinal" and prep == "in"  # "at the first junction …, the second"
     return place or mention.negated or mention.pronoun == "reflexive"
 

@@ -46,6 +46,8 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     led = any(_placed(draft, e, Approach.AHEAD) for e in candidates)
     still = {e.index for d in draft.dangers if d.kind is HazardKind.STOPPING for e in d.by}
     sides = _SIDEWAYS if alone else _ALONG
+    behind = walkers and len(candidates) == 1 and _placed(draft, candidates[0], Approach.BEHIND)
+    sides = frozenset() if behind else sides  # "a car comes from behind": behind the jogger
     if all(_seen(draft, e, sides) or (led and e.index in still) for e in candidates):
         reason = "positions are given as seen from a vehicle that is not named; a car is added"
         return _added(draft, reason)
@@ -178,8 +180,23 @@ def settle_positions(
             seen = ego.heading_basis or Basis()
             entity.by_heading = Basis(seen.i, seen.j, f"the ego is headed {ego.heading}")
     _beside(draft, ego)
+    _in_file(relations)
     ego.approaches = set()
     return relations
+
+
+def _in_file(relations: list[tuple[Entity, Entity, set[Approach], Basis]]) -> None:
+    """``a van from the left, and a bus behind it``: both come from there."""
+    turned = [(b, a, {INVERSE[x] for x in s}, basis) for a, b, s, basis in relations]
+    for entity, leader, approaches, basis in (*relations, *turned):
+        seen = leader.approaches
+        across = len(seen) == 1 and seen <= {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
+        farther = len(seen) == 1 and seen == approaches
+        along = approaches <= {Approach.AHEAD, Approach.BEHIND} and len(approaches) == 1
+        free = not entity.approaches and entity.heading is None and not entity.entries
+        if along and (across or farther) and free and not entity.parked:
+            entity.approaches = set(seen)
+            entity.approach_basis = Basis(basis.i, basis.j, "it is in one file with another")
 
 
 def _against_the_ego(draft: Draft, ego: Entity) -> None:
