@@ -7,6 +7,7 @@ from hazard_views import DT_S, line, steady, view, way
 
 from scegen.criticality.hazards.judging import judge, relative_margins
 from scegen.criticality.hazards.table import INEXPRESSIBLE, PREDICATES
+from scegen.scenario.concrete import CrossingMotion
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
 
@@ -130,6 +131,38 @@ def test_running_a_light_means_not_stopping():
     stops = np.concatenate([ramp(10, 0.0, 4.0, 6.4, 3.0), steady(10, 4)])
     off = view((EGO, OTHER), paths, (steady(8.0, 10.45)[: len(stops)], stops), **ways)
     assert not happens("red_light_running", off).happened
+
+
+def test_who_stops_where_the_ways_cross_has_run_the_light():
+    """A bus that stalls in the middle came in without a stop."""
+    ways = {"other": way(OTHER, line(0, -60, 90), turn=(50.0, 80.0))}
+    paths = (line(-50, 0, 0), line(0, -60, 90))
+    stalls = ramp(10, 0.0, 8.0, begins_s=5.5)  # 61 m on: across the ego's way
+    made = view((EGO, OTHER), paths, (steady(8), stalls), **ways)
+    assert happens("red_light_running", made).happened
+
+
+CROSSES = CrossingMotion(arm=0, start_side="right", from_junction_m=0.0, setback_m=1.5)
+
+
+@pytest.mark.parametrize(("halts_at_m", "expected"), [(None, True), (7.0, False)])
+def test_a_cyclist_who_waits_at_the_kerb_and_then_rides_on_does_not_yield(halts_at_m, expected):
+    """It stands before it sets out; what counts is whether it stops before the ego's way."""
+    rider = participant("other", "bicycle").model_copy(update={"motion": CROSSES})
+    speed = ramp(0, 4.0, 20.0, begins_s=2.0)
+    if halts_at_m is not None:
+        speed = np.where(np.cumsum(speed) * DT_S > halts_at_m, 0.0, speed)
+    path = line(0, -10, 90, 20.0)
+    made = view((EGO, rider), (line(-50, 0, 0), path), (steady(10.0), speed))
+    assert happens("failure_to_yield", made).happened is expected
+
+
+def test_speeding_of_who_cannot_reach_the_limit():
+    """A bicycle is fast from half its top speed on."""
+    rider = participant("other", "bicycle")
+    for speed, expected in ((7.2, True), (6.8, False)):
+        made = view((EGO, rider), (line(0, 0, 0), line(20, 0, 0)), (steady(5), steady(speed)))
+        assert happens("speeding", made, to=()).happened is expected
 
 
 @pytest.mark.parametrize(("brakes_at_s", "expected"), [(3.6, True), (0.5, False)])

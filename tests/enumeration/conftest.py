@@ -220,16 +220,46 @@ def _hazards_hold(functional, made: Assignment) -> bool:
             continue
         by, to = index[hazard.by[0]], index[hazard.to[0]]
         met = ways_meet(junction, way(by), way(to))
+        clash = met in {"merging", "crossing"} or _head_on(way, made, by, to)
+        beside = arms == 2 and _may_share(functional, by, to)
+        if beside and hazard.kind in {HazardKind.MERGING_CONFLICT, HazardKind.FAILURE_TO_YIELD}:
+            if made[by][0] != made[to][0]:
+                return False
+            continue
         if hazard.kind is HazardKind.MERGING_CONFLICT and met != "merging":
             return False
-        if hazard.kind is HazardKind.FAILURE_TO_YIELD and met not in {"merging", "crossing"}:
+        if hazard.kind is HazardKind.FAILURE_TO_YIELD and not clash:
             return False
         if hazard.kind is HazardKind.UNPROTECTED_LEFT_TURN:
             opposite = _faces(angles, made[by][0], made[to][0])
             left = turn_name(angles, *made[by][:2]) is Maneuver.LEFT
-            if not (opposite and left and met in {"merging", "crossing"}):
+            both_left = functional.vehicles[to].maneuvers == {Maneuver.LEFT}
+            if not (opposite and left and (both_left or clash)):
                 return False
     return True
+
+
+def _may_share(functional, first: int, second: int) -> bool:
+    """Whether the words allow two vehicles on one arm."""
+    vehicles = functional.vehicles
+    ego = next(i for i, v in enumerate(vehicles) if v.id == functional.ego.id)
+    sets = [sorted(v.entries) or range(functional.junction.arms) for v in vehicles]
+    return any(
+        entries[first] == entries[second]
+        and _places(functional, first, entries, ego)
+        and _places(functional, second, entries, ego)
+        for entries in itertools.product(*sets)
+    )
+
+
+def _head_on(way, made: Assignment, first: int, second: int) -> bool:
+    """Whether one that overtakes does so where the other comes towards it."""
+    for one, other in ((first, second), (second, first)):
+        (entry, leaving), (its_entry, its_exit) = way(one), way(other)
+        against = entry in {its_exit} - {its_entry} or leaving in {its_entry} - {entry}
+        if made[one][2] == "overtake" and against:
+            return True
+    return False
 
 
 def _faces(angles, arm, other) -> bool:

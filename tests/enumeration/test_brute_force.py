@@ -20,7 +20,7 @@ JUNCTIONS = [
     ("roundabout", 4),
 ]
 MANEUVERS = [(), (), ("straight",), ("left",), ("right", "straight"), ("u_turn", "left"),
-             ("lane_change",), ("exit_2", "exit_1")]  # fmt: skip
+             ("lane_change",), ("overtake",), ("exit_2", "exit_1")]  # fmt: skip
 APPROACHES = [(), (), (), ("opposite",), ("left", "right"), ("behind",), ("ahead", "left"),
               ("ahead", "behind"), ("adjacent",)]  # fmt: skip
 HAZARDS = ["tailgating", "merging_conflict", "failure_to_yield", "unprotected_left_turn"]

@@ -225,3 +225,29 @@ def test_who_brakes_beside_the_ego_stays_beside_it(describe):
     found = listed(describe("straight", 2, [EGO, car], [hazard("hard_braking")]))
     assert found
     assert all(drive.beside == "ego" for _, drive, _ in found)
+
+
+HEAD_ON = [("failure_to_yield", "car"), ("delayed_braking", "car"), ("stopping", "car"),
+           ("failure_to_yield", "ego"), ("hard_braking", "car")]  # fmt: skip
+
+
+@pytest.mark.parametrize(("kind", "by"), HEAD_ON)
+def test_who_overtakes_meets_the_oncoming(describe, kind, by):
+    """On a plain road the two keep to their own sides, unless one pulls out."""
+    oncoming = CAR | {"approaches": ["opposite"]}
+    danger = hazard(kind, by, "ego" if by == "car" else "car")
+    passing = EGO | {"maneuvers": ["overtake"]}
+    assert listed(describe("straight", 2, [passing, oncoming], [danger]))
+    with pytest.raises(NoScenarioError):
+        enumerate_scenarios(describe("straight", 2, [EGO, oncoming], [danger]))
+
+
+def test_two_who_turn_left_from_opposite_sides(describe):
+    left = {"maneuvers": ["left"]}
+    functional = describe(
+        "four_way",
+        4,
+        [EGO | left, CAR | left | {"approaches": ["opposite"]}],
+        [hazard("unprotected_left_turn", "ego", "car")],
+    )
+    assert all((car.entry - ego.entry) % 4 == 2 for _, car, ego in listed(functional))

@@ -99,6 +99,14 @@ def test_adjacent_is_beside(describe):
         enumerate_scenarios(describe("four_way", 4, [EGO, *others], lanes=[1, 1, 1, 1]))
 
 
+def test_several_travel_beside_one_in_lanes_that_are_given(describe):
+    """Those who find no lane of their own follow each other in one."""
+    others = [{"id": f"car_{i}", "approaches": ["adjacent"]} for i in range(3)]
+    functional = describe("straight", 2, [EGO, *others], lanes=[2, 2])
+    for scenario in enumerate_scenarios(functional).scenarios:
+        assert [d.beside for d in scenario.drives] == [None, "ego", "ego", "ego"]
+
+
 def test_beside_whoever_is_listed_first(describe):
     """Two side by side share a rank, in whatever order the participants are listed."""
     left = {"id": "left_car", "approaches": ["adjacent"]}

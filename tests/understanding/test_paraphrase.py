@@ -42,7 +42,7 @@ def test_word_order_does_not_matter(who, where, before):
     inverted = seen(f"{before}{where.capitalize()} the ego is a {who}.")
     existential = seen(f"{before}{where.capitalize()} the ego there is a {who}.")
     assert said == inverted == existential
-    assert said[0] == [(KINDS[who], LOCI[where])]
+    assert said[0] == [(KINDS[who], LOCI[where], "straight")]
 
 
 @given(kind, side, idle)

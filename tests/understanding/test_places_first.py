@@ -19,7 +19,7 @@ def where(text):
         ("Behind the ego is a lorry.", "truck", Approach.BEHIND),
         ("In front of me stands a bus.", "bus", Approach.AHEAD),
         ("From the left comes a tram and the ego brakes.", "bus", Approach.LEFT),
-        ("To the right of the ego rides a cyclist.", "bicycle", Approach.RIGHT),
+        ("To the right of the ego rides a cyclist.", "bicycle", Approach.ADJACENT),
         ("In the oncoming lane a van approaches the ego.", "van", Approach.OPPOSITE),
         ("On the right, there is a parked van and the ego passes.", "van", Approach.RIGHT),
         ("The ego waits and from the right comes a bus.", "bus", Approach.RIGHT),

@@ -128,5 +128,5 @@ def test_several_are_overtaken():
 
 def test_the_one_overtaken_does_not_overtake():
     scenario = read("The ego is passed by a bus.")
-    assert scenario.ego.maneuvers == frozenset()
+    assert scenario.ego.maneuvers == {Maneuver.STRAIGHT}
     assert [h.by for h in scenario.hazards] == [("bus_1",)]

@@ -11,9 +11,10 @@ from pathlib import Path
 from scegen.enumeration.building import Builder
 from scegen.enumeration.choosing.where import where as where_test
 from scegen.enumeration.counting import Census, census
-from scegen.enumeration.problem import Problem, build_problem
+from scegen.enumeration.guesses import feasible
+from scegen.enumeration.problem import Problem
 from scegen.enumeration.ruled import MAX_LISTED, RuledClasses, ruled_classes
-from scegen.enumeration.solving import Space, solutions, space_of
+from scegen.enumeration.solving import Space, solutions
 from scegen.enumeration.symmetry import Symmetry, symmetry_of
 from scegen.enumeration.symmetry_words import symmetry_in_words
 from scegen.errors import InputError
@@ -226,8 +227,7 @@ def count_scenarios(
 
 
 def _prepare(functional: FunctionalScenario, arms: ArmsMode) -> _Prepared:
-    problem = build_problem(functional)
-    space = space_of(problem)
+    problem, space = feasible(functional)
     symmetry = symmetry_of(problem, arms)
     return _Prepared(problem, space, symmetry, arms, census(space, symmetry))
 
@@ -236,7 +236,8 @@ def too_many_to_list(number: int) -> InputError:
     """The refusal to list so many that nobody asked for."""
     return InputError(
         f"{number:,} scenarios are too many to list (more than {MAX_LISTED:,})",
-        hint="Use --limit to list the first ones, or --count-only to count them.",
+        hint="'scegen enumerate' lists the first ones with --limit and counts with --count-only; "
+        "or say more, so that there are fewer.",
     )
 
 

@@ -100,8 +100,10 @@ def _says_along(fact: Predicate) -> bool:
     return isinstance(fact, p.Says) and fact.word in {word.value for word in ALONG}
 
 
-def build_problem(functional: FunctionalScenario) -> Problem:
+def build_problem(functional: FunctionalScenario, *, notes: tuple[str, ...] = ()) -> Problem:
     """Read the statements and derive what follows from the words alone.
+
+    ``notes`` are what is already to be said of it.
 
     Raises:
         InfeasibleError: too many vehicles, or an ego that does not drive.
@@ -138,7 +140,7 @@ def build_problem(functional: FunctionalScenario) -> Problem:
         functional=functional,
         facts=tuple(said.facts),
         words=tuple(said.words),
-        notes=tuple(said.notes),
+        notes=(*notes, *said.notes),
         entries=entries,
         spread=spread,
         settled=wordless and all(len(entries.get(v.id, ())) == 1 for v in vehicles),

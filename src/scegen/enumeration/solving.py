@@ -9,7 +9,6 @@ from clorm import Predicate
 from clorm.clingo import Control
 
 from scegen.enumeration import predicates as p
-from scegen.enumeration.explaining import contradiction
 from scegen.enumeration.problem import Problem
 from scegen.enumeration.programs import SCENARIO_PARTS, Part, grounded, satisfiable
 from scegen.enumeration.reading import COUNTED, Solution, read_solutions
@@ -33,12 +32,8 @@ class Space:
     crowding: int
 
 
-def space_of(problem: Problem) -> Space:
-    """Find the least crowding of arms with which the problem has a solution.
-
-    Raises:
-        NoScenarioError: there is none, however crowded; names the statements that clash.
-    """
+def space_of(problem: Problem) -> Space | None:
+    """Find the least crowding of arms with which the problem has a solution; None if none has."""
     parts: tuple[Part, ...] = (*SCENARIO_PARTS, Part.HOLDS)
     if problem.settled or problem.spread:
         return Space(problem, problem.facts, parts, 0)
@@ -51,7 +46,7 @@ def space_of(problem: Problem) -> Space:
             return space
         if crowding == 0 and not satisfiable(grounded((*facts, *tied), parts)):
             break
-    raise contradiction(problem)
+    return None
 
 
 def solutions(

@@ -29,10 +29,20 @@ def preposition(word: Word, k: int, chunks: list[Chunk], state: State) -> None:
         outer = None
     anchor = state.anchor
     near = anchor if isinstance(anchor, Mention) and not state.between else None
+    near = (_whose_place(near, state) or near) if near is not None else None
     if state.last_pp is not None and not state.between:
-        near = state.last_pp
+        near = _whose_place(state.last_pp, state) or state.last_pp
     state.prep = Prep(word, None, outer, near)
     state.prep.fronted = fronted or _opens_clause(k, chunks, state)
+
+
+def _whose_place(target: Mention, state: State) -> Mention | None:
+    """``my friend in front of me on his moped``: the friend is on it, not I."""
+    told = target.pronoun is not None or any("me" in h.data for h in target.heads)
+    for mention in reversed(state.mentions) if told else []:
+        if any(p.target is target and p.word.cat == "locus" for p in mention.pps):
+            return mention
+    return None
 
 
 def release(state: State) -> None:
@@ -54,7 +64,15 @@ def attach(prep: Prep, state: State) -> None:
     if prep.fronted:
         state.fronted.append(prep)
         return
+    verb = state.events[-1] if state.events else None
+    left = prep.target is None and prep.value == "behind" and verb is not None
+    if left and verb is not None and verb.name == "leave" and verb.object is prep.on_mention:
+        verb.name = "overtake" if prep.on_mention is not None else verb.name
+        return  # "leaves the slow lorry behind"
     head = _head_of(prep, state)
+    whom = prep.on_mention
+    if whom is not None and _landmark(whom) and prep.value == "from" and state.events:
+        prep.on_mention = None  # "falls onto the road ahead of the ego from the pavement"
     if head is not None:
         prep.on_mention = head
     if prep.on_mention is not None:
@@ -66,6 +84,11 @@ def attach(prep: Prep, state: State) -> None:
         state.events[-1].pps.append(prep)
     elif prep.on_mention is None and state.candidate is not None:
         state.candidate.pps.append(prep)
+
+
+def _landmark(mention: Mention) -> bool:
+    """Whether a noun only says where something is."""
+    return mention.prep is not None and mention.prep.cat == "locus"
 
 
 def _head_of(prep: Prep, state: State) -> Mention | None:
@@ -87,13 +110,23 @@ def _head_of(prep: Prep, state: State) -> Mention | None:
 
 def _described(prep: Prep, state: State) -> Mention | None:
     """``a van that is behind the ego``, ``and the van is on the left``: no verb but "is"."""
-    if prep.on_mention is not None or "aux:be" not in state.between:
+    if prep.on_mention is not None or not ("aux:be" in state.between or _aside(prep, state)):
         return None
     anchor = state.anchor
     if not isinstance(anchor, Mention):
         return None
+    if "aux:be" not in state.between:
+        return anchor
     waiting = anchor is state.candidate and not state.candidate_done
     return anchor if waiting or "rel" in state.between else None
+
+
+def _aside(prep: Prep, state: State) -> bool:
+    """``a truck, previously behind it, accelerates``: what is put between commas."""
+    who = state.candidate
+    waits = who is not None and who is state.anchor and not state.candidate_done
+    placed = prep.word.cat == "locus" or prep.value in {"in", "from"}
+    return waits and placed and "," in state.between and state.between <= {",", "unknown", "inert"}
 
 
 def _opens_clause(k: int, chunks: list[Chunk], state: State) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, Control, HazardKind
 from scegen.understanding.chunks import Mention, NounPhrase, Place, Thing
 from scegen.understanding.context import Context, Scene
-from scegen.understanding.draft import Basis
+from scegen.understanding.draft import Basis, Danger
 
 _CERTAIN = frozenset({"walk", "breach", "obey", "encounter", "overlook"})
 """Verbs that, with a sign or a light, mean that it is not heeded, whatever its colour."""
@@ -20,6 +20,8 @@ def fail_to_yield(scene: Scene, context: Context) -> None:
 def _from_the_side(scene: Scene, context: Context) -> None:
     """Who has to give way and comes from the side comes from another road."""
     sides = (Approach.LEFT, Approach.RIGHT)
+    if context.draft.from_kerb:
+        return
     if any(context.placed(e, side) for e in scene.drivers for side in sides):
         context.crossing_implied(scene.words, "who does not give way comes from the side")
 
@@ -33,10 +35,19 @@ def subsume(context: Context) -> None:
         for e in d.by
     }
     context.draft.dangers[:] = [
+        d for d in context.draft.dangers if d.by or d.to or not _told_of_somebody(d, context)
+    ]
+    context.draft.dangers[:] = [
         d
         for d in context.draft.dangers
         if d.kind is not HazardKind.FAILURE_TO_YIELD or not d.by or {e.index for e in d.by} - red
     ]
+
+
+def _told_of_somebody(danger: Danger, context: Context) -> bool:
+    """``Running a red light: a van runs …``: what nobody does is what somebody does."""
+    alike = [d for d in context.draft.dangers if d.kind is danger.kind and d.by]
+    return bool(alike) and danger.kind not in {HazardKind.OBSTACLE, HazardKind.OCCLUSION}
 
 
 def turns_across(scene: Scene, context: Context) -> bool:
@@ -49,10 +60,15 @@ def turns_across(scene: Scene, context: Context) -> bool:
     }
 
 
+def _regulated(context: Context) -> bool:
+    return context.junction.crossing or context.junction.control is not None
+
+
 def _breach_of_control(scene: Scene, context: Context) -> None:
     """``a stop sign … a car ignores it``, ``ignores the tram``: who has to wait does not."""
     signals = context.junction.control is Control.SIGNALS
-    pronoun = isinstance(scene.event.object, Mention) and scene.event.object.pronoun is not None
+    ignored = [scene.event.object, *(p.target for p in scene.event.pps)]
+    pronoun = any(isinstance(m, Mention) and m.pronoun is not None for m in ignored)
     if signals and pronoun:
         context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, scene.words, scene.drivers)
     else:
@@ -74,11 +90,21 @@ def breach(scene: Scene, context: Context) -> bool:
     driven_through = {
         id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low == "through"
     }
-    ignored = isinstance(scene.event.object, Mention)
-    if scene.event.name == "breach" and ignored and context.junction.crossing:
+    through = [p.target for p in scene.event.pps if id(p.target) in driven_through]
+    ignored = any(isinstance(m, Mention) for m in (scene.event.object, *through))
+    if scene.event.name == "breach" and ignored and _regulated(context):
         _breach_of_control(scene, context)
     if scene.event.name == "breach" and _sign(scene.event.object, context):
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers)
+    over = {
+        id(p.target)
+        for p in scene.event.pps
+        if context.tokens[p.word.i].low in {"over", "past", "through", "across", "beyond"}
+    }
+    if any(p.kind == "stop_line" and id(p) in over for p in scene.places()):
+        others = [e for e in scene.drivers if not e.ego]
+        if others:
+            context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, others)
     for place in scene.places():
         certain = scene.event.name in _CERTAIN or id(place) in driven_through
         basis = Basis(scene.event.i, max(place.j, scene.event.j))

@@ -10,20 +10,16 @@ from scegen.scenario.functional import (
     Relation,
     Unsupported,
 )
-from scegen.scenario.vocabulary import JunctionKind, Maneuver, ParticipantKind, Role
+from scegen.scenario.vocabulary import JunctionKind, Role
 from scegen.understanding.draft import Basis, Danger, Draft, Entity
 from scegen.understanding.junctions import JunctionReading
 from scegen.understanding.layout import Layout
+from scegen.understanding.open_road import abreast, both_change_lanes, in_the_way
 from scegen.understanding.proving import Proofs
 from scegen.understanding.surroundings import Surroundings
 from scegen.understanding.tokens import Token
-from scegen.understanding.viewpoint import (
-    abreast,
-    choose_ego,
-    in_the_way,
-    settle_positions,
-    suffers,
-)
+from scegen.understanding.unsaid import maneuvers_of
+from scegen.understanding.viewpoint import choose_ego, settle_positions, suffers
 
 
 class Builder:
@@ -56,6 +52,7 @@ class Builder:
         if junction.kind is JunctionKind.STRAIGHT:
             in_the_way(self._draft, ego)
             abreast(self._draft, ego)
+            both_change_lanes(self._draft, ego)
         self._name(ego)
         participants = tuple(
             self._participant(e, ego_basis, junction) for e in self._draft.entities
@@ -102,7 +99,7 @@ class Builder:
             self._proofs.add(f"{path}.role", ego_basis)
         else:
             self._proofs.add(f"{path}.role", None, "everybody but the ego")
-        maneuvers = self._maneuvers(entity, junction)
+        maneuvers = maneuvers_of(entity, junction, self._draft)
         entries = frozenset(a for a in entity.entries if a < junction.arms)
         for name, value, basis in (
             ("parked", entity.parked, entity.parked_basis),
@@ -137,36 +134,6 @@ class Builder:
             if p.entity is entity and p.approaches & entity.approaches and p.basis.i is not None
         ]
         return [b for b in dict.fromkeys(found) if b != entity.approach_basis]
-
-    def _maneuvers(self, entity: Entity, junction: Junction) -> set[Maneuver]:
-        basis = entity.basis
-        if entity.parked:
-            entity.maneuver_basis = Basis(basis.i, basis.j, "a parked vehicle stays")
-            return {Maneuver.STAY}
-        if entity.maneuvers:
-            return entity.maneuvers
-        if entity.kind is ParticipantKind.PEDESTRIAN:
-            reason = "nothing else is said: somebody on foot crosses"
-            entity.maneuver_basis = Basis(basis.i, basis.j, reason)
-            return {Maneuver.CROSS}
-        straight = junction.kind is JunctionKind.STRAIGHT or entity.on_straight
-        if straight and entity.moves is not None:
-            reason = "on a straight road, or one without a junction, one drives straight on"
-            entity.maneuver_basis = Basis(entity.moves.i, entity.moves.j, reason)
-            return {Maneuver.STRAIGHT}
-        if (
-            entity.heading is not None
-            and entity.moves is not None
-            and junction.kind is not JunctionKind.ROUNDABOUT
-        ):
-            reason = "it keeps its heading: nothing says that it turns"
-            entity.maneuver_basis = Basis(entity.moves.i, entity.moves.j, reason)
-            return {Maneuver.STRAIGHT}
-        if entity.through is not None and (entity.ego or entity.claimed):
-            reason = "it drives through: nothing says that it turns"
-            entity.maneuver_basis = Basis(entity.through.i, entity.through.j, reason)
-            return {Maneuver.STRAIGHT}
-        return set()
 
     def _hazard(self, danger: Danger, ego: Entity) -> Hazard:
         to = [e for e in danger.to if e not in danger.by]

@@ -2,56 +2,27 @@
 
 from __future__ import annotations
 
+from scegen.understanding.ahead import noun_follows
 from scegen.understanding.lexicon import Entry
+from scegen.understanding.measures import names_a_measure
+from scegen.understanding.nominal import ORDINALS
+from scegen.understanding.sidewords import across_from, left_or_gone
 from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
 
 _NOMINAL_BEFORE = frozenset(
     {"det", "possessive", "dir", "manner", "num", "quant", "label", "noted", "shape"}
 )
-_NO_PREMODIFIER = frozenset({"aux", "actor", "pronoun", "neg"})
+_NO_PREMODIFIER = frozenset({"aux", "actor", "pronoun", "neg", "rel"})
 _VERBAL_BEFORE = frozenset({"actor", "pronoun", "aux", "rel", "neg"})
+_DOINGS = frozenset({"cut_in", "lane_change", "merge", "overtake", "u_turn"})
 _NOUNS = ("place", "inert", "thing", "view", "env")
 _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
 
 
-def _noun_follows(tokens: list[Token], j: int) -> bool:
-    """Whether a participant or thing is named at token ``j``, adjectives skipped."""
-    for step in range(3):
-        if j >= len(tokens):
-            return False
-        following = longest_match(tokens, j)
-        if following is None and step == 0 and tokens[j].kind == "word":
-            j += 1  # "a slow milk truck"
-            continue
-        if following is None:
-            return False
-        if following.has("actor", "thing"):
-            return not _needs_no_article(following, tokens, j)
-        if not following.has("state", "label", "dir", "manner", "verb") or following.has("prep"):
-            return following.has("view")
-        if following.has("verb") and following.form not in {"ing", "ed"}:
-            return False
-        j = following.j
-    return False
-
-
-def _needs_no_article(noun: Match, tokens: list[Token], j: int) -> bool:
-    """Pronouns and names ("me", "V1", "vehicle 2"): no participle describes them."""
-    if tokens[j].kind == "label" or any("me" in e.data or "speaks" in e.data for e in noun.entries):
-        return True
-    after = tokens[noun.j] if noun.j < len(tokens) else None
-    named = after is not None and (after.kind == "number" or _letter(after))
-    return named and noun.form == "base"
-
-
-def _letter(token: Token) -> bool:
-    return len(token.text) == 1 and token.text.isupper() and token.text != "I"
-
-
 def _attributive(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     """Whether a participle stands before the noun that it describes."""
-    if not (_may_describe(previous) and _noun_follows(tokens, match.j)):
+    if not (_may_describe(previous) and noun_follows(tokens, match.j)):
         return False
     following = longest_match(tokens, match.j)
     adverb = previous is not None and previous.cat in {"conj", "manner", "sub"}
@@ -96,7 +67,8 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     before = previous.cat if previous else ""
     verb = match.get("verb")
     participle = match.form in {"ing", "ed"}
-    if match.has("actor") and not participle and before not in _VERBAL_BEFORE:
+    infinitive = previous is not None and previous.value == "to" and match.form == "base"
+    if match.has("actor") and not (participle or infinitive) and before not in _VERBAL_BEFORE:
         return match.get("actor"), False  # "a cycle", not "they cycle"
     attributive = _attributive(match, tokens, previous)
     if participle and before in {"conj", "sub"} and match.has("dir"):
@@ -106,7 +78,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         shaped = before in {"shape", "control", "det"} and not attributive
         return (match.get("place") if shaped else _without_place(match, attributive)), attributive
     if match.has("dir") and match.get("dir").value == "left":
-        return _left(match, previous)
+        return left_or_gone(match, tokens, previous)
     if match.form == "base" and before == "aux" and previous is not None and previous.value == "be":
         return match.get(*_ADJECTIVE_CATS, "verb"), False
     if participle and attributive:
@@ -115,6 +87,8 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         return match.get("dir", "state", "manner"), True
     if _must_be_verb(match, tokens, previous):
         return verb, False
+    if names_a_measure(match, tokens, previous):
+        return match.get("inert"), False
     if match.has(*_NOUNS) and match.form in {"base", "s"} and _noun_slot(match, tokens, previous):
         return match.get(*_NOUNS), False
     if match.has("dir") and match.form == "base" and not _second_verb(match, tokens, previous):
@@ -130,15 +104,17 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> b
         return not (match.has(*_NOUNS) and match.form == "s")
     if match.form != "s":
         return False
-    if previous.cat in {"dir", "compass"} and _article(tokens, match.j):
-        return True  # "a car from the opposite direction signals a turn"
+    headed = tokens[previous.j - 1].low in {"way", "direction"}
+    if previous.cat in {"dir", "compass"} and (headed or _article(tokens, match.j)):
+        return True  # "a car coming the other way brakes"
     one = previous.cat == "num" and previous.data.get("number") == 1
+    one = one or (previous.cat == "label" and previous.value in ORDINALS)  # "the first brakes"
     sided = previous.cat == "dir" and previous.value in {"left", "right"} and match.has("inert")
     return one or sided
 
 
 def _article(tokens: list[Token], j: int) -> bool:
-    """Whether an article stands there: no noun is followed by one."""
+    """Whether an article stands there."""
     return j < len(tokens) and tokens[j].low in {"a", "an", "the", "its"}
 
 
@@ -149,6 +125,7 @@ def _noun_slot(match: Match, tokens: list[Token], previous: Term | None) -> bool
     preposed = previous.cat == "prep" and previous.value != "to"
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
     compound = previous.cat == "place" and match.form == "base" and match.has("inert")
+    compound = compound or tokens[previous.i].low == "whose"
     return (previous.cat in _NOMINAL_BEFORE and not adverb) or preposed or compound
 
 
@@ -165,7 +142,7 @@ def _second_verb(match: Match, tokens: list[Token], previous: Term | None) -> bo
     """Whether a verb is due, also as the second of two ("get off and cross")."""
     joined = previous is not None and (previous.cat == "conj" or previous.value == ",")
     joined = joined and match.get("dir").value == "lateral"
-    return _verb_slot(previous) or (joined and not _noun_follows(tokens, match.j))
+    return _verb_slot(previous) or (joined and not noun_follows(tokens, match.j))
 
 
 def _without_place(match: Match, attributive: bool) -> Entry:
@@ -173,15 +150,9 @@ def _without_place(match: Match, attributive: bool) -> Entry:
     return match.get("dir" if attributive else "verb")
 
 
-def _left(match: Match, previous: Term | None) -> tuple[Entry, bool]:
-    """``left`` is nearly always the side; "V1 left the road" has a subject right before it."""
-    subject = previous is not None and previous.cat in {"actor", "pronoun"}
-    return (match.get("verb") if subject else match.get("dir")), False
-
-
 def _not_inflected(match: Match) -> Match:
-    """``the neighbouring lane``: no noun has such a form."""
-    kept = tuple(e for e in match.entries if e.cat != "actor")
+    """``the neighbouring lane``, ``boxed in``: no noun has such a form."""
+    kept = tuple(e for e in match.entries if e.cat not in {"actor", "thing"})
     inflected = match.form in {"ing", "ed"} and kept
     return Match(kept, match.j, match.form) if inflected else match
 
@@ -191,7 +162,26 @@ def _describes(match: Match, tokens: list[Token]) -> bool:
     following = longest_match(tokens, match.j) if match.j < len(tokens) else None
     if following is None or following.has("actor"):
         return False
-    return _noun_follows(tokens, match.j)
+    return noun_follows(tokens, match.j)
+
+
+def _relates(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """``a bus that turns``, ``a bus from the right that turns``."""
+    if previous is None:
+        return False
+    after = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
+    verbal = verbal and after is not None and not after.has("actor", "place")
+    sided = previous.cat in {"dir", "compass"} and verbal
+    return sided or previous.cat in {"actor", "place", "thing", "inert"}
+
+
+def _before_a_noun(match: Match, tokens: list[Token]) -> bool:
+    """``the red car``, ``the red one``: a colour; ``the red`` alone is a light."""
+    following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    if following is not None and following.has("actor", "place", "label"):
+        return True
+    return match.j < len(tokens) and tokens[match.j].low in {"one", "ones"}
 
 
 _PRIORITY = (
@@ -199,6 +189,35 @@ _PRIORITY = (
     "aux", "neg", "sub", "conj", "quant", "dir", "locus", "state", "place", "prep", "manner",
     "rel", "shape", "leg", "compass", "thing", "label", "copy", "roadmod", "inert",
 )  # fmt: skip
+
+
+def _relative_or_article(match: Match, tokens: list[Token], previous: Term | None) -> Entry:
+    """``that`` after a noun opens a clause; else it points at the noun that follows."""
+    noun_before = previous is not None and previous.cat in {"actor", "place", "thing", "inert"}
+    after = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
+    sided = previous is not None and previous.cat in {"dir", "compass"}
+    if sided and verbal and after is not None and not after.has("actor", "place"):
+        return match.get("rel")  # "a bus from the right that turns"
+    return match.get("rel" if noun_before else "det")
+
+
+def _of_a_kind(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """``the cut-in vehicle``, ``a lane-change car``: a doing that tells which one is meant."""
+    opens = previous is None or previous.cat in {"det", "punct", "sub"}
+    noun = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    hyphen = match.j - 1 > 0 and tokens[match.j - 1].start == tokens[match.j - 2].end + 1
+    return opens and hyphen and noun is not None and noun.only("actor") and noun.form == "base"
+
+
+def _describes_a_noun(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """Whether the only meaning is a verb that stands before the noun it describes."""
+    entry = match.entries[0]
+    if entry.cat != "verb":
+        return False
+    if entry.value in _DOINGS and match.form == "base":
+        return _of_a_kind(match, tokens, previous)
+    return match.form in {"ing", "ed"} and _attributive(match, tokens, previous)
 
 
 def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
@@ -209,40 +228,28 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
         tokens: the tokens of the text.
         previous: the term before.
     """
-    match = _not_inflected(match)
+    match = across_from(_not_inflected(match), tokens, previous)
     if match.has("actor") and match.has("label") and _describes(match, tokens):
         return match.get("label"), False  # "the adversarial leading car"
     if match.has("noted") and match.has("actor") and previous and previous.cat == "det":
-        return match.get("noted" if _noun_follows(tokens, match.j) else "actor"), False
+        return match.get("noted" if noun_follows(tokens, match.j) else "actor"), False
     if len(match.entries) == 1:
-        entry = match.entries[0]
-        premod = (
-            entry.cat == "verb"
-            and match.form in {"ing", "ed"}
-            and _attributive(match, tokens, previous)
-        )
-        return entry, premod
+        return match.entries[0], _describes_a_noun(match, tokens, previous)
     if match.has("verb"):
         return _verb_or_other(match, tokens, previous)
     if match.has("rel") and match.has("det"):
-        noun_before = previous is not None and previous.cat in {"actor", "place", "thing", "inert"}
-        after = longest_match(tokens, match.j) if match.j < len(tokens) else None
-        verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
-        sided = previous is not None and previous.cat in {"dir", "compass"}
-        if sided and verbal and after is not None and not after.has("actor", "place"):
-            return match.get("rel"), False  # "a bus from the right that turns"
-        return match.get("rel" if noun_before else "det"), False
+        return match.get("rel" if _relates(match, tokens, previous) else "det"), False
     if match.has("label") and match.has("place"):
-        bare = match.j >= len(tokens) or longest_match(tokens, match.j) is None
-        next_match = None if bare else longest_match(tokens, match.j)
-        noun = next_match is not None and next_match.has("actor", "place", "label")
-        return match.get("label" if noun else "place"), False
+        return match.get("label" if _before_a_noun(match, tokens) else "place"), False
     if match.has("neg") and match.has("pronoun"):
         following = longest_match(tokens, match.j) if match.j < len(tokens) else None
         listed = following is not None and following.has("det", "actor", "possessive")
         return match.get("neg" if listed else "pronoun"), False
     if match.has("leg") and previous is not None and previous.cat == "num":
         return match.get("leg"), False
+    inside = previous is not None and previous.cat in {"actor", "pronoun", "num", "aux"}
+    if match.has("conj") and match.has("manner") and inside:
+        return match.get("manner"), False  # "a jogger then ran"
     if match.has("manner") and match.has("label") and previous and previous.cat == "det":
         return match.get("label"), False
     if match.has("det") and match.has("inert"):

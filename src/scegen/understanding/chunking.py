@@ -5,9 +5,21 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import pairwise
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
+from scegen.understanding.adjectives import listed, loose_modifier
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, event_of
+from scegen.understanding.lanes import between_lanes
 from scegen.understanding.naming import Namer
-from scegen.understanding.nominal import OPENERS, ORDINALS, VERBAL_LINKS, has_dir, is_nominal
+from scegen.understanding.nominal import (
+    OPENERS,
+    ORDINALS,
+    WAYS,
+    compound_end,
+    governed,
+    has_dir,
+    is_nominal,
+    one_side,
+)
+from scegen.understanding.split_verbs import with_particles
 from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
@@ -15,9 +27,10 @@ _MODIFIERS = frozenset(
     {"dir", "state", "label", "noted", "shape", "control", "compass", "roadmod", "cue", "quantity"}
 )
 _OWNED = frozenset({"lane", "path", "side"})
-_CHANGING = frozenset({"change", "switch", "shift"})
-_CHANGE_REACH = 7
 _MAX_MODS = 10
+_SIDE_WORDS = 2
+_COMING_FROM = frozenset({"opposite", "ahead", "behind", "lateral", "adjacent"})
+_OF_OWNERS = frozenset({"unknown", "det", "label", "possessive"})
 _SIDE_DIRS = frozenset({"left", "right", "opposite", "front", "rear", "adjacent", "straight"})
 
 
@@ -39,30 +52,22 @@ class Chunker:
         k = 0
         while k < len(self._terms):
             k = self._chunk_at(k)
-        return _between_lanes(self._with_particles(), self._tokens)
-
-    def _with_particles(self) -> list[Chunk]:
-        """``cuts the van off`` is "cut off" with its object inside."""
-        dropped: set[int] = set()
-        for k, chunk in enumerate(self._chunks):
-            if not (isinstance(chunk, Event) and chunk.name == "cut"):
-                continue
-            chunk.name = "cut_in"
-            for following in self._chunks[k + 1 : k + 4]:
-                if isinstance(following, Word) and self._tokens[following.i].low == "off":
-                    chunk.name = "cut_off"
-                    dropped.add(id(following))
-        return [c for c in self._chunks if id(c) not in dropped]
+        return between_lanes(with_particles(self._chunks, self._tokens), self._tokens)
 
     def _chunk_at(self, k: int) -> int:
         term = self._terms[k]
+        if term.cat == "verb" and term.data.get("noun"):
+            self._chunks.append(self._breach(term))
+            return k + 1
         if term.cat == "verb" and not term.premod:
-            self._chunks.append(_event(term, []))
+            self._chunks.append(event_of(term, []))
             return k + 1
         if term.cat == "pronoun":
-            self._chunks.append(_pronoun(term))
+            self._chunks.append(Mention(term.i, term.j, [], term, pronoun=term.value))
             return k + 1
         if term.cat == "possessive" and term.value == "genitive":
+            if self._chunks and getattr(self._chunks[-1], "cat", "") == "unknown":
+                return self._of_a_stranger(k)
             if not self._owns(k):
                 self._chunks.append(Word(term))
                 return k + 1
@@ -74,6 +79,20 @@ class Chunker:
             self._chunks.append(Word(term))
             return k + 1
         return reached
+
+    def _of_a_stranger(self, k: int) -> int:
+        """``the vicar's van``: a van, whoever the vicar is."""
+        while self._chunks and getattr(self._chunks[-1], "cat", "") in _OF_OWNERS:
+            self._chunks.pop()
+        self._terms[k] = replace(self._terms[k], cat="det", value="indef")
+        return self._noun_phrase(k) or k + 1
+
+    def _breach(self, term: Term) -> Event:
+        """``red light violation``: a noun of a doing with what it is done to before it."""
+        event = event_of(term, [], nominal=True)
+        before = self._chunks[-1] if self._chunks else None
+        event.object = before if isinstance(before, Place) and before.j == term.i else None
+        return event
 
     def _that_of(self, k: int) -> bool:
         """``leaves its lane and enters that of the bus``: a place of the kind named last."""
@@ -112,43 +131,29 @@ class Chunker:
         m = k
         while m < len(self._terms) and len(mods) < _MAX_MODS:
             term = self._terms[m]
-            if mods and term.cat in {"det", "possessive"} and mods[-1].cat != "quant":
+            further = self._low(m) == "other" and bool(mods) and mods[-1].cat == "num"
+            closed = mods and mods[-1].cat != "quant" and not further  # "three other cars"
+            if closed and term.cat in {"det", "possessive"}:
                 break
             if term.cat in OPENERS or term.cat in _MODIFIERS:
                 opened = opened or term.cat in OPENERS
             elif term.cat == "manner":
-                if not opened and self._is_adverb(term):
+                sided = bool(mods) and mods[-1].cat == "dir"  # "from the left also going on"
+                if self._is_adverb(term) and (sided or not opened):
                     break
-            elif not (self._loose_modifier(term, m, opened) or self._listed(term, m, mods)):
+            elif not (loose_modifier(self._terms, m, opened) or listed(self._terms, m, mods)):
                 break
             mods.append(term)
             m += 1
         return mods, m
-
-    def _loose_modifier(self, term: Term, m: int, opened: bool) -> bool:
-        """Participles before a noun, and nouns or weather words used as adjectives."""
-        if term.cat == "verb" and term.premod:
-            return True
-        follows = self._terms[m + 1].cat if m + 1 < len(self._terms) else ""
-        nounlike = follows in {"actor", "place", "thing", "view", "verb", "inert", "shape"}
-        if term.cat == "inert":
-            return opened and term.value == "adjective" and nounlike
-        if term.cat == "env":
-            return follows in {"place", "actor"}
-        return opened and term.cat == "unknown" and follows in {"actor", "place", "unknown"}
-
-    def _listed(self, term: Term, m: int, mods: list[Term]) -> bool:
-        """A comma between two adjectives ("a slow, old car")."""
-        if term.cat != "punct" or term.value != "," or not mods:
-            return False
-        follows = self._terms[m + 1].cat if m + 1 < len(self._terms) else ""
-        return mods[-1].cat in {"manner", "label", "state"} and follows in {"manner", "label"}
 
     def _noun_phrase(self, k: int) -> int | None:
         mods, m = self._scan(k)
         head = self._terms[m] if m < len(self._terms) else None
         owner = self._owner(mods)
         if head is not None and head.cat == "actor":
+            if any(m.cat == "manner" for m in mods) and "speaks" in head.data:
+                return self._bare(mods, k)  # "so close I can't see it"
             if self._side_before_number(mods):
                 return self._side(mods, k)
             return self._mention(mods, m, owner)
@@ -157,9 +162,10 @@ class Chunker:
         if head is not None and is_nominal(
             mods, head, self._term(m + 1), self._chunks, self._tokens
         ):
-            if any(mod.cat == "num" for mod in mods) and not has_dir(mods):
+            coming = head.form == "ing" and mods[-1].value in _COMING_FROM
+            if any(mod.cat == "num" for mod in mods) and (coming or not has_dir(mods)):
                 return self._bare(mods, k)
-            self._chunks.append(_event(head, mods, nominal=True))
+            self._chunks.append(event_of(head, mods, nominal=True))
             return m + 1
         return self._bare(mods, k)
 
@@ -187,6 +193,10 @@ class Chunker:
         if first.cat == "num" and len(mods) == 1 and self._low(k + 1) == "others":
             self._chunks.append(Mention(first.i, first.j + 1, [first], None, pronoun="others"))
             return k + 2  # "two others"
+        if first.cat == "num" and len(mods) > 1 and mods[1].value in _COMING_FROM:
+            named = "one" if first.data["number"] == 1 else "count"
+            self._chunks.append(Mention(first.i, mods[1].j, mods[:2], None, pronoun=named))
+            return k + 2  # "one oncoming"
         if first.cat == "num" and first.data["number"] < 10:
             return self._stand_alone(first, "one" if first.data["number"] == 1 else "count", k)
         if first.cat == "det" and first.value in {"another", "other"}:
@@ -200,9 +210,19 @@ class Chunker:
                 mention.label = second.value
                 self._chunks.append(mention)
                 return self._one_after(k + 2)
+        one = next((m for m, mod in enumerate(mods) if mod.value == "one"), 0)
+        side_first = one == _SIDE_WORDS and governed(self._chunks) and self._acts(k + one + 1)
+        if one > 0 and first.value == "def" and mods[one].cat == "num" and not side_first:
+            self._chunks.append(Mention(first.i, mods[one].j, mods[:one], None, pronoun="one"))
+            return k + one + 1  # "the one", "the red one"
         if first.cat == "quant" and first.value in {"both", "all"} and len(mods) == 1:
             return self._stand_alone(first, first.value, k)
         return self._side(mods, k)
+
+    def _acts(self, k: int) -> bool:
+        """``on the left one pulls out``: whether a verb of its own comes here."""
+        term = self._term(k)
+        return term is not None and term.cat == "verb" and term.form == "s"
 
     def _term(self, k: int) -> Term | None:
         return self._terms[k] if k < len(self._terms) else None
@@ -228,10 +248,11 @@ class Chunker:
             side = (mod.cat == "dir" and mod.value in _SIDE_DIRS) or mod.cat == "compass"
             if not side and (seen or mod.cat not in {"det", "possessive"}):
                 break
+            if seen and mod.value in WAYS and not one_side(mods[length - 1]):
+                break  # "from the right straight on"
             seen = seen or side
             length += 1
-        previous = self._chunks[-1] if self._chunks else None
-        preposed = isinstance(previous, Word) and previous.cat in VERBAL_LINKS
+        preposed = governed(self._chunks)
         determined = mods[0].cat in {"det", "possessive"}
         if not seen or not (preposed or determined):
             return None
@@ -265,43 +286,12 @@ class Chunker:
         if head.cat in {"place", "leg"}:
             place = Place(start, head.j, mods, head, owner, kind=head.value)
             self._chunks.append(place)
-            if self._numbered(head, m + 1):
+            if Namer(self._terms, self._tokens).numbered(head, m + 1):
                 place.j = self._terms[m + 1].j
                 return m + 2
         else:
             kind = head.cat if head.cat == "view" else head.value
-            self._chunks.append(Thing(start, head.j, mods, head, owner, kind=kind))
+            end = compound_end(head, self._term(m + 1))
+            self._chunks.append(Thing(start, end.j, mods, head, owner, kind=kind))
+            return m + 1 + (end is not head)
         return m + 1
-
-    def _numbered(self, head: Term, m: int) -> bool:
-        """``lane 2``: the number is the place's name."""
-        term = self._terms[m] if m < len(self._terms) else None
-        follows = self._terms[m + 1].cat if m + 1 < len(self._terms) else ""
-        digits = term is not None and term.cat == "num" and self._tokens[term.i].kind == "number"
-        return digits and head.value in {"lane", "road"} and follows not in {"actor", "place"}
-
-
-def _between_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
-    """``changes from the inner to the outer lane`` is a change of lane."""
-    for k, chunk in enumerate(chunks):
-        if not isinstance(chunk, Event) or tokens[chunk.i].forms[-1][0] not in _CHANGING:
-            continue
-        for before, place in pairwise(chunks[k + 1 : k + 1 + _CHANGE_REACH]):
-            if isinstance(before, Mention | Event) or getattr(before, "cat", "") == "punct":
-                break
-            goal = isinstance(before, Word) and before.value in {"to", "into"}
-            if goal and isinstance(place, Place) and place.kind == "lane":
-                chunk.name = "lane_change"
-    return chunks
-
-
-def _event(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:
-    start = mods[0].i if mods else term.i
-    event = Event(term.value, start, term.j, term.form, nominal=nominal, mods=list(mods))
-    event.control = term.data.get("control")
-    event.drives = bool(term.data.get("drives"))
-    return event
-
-
-def _pronoun(term: Term) -> Mention:
-    return Mention(term.i, term.j, [], term, pronoun=term.value)

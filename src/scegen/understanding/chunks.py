@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
+from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.terms import Term
 
 
@@ -67,6 +68,7 @@ class Mention(NounPhrase):
         pronoun: which pronoun it is, if it is one.
         label: a name such as ``#1`` for "vehicle 1".
         drives: it does what only vehicles do ("the guy overtakes").
+        walks: it does what people on foot do ("she steps out").
         label_at: index of the token that holds the label.
         possessor: it only says whose something is.
         joined: the mention that it is joined to by "and".
@@ -77,9 +79,12 @@ class Mention(NounPhrase):
         elsewhere: it comes from another road ("a van from a side road").
         besides: it does something to "it", so that it is somebody else.
         narrowed: words after it say which one is meant ("the car towing it").
+        goes_by: how somebody moves who is no vehicle ("the claimant was cycling").
         negated: there is none ("no pedestrians").
+        sides: it, or what it does, is said to come from there ("the one from the left").
         denied: it does not do what its verb says ("neither the bus nor the taxi").
         distributed: a plural noun that stands for one ("ego and adversary vehicles").
+        seated: somebody who opens the door of the vehicle around them.
         events: what it does, filled in by the clause reader.
         entities: whom it refers to, filled in by the discourse.
     """
@@ -88,6 +93,7 @@ class Mention(NounPhrase):
     pronoun: str | None = None
     label: str | None = None
     drives: bool = False
+    walks: bool = False
     label_at: int | None = None
     possessor: bool = False
     joined: Mention | None = None
@@ -99,16 +105,20 @@ class Mention(NounPhrase):
     narrowed: bool = False
     besides: bool = False
     distributed: bool = False
+    seated: bool = False
+    goes_by: ParticipantKind | None = None
     negated: bool = False
     denied: bool = False
+    sides: frozenset[str] = frozenset()
     entities: list[Any] = field(default_factory=list)
 
 
 @dataclass(slots=True, eq=False)
 class Place(NounPhrase):
-    """A place: a lane, a side, a junction, a sign."""
+    """A place: a lane, a side, a junction, a sign; ``beside`` whom it lies, if that is said."""
 
     kind: str = "side"
+    beside: Mention | None = None
 
 
 @dataclass(slots=True, eq=False)
@@ -134,10 +144,13 @@ class Event:
         pps: prepositional phrases that belong to it.
         parent: the verb on which it depends ("tries" in "tries to merge").
         drives: only vehicles, or people in them, do it.
+        says: it tells what somebody says or thinks ("he said the van had stopped").
+        embedded: it makes a clause that describes a noun ("a spot where two cars stand").
         link: how it hangs on its parent: ``inf``, ``ing`` or ``noun``.
         reduced: it only describes its noun ("a man hidden behind a van runs out").
         unable: it does not take place because it cannot ("could not stop").
         perfect: it is over ("had slowed").
+        late: it comes too late for the one in front ("failed to stop and hit its rear").
         modal: obliged, forced or reacting ("must stop", "causing it to stop").
     """
 
@@ -154,6 +167,7 @@ class Event:
     unable: bool = False
     perfect: bool = False
     modal: bool = False
+    late: bool = False
     purpose: bool = False
     mods: list[Term] = field(default_factory=list)
     subject: list[Mention] = field(default_factory=list)
@@ -164,6 +178,8 @@ class Event:
     children: list[Event] = field(default_factory=list)
     alternative: int | None = None
     drives: bool = False
+    says: bool = False
+    embedded: bool = False
     sentence: int = 0
     premod_of: Mention | None = None
 
@@ -210,3 +226,21 @@ class Prep:
 
 
 Chunk: TypeAlias = Word | Mention | Place | Thing | Event
+
+
+def event_of(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:
+    """The event that a verb makes.
+
+    Args:
+        term: the verb.
+        mods: the words before it, for a noun.
+        nominal: it stands as a noun ("a left turn").
+    """
+    start = mods[0].i if mods else term.i
+    event = Event(term.value, start, term.j, term.form, nominal=nominal, mods=list(mods))
+    event.control = term.data.get("control")
+    event.drives, event.says = bool(term.data.get("drives")), bool(term.data.get("says"))
+    event.negated = any((m.cat, m.value) == ("det", "negative") for m in mods)
+    if "way" in term.data:
+        event.mods.append(Term("dir", term.data["way"], term.i, term.j))
+    return event

@@ -12,18 +12,23 @@ from __future__ import annotations
 from scegen.understanding import relatives, subjects
 from scegen.understanding.attachment import preposition, release
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, Word
+from scegen.understanding.located import placed_last
 from scegen.understanding.lookahead import (
     ADVERBS,
     BOUNDARIES,
     GOVERNING,
+    by_follows,
     event_follows,
     main_verb_follows,
+    only_a_noun_follows,
 )
 from scegen.understanding.nominals import read_mention, read_noun
 from scegen.understanding.state import State
 from scegen.understanding.terms import Term
 
+_OPENERS = frozenset({"conj", "sub", "punct"})
 _VIEW_OF = 3
+_COMMA_REACH = 2
 LANES = frozenset({"lane", "bike_lane", "shoulder", "sidewalk", "side"})
 
 
@@ -65,10 +70,11 @@ class ClauseReader:
         state = self._state
         if word.cat == "punct" and word.value in BOUNDARIES:
             self._end_sentence()
-        elif word.cat in GOVERNING:
+        elif word.cat in GOVERNING or only_a_noun_follows(word, k, self._chunks):
             preposition(word, k, self._chunks, state)
         elif word.cat in ADVERBS or word.cat == "state":
-            self._adverb(word, k)
+            if not self._heading_of_a_noun(word, k):
+                self._adverb(word, k)
         elif word.value == "either" and state.prep is not None:
             return  # "from either the left or the right"
         else:
@@ -76,20 +82,33 @@ class ClauseReader:
             if word.cat == "punct" and word.value in "()":
                 self._parenthesis(word.value)
                 return
-            state.between.add(word.value if word.cat in {"punct", "conj"} else word.cat)
-            if word.cat == "conj" and word.value != "either":
-                state.between.add("conj")
-            if word.value == "where":
-                self._where(k)
-            if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
-                state.candidate = None
+            self._joint(word, k)
+
+    def _joint(self, word: Word, k: int) -> None:
+        """A word between phrases or clauses: "and", a comma, "where", "that"."""
+        state = self._state
+        state.between.add(word.value if word.cat in {"punct", "conj"} else word.cat)
+        if word.cat == "conj" and word.value != "either":
+            state.between.add("conj")
+        if word.cat == "conj" and word.value in {"and", "but"}:
+            state.between.discard("aux:be")  # "was tired and did not notice the van"
+        if word.value == "where":
+            self._where(k)
+        if word.cat == "sub" or word.value == ",":
+            state.where = word.value == "where"
+        if word.cat == "rel" and k and _blocks(self._chunks[k - 1]):
+            state.between.add("thing")
+        if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
+            state.candidate = None
 
     def _where(self, k: int) -> None:
         """``the next lane, where a van drives``: the van is in that lane."""
         place = next(
             (c for c in reversed(self._chunks[max(0, k - 2) : k]) if isinstance(c, Place)), None
         )
-        if place is None or place.kind not in LANES:
+        who = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
+        it = isinstance(who, Mention) and who.pronoun == "it"  # "moves into the lane, where it …"
+        if place is None or place.kind not in LANES or it:
             return
         word = Word(Term("prep", "in", place.i, place.i + 1))
         self._state.fronted.append(Prep(word, place, fronted=True))
@@ -121,6 +140,10 @@ class ClauseReader:
         if copular and state.candidate is not None and not state.candidate_done:
             state.candidate.mods.append(word.term)  # "the one behind me is too close"
             return
+        placed = placed_last(state) if word.value == "close" and not before_event else None
+        if placed is not None:
+            placed.mods.append(word.term)
+            return
         predicate = not before_event or word.cat in {"dir", "state", "compass"}
         if "rel" in state.between and state.mentions and predicate:
             state.mentions[-1].mods.append(word.term)
@@ -132,10 +155,19 @@ class ClauseReader:
                 state.between.discard("or")
         elif state.candidate is not None:
             state.candidate.mods.append(word.term)
-        elif before_event:
-            state.ahead.append(word.term)
+        elif before_event or (word.cat == "manner" and isinstance(following, Mention)):
+            state.ahead.append(word.term)  # "Suddenly a van …"
         elif self.events and not state.mentions:
             self.events[-1].mods.append(word.term)
+
+    def _heading_of_a_noun(self, word: Word, k: int) -> bool:
+        """``the path of V2, eastbound on Elm Street``."""
+        before = self._chunks[max(0, k - 2) : k]
+        after = "bound" in word.term.data and _after_a_comma(before)
+        if after and isinstance(before[0], Mention):
+            release(self._state)
+            before[0].mods.append(word.term)
+        return after
 
     def _clause_start(self) -> bool:
         """The candidate is new: words after it belong to it and not to the verb before."""
@@ -145,10 +177,14 @@ class ClauseReader:
         return not any(state.candidate in event.subject for event in state.events)
 
     def _inverted(self, event: Event, k: int) -> bool:
-        """``from the left comes a bus``: the subject stands after its verb."""
+        """``from the left comes a bus``, ``along comes a van``: the subject follows its verb."""
         following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
         finite = not event.nominal and event.form != "ing"
-        return bool(self._state.fronted) and finite and isinstance(following, Mention)
+        before, opener = (self._chunks[m] if m >= 0 else None for m in (k - 1, k - 2))
+        adverb = isinstance(before, Word) and before.cat == "manner" and event.name == "move"
+        opens = opener is None or (isinstance(opener, Word) and opener.cat in _OPENERS)
+        fronted = bool(self._state.fronted) or (adverb and opens)
+        return fronted and finite and isinstance(following, Mention)
 
     def _is_spoken_of(self, event: Event, k: int) -> bool:
         """``so that overtaking is impossible``: a doing that the clause is about, not done."""
@@ -181,12 +217,19 @@ class ClauseReader:
 
     def _premodifiers(self, mention: Mention) -> None:
         """``a speeding car``, ``the left turning truck``: events of the noun itself."""
+        if mention.head is not None and mention.head.data.get("turns"):
+            turn = Event("turn", mention.i, mention.j, "ing", subject=[mention])
+            turn.mods = [m for m in mention.mods if m.value in {"left", "right"}]
+            turn.premod_of, turn.sentence = mention, self._sentence
+            mention.mods = [m for m in mention.mods if m not in turn.mods]
+            self.events.append(turn)
         for position, mod in enumerate(mention.mods):
             if mod.cat != "verb":
                 continue
             before = [m for m in mention.mods[:position] if m.cat in {"dir", "manner"}]
             event = Event(mod.value, mod.i, mod.j, mod.form, subject=[mention], mods=before)
             event.premod_of = mention
+            event.passive = mod.form == "ed" and mod.value in subjects.PASSIVE - {"hide"}
             event.sentence = self._sentence
             self.events.append(event)
 
@@ -210,16 +253,17 @@ class ClauseReader:
             subjects.link(event, state)
             event.pps += state.opening
             state.opening = []
-        following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
-        if isinstance(following, Word) and following.value == "by":
-            subjects.before_by(event)
+        if by_follows(self._chunks, k):
+            subjects.before_by(event, state)
         negated = any(word.startswith("neg:") for word in state.between)
         event.unable = negated and bool({"neg:unable", "aux:can"} & state.between)
         event.negated = negated or event.negated
-        event.negated = event.negated or any(
-            m.denied or m.pronoun == "neither" for m in event.subject
-        )
+        denied = any(m.denied or m.pronoun == "neither" for m in event.subject)
+        event.unable = event.unable or (denied and "aux:can" in state.between)
+        event.negated = event.negated or denied
         event.perfect = "aux:have" in state.between
+        if event.perfect and "aux:modal" in state.between:
+            event.negated = not event.negated  # "where it should have stopped": it did not
         event.modal = event.modal or "aux:modal" in state.between
         release(self._state)
         state.events.append(event)
@@ -227,6 +271,20 @@ class ClauseReader:
         state.anchor = event
         state.between = set()
         state.last_pp = None
+
+
+def _blocks(chunk: Chunk) -> bool:
+    """``a fallen tree that blocks the lane``: the tree does it."""
+    if not isinstance(chunk, Thing) or (chunk.prep is not None and chunk.prep.value == "with"):
+        return False
+    return chunk.kind in {"obstacle", "object"}
+
+
+def _after_a_comma(before: list[Chunk]) -> bool:
+    """Whether a noun and a comma stand before."""
+    if len(before) < _COMMA_REACH or not isinstance(before[0], Mention):
+        return False
+    return isinstance(before[1], Word) and before[1].value == ","
 
 
 def _view_of(before: list[Chunk]) -> Thing | None:

@@ -3,39 +3,64 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
-from scegen.understanding import encounters, movements
+from scegen.understanding import encounters, lane_moves, movements
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.ways import into_lane
+from scegen.understanding.ways import (
+    across_the_road,
+    against,
+    into_lane,
+    leads,
+    next_lane,
+    overtaking,
+)
 
 _ACROSS = {"left": Maneuver.LEFT, "right": Maneuver.RIGHT}
+_TURNS = frozenset(_ACROSS.values())
 
 
 def turn(scene: Scene, context: Context) -> None:
     """Unprotected and sudden turns, and turning into somebody's way."""
     event = scene.event
+    cyclists = [e for e in scene.drivers if context.is_cyclist(e) and not e.ego]
+    if cyclists and cyclists == scene.drivers and across_the_road(event, context):
+        encounters.cyclists_cross(scene, context)
+        return
     left = any(t.value == context.across for t in event.dirs)
-    unprotected = scene.how("unprotected")
+    lit = any(m.value == "unprotected" for p in scene.places() for m in p.mods)
+    unprotected = scene.how("unprotected") or (scene.words if lit else None)
     if unprotected is not None and left:
         context.draft.hazard(HazardKind.UNPROTECTED_LEFT_TURN, scene.words, scene.drivers)
         return
     into_way = any(p.kind == "path" for p in scene.places())
     known = {m for e in scene.drivers for m in e.maneuvers}
-    left = left or (not event.dirs and _ACROSS[context.across] in known)
-    settled = event.dirs or known & {Maneuver.LEFT, Maneuver.RIGHT}
+    left = left or (not event.dirs and known & _TURNS == {_ACROSS[context.across]})
+    settled = event.dirs or known & _TURNS
+    sideways = all(context.from_the_side(e) for e in scene.drivers)
     if settled and scene.drivers and into_way:
-        kind = HazardKind.UNPROTECTED_LEFT_TURN if left else HazardKind.FAILURE_TO_YIELD
+        kind = HazardKind.FAILURE_TO_YIELD
+        if left and not sideways:
+            kind = HazardKind.UNPROTECTED_LEFT_TURN
         context.draft.hazard(kind, scene.words, scene.drivers)
         return
-    in_front = next((p for p in event.pps if p.word.cat == "locus" and p.value == "ahead"), None)
-    if left and in_front is not None and in_front.target is not None and scene.drivers:
+    fronts = (p for p in event.pps if p.word.cat == "locus" and p.value == "ahead")
+    in_front = next((p for p in fronts if not leads(p, context)), None)
+    if in_front is not None and in_front.target is not None and scene.drivers:
         basis = Basis(event.i, in_front.target.j)
         to = in_front.target.entities if isinstance(in_front.target, Mention) else []
-        context.draft.hazard(HazardKind.UNPROTECTED_LEFT_TURN, basis, scene.drivers, to)
-        return
+        abreast = any(context.placed(e, Approach.ADJACENT) for e in scene.drivers)
+        kind = HazardKind.UNPROTECTED_LEFT_TURN if left else HazardKind.FAILURE_TO_YIELD
+        kind = HazardKind.SUDDEN_TURN if left and abreast else kind
+        across = all(context.comes_across(e) for e in scene.drivers)
+        if left or (across and (not event.dirs or scene.sudden is None)):
+            context.draft.hazard(kind, basis, scene.drivers, to)
+            return
     sudden = scene.sudden
     lane = into_lane(event)
+    if next_lane(event, context):
+        lane_change(scene, context)
+        return
     encroaches = lane is not None and "opposite" not in lane.dirs and not event.dirs
     if scene.drivers and not scene.reaction and (sudden is not None or encroaches):
         context.draft.hazard(HazardKind.SUDDEN_TURN, sudden or scene.words, scene.drivers)
@@ -58,6 +83,9 @@ def lane_change(scene: Scene, context: Context) -> None:
         return
     if head_on(scene, lane, context):
         return  # an oncoming vehicle uses the wrong lane
+    if oncoming and context.tokens[scene.event.i].forms[-1][0] == "leave":
+        context.draft.hazard(HazardKind.ONCOMING_LANE, scene.words, scene.drivers)
+        return  # "an oncoming van leaves its lane"
     if sudden is not None and not scene.reaction:
         context.draft.hazard(
             HazardKind.CUT_IN, sudden, scene.drivers, _owners(lane, scene, context)
@@ -68,17 +96,17 @@ def lane_change(scene: Scene, context: Context) -> None:
         )
 
 
-def against(entity: Entity, place: Place) -> bool:
-    """Whether a lane leads the other way than somebody is headed ("the northbound lane").
+def cuts_in(scene: Scene, context: Context) -> bool:
+    """Whether whoever acts is known to cut in on an open road, by whatever verb.
 
     Args:
-        entity: who drives into it.
-        place: the lane.
+        scene: what happens.
+        context: the scenario in the making.
     """
-    ways = {m.value for m in place.mods if m.cat == "compass"}
-    opposed = {"north": "south", "south": "north", "east": "west", "west": "east"}
-    heading = entity.heading or ""
-    return place.kind == "lane" and opposed.get(heading, "") in ways
+    if context.junction.crossing or any(e.maneuvers for e in scene.drivers):
+        return False
+    cut = [e for d in context.draft.dangers if d.kind is HazardKind.CUT_IN for e in d.by]
+    return bool(scene.drivers) and all(e in cut for e in scene.drivers)
 
 
 def _owners(lane: Place | None, scene: Scene, context: Context) -> list[Entity]:
@@ -89,8 +117,9 @@ def _owners(lane: Place | None, scene: Scene, context: Context) -> list[Entity]:
         return list(lane.owner.entities)
     possessed = any(m.cat == "possessive" for m in lane.mods)
     kept = any(m.value == "same" for m in lane.mods)
-    egos = [e for e in context.draft.entities if e.ego and e not in scene.actors]
-    return egos if possessed and not kept else []
+    others = [e for e in context.draft.entities if e.moving_vehicle and e not in scene.actors]
+    its = [e for e in others if e.ego or (lane.kind == "path" and len(others) == 1)]
+    return its if possessed and not kept else []
 
 
 def head_on(scene: Scene, place: Place | None, context: Context) -> bool:
@@ -103,8 +132,9 @@ def head_on(scene: Scene, place: Place | None, context: Context) -> bool:
     """
     if place is None or not _owners(place, scene, context):
         return False
+    words = context.tokens
     if place.kind == "side" and not place.dirs:  # "comes onto the ego's side"
-        return any(p.target is place and p.value == "into" for p in scene.event.pps)
+        return any(p.target is place and words[p.word.i].low == "onto" for p in scene.event.pps)
     entered = place is scene.event.object or any(
         p.target is place and p.value == "into" for p in scene.event.pps
     )
@@ -118,38 +148,41 @@ def cut_in(scene: Scene, context: Context) -> None:
     """``cuts in`` from the next lane; across a junction the same words mean not giving way."""
     if not scene.drivers:
         return
-    if _cuts_across_the_road(scene):
+    if _cuts_across_the_road(scene, context):
         movements.cross(scene, context)
         encounters.cross(scene, context)
         return
     if head_on(scene, into_lane(scene.event), context):
         context.draft.hazard(HazardKind.ONCOMING_LANE, scene.words, scene.drivers, scene.targets)
         return
-    to = scene.targets or _mentioned(scene.event)
+    to = scene.targets or mentioned(scene.event)
     turning = any(e.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT} for e in scene.drivers)
     words = {t.low for t in context.tokens[scene.event.i : scene.event.j]}
     across = "across" in words and context.junction.crossing
-    if turning or across or any(context.comes_across(e) for e in scene.drivers):
+    beside = any(Maneuver.LANE_CHANGE in e.maneuvers for e in scene.drivers)
+    if not beside and (turning or across or any(context.comes_across(e) for e in scene.drivers)):
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, to)
         return
     basis = scene.words
     context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, to)
     context.lanes_implied(basis, "cutting in needs a second lane")
-    for entity in scene.drivers:
-        if not entity.maneuvers:
-            context.draft.maneuver(entity, {Maneuver.LANE_CHANGE}, basis)
+    for entity in (e for e in scene.drivers if not e.maneuvers):
+        context.draft.maneuver(entity, {Maneuver.LANE_CHANGE}, basis)
 
 
-def _cuts_across_the_road(scene: Scene) -> bool:
+def _cuts_across_the_road(scene: Scene, context: Context) -> bool:
     """``a cyclist cuts across the road``: the road is crossed, nobody is cut off."""
-    cyclists = all(e.kind is ParticipantKind.BICYCLE for e in scene.actors)
-    return cyclists and not scene.targets and any(p.kind == "road" for p in scene.places())
+    cyclists = all(e.kind is ParticipantKind.BICYCLE and not e.ego for e in scene.actors)
+    over = any(p.kind == "road" for p in scene.places())
+    over = over or any(Maneuver.CROSS in e.maneuvers for e in scene.actors)
+    over = over or "across" in {t.low for t in context.tokens[scene.event.i : scene.event.j]}
+    return cyclists and not scene.targets and over
 
 
 def enter(scene: Scene, context: Context) -> None:
     """``enters the lane in front of V1``: a cut-in; from the front, the oncoming lane is used."""
     lane = into_lane(scene.event)
-    others = [e for e in scene.drivers if not e.ego]
+    others = [e for e in scene.drivers if not e.ego and Maneuver.CROSS not in e.maneuvers]
     _enter_in_front(scene, context)
     if lane is None or not others or scene.reaction:
         return
@@ -167,13 +200,13 @@ def enter(scene: Scene, context: Context) -> None:
     if any(context.oncoming(e) for e in others):
         context.draft.hazard(HazardKind.ONCOMING_LANE, scene.words, others, owners)
         return
-    context.draft.hazard(HazardKind.CUT_IN, scene.words, others, owners or _mentioned(scene.event))
-    movements.lane_change(scene, context)
+    context.draft.hazard(HazardKind.CUT_IN, scene.words, others, owners or mentioned(scene.event))
+    lane_moves.lane_change(scene, context)
 
 
 def _enter_in_front(scene: Scene, context: Context) -> None:
     """``pulls into the junction in front of the bus``: the bus had to be let through."""
-    to = _mentioned(scene.event)
+    to = mentioned(scene.event)
     meets = any(p.kind == "junction" for p in scene.places())
     if meets and to and scene.drivers and not scene.reaction:
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, to)
@@ -182,14 +215,22 @@ def _enter_in_front(scene: Scene, context: Context) -> None:
 def unpark(scene: Scene, context: Context) -> None:
     """Leaving a parking space is a danger when careless, sudden or right in front of somebody."""
     careless = scene.how("aggressive", "sudden")
-    to = _mentioned(scene.event)
+    to = mentioned(scene.event)
     others = [e for e in scene.drivers if not e.ego]
+    for entity in others:
+        entity.pulls_out = True
     if others and (careless is not None or to):
-        basis = careless or scene.words
-        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, others, to)
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, careless or scene.words, others, to)
 
 
-def _mentioned(event: Event) -> list[Entity]:
+def leave(scene: Scene, context: Context) -> None:
+    """``leaves a lay-by right in front of the ego``: like leaving a parking space."""
+    if any(p.kind in {"access", "bus_stop", "parking"} for p in scene.places()):
+        unpark(scene, context)
+
+
+def mentioned(event: Event) -> list[Entity]:
+    """Who is named in the phrases that place an event ("in front of the bus")."""
     found = [p.target for p in event.pps if p.word.cat == "locus"]
     return [e for t in found if isinstance(t, Mention) for e in t.entities]
 
@@ -201,10 +242,11 @@ def merge(scene: Scene, context: Context) -> None:
     lane = into_lane(scene.event)
     basis = scene.how("sudden", "aggressive") or scene.words
     ahead = [p for p in scene.event.pps if p.word.cat == "locus" and p.value == "ahead"]
-    if ahead and _mentioned(scene.event) and not context.junction.crossing:
-        context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, _mentioned(scene.event))
+    if ahead and mentioned(scene.event) and not context.junction.crossing:
+        context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, mentioned(scene.event))
         return  # "merges in front of the bus"
-    if lane is not None and (lane.owner is not None or lane.dirs):
+    own = all(e.ego for e in scene.drivers) and not _owners(lane, scene, context)
+    if lane is not None and (lane.owner is not None or lane.dirs) and not own:
         context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, _owners(lane, scene, context))
         return
     to = [
@@ -218,27 +260,7 @@ def merge(scene: Scene, context: Context) -> None:
 
 def overtake(scene: Scene, context: Context) -> None:
     """Overtaking another moving vehicle."""
-    if scene.event.name == "pass" and not scene.targets:
+    if not overtaking(scene, context):
         return
     if scene.drivers and (not scene.targets or any(not e.parked for e in scene.targets)):
         context.draft.hazard(HazardKind.OVERTAKING, scene.words, scene.drivers, scene.targets)
-
-
-def pull_out(scene: Scene, context: Context) -> None:
-    """Leaving a side road or a parking space without giving way."""
-    out_of_sight = any(p.word.cat == "locus" and p.outer == "from" for p in scene.event.pps)
-    drivers = [e for e in scene.drivers if not (out_of_sight and context.is_cyclist(e))]
-    along = any(context.placed(e, a) for e in drivers for a in (Approach.BEHIND, Approach.AHEAD))
-    if drivers and not along and not _to_overtake(scene, context):
-        to = [] if out_of_sight else _mentioned(scene.event)
-        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, drivers, to)
-
-
-def _to_overtake(scene: Scene, context: Context) -> bool:
-    """``pulls out to pass``, ``from behind a bus``: out of a lane, not out of a side road."""
-    around = {"around", "round", "past"}
-    if any(context.tokens[p.word.i].low in around for p in scene.event.pps):
-        return True
-    following = [c.name for c in scene.event.children]
-    purpose = scene.event.parent.name if scene.event.parent is not None else ""
-    return bool({*following, purpose} & {"overtake", "bypass", "pass"})

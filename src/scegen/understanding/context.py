@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from scegen.scenario.vocabulary import Approach, ParticipantKind
 from scegen.understanding.chunks import Event, Place
@@ -95,6 +95,8 @@ class Context:
     tokens: list[Token]
     across: str = "left"
     """The side of a turn across oncoming traffic: right where traffic keeps left."""
+    screens: list[int] = field(default_factory=list)
+    """Where in the text things are named that one cannot see through."""
 
     def crossing_implied(self, basis: Basis, reason: str) -> None:
         """Something takes place that needs a junction."""
@@ -121,6 +123,10 @@ class Context:
         """Whether a vehicle is said to come from the front."""
         return self.placed(entity, Approach.OPPOSITE)
 
+    def from_the_side(self, entity: Entity) -> bool:
+        """Who comes from a road at the side does not turn across oncoming traffic."""
+        return self.placed(entity, Approach.LEFT) or self.placed(entity, Approach.RIGHT)
+
     def in_order(self, earlier: Basis | None, event: Event) -> bool:
         """Whether words of order stand between, or right before, two things that one does."""
         if earlier is None or earlier.i is None or event.i <= earlier.i:
@@ -136,5 +142,8 @@ class Context:
         """Whether a vehicle comes from another arm of a junction than the ego."""
         across = {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
         named = [p for p in self.draft.placements if p.entity is entity]
+        lateral = {Approach.LEFT, Approach.RIGHT}
         met = self.junction.crossing or self.draft.crossing_implied is not None
+        met = met or self.draft.side_road is not None
+        met = met or any(p.approaches == lateral for p in named)  # "on perpendicular roads"
         return met and any(p.approaches & across for p in named)

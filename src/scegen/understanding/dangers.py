@@ -5,12 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
-from scegen.understanding import conflicts, encounters
-from scegen.understanding.chunks import Mention
+from scegen.understanding import conflicts, encounters, lane_moves, pulling_out, screens
+from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
-from scegen.understanding.ways import into_lane
+from scegen.understanding.walking import keep_along
+from scegen.understanding.ways import against, into_lane
 
+_HASTY = frozenset({"early", "soon", "closely", "close", "tightly"})
+_STANDING = frozenset({"stand", "sit", "idle", "unload", "load", "deliver", "linger"})
+_GENTLY = frozenset({"gently", "gentle", "lightly", "light", "softly", "soft", "smoothly", "smooth",
+                     "gradually", "gradual", "moderately", "moderate", "mildly", "mild",
+                     "slightly", "slight", "carefully", "comfortably"})  # fmt: skip
+_BEYOND = frozenset({"past", "beyond", "after"})
 _REGULATED = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_stop", "parking",
                         "shoulder", "sidewalk", "crosswalk"})  # fmt: skip
 
@@ -39,9 +46,10 @@ def brake(scene: Scene, context: Context) -> None:
         return
     sudden = scene.sudden
     answer = scene.reaction or any(p.value == "for" for p in scene.event.pps)
+    answer = answer or (all(e.ego for e in scene.drivers) and bool(context.draft.dangers))
     if sudden is None and answer:
         return
-    if sudden is None and not scene.drivers:
+    if sudden is None and (not scene.drivers or _gentle(scene, context)):
         return
     context.draft.hazard(HazardKind.HARD_BRAKING, sudden or scene.words, scene.drivers)
 
@@ -51,6 +59,11 @@ def hard_brake(scene: Scene, context: Context) -> None:
     if scene.event.modal and not scene.event.nominal and any(e.ego for e in scene.actors):
         return
     context.draft.hazard(HazardKind.HARD_BRAKING, scene.words, scene.drivers)
+
+
+def _gentle(scene: Scene, context: Context) -> bool:
+    """``brakes gently``, ``a gradual deceleration``."""
+    return any(context.tokens[m.j - 1].low in _GENTLY for m in scene.event.mods)
 
 
 def slow(scene: Scene, context: Context) -> None:
@@ -66,7 +79,7 @@ def slow(scene: Scene, context: Context) -> None:
         if leads:
             context.draft.hazard(HazardKind.SLOW_DRIVING, scene.words, scene.drivers)
         return
-    if sudden is not None or (leads and not scene.reaction):
+    if sudden is not None or (leads and not (scene.reaction or _gentle(scene, context))):
         context.draft.hazard(HazardKind.HARD_BRAKING, sudden or scene.words, scene.drivers)
 
 
@@ -76,13 +89,31 @@ def stop(scene: Scene, context: Context) -> None:
     motor = [e for e in scene.drivers if e.kind is not ParticipantKind.BICYCLE]
     if sudden is not None and motor:
         context.draft.hazard(HazardKind.HARD_BRAKING, sudden, motor)
-    if any(p.kind in _REGULATED for p in scene.places()):
+    beyond = {
+        id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low in _BEYOND
+    }  # "stops just past the crosswalk"
+    if any(p.kind in _REGULATED and id(p) not in beyond for p in scene.places()):
         return
     if any(p.value == "for" and isinstance(p.target, Mention) for p in scene.event.pps):
         return  # "stops for her"
     if scene.reaction or not scene.actors or any(e.ego for e in scene.actors):
         return
     context.draft.hazard(HazardKind.STOPPING, sudden or scene.words, scene.actors)
+
+
+def wait(scene: Scene, context: Context) -> None:
+    """``a taxi standing in the lane``: it blocks the way."""
+    lanes = any(
+        p.word.value == "in"
+        and isinstance(p.target, Place)
+        and p.target.kind in {"lane", "middle"}
+        and not ({"adjacent", "opposite"} & set(p.target.dirs))
+        for p in scene.event.pps
+    )
+    others = [e for e in scene.drivers if not e.ego]
+    stands = context.tokens[scene.event.i].forms[-1][0] in _STANDING
+    if lanes and stands and others:
+        context.draft.hazard(HazardKind.STOPPING, scene.words, others)
 
 
 def move(scene: Scene, context: Context) -> None:
@@ -92,9 +123,12 @@ def move(scene: Scene, context: Context) -> None:
     if lane is not None and lane.kind == "lane":
         if sideways or scene.how("sudden", "emergency", "aggressive") is not None:
             conflicts.lane_change(scene, context)
+            if conflicts.cuts_in(scene, context):
+                lane_moves.lane_change(scene, context)
         elif lane is not scene.event.object:
             conflicts.enter(scene, context)
     encounters.ride(scene, context)
+    keep_along(scene, context)
     close = scene.how("close")
     behind = [e for e in scene.drivers if context.placed(e, Approach.BEHIND)]
     if close is not None and behind:
@@ -120,17 +154,24 @@ def swerve(scene: Scene, context: Context) -> None:
     if not drivers or (scene.event.modal and any(e.ego for e in drivers)):
         return
     context.draft.hazard(HazardKind.SWERVING, scene.words, drivers, scene.targets)
+    ahead = [p for p in scene.event.pps if p.word.cat == "locus" and p.value == "ahead"]
+    whom = [e for p in ahead if isinstance(p.target, Mention) for e in p.target.entities]
+    if whom and not scene.reaction and not any(context.oncoming(e) for e in drivers):
+        conflicts.cut_in(scene, context)  # "swings out in front of the bus"
 
 
 def oncoming_lane(scene: Scene, context: Context) -> None:
     """A movement into or along the lane of oncoming traffic."""
+    sources = {id(p.target) for p in scene.event.pps if p.value == "from"}
     for place in scene.places():
+        if id(place) in sources:
+            continue  # "coming from opposite lanes": where one belongs
         lane = place.kind == "lane" and "opposite" in place.dirs and place.owner is None
         lane = lane or conflicts.head_on(scene, place, context)
-        against = [e for e in scene.drivers if conflicts.against(e, place)]
-        if lane or against or place.kind == "centerline":
-            over = place.kind == "centerline" or bool(against) or "opposite" not in place.dirs
-            by = [e for e in against or scene.drivers if over or not context.oncoming(e)]
+        wrong = [e for e in scene.drivers if against(e, place)]
+        if lane or wrong or place.kind == "centerline":
+            over = place.kind == "centerline" or bool(wrong) or "opposite" not in place.dirs
+            by = [e for e in wrong or scene.drivers if over or not context.oncoming(e)]
             meets = scene.event.name == "approach"
             by = [e for e in by if not meets or Maneuver.OVERTAKE in e.maneuvers]
             if by:
@@ -170,6 +211,16 @@ def swerve_around(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.SWERVING, scene.words, others, scene.targets)
 
 
+def pull_back(scene: Scene, context: Context) -> None:
+    """``overtakes the ego and moves back in too early``: a cut-in."""
+    others = [e for e in scene.drivers if not e.ego and Maneuver.OVERTAKE in e.maneuvers]
+    last = context.tokens[scene.event.j - 1].low
+    in_front = any(p.word.cat == "locus" and p.value == "ahead" for p in scene.event.pps)
+    hasty = any(context.tokens[m.j - 1].low in _HASTY for m in scene.event.mods)
+    if others and (in_front or (last == "in" and hasty) or scene.sudden is not None):
+        context.draft.hazard(HazardKind.CUT_IN, scene.words, others)
+
+
 def reverse(scene: Scene, context: Context) -> None:
     """Driving backwards."""
     context.draft.hazard(HazardKind.REVERSING, scene.words, scene.drivers)
@@ -205,6 +256,7 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "hard_brake": hard_brake,
     "slow": slow,
     "stop": stop,
+    "wait": wait,
     "swerve": swerve,
     "turn": conflicts.turn,
     "sharp_turn": conflicts.turn,
@@ -214,24 +266,28 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "merge": conflicts.merge,
     "overtake": conflicts.overtake,
     "pass": conflicts.overtake,
-    "pull_out": conflicts.pull_out,
+    "pull_out": pulling_out.pull_out,
     "tailgate": tailgate,
     "follow": follow,
     "cross": encounters.cross,
     "walk": encounters.walk,
+    "collide": encounters.struck,
     "enter": enter,
     "move": move,
     "unpark": conflicts.unpark,
+    "leave": conflicts.leave,
     "appear": encounters.appear,
-    "block": encounters.block,
-    "hide": encounters.occlude,
+    "block": screens.block,
+    "hide": screens.occlude,
     "cause": encounters.cause,
+    "send": encounters.cause,
     "door": encounters.door,
     "encounter": too_late,
     "react": too_late,
     "crawl": crawl,
     "bypass": swerve_around,
     "undertake": undertake,
+    "return": pull_back,
     "reverse": reverse,
     "lose_control": lose_control,
     "delay": delay,

@@ -5,9 +5,18 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
-from scegen.understanding.groups import Group, vehicle_around
+from scegen.understanding.groups import Group, opened, vehicle_around
+from scegen.understanding.located import as_the_ego_sees, loci_of
 from scegen.understanding.mention_words import DEFAULT_COUNT, Reading, read_mention
-from scegen.understanding.pronouns import POSITIONS, Pronouns
+from scegen.understanding.pronouns import Pronouns
+from scegen.understanding.reference import (
+    elsewhere,
+    is_pronoun,
+    kin,
+    own_vehicle,
+    refers_to_nobody,
+    tells,
+)
 from scegen.understanding.roster import Roster
 from scegen.understanding.tokens import Token
 
@@ -26,7 +35,7 @@ class Discourse:
 
     def __init__(self, draft: Draft, tokens: list[Token], arms: int) -> None:
         self._draft = draft
-        self._tokens = tokens
+        self.tokens = tokens
         self._arms = arms
         self._roster = Roster(draft, tokens)
         self._pronouns = Pronouns(draft, self._roster, tokens)
@@ -52,19 +61,20 @@ class Discourse:
         if mention.entities:
             return mention.entities
         if mention.same_as is not None:
-            mention.entities = list(mention.same_as.entities)
+            same = mention.same_as  # "riding a moped, I …": whom comes later
+            mention.entities = list(same.entities or self.resolve(same, subject=True, exclude=[]))
             self._refine(mention)
             return mention.entities
-        if _refers_to_nobody(mention) or self._their_own_queue(mention):
+        if refers_to_nobody(mention) or self._their_own_queue(mention):
             return []
-        located = any(p.word.cat == "locus" and _is_pronoun(p.target) for p in mention.pps)
+        located = any(p.word.cat == "locus" and is_pronoun(p.target) for p in mention.pps)
         if located or mention.besides:
             exclude = [*exclude, *self._roster.subject]  # "the car behind it" is not "it"
         if mention.pronoun is not None:
             found = self._we(mention) or self._pronouns.resolve(mention, exclude)
         else:
             found = self._noun(
-                read_mention(mention, self._tokens, self._arms if sides == 0 else sides),
+                read_mention(mention, self.tokens, self._arms if sides == 0 else sides),
                 mention,
                 exclude,
             )
@@ -72,7 +82,8 @@ class Discourse:
         if mention.landmark:
             self._roster.landmark = list(found)
         for entity in found:
-            entity.loci |= _loci(mention)
+            entity.loci |= loci_of(mention)
+            entity.sides |= mention.sides
         self._roster.spoken_of(found, subject=subject, settled=settled)
         return found
 
@@ -86,11 +97,13 @@ class Discourse:
         """``vehicle 1, a pickup truck, …``: the apposition says what kind it is."""
         if not mention.heads:
             return
-        reading = read_mention(mention, self._tokens, None)
+        reading = read_mention(mention, self.tokens, None)
         for entity in mention.entities:
-            if not reading.generic and reading.kind in _MOTOR:
+            afoot = any("afoot" in h.data for h in mention.heads)
+            if not reading.generic and (reading.kind in _MOTOR or afoot):
                 entity.kind, entity.basis = reading.kind, Basis(mention.i, mention.j)
             entity.labels |= reading.labels
+            entity.named_by |= reading.called
 
     def _we(self, mention: Mention) -> list[Entity]:
         """``three of us``: the ego and two more."""
@@ -108,19 +121,34 @@ class Discourse:
 
     def _noun(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         basis = Basis(mention.i, mention.j)
+        if reading.ego and not reading.plural:
+            if mention.prep is None and (mention.joined is not None or not exclude):
+                self._roster.last_is_ego(mention)
+            ego = self._ego(reading.kind, basis, told=not reading.generic)
+            ego.named_by |= {"speaks"} if tells(mention) else set()
+            return [ego]
         if reading.ego:
-            return [self._ego(reading.kind, basis)]
+            return self._roster.subject  # "we arrive in our cars"
         of_whom = next((p.target for p in mention.pps if p.value == "of"), None)
         if reading.driver and isinstance(of_whom, Mention):
-            return self.resolve(of_whom, subject=False, exclude=[])
+            vehicle = self.resolve(of_whom, subject=False, exclude=[])
+            out = mention.walks and not mention.drives and any(e.parked for e in vehicle)
+            afoot = ParticipantKind.PEDESTRIAN  # "the driver of the stalled van steps out"
+            return [self._roster.new(afoot, basis)] if out else vehicle
+        parked = opened(reading, mention, self._draft.entities)
+        if parked:
+            return parked
         inside = vehicle_around(reading, mention)
         if inside is not None:
             return self.resolve(inside, subject=False, exclude=[])
-        if _own_vehicle(reading, mention) and len(self._roster.subject) == 1:
+        if own_vehicle(reading, mention, self._roster.subject) and len(self._roster.subject) == 1:
             owner = self._roster.subject[0]
             if owner.is_vehicle:
                 owner.parked = owner.parked or (reading.parked and not owner.ego)
                 return [owner]
+        if kin(reading, mention):
+            strangers = [e for e in self._draft.entities if not e.named_by & reading.called]
+            exclude = [*exclude, *strangers]  # "a man with his son"
         known = self._known(reading, mention, exclude)
         if known:
             self._roster.enrich(known, reading)
@@ -134,7 +162,7 @@ class Discourse:
             i: index of the first token of the words.
             j: index after the last one.
         """
-        return any(t.low in {"my", "our"} for t in self._tokens[i:j])
+        return any(t.low in {"my", "our"} for t in self.tokens[i:j])
 
     def observer(self, i: int, j: int) -> None:
         """``our lane``: whoever tells it takes part.
@@ -145,9 +173,12 @@ class Discourse:
         """
         self._ego(ParticipantKind.CAR, Basis(i, j))
 
-    def _ego(self, kind: ParticipantKind, basis: Basis) -> Entity:
+    def _ego(self, kind: ParticipantKind, basis: Basis, *, told: bool = False) -> Entity:
+        """The ego; what it drives may be said later than who it is."""
         for entity in self._draft.entities:
             if entity.ego:
+                if told and kind is not entity.kind and entity.kind is ParticipantKind.CAR:
+                    entity.kind, entity.basis = kind, basis
                 return entity
         entity = self._roster.new(kind, basis)
         entity.ego = True
@@ -161,14 +192,16 @@ class Discourse:
         if names:
             known = [e for e in self._draft.entities if names & e.labels][:1]
             return known or self._roster.named(reading, names, exclude)
-        counted = self._counted(reading, mention)
+        counted = self._roster.by_order(reading, mention)
         if counted is not None:
             return counted
         included = self._roster.included(reading, mention)
         if included:
             return included
+        if reading.plural and det == "other" and mention.mod("num") is not None:
+            return self._roster.claim(reading.count, exclude, reading)
         if reading.plural:
-            return self._known_plural(reading)
+            return self._known_plural(reading, mention)
         if det == "def" and not reading.driver:
             told = self._roster.told_what(reading, Basis(mention.i, mention.j))
             if told:
@@ -187,29 +220,12 @@ class Discourse:
             return member or self._roster.from_title(reading, mention)
         return self._definite(reading, mention, exclude)
 
-    def _counted(self, reading: Reading, mention: Mention) -> list[Entity] | None:
-        """``the first car``, ``the second truck``: by the order in which they came up."""
-        which = next((m.value for m in mention.mods if m.value in POSITIONS), None)
-        if which is None or reading.det not in {"def", "ordinal"} or reading.plural:
-            return None
-        if mention.mods[0].value != "def":
-            return None
-        for group in reversed(self._roster.groups):
-            alike = [e for e in group.members if self._roster.compatible(e, reading)]
-            if len(alike) > abs(POSITIONS[which]):
-                return self._claimed(alike[POSITIONS[which]])
-        alike = [e for e in self._draft.entities if self._roster.compatible(e, reading)]
-        alike = [e for e in alike if not e.ego]
-        if not alike:
-            return None
-        known = alike[POSITIONS[which] :][:1] if POSITIONS[which] < len(alike) else []
-        return self._claimed(known[0]) if known else []
-
-    def _claimed(self, entity: Entity) -> list[Entity]:
-        entity.claimed = True
-        return [entity]
-
-    def _known_plural(self, reading: Reading) -> list[Entity]:
+    def _known_plural(self, reading: Reading, mention: Mention) -> list[Entity]:
+        quantity = mention.mod("quant")
+        if quantity is not None and quantity.value == "all":
+            everybody = [e for e in self._draft.entities if self._roster.compatible(e, reading)]
+            counted = mention.mod("num") is None or len(everybody) == reading.count
+            return everybody if len(everybody) > 1 and counted else []
         if reading.det != "def" and reading.count != DEFAULT_COUNT:
             return []
         both = not reading.vague and reading.det in {"bare", "def"}
@@ -244,6 +260,8 @@ class Discourse:
                 continue
             if not self._roster.agree(group, reading):
                 continue
+            if group.dirs and not reading.dirs and (mention.narrowed or mention.pps):
+                continue  # "yields to oncoming traffic. A taxi following it …"
             claimed = self._roster.claim(1, exclude, reading)
             if claimed:
                 return claimed
@@ -256,63 +274,26 @@ class Discourse:
         return []
 
     def _definite(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
-        options = [
-            e
-            for e in reversed(self._roster.recent)
-            if e not in exclude and self._roster.compatible(e, reading)
-        ]
+        alike = [e for e in reversed(self._roster.recent) if self._roster.compatible(e, reading)]
+        options = [e for e in alike if not (e in exclude or elsewhere(reading, mention, e))]
         told = any(m.cat in {"verb", "manner", "state"} for m in mention.mods)
         narrowed = bool(mention.pps) or mention.narrowed or told
-        loci = _loci(mention)
-        only_placed = bool(loci) and not (mention.narrowed or told) and _as_the_ego_sees(mention)
+        loci = loci_of(mention)
+        only_placed = bool(loci) and not (mention.narrowed or told) and as_the_ego_sees(mention)
         options = options or self._roster.cast(
             reading, narrowed=narrowed, loci=loci if only_placed else set()
         )
         if reading.dirs:
             options = [e for e in options if e.dirs == reading.dirs]
         options = [e for e in options if not (loci and e.loci) or loci & e.loci]
+        elsewise = bool(loci) and not reading.parked  # a parked van is not "the car behind it"
+        options = [e for e in options if not (elsewise and e.parked) or loci & e.loci]
+        options = [e for e in options if not (mention.sides and e.sides) or mention.sides & e.sides]
         others = [e for e in options if not e.ego]
-        restricted = reading.dirs or reading.labels or mention.pps or mention.elsewhere
-        restricted = restricted or mention.narrowed
+        others = [e for e in others if e.named_by & reading.called] or others
+        done = any(m.cat == "verb" and m.form == "ed" for m in mention.mods)  # "the overtaken car"
+        placed = mention.pps or mention.elsewhere or mention.narrowed or done
+        restricted = reading.dirs or reading.labels or placed
         if others or reading.det == "bare" or restricted:
             return others[:1]
         return options[:1]
-
-
-def _own_vehicle(reading: Reading, mention: Mention) -> bool:
-    """``the driver opens the door of his vehicle``: what the driver stands for."""
-    possessed = bool(mention.mods) and mention.mods[0].cat == "possessive"
-    whose = possessed and mention.mods[0].value == "its"
-    return whose and reading.generic and not reading.plural and not reading.dirs
-
-
-def _is_pronoun(target: object) -> bool:
-    return isinstance(target, Mention) and target.pronoun in {"it", "him", "they"}
-
-
-def _as_the_ego_sees(mention: Mention) -> bool:
-    """``the car ahead``, ``the car ahead of the ego``: placed by nobody but the ego."""
-    return all(
-        p.word.cat == "locus"
-        and (
-            p.target is None
-            or (isinstance(p.target, Mention) and any(h.data.get("ego") for h in p.target.heads))
-        )
-        for p in mention.pps
-    )
-
-
-def _loci(mention: Mention) -> set[str]:
-    """Where a noun is said to be: "the car behind" is not "the car in front"."""
-    loci = {p.value for p in mention.pps if p.word.cat == "locus"}
-    return loci | ({"elsewhere"} if mention.elsewhere else set())
-
-
-def _refers_to_nobody(mention: Mention) -> bool:
-    """``in traffic``, ``no pedestrians``, ``at the second``: words that name no participant."""
-    prep = mention.prep.value if mention.prep is not None else ""
-    mass = bool(mention.head and mention.head.data.get("mass")) and not mention.mods
-    if mass and prep in {"in", "of", "for"}:
-        return True
-    place = mention.pronoun == "ordinal" and prep == "in"  # "at the first junction …, the second"
-    return place or mention.negated or mention.pronoun == "reflexive"

@@ -35,6 +35,8 @@ class Entity:
     ego: bool = False
     parked: bool = False
     parked_basis: Basis | None = None
+    sets_off: int = -1
+    """Where the text says last that it moves, as the index of a token."""
     labels: set[str] = field(default_factory=set)
     dirs: set[str] = field(default_factory=set)
     named_by: set[str] = field(default_factory=set)
@@ -50,12 +52,16 @@ class Entity:
     speed_basis: Basis | None = None
     heading: str | None = None
     heading_basis: Basis | None = None
+    bound: bool = False
     by_heading: Basis | None = None
     counted: Basis | None = None
     moves: Basis | None = None
     on_straight: bool = False
     through: Basis | None = None
+    waits: Basis | None = None
     claimed: bool = False
+    pulls_out: bool = False
+    sides: set[str] = field(default_factory=set)
     opposed: set[int] = field(default_factory=set)
     name: str = ""
 
@@ -112,6 +118,7 @@ class Draft:
     crossing_implied: Basis | None = None
     from_kerb: bool = False
     lanes_implied: Basis | None = None
+    passing_implied: Basis | None = None
     access: Basis | None = None
     side_road: Basis | None = None
     """Somebody comes from the left or right, which takes a road there unless lanes are meant."""
@@ -187,10 +194,12 @@ class Draft:
             self._contradiction(entity, values, basis)
         if alternative is None and values & _TURNS:
             known = known - _OVERRIDABLE - _ON_THE_WAY if entity.turn_alternative is None else known
-        if alternative is None and values == _OVERRIDABLE and known & _TURNS:
+        if alternative is None and values in (_OVERRIDABLE, _ON_THE_WAY) and known & _TURNS:
             return
+        if alternative is None and entity.turn_alternative is None and values < known <= _TURNS:
+            known = set()  # "both turn: V1 goes left": now it is said which way
         if Maneuver.CROSS in values:
-            known = known - {Maneuver.STAY}
+            known = known - {Maneuver.STAY, Maneuver.STRAIGHT}
         entity.maneuvers = set(known | values)
         entity.maneuver_basis = _joined(entity.maneuver_basis, basis, bool(known))
         entity.turn_alternative = alternative or entity.turn_alternative

@@ -6,14 +6,17 @@ from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
 from scegen.understanding.lookahead import BOUNDARIES
+from scegen.understanding.predicates import complete
+from scegen.understanding.tokens import Token
 
 _JOINTS = frozenset({"and", "but", ",", "while", "when", ";"})
+_EMPTY = frozenset({"light", "try", "cause", "inert", "unknown", "likewise", "avoid"})
+_DOES = frozenset({"do", "does", "did"})
 _WAYS = frozenset({"left", "right", "straight"})
 _MOST_AFTER = 3
-_OPENING = 2
 
 
-def fill_in(chunks: list[Chunk], events: list[Event]) -> list[Event]:
+def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> list[Event]:
     """The events with a copy of the verb before for each clause that leaves its verb out.
 
     Such a clause is a participant after "and" or a comma, followed by nothing but a direction,
@@ -22,10 +25,11 @@ def fill_in(chunks: list[Chunk], events: list[Event]) -> list[Event]:
     Args:
         chunks: the chunks of the text; an ordinal that stands for an exit is replaced by it.
         events: its events.
+        tokens: its tokens.
     """
-    _telegraphic(chunks)
+    _likewise(events, tokens)
     acting = {id(m) for e in events for m in e.subject}
-    found = list(events)
+    found = [*events, *_denied(chunks, events)]
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Mention) or id(chunk) in acting or chunk.prep is not None:
             continue
@@ -38,24 +42,48 @@ def fill_in(chunks: list[Chunk], events: list[Event]) -> list[Event]:
         copy = _copy(verb, chunk, chunks, k + 1)
         if copy is not None:
             found.append(copy)
+    return complete(chunks, found)
+
+
+def _likewise(events: list[Event], tokens: list[Token]) -> None:
+    """``and the van ahead does the same``: what somebody else was last said to do."""
+    for k, event in enumerate(events):
+        if event.i and tokens[event.i].low in _DOES and tokens[event.i - 1].low in {"so", "as"}:
+            _turned_round(event)
+        if event.name != "likewise":
+            continue
+        who = set(map(id, event.subject))
+        before = [
+            e
+            for e in events[:k]
+            if e.name not in _EMPTY and e.subject and not who & set(map(id, e.subject))
+        ]
+        if before:
+            model = before[-1]
+            event.name, event.object = model.name, event.object or model.object
+            event.mods = [*event.mods, *(m for m in model.mods if m.cat == "dir")]
+            event.pps = [*event.pps, *(p for p in model.pps if isinstance(p.target, Place))]
+
+
+def _denied(chunks: list[Chunk], events: list[Event]) -> list[Event]:
+    """``has to yield but does not``: the verb before, denied."""
+    found = []
+    for k, chunk in enumerate(chunks[1:], start=1):
+        helper, after = chunks[k - 1], chunks[k + 1] if k + 1 < len(chunks) else None
+        does = isinstance(helper, Word) and (helper.cat, helper.value) == ("aux", "do")
+        denies = isinstance(chunk, Word) and chunk.cat == "neg"
+        ends = after is None or (isinstance(after, Word) and after.value in _JOINTS | BOUNDARIES)
+        before = [e for e in events if e.j <= helper.i and e.subject and not e.nominal]
+        if does and denies and ends and before:
+            again = replace(before[-1], i=helper.i, j=chunk.j, negated=True, modal=False, pps=[])
+            found.append(replace(again, mods=[], parent=None, children=[], alternative=None))
     return found
 
 
-def _telegraphic(chunks: list[Chunk]) -> None:
-    """``Ego: left turn.``: the noun after the colon is what the one before it does."""
-    for k, event in enumerate(chunks[2:], start=2):
-        who, colon = chunks[k - 2 : k]
-        opener = chunks[k - 3] if k > _OPENING else None
-        first = opener is None or (isinstance(opener, Word) and opener.value in BOUNDARIES)
-        named = isinstance(who, Mention) and isinstance(colon, Word) and colon.value == ":"
-        if not (first and named and isinstance(event, Event) and _doing(event)):
-            continue
-        if isinstance(who, Mention) and not event.subject and not who.negated:
-            event.subject = [who]
-
-
-def _doing(event: Event) -> bool:
-    return event.nominal or event.form == "ing"
+def _turned_round(event: Event) -> None:
+    """``and so does the van``: the subject stands after the verb."""
+    if isinstance(event.object, Mention):
+        event.name, event.subject, event.object = "likewise", [event.object], None
 
 
 def _verb_before(mention: Mention, events: list[Event]) -> Event | None:
@@ -96,6 +124,7 @@ def _copy_phrase(fresh: Event, word: Word, target: Chunk) -> Event | None:
     if not isinstance(target, Place):
         return None
     alike = any(p.value == word.value for p in fresh.pps)
+    alike = alike and (word.value != "in" or fresh.form != "ing")
     kept = [p for p in fresh.pps if p.value != word.value]
     if not alike:
         return None

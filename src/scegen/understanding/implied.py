@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
-from scegen.understanding.chunks import Event, Mention, Place
+from scegen.understanding import conflicts, oncoming
+from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Danger, Entity
+from scegen.understanding.reactions import into_rear
+from scegen.understanding.terms import Term
 
+_TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
 _CLOSING = frozenset({"approach", "encounter", "collide", "move", "brake", "hard_brake", "slow"})
+_COMING = frozenset({"move", "approach", "enter", "speed", "accelerate", "collide", "overtake"})
 _TOWARDS = frozenset({"to", "into", "in", "for", "with"})
 _HEAD_ON = frozenset({"towards", "toward"})
 _SLOWER = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
@@ -25,46 +30,75 @@ def positions(scenes: list[Scene], context: Context) -> None:
         parked = [e for e in scene.targets if e.parked]
         if scene.event.name == "bypass" and parked and not scene.event.negated:
             context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
-        _hidden_behind(scene, context)
+        _owing_to_the_parked(scene, context)
+        oncoming.hidden_behind(scene, context)
+        oncoming.overtaken(scene, context)
+        oncoming.met(scene, context)
+        _cuts_out(scene, context)
+        _revealed(scene, context)
         _across(scene, context)
     for danger in context.draft.dangers:
         if danger.kind is HazardKind.ONCOMING_LANE:
+            _around_something(danger, context)
             _face_to_face(danger, context)
 
 
-def _hidden_behind(scene: Scene, context: Context) -> None:
-    """``a motorcycle hidden behind an oncoming bus``: it comes the same way as the bus."""
-    if scene.event.name != "hide" or not scene.event.passive:
-        return
+def _owing_to_the_parked(scene: Scene, context: Context) -> None:
+    """``has to leave its lane because of a broken-down lorry``: that is in the way."""
     for prep in scene.event.pps:
-        if prep.value != "behind" or not isinstance(prep.target, Mention):
-            continue
-        if not any(context.oncoming(e) for e in prep.target.entities):
-            continue
-        basis = Basis(scene.event.i, prep.target.j, "what hides it comes from the front")
-        for entity in scene.drivers:
-            said = [p for p in context.draft.placements if p.entity is entity]
-            if not entity.ego and all(p.reference in prep.target.entities for p in said):
-                context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
+        by = prep.target.entities if isinstance(prep.target, Mention) else []
+        parked = [e for e in by if e.parked]
+        if (
+            prep.value == "due"
+            and parked
+            and scene.event.name not in {"hide", "encounter", "appear"}
+        ):
+            context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
+
+
+def _cuts_out(scene: Scene, context: Context) -> None:
+    """``cuts out``: leaves the lane in which it drove ahead of the ego."""
+    words = {t.low for t in context.tokens[scene.event.i : scene.event.j]}
+    if scene.event.name != "lane_change" or "out" not in words or scene.event.negated:
+        return
+    basis = Basis(scene.event.i, scene.event.j, "who cuts out was ahead in the lane")
+    for entity in scene.drivers:
+        seen = [
+            p for p in context.draft.placements if p.entity is entity and oncoming.by_the_ego(p)
+        ]
+        if not entity.ego and not seen:
+            context.draft.place(entity, None, {Approach.AHEAD}, basis)
+
+
+def _revealed(scene: Scene, context: Context) -> None:
+    """``swerves and exposes a stopped van``: the van is ahead in the lane."""
+    if scene.event.name != "reveal" or context.junction.crossing:
+        return
+    basis = Basis(scene.event.i, scene.event.j, "what comes into view is ahead")
+    for entity in scene.targets:
+        seen = [p for p in context.draft.placements if p.entity is entity]
+        if entity.is_vehicle and not entity.ego and not seen:
+            context.draft.place(entity, None, {Approach.AHEAD}, basis)
 
 
 def _across(scene: Scene, context: Context) -> None:
     """Who crosses on red, or leaves the side road of a T, comes from the left or the right."""
     event = scene.event
     ego = next((e for e in context.draft.entities if e.ego), None)
-    if ego is None or ego in scene.actors or not context.junction.crossing:
+    implied = context.draft.access is not None and context.junction.straight is None
+    if ego is None or ego in scene.actors or not (context.junction.crossing or implied):
         return
     on_red = event.name == "cross" and any(
         scene.drivers == d.by and d.kind is HazardKind.RED_LIGHT_RUNNING
         for d in context.draft.dangers
     )
     sources = [*event.pps, *(p for m in event.subject for p in m.pps)]
-    stem = [
-        p
-        for p in sources
-        if p.value == "from" and isinstance(p.target, Place) and p.target.kind == "access"
-    ]
+    out = event.name in {"pull_out", "reverse", "leave", "appear"}
+    words = {"from", "in", "of"} if out else {"from", "in"}
+    stem = [p.target for p in sources if p.value in words] + ([event.object] if out else [])
+    stem = [p for p in stem if isinstance(p, Place) and p.kind == "access"]
     along = context.junction.kind is JunctionKind.T and ego.maneuvers == {Maneuver.STRAIGHT}
+    along = along or (not context.junction.crossing and not ego.maneuvers & _TURNS)
     if not on_red and not (stem and along):
         return
     basis = Basis(event.i, event.j, "it comes across the way of the ego")
@@ -81,13 +115,20 @@ def _driven_up_to(scene: Scene, context: Context) -> None:
     targets = list(scene.targets)
     for prep in event.pps:
         towards = prep.value in _TOWARDS or context.tokens[prep.word.i].low == "on"
+        rear = _queue(prep.target) or _from_the_rear(scene, context)
+        towards = towards or (prep.value == "of" and rear)
         if towards and isinstance(prep.target, Mention):
             targets += [e for e in prep.target.entities if e not in scene.actors]
+    ends = [event.object, *(p.target for p in event.pps)]
+    owners = [c.owner for c in ends if isinstance(c, Place) and "rear" in c.dirs and c.owner]
+    targets += [e for m in owners for e in m.entities if e not in (*scene.actors, *targets)]
     driver = scene.drivers[0]
     if any(e.ego for e in targets):
         _comes_towards(scene, driver, context)
         targets = [e for e in targets if not e.ego or _from_the_rear(scene, context)]
     certain = _from_the_rear(scene, context) or _along_the_road(scene, context)
+    late = [d for d in context.draft.dangers if d.kind is HazardKind.DELAYED_BRAKING]
+    certain = certain or any(driver in d.by for d in late)  # "failed to stop and hit the bus"
     for target in targets:
         slower = certain or _slower(target, context)
         if target.moving_vehicle and _on_the_wrong_side(driver, context):
@@ -100,6 +141,12 @@ def _driven_up_to(scene: Scene, context: Context) -> None:
             context.ahead([target], [driver], Basis(event.i, event.j, reason))
 
 
+def _queue(target: object) -> bool:
+    """``approaches the tail of a queue``."""
+    head = target.head if isinstance(target, Mention) else None
+    return head is not None and "mass" in head.data
+
+
 def _on_the_wrong_side(entity: Entity, context: Context) -> bool:
     dangers = [d for d in context.draft.dangers if d.kind is HazardKind.ONCOMING_LANE]
     passing = Maneuver.OVERTAKE in entity.maneuvers
@@ -109,11 +156,40 @@ def _on_the_wrong_side(entity: Entity, context: Context) -> bool:
 def _comes_towards(scene: Scene, driver: Entity, context: Context) -> None:
     """``drives towards the ego``: head-on, unless it comes from somewhere else."""
     towards = [p.word.j for p in scene.event.pps if context.tokens[p.word.i].low in _HEAD_ON]
+    towards += [p.word.j for p in scene.event.pps if _at_the_ego(p, scene, context)]
     towards += [scene.event.j for t in _own(scene.event, context) if t in _HEAD_ON]
     ego = next(e for e in context.draft.entities if e.ego)
-    if towards and not _placed(driver, ego, context) and not context.junction.crossing:
+    if towards and not _placed(driver, ego, context):
         basis = Basis(scene.event.i, towards[0], "comes towards the ego")
         context.draft.place(driver, None, {Approach.OPPOSITE}, basis)
+        for place in scene.places():
+            if conflicts.head_on(scene, place, context):
+                words = Basis(place.i, place.j)
+                context.draft.hazard(HazardKind.ONCOMING_LANE, words, [driver], [ego])
+
+
+def _at_the_ego(prep: Prep, scene: Scene, context: Context) -> bool:
+    """``comes straight at the ego``."""
+    goal = context.tokens[prep.word.i].low == "at" and isinstance(prep.target, Mention)
+    return goal and scene.event.name in {"move", "speed", "approach"}
+
+
+def head_on(term: Term, scene: Scene, context: Context) -> None:
+    """``a motorcycle approaches head-on``: who collides so has come from the front, too.
+
+    Args:
+        term: the words for it.
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    coming = scene.event.name in _COMING
+    if len(scene.drivers) > 1 and not scene.targets:
+        for entity in scene.drivers:
+            entity.opposed |= {e.index for e in scene.drivers} - {entity.index}
+        return  # "two trucks meet head-on"
+    for entity in scene.drivers if coming else []:
+        to = next((e for e in scene.targets if e.moving_vehicle), None)
+        context.draft.place(entity, to, {Approach.OPPOSITE}, Basis(term.i, term.j))
 
 
 def _own(event: Event, context: Context) -> set[str]:
@@ -122,11 +198,7 @@ def _own(event: Event, context: Context) -> set[str]:
 
 def _from_the_rear(scene: Scene, context: Context) -> bool:
     """``rear-ends``, ``runs into the back of``."""
-    event = scene.event
-    ends = [event.object, *(p.target for p in event.pps)]
-    words = _own(event, context)
-    rear = any(isinstance(c, Place) and "rear" in c.dirs for c in ends)
-    return event.name == "collide" and (rear or bool(words & {"rear", "back"}))
+    return scene.event.name == "collide" and into_rear(scene.event, context)
 
 
 def _along_the_road(scene: Scene, context: Context) -> bool:
@@ -151,7 +223,19 @@ def _placed(entity: Entity, observer: Entity, context: Context) -> bool:
         turned = p.entity is observer and p.reference is entity
         if (pair or turned) and p.approaches & across:
             return True
-    return entity.heading is not None and observer.heading is not None
+    headings = {entity.heading, observer.heading}
+    return None not in headings and len(headings) > 1
+
+
+def _around_something(danger: Danger, context: Context) -> None:
+    """``a parked bus blocks the lane; the ego detours through the oncoming lane``: past it."""
+    draft = context.draft
+    blocked = any(e.parked for e in draft.entities) or any(
+        d.kind in _SLOWER | {HazardKind.OBSTACLE} for d in draft.dangers
+    )
+    for entity in danger.by if blocked else []:
+        if entity.ego and not entity.maneuvers:
+            draft.maneuver(entity, {Maneuver.OVERTAKE}, danger.basis)
 
 
 def _face_to_face(danger: Danger, context: Context) -> None:

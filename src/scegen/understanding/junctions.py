@@ -12,8 +12,15 @@ from scegen.understanding.draft import Basis
 from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
+_BROKEN = frozenset({"broken", "failed", "inoperative", "malfunctioning", "defective", "faulty",
+                     "dead", "inoperable"})  # fmt: skip
+_OFF = ("out of order", "out of service", "not working", "switched off", "turned off", "not in use")
+_CLAUSES = frozenset({",", ".", ";", "when", "while", "as", "and", "before", "but"})
+_BROKEN_REACH = 7
 _ARM_NOUNS = frozenset({"exit", "road", "leg"})
 _ASSUMED_EXITS = 4
+_OF_SEVERAL = frozenset({"middle", "outside", "inside", "fast", "slow", "overtaking", "center",
+                         "centre", "passing"})  # fmt: skip
 _WINDOW = 6
 _FEWEST_ARMS = 3
 
@@ -34,6 +41,7 @@ class JunctionReading:
         angles_deg: directions of the arms, rising.
         angles_basis: the words for them.
         road: the first word for a road.
+        highway: that word is one for a road with several lanes each way.
     """
 
     kind: JunctionKind | None = None
@@ -45,6 +53,7 @@ class JunctionReading:
     named: Basis | None = None
     road: Basis | None = None
     straight: Basis | None = None
+    highway: bool = False
     angles_deg: tuple[float, ...] = ()
     angles_basis: Basis | None = None
 
@@ -67,7 +76,9 @@ def read_junction(terms: list[Term], tokens: list[Token]) -> JunctionReading:
     reading = JunctionReading()
     for k, term in enumerate(terms):
         if term.cat == "place":
-            _place(reading, terms, k)
+            _place(reading, terms, k, tokens)
+        elif term.cat == "actor" and "control" in term.data:
+            _set_control(reading, Control(term.data["control"]), Basis(term.i, term.j))
         elif term.cat == "shape":
             _shape(reading, terms, k, tokens)
         elif term.cat == "cue":
@@ -93,10 +104,23 @@ def _negated(terms: list[Term], k: int) -> bool:
     )
 
 
-def _place(reading: JunctionReading, terms: list[Term], k: int) -> None:
+def _out_of_order(terms: list[Term], k: int, tokens: list[Token]) -> bool:
+    """``non-working traffic lights``, ``traffic lights that are out of order``."""
+    i, j = terms[k].i, terms[k].j
+    before = [t.low for t in tokens[max(0, i - 2) : i]]
+    if before[-1:] and (before[-1] in _BROKEN or before == ["non", "working"]):
+        return True
+    after = [t.low for t in tokens[j : j + _BROKEN_REACH]]
+    ends = [m for m, word in enumerate(after) if word in _CLAUSES]
+    after = after[: ends[0]] if ends else after
+    words = " ".join(after)
+    return bool(_BROKEN & set(after[:4])) or any(phrase in words for phrase in _OFF)
+
+
+def _place(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Token]) -> None:
     term = terms[k]
     basis = Basis(term.i, term.j)
-    if term.value == "junction" and _away_from(terms, k):
+    if term.value == "junction" and (_away_from(terms, k) or _none_named(terms, k, tokens)):
         return
     if term.value == "junction":
         reading.named = reading.named or basis
@@ -104,15 +128,18 @@ def _place(reading: JunctionReading, terms: list[Term], k: int) -> None:
             _set_kind(reading, JunctionKind(term.data["kind"]), basis)
     elif term.value in {"road", "highway", "lane"}:
         reading.road = reading.road or basis
+        lane = term.value == "lane" and tokens[term.i].low in _OF_SEVERAL
+        reading.highway = reading.highway or term.value == "highway" or lane
         before = terms[k - 1] if k else None
         if before is not None and before.value == "straight":
             reading.straight = Basis(before.i, term.j)
     control = term.data.get("control")
-    plural = term.form == "s" or term.j - term.i == 1
-    lamps = control == Control.SIGNALS and plural
+    lamps = control == Control.SIGNALS and term.form == "s"
     if lamps and k and terms[k - 1].cat == "possessive":
         return  # "its lights" are a vehicle's
-    if control and _negated(terms, k):
+    if control == Control.SIGNALS and _out_of_order(terms, k, tokens):
+        _set_control(reading, Control.UNCONTROLLED, basis)
+    elif control and _negated(terms, k):
         _set_control(reading, Control.UNCONTROLLED, Basis(terms[k - 1].i, term.j))
     elif control:
         _set_control(reading, Control(control), basis)
@@ -122,6 +149,14 @@ def _away_from(terms: list[Term], k: int) -> bool:
     """``outside a junction``: the road between junctions."""
     before = [t for t in terms[max(0, k - 3) : k] if t.cat not in {"det", "shape"}]
     return bool(before) and before[-1].value == "outside"
+
+
+def _none_named(terms: list[Term], k: int, tokens: list[Token]) -> bool:
+    """``no junction``: none right there."""
+    before = terms[k - 1] if k else None
+    if before is not None and tokens[before.i].low in {"non", "mid"}:
+        return True  # "at a non-junction location"
+    return before is not None and (before.cat, before.value) == ("det", "negative")
 
 
 def _shape(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Token]) -> None:

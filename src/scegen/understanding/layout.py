@@ -86,6 +86,11 @@ class Layout:
         for placement in self._draft.placements:
             if placement.approaches == lateral and placement.entity.moving_vehicle:
                 return Basis(placement.basis.i, placement.basis.j, "a vehicle comes across")
+        for entity in self._draft.entities:
+            crosses = entity.moving_vehicle and entity.approaches & lateral
+            if entity.by_heading is not None and crosses:
+                basis = entity.heading_basis or entity.by_heading
+                return Basis(basis.i, basis.j, "the ways of two vehicles cross")
         return None
 
     def _side_road(self) -> Basis | None:
@@ -117,11 +122,6 @@ class Layout:
     ) -> tuple[tuple[int, ...], int | None, Basis | None]:
         around = self._around
         ring = kind is JunctionKind.ROUNDABOUT
-        if around.lanes is not None:
-            doubled = 2 if ring and around.lanes > 1 else None
-            return (around.lanes,) * arms, doubled, around.lanes_basis
-        if ring and around.two_lane is not None:
-            return (2,) * arms, 2, around.two_lane
         implied = self._draft.lanes_implied
         adjacent = next(
             (e for e in self._draft.entities if Approach.ADJACENT in e.approaches), None
@@ -129,9 +129,30 @@ class Layout:
         if implied is None and adjacent is not None:
             basis = adjacent.approach_basis or adjacent.basis
             implied = Basis(basis.i, basis.j, "vehicles side by side need a second lane")
+        if around.lanes == 1 and around.lanes_in_all is not None and implied is not None:
+            count = around.lanes_in_all  # "on a two-lane road, a car in the next lane cuts in"
+            reason = f"{count} lanes in one direction: {implied.reason or 'a second one is meant'}"
+            counted = around.lanes_basis or implied
+            return (count,) * arms, None, Basis(counted.i, counted.j, reason)
+        if around.lanes is not None:
+            doubled = 2 if ring and around.lanes > 1 else None
+            return (around.lanes,) * arms, doubled, around.lanes_basis
+        if ring and around.two_lane is not None:
+            return (2,) * arms, 2, around.two_lane
+        passing = self._draft.passing_implied
+        if implied is None and passing is not None:
+            if not ring and self._against_oncoming():
+                reason = "who overtakes uses the oncoming lane"
+                return (1,) * arms, None, Basis(passing.i, passing.j, reason)
+            implied = Basis(passing.i, passing.j, "overtaking needs a second lane")
         if implied is None and around.highway is not None:
             reason = "highways have two lanes per direction unless said otherwise"
             implied = Basis(around.highway.i, around.highway.j, reason)
         if implied is None:
             return (), None, None
         return (2,) * arms, (2 if ring else None), implied
+
+    def _against_oncoming(self) -> bool:
+        """Whether somebody overtakes on a road where others come towards them."""
+        facing = any(Approach.OPPOSITE in e.approaches for e in self._draft.entities)
+        return facing or (self._around.two_lane is not None and self._around.highway is None)

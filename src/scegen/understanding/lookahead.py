@@ -52,6 +52,17 @@ def finite_follows(chunks: list[Chunk], k: int) -> bool:
     return False
 
 
+def copula_follows(chunks: list[Chunk], k: int) -> bool:
+    """``the light was red``: whether "is" or "was" comes right after chunk ``k``.
+
+    Args:
+        chunks: the chunks of the text.
+        k: index of a chunk.
+    """
+    after = chunks[k + 1] if k + 1 < len(chunks) else None
+    return isinstance(after, Word) and after.cat == "aux"
+
+
 def _place_after(chunks: list[Chunk], word: Word) -> bool:
     """``the view to the left``: no infinitive."""
     k = next(k for k, chunk in enumerate(chunks) if chunk is word)
@@ -76,5 +87,42 @@ def main_verb_follows(chunks: list[Chunk], k: int) -> bool:
             preposed = chunk.cat in GOVERNING
             governed = governed or preposed
         elif not preposed and isinstance(chunk, Mention):
+            return False
+    return False
+
+
+def only_a_noun_follows(word: Word, k: int, chunks: list[Chunk]) -> bool:
+    """``after a car on its right``: a preposition, no clause.
+
+    Args:
+        word: a word.
+        k: its index.
+        chunks: the chunks of the text.
+    """
+    following = chunks[k + 1] if k + 1 < len(chunks) else None
+    if (word.cat, word.value) != ("sub", "before") or not isinstance(following, Mention):
+        return False
+    for m, chunk in enumerate(chunks[k + 2 :], start=k + 3):
+        if isinstance(chunk, Event) or (isinstance(chunk, Word) and chunk.cat in {"aux", "copy"}):
+            return False
+        if isinstance(chunk, Word) and (chunk.value in BOUNDARIES or chunk.value == ","):
+            after = chunks[m] if m < len(chunks) else None
+            return not isinstance(after, Event)  # "before the ego, turning left, has cleared it"
+    return True
+
+
+def by_follows(chunks: list[Chunk], k: int) -> bool:
+    """``struck from behind by a van``: who does it stands after "by".
+
+    Args:
+        chunks: the chunks of the text.
+        k: index of a participle.
+    """
+    for chunk in chunks[k + 1 : k + 7]:
+        if isinstance(chunk, Mention | Event):
+            return False
+        if isinstance(chunk, Word) and chunk.value == "by":
+            return True
+        if isinstance(chunk, Word) and chunk.cat not in {"prep", "locus", "manner", "dir"}:
             return False
     return False

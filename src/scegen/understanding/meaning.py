@@ -3,26 +3,53 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind
-from scegen.understanding import breaches, dangers, encounters, implied, side_roads
+from scegen.understanding import (
+    afoot,
+    bearing,
+    breaches,
+    courses,
+    dangers,
+    encounters,
+    implied,
+    lane_moves,
+    red_lights,
+    roles,
+    rows,
+    screens,
+    side_roads,
+)
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.movements import MOVEMENTS
 from scegen.understanding.omissions import not_done
 from scegen.understanding.placing import Placer, thing_sides
+from scegen.understanding.reactions import mark_answers, mark_late
+from scegen.understanding.recasting import recast
+from scegen.understanding.reciprocal import towards_each_other
 from scegen.understanding.resolving import from_everywhere
 from scegen.understanding.roadside import read_thing
-from scegen.understanding.subjects import chain
+from scegen.understanding.scenes import scene_of
+from scegen.understanding.setting_off import set_off
 from scegen.understanding.terms import Term
 
-_PASSING = frozenset({"overtake", "pass", "bypass", "undertake"})
+_RELATIVE = frozenset({"difference", "differential", "relative", "closing", "delta"})
+_DIFFERENCE_REACH = 3
+_BY_MANNER = {
+    "fast": HazardKind.SPEEDING,
+    "slow": HazardKind.SLOW_DRIVING,
+    "wrong_way": HazardKind.ONCOMING_LANE,
+    "out_of_control": HazardKind.LOSS_OF_CONTROL,
+}
+_BESIDE = frozenset({"overtake", "pass", "bypass", "undertake", "collide"})
+"""With these verbs a side is where one gets past or is hit, and nobody comes from there."""
 _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
 _BREACHING = frozenset(
     {"walk", "follow", "breach", "move", "enter", "cross", "speed", "accelerate"}
 )
-_ON_THE_MOVE = frozenset({"swerve", "use", "enter", "move", "cross", "lose_control", "lane_change",
-                          "merge", "overtake", "bypass", "turn", "sharp_turn", "approach",
-                          "unknown"})  # fmt: skip
+_ON_THE_MOVE = frozenset({"swing_wide", "pull_out", "swerve", "use", "enter", "move", "cross",
+                          "lose_control", "lane_change", "merge", "overtake", "bypass", "turn",
+                          "sharp_turn", "approach", "unknown"})  # fmt: skip
 _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
                        "pull_out", "collide"})  # fmt: skip
@@ -58,47 +85,68 @@ class Interpreter:
             for e in events
             for p in e.pps
             if p.on_mention is e.object
-            and (self._starts(e, p) or (e.name in _PASSING and _is_side(p)))
+            and (
+                self._starts(e, p)
+                or (e.name in _BESIDE and bearing.is_side(p))
+                or bearing.own_lane(e, p)
+            )
         }
-        handled = {id(e.object) for e in events if e.name == "inert"}  # "kicks a ball"
+        set_off(events, self._context)
+        handled = {
+            id(e.object) for e in events if e.name in {"inert", "send"} and not e.passive
+        }  # "kicks a ball"
+        acting = {id(m) for e in events for m in e.subject if e.name != "hide"}
         for chunk in chunks:
             if isinstance(chunk, Mention) and chunk.entities:
                 self._mention(chunk)
+                if id(chunk) not in acting:
+                    afoot.comes_from_the_side(chunk, self._context)
             elif isinstance(chunk, Thing) and id(chunk) not in handled:
                 read_thing(chunk, chunks, self._draft)
+                self._context.screens += [chunk.i] if chunk.kind == "object" else []
         for chunk in chunks:
             if isinstance(chunk, Mention):
                 self._share_sides(chunk.pps, chunk.entities, hidden=False)
-        _mark_answers(events)
+        mark_answers(events)
+        mark_late(events, self._context)
+        rows.line_up(chunks, events, self._draft)
         for event in events:
             self._event(event)
-        encounters.come_out(self._context)
+        for scene in self._scenes:
+            if not scene.event.negated:
+                hidden = scene.event.name == "hide"
+                self._share_sides(scene.event.pps, scene.actors, hidden=hidden)
+        red_lights.on_red(chunks, events, self._context)
+        towards_each_other(chunks, events, self._context)
+        screens.come_out(self._context)
         implied.positions(self._scenes, self._context)
         breaches.subsume(self._context)
 
     def _mention(self, mention: Mention) -> None:
         self._placer.adjectives(mention)
-        encounters.on_the_road(mention, self._context)
-        sides = [p for p in mention.pps if p.value in {"from", "in"} and _is_side(p)]
+        afoot.on_the_road(mention, self._context)
+        sides = [p for p in mention.pps if p.value in {"from", "in"} and bearing.is_side(p)]
+        lane_moves.on_the_wrong_side(mention, self._context)
         for prep in mention.pps:
-            if id(prep) in self._of_verbs:
+            if id(prep) in self._of_verbs or bearing.facing(mention, prep):
                 continue  # "approaches the ego from the left": not the ego comes from there
             shared = len(sides) == len(mention.entities) > 1 and prep in sides
             whom = [mention.entities[sides.index(prep)]] if shared else mention.entities
             self._placer.phrase(prep, whom, None)
-            encounters.wait_behind(prep, mention.entities, self._context)
+            screens.wait_behind(prep, mention.entities, self._context)
         for term in mention.mods:
             self._quality(term, mention.entities)
+        at_light = [p.word for p in mention.pps if getattr(p.target, "kind", "") == "signal"]
+        for entity in mention.entities if at_light else []:
+            entity.waits = entity.waits or Basis(mention.i, at_light[0].j)
+        roles.act_by_name(mention, self._context)
 
     def _quality(self, term: Term, entities: list[Entity]) -> None:
         basis = Basis(term.i, term.j)
         drivers = [e for e in entities if e.moving_vehicle]
-        if term.cat == "manner" and term.value == "fast" and drivers:
-            self._draft.hazard(HazardKind.SPEEDING, basis, drivers)
-        elif term.cat == "manner" and term.value == "wrong_way" and drivers:
-            self._draft.hazard(HazardKind.ONCOMING_LANE, basis, drivers)
-        elif term.cat == "manner" and term.value == "slow" and drivers:
-            self._draft.hazard(HazardKind.SLOW_DRIVING, basis, drivers)
+        kind = _BY_MANNER.get(term.value) if term.cat == "manner" else None
+        if kind is not None and drivers:
+            self._draft.hazard(kind, basis, drivers)
         elif term.cat == "manner" and term.value == "close":
             follows = [e for e in drivers if self._context.placed(e, Approach.BEHIND)]
             if follows:
@@ -106,16 +154,21 @@ class Interpreter:
         elif term.cat == "quantity":
             self._quantity(term, entities)
         elif term.cat == "state" and term.value == "stationary":
-            self._draft.hazard(HazardKind.STOPPING, basis, drivers)
+            others = [e for e in drivers if not e.ego]
+            if others:
+                self._draft.hazard(HazardKind.STOPPING, basis, others)
         elif term.cat == "state" and term.value == "parked":
             for entity in entities:
-                if not entity.ego and entity.is_vehicle:
+                if not entity.ego and entity.is_vehicle and entity.sets_off < 0:
                     entity.parked, entity.parked_basis = True, basis
 
     def _quantity(self, term: Term, entities: list[Entity]) -> None:
         if term is self._limit:
             return
         quantity = term.data["quantity"]
+        before = self._context.tokens[max(0, term.i - _DIFFERENCE_REACH) : term.i]
+        if any(t.low in _RELATIVE for t in before):
+            return  # "speed difference 40 km/h": nobody's speed
         if term.value != "speed":
             self._draft.note(
                 term.i, term.j, "distances and times are set when the scenario is made concrete"
@@ -126,43 +179,20 @@ class Interpreter:
                 entity.speed = quantity.value
                 entity.speed_basis = Basis(term.i, term.j, quantity.note)
 
-    def _scene(self, event: Event) -> Scene:
-        actors = [e for m in event.subject for e in m.entities]
-        direct = event.object
-        targets = (
-            [e for m in chain(direct) for e in m.entities] if isinstance(direct, Mention) else []
-        )
-        if event.passive:
-            agents = [
-                e
-                for p in event.pps
-                if p.value == "by" and isinstance(p.target, Mention)
-                for e in p.target.entities
-            ]
-            if not agents and isinstance(direct, Mention):
-                agents = targets  # "is passed by a bus": the verb has taken the "by"
-            if event.name != "hide":
-                return Scene(event, agents, actors)
-            return Scene(event, actors, [])
-        if not targets and event.name in {"yield", "merge", "follow", "collide"}:
-            targets = [
-                e
-                for p in event.pps
-                if p.value in {"to", "with", "in"} and isinstance(p.target, Mention)
-                for e in p.target.entities
-            ]
-        return Scene(event, actors, [e for e in targets if e not in actors])
-
     def _event(self, event: Event) -> None:
-        scene = self._scene(event)
+        scene = scene_of(event)
+        courses.move_off(scene, self._context)
+        event.name = recast(scene, self._context)
         self._scenes.append(scene)
-        for prep in event.pps:
+        for prep in event.pps if not self._ended(event) else []:
             if from_everywhere(prep):
                 side_roads.spread(prep, scene.actors, self._context)
             elif self._from_behind_somebody(scene, prep):
                 self._context.ahead(
                     scene.targets[:1], scene.actors, Basis(prep.word.i, prep.word.j)
                 )
+            elif event.name == "pass" and event.object is None and bearing.bare_side(prep):
+                continue  # "passes on the right": on which side one gets past
             elif prep.on_mention is None or self._starts(event, prep):
                 turned = event.passive and event.name != "hide"
                 turned = turned and prep.value not in {"behind", "from"}
@@ -183,13 +213,18 @@ class Interpreter:
         if movement is not None:
             movement(scene, self._context)
         encounters.onto_the_road(scene, self._context)
+        encounters.after_a_thing(scene, self._context)
         danger = dangers.DANGERS.get(event.name)
         if danger is not None and not self._overruled(scene):
             danger(scene, self._context)
         if event.name in _ON_THE_MOVE:
             dangers.oncoming_lane(scene, self._context)
-        encounters.from_behind(scene, self._context)
-        self._share_sides(event.pps, scene.actors, hidden=event.name == "hide")
+        screens.from_behind(scene, self._context)
+
+    def _ended(self, event: Event) -> bool:
+        """``ends up in front of the ego``: where it gets to, not where it comes from."""
+        word = self._context.tokens[event.i].forms[-1][0]
+        return event.name == "move" and word in {"end", "finish", "wind", "land"}
 
     def _from_behind_somebody(self, scene: Scene, prep: Prep) -> bool:
         """``hits the van from behind``: behind the van."""
@@ -223,50 +258,39 @@ class Interpreter:
             elif term.cat == "compass":
                 self._placer.heading(term, scene.actors)
             elif term.cat == "dir" and term.value == "opposite" and event.name in _TRAVEL:
+                if self._ended(event):
+                    continue
                 for entity in scene.drivers:
                     basis = Basis(term.i, term.j)
                     self._draft.place(entity, None, {Approach.OPPOSITE}, basis)
             elif term.cat == "state":
                 self._quality(term, scene.actors)
+            elif (term.cat, term.value) == ("manner", "head_on"):
+                implied.head_on(term, scene, self._context)
         if event.nominal and event.name not in _TRAVEL:
             return
-        fast = next((t for t in event.mods if t.cat == "manner" and t.value == "fast"), None)
-        slow = next((t for t in event.mods if t.cat == "manner" and t.value == "slow"), None)
-        wrong = next((t for t in event.mods if t.cat == "manner" and t.value == "wrong_way"), None)
-        if wrong is not None and scene.drivers:
-            basis = Basis(wrong.i, wrong.j)
-            self._draft.hazard(HazardKind.ONCOMING_LANE, basis, scene.drivers)
-        if fast is not None and scene.drivers:
-            self._draft.hazard(HazardKind.SPEEDING, Basis(fast.i, fast.j), scene.drivers)
         travels = event.name in _TRAVEL and not scene.reaction
-        if slow is not None and scene.drivers and travels:
-            self._draft.hazard(HazardKind.SLOW_DRIVING, Basis(slow.i, slow.j), scene.drivers)
+        for term in event.mods:
+            slows = term.value == "slow" and not travels  # "brakes slowly"
+            if term.cat == "manner" and term.value in _BY_MANNER and not slows:
+                self._quality(term, scene.drivers)
 
     def _share_sides(self, pps: list[Prep], entities: list[Entity], *, hidden: bool) -> None:
         """Who comes out from behind something stands on its side of the road."""
         for prep in pps:
             beside = prep.word.cat == "locus" and prep.value in {"behind", "between"}
+            beside = beside or (prep.value, prep.outer) == ("ahead", "from")
             by = hidden and prep.value == "by"
+            if beside and isinstance(prep.target, Place | Thing):
+                self._placer.beside_a_thing(prep, prep.target, entities)
             if not (beside or by) or not isinstance(prep.target, Mention):
                 continue
             basis = Basis(prep.word.i, prep.target.j)
             for hider in prep.target.entities:
                 sides = thing_sides(hider, self._draft)
+                if sides == {Approach.OPPOSITE}:  # the queue in the oncoming lane
+                    sides = {Approach(self._context.across)}
                 for entity in entities:
                     on_foot = not entity.is_vehicle or self._context.is_cyclist(entity)
                     if sides and on_foot:
                         self._draft.place(entity, None, sides, basis)
-
-
-def _is_side(prep: Prep) -> bool:
-    return isinstance(prep.target, Place) and prep.target.kind == "side"
-
-
-def _mark_answers(events: list[Event]) -> None:
-    """``braked but could not avoid the van``: who tries to avoid something brakes as an answer."""
-    avoiding = [e for e in events if e.name == "avoid"]
-    for event in events:
-        if event.name in {"brake", "slow", "stop"} and not event.nominal:
-            event.modal = event.modal or any(
-                e.sentence == event.sentence and e.subject == event.subject for e in avoiding
-            )

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.calling import called
 from scegen.understanding.chunks import Mention
 from scegen.understanding.tokens import Token
 
@@ -31,6 +32,7 @@ class Reading:
     ego: bool
     driver: bool
     reason: str | None
+    called: set[str] = field(default_factory=set)
 
 
 def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Reading:
@@ -42,10 +44,10 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
         arms: number of arms if its members come "from all directions".
     """
     heads = mention.heads
-    kinds = [KINDS[h.value] for h in heads if h.value in KINDS]
+    kinds: list[ParticipantKind] = [KINDS[h.value] for h in heads if h.value in KINDS]
     words = [tokens[h.j - 1] for h in heads]
     last = words[-1]
-    specific = [k for k in kinds if k is not ParticipantKind.CAR]
+    specific: list[ParticipantKind] = [k for k in kinds if k is not ParticipantKind.CAR]
     mass = any(h.data.get("mass") for h in heads)
     driver = any(h.data.get("driver") for h in heads)
     kind = (specific or kinds or [ParticipantKind.CAR])[0]
@@ -54,7 +56,12 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
         kind, driver, kinds = ParticipantKind.CAR, True, []
     if heads[-1].value == "rider" and not kinds:
         kind = ParticipantKind.MOTORCYCLE
-    plural = mass or (heads[-1].form == "s" and not (mention.label or "").startswith("#"))
+    people = all(h.value in {"driver", "pedestrian"} for h in heads) and not afoot
+    if mention.goes_by is not None and people:
+        kind, driver = mention.goes_by, False
+        kinds, specific = [kind], [kind]
+    named = (mention.label or "").startswith("#")
+    plural = mass or "several" in heads[-1].data or (heads[-1].form == "s" and not named)
     count, vague, reason = _count(mention, tokens, plural, arms)
     det = next((m for m in mention.mods if m.cat in {"det", "possessive"}), None)
     numbered = mention.mod("num")
@@ -74,19 +81,37 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
         count=count,
         plural=count > 1 or plural,
         vague=vague,
-        labels=labels | ({mention.label} if mention.label else set()),
+        labels=labels | ({_name(mention.label, kind)} if mention.label else set()),
         dirs=set(mention.dirs),
         parked=parked,
-        ego=any(h.data.get("ego") for h in heads),
+        ego=any(h.data.get("ego") for h in heads) or _mine(mention, kind),
         driver=driver and not kinds,
         reason=reason,
+        called=called(mention, tokens),
     )
+
+
+def _mine(mention: Mention, kind: ParticipantKind) -> bool:
+    """``my bike``, ``our old lorry``: whoever tells it drives it."""
+    first = mention.mods[0] if mention.mods else None
+    mine = first is not None and (first.cat, first.value) == ("possessive", "first_person")
+    named = mention.head is not None and mention.head.value in KINDS
+    return mine and named and kind is not ParticipantKind.PEDESTRIAN
+
+
+def _name(label: str, kind: ParticipantKind) -> str:
+    """Pedestrian 1 is not vehicle 1: people on foot and bicycles are counted for themselves."""
+    own = {ParticipantKind.PEDESTRIAN: "#p", ParticipantKind.BICYCLE: "#b"}.get(kind, "#")
+    digits = label.lstrip("#ped")
+    return f"{own}{digits}" if digits.isdigit() else label
 
 
 def _count(
     mention: Mention, tokens: list[Token], plural: bool, arms: int | None
 ) -> tuple[int, bool, str | None]:
     number = mention.mod("num")
+    if arms is not None and not plural and mention.heads and mention.heads[0].value != "ego":
+        return arms, False, f"one from each of the {arms} directions"
     if number is not None and number.data["number"] >= 1 and (plural or not mention.mod("det")):
         return int(min(number.data["number"], 10**6)), False, None
     if mention.joined is not None and _shares_noun(mention):
@@ -101,6 +126,11 @@ def _count(
         return count, True, f"'{word}' is read as {count}"
     if quant is not None and quant.value == "both" and plural:
         return DEFAULT_COUNT, False, None
+    if "several" in mention.heads[-1].data:
+        return int(mention.heads[-1].data["several"]), False, None
+    head = mention.heads[-1].data if mention.heads else {}
+    if not plural and "count" in head:
+        return int(head["count"]), False, None  # "an old couple"
     if not plural:
         return 1, False, None
     return DEFAULT_COUNT, True, f"no number is given; {DEFAULT_COUNT} are assumed"

@@ -4,11 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from scegen.scenario.vocabulary import JunctionKind, Maneuver
-from scegen.understanding import ways
+from scegen.scenario.vocabulary import HazardKind, Maneuver
+from scegen.understanding import courses, ways
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene, span
 from scegen.understanding.draft import Basis
+from scegen.understanding.lane_moves import (
+    apply,
+    forced,
+    lane_change,
+    merge,
+    swerve,
+    use_oncoming_lane,
+)
 
 _ASIDE = frozenset({"move", "shift", "steer", "edge", "ease"})
 """Verbs that on an open road mean a shift to the side, not a turn."""
@@ -31,6 +39,9 @@ def turn(scene: Scene, context: Context) -> None:
         return
     if ways.only_signalled(event, context):
         return
+    cyclists = [e for e in scene.drivers if context.is_cyclist(e) and not e.ego]
+    if cyclists and cyclists == scene.drivers and ways.across_the_road(event, context):
+        return  # they cross the road, see the dangers
     values = set(directions) or {Maneuver.LEFT, Maneuver.RIGHT}
     if not directions:
         made = event.parent is not None and event.parent.name in {"light", "try"}
@@ -38,14 +49,7 @@ def turn(scene: Scene, context: Context) -> None:
             return
         basis = Basis(basis.i, basis.j, "the text does not say which way it turns")
     context.crossing_implied(basis, "vehicles turn")
-    _apply(scene, context, values, basis)
-
-
-def _apply(scene: Scene, context: Context, values: set[Maneuver], basis: Basis) -> None:
-    alternative = scene.alternative
-    for entity in scene.drivers:
-        later = context.in_order(entity.maneuver_basis, scene.event)
-        context.draft.maneuver(entity, values, basis, alternative, later=later)
+    apply(scene, context, values, basis)
 
 
 def move(scene: Scene, context: Context) -> None:
@@ -56,7 +60,9 @@ def move(scene: Scene, context: Context) -> None:
     aside = context.tokens[event.i].forms[-1][0] in _ASIDE and not context.junction.crossing
     sideways = set(directions) & {Maneuver.LEFT, Maneuver.RIGHT}
     lane = ways.into_lane(event)
-    if sideways and (aside or (lane is not None and lane.kind == "lane")):
+    if ways.next_lane(event, context) or (
+        sideways and (aside or (lane is not None and lane.kind == "lane"))
+    ):
         lane_change(scene, context)  # "moves left into the next lane"
         return
     if any(p.kind == "exit" for p in scene.places()):
@@ -70,40 +76,42 @@ def move(scene: Scene, context: Context) -> None:
         return
     values = set(directions)
     basis = next(iter(directions.values()))
+    if any(context.tokens[m.i].low == "instead" for m in event.mods):
+        for entity in scene.drivers:
+            entity.maneuvers = set()  # "was waiting to turn left, goes straight instead"
+    if ways.side_to_side(event) and any(not context.is_cyclist(e) for e in scene.drivers):
+        context.crossing_implied(basis, "a vehicle comes across")
     if values & {Maneuver.LEFT, Maneuver.RIGHT}:
         context.crossing_implied(basis, "vehicles turn")
-    _apply(scene, context, values, basis)
+    apply(scene, context, values, basis)
 
 
 def u_turn(scene: Scene, context: Context) -> None:
     """A U-turn."""
     basis = Basis(scene.event.i, scene.event.j)
-    _apply(scene, context, {Maneuver.U_TURN}, basis)
-
-
-def lane_change(scene: Scene, context: Context) -> None:
-    """A change of lane on the way; where the vehicle leaves stays free."""
-    basis = Basis(scene.event.i, scene.event.j)
-    context.lanes_implied(basis, "a lane change needs a second lane")
-    _apply(scene, context, {Maneuver.LANE_CHANGE}, basis)
+    apply(scene, context, {Maneuver.U_TURN}, basis)
 
 
 def overtake(scene: Scene, context: Context) -> None:
     """Overtaking, or passing something that stands in the lane."""
     event = scene.event
-    if event.name == "bypass" and event.object is None and event.pps:
-        return
+    if event.name == "bypass" and event.object is None and not event.passive:
+        by = context.tokens[event.j - 1].low == "past"
+        if by or event.pps:
+            move(scene, context)  # "waits for the bus to go past"
+            return
     if event.name == "bypass" and isinstance(event.object, Place):
         return
-    if event.name == "pass" and not scene.targets:
+    if not ways.overtaking(scene, context):
         move(scene, context)
         return
     basis = Basis(event.i, event.j)
     means = event.parent if event.link == "inf" else None
     if not (means is not None and _changes_lane(means)):
-        _apply(scene, context, {Maneuver.OVERTAKE}, basis)
+        apply(scene, context, {Maneuver.OVERTAKE}, basis)
     if any(entity.moving_vehicle for entity in scene.targets):
-        context.lanes_implied(basis, "overtaking needs a second lane")
+        draft = context.draft
+        draft.passing_implied = draft.passing_implied or basis
     stated = {
         p.entity.index
         for p in context.draft.placements
@@ -111,6 +119,16 @@ def overtake(scene: Scene, context: Context) -> None:
     }
     if not any(e.index in stated for e in scene.actors):
         context.ahead(scene.targets, scene.actors, basis)
+
+
+def pull_around(scene: Scene, context: Context) -> None:
+    """``pulls out around a parked van``: past it."""
+    for prep in scene.event.pps:
+        around = context.tokens[prep.word.i].low in {"around", "round", "past"}
+        passed = prep.target.entities if isinstance(prep.target, Mention) else []
+        if around and passed:
+            overtake(Scene(scene.event, scene.actors, list(passed)), context)
+            return
 
 
 def undertake(scene: Scene, context: Context) -> None:
@@ -133,6 +151,10 @@ def cross(scene: Scene, context: Context) -> None:
         if not entity.is_vehicle or (context.is_cyclist(entity) and onto):
             context.draft.maneuver(entity, {Maneuver.CROSS}, basis)
     drivers = [e for e in scene.drivers if Maneuver.CROSS not in e.maneuvers]
+    lanes = isinstance(scene.event.object, Place) and scene.event.object.kind == "lane"
+    if lanes and drivers and not context.junction.crossing:
+        lane_change(scene, context)  # "crosses two lanes to get to the exit"
+        return
     if ways.directions(scene.event) and drivers:
         move(scene, context)
         return
@@ -162,66 +184,30 @@ def leave(scene: Scene, context: Context) -> None:
         return
     if target.kind == "side":
         sides = {ways.DIRECTIONS[d] for d in target.dirs if d in {"left", "right"}}
+        if sides and scene.event.name == "leave" and target.head is not None:
+            drivers = [e for e in scene.drivers if not scene.reaction]
+            context.draft.hazard(HazardKind.LOSS_OF_CONTROL, scene.words, drivers)
+            return  # "departs the right edge of the road"
         if sides:
             basis = span(scene.event, target.i, target.j)
             context.crossing_implied(basis, "vehicles turn")
-            _apply(scene, context, sides, basis)
+            apply(scene, context, sides, basis)
         return
     if target.kind != "exit":
         return
     ordinal = next((m.value for m in target.mods if m.value in _ORDINALS), None)
     if ordinal is not None:
         basis = Basis(target.i, target.j)
-        _apply(scene, context, {_ORDINALS[ordinal]}, basis)
+        apply(scene, context, {_ORDINALS[ordinal]}, basis)
 
 
 def use(scene: Scene, context: Context) -> None:
     """``uses the opposite lane``, ``takes a left``."""
     target = scene.event.object
     if isinstance(target, Place) and target.kind == "lane" and "opposite" in target.dirs:
-        basis = Basis(scene.event.i, target.j)
-        reason = "the oncoming lane is used to get past something"
-        _apply(scene, context, {Maneuver.OVERTAKE}, Basis(basis.i, basis.j, reason))
+        use_oncoming_lane(scene, target, context)
         return
     leave(scene, context)
-
-
-def follow(scene: Scene, context: Context) -> None:
-    """One drives behind another."""
-    straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in scene.places())
-    for entity in scene.drivers:
-        entity.moves = entity.moves or Basis(scene.event.i, scene.event.j)
-        entity.on_straight = entity.on_straight or straight
-    context.ahead(scene.targets, scene.actors, Basis(scene.event.i, scene.event.j))
-
-
-def precede(scene: Scene, context: Context) -> None:
-    """One drives ahead of another."""
-    context.ahead(scene.actors, scene.targets, Basis(scene.event.i, scene.event.j))
-
-
-def stay(scene: Scene, context: Context) -> None:
-    """Whoever waits on foot stays where they are."""
-    basis = Basis(scene.event.i, scene.event.j)
-    for entity in scene.actors:
-        if not entity.is_vehicle and not entity.maneuvers:
-            context.draft.maneuver(entity, {Maneuver.STAY}, basis)
-
-
-def park(scene: Scene, _context: Context) -> None:
-    """``is parked``: the vehicle stands for the whole scenario."""
-    if scene.event.form != "ed":
-        return
-    for entity in scene.actors:
-        if entity.is_vehicle and not entity.ego:
-            entity.parked = True
-            entity.parked_basis = Basis(scene.event.i, scene.event.j)
-
-
-def merge(scene: Scene, context: Context) -> None:
-    """Merging on a road without a junction, or into a lane, is a lane change."""
-    if ways.into_lane(scene.event) is not None or context.junction.kind is JunctionKind.STRAIGHT:
-        lane_change(scene, context)
 
 
 def through_junction(scene: Scene, context: Context) -> None:
@@ -229,10 +215,11 @@ def through_junction(scene: Scene, context: Context) -> None:
     event = scene.event
     for entity in scene.drivers:
         entity.moves = entity.moves or Basis(event.i, event.j)
-    lane = event.object if event.name == "enter" else None
-    beside = isinstance(lane, Place) and lane.kind == "lane" and "adjacent" in lane.dirs
-    if beside and not context.junction.crossing:
+    if event.name == "enter" and ways.next_lane(event, context):
         lane_change(scene, context)
+    onward = next((d for d in event.dirs if d.value == "straight"), None)
+    if onward is not None:
+        apply(scene, context, {Maneuver.STRAIGHT}, Basis(onward.i, onward.j))
     if isinstance(event.object, Mention) and event.name == "approach":
         targets = [e for e in scene.targets if e.parked]
         context.ahead(targets, scene.actors, Basis(event.i, event.j))
@@ -249,16 +236,26 @@ MOVEMENTS: dict[str, Callable[[Scene, Context], None]] = {
     "crawl": move,
     "bypass": overtake,
     "pass": overtake,
+    "pull_out": pull_around,
     "cross": cross,
     "leave": leave,
     "try": leave,
     "light": leave,
     "use": use,
-    "follow": follow,
-    "tailgate": follow,
-    "precede": precede,
-    "wait": stay,
-    "park": park,
+    "match": courses.hold,
+    "cause": forced,
+    "send": forced,
+    "swerve": swerve,
+    "follow": courses.follow,
+    "tailgate": courses.follow,
+    "precede": courses.precede,
+    "breach": move,
+    "wait": courses.stay,
+    "stop": courses.stay,
+    "slow": courses.stay,
+    "brake": courses.stay,
+    "hard_brake": courses.stay,
+    "park": courses.park,
     "merge": merge,
     "approach": through_junction,
     "enter": through_junction,

@@ -1,4 +1,4 @@
-"""Numbers and letters that name participants: "vehicle 1", "cars A and B"."""
+"""Numbers and letters that name participants and places: "vehicle 1", "cars A and B", "lane 2"."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
 _MOST_NAMES = 12
+_WIDEST_GAP = 2
+"""Room for a space and a "#"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +36,8 @@ class Namer:
             The index of the term after the name, ``m`` if there is none.
         """
         plural = self.tokens[mention.j - 1].text.endswith("s")
-        name = self._name(m)
+        bare = not mention.mods and not plural
+        name = self._name(m, bare=bare)
         if name is None or (plural and not self._listed(m + 1)):
             return m
         mention.label, mention.label_at, mention.j = name, self.terms[m].i, self.terms[m].j
@@ -63,6 +66,21 @@ class Namer:
             m += 2
         return found, m
 
+    def numbered(self, head: Term, m: int) -> bool:
+        """``lane 2``: the number is the place's name.
+
+        Args:
+            head: the noun for the place.
+            m: index of the term after it.
+        """
+        term = self.terms[m] if m < len(self.terms) else None
+        follows = self.terms[m + 1].cat if m + 1 < len(self.terms) else ""
+        number = term is not None and term.cat == "num"
+        bare = self.terms[m - 2].cat not in {"det", "dir"} if m > 1 else True
+        written = term is not None and self.tokens[term.i].kind == "number"
+        digits = number and (bare or written)
+        return digits and head.value in {"lane", "road"} and follows not in {"actor", "place"}
+
     def _joint(self, m: int) -> bool:
         return m < len(self.terms) and self.terms[m].value in {"and", "or", ","}
 
@@ -76,14 +94,18 @@ class Namer:
         written = after is not None and after.kind == "number"
         return joined and written and self.tokens[i].text != "A"
 
-    def _name(self, m: int) -> str | None:
-        """The name that the term is, if it is one."""
+    def _name(self, m: int, *, bare: bool = False) -> str | None:
+        """The name that the term is, if it is one; after a bare noun ("vehicle two") it is."""
         if m >= len(self.terms):
             return None
         term = self.terms[m]
         token = self.tokens[term.i]
+        if term.i and token.start - self.tokens[term.i - 1].end > _WIDEST_GAP:
+            return None  # "ego + 2 others"
         follows = self.terms[m + 1].cat if m + 1 < len(self.terms) else ""
-        spoken = token.kind == "number" or follows not in {"actor", "place", "verb", "manner"}
+        spoken = (
+            bare or token.kind == "number" or follows not in {"actor", "place", "verb", "manner"}
+        )
         if term.cat == "num" and spoken and term.j - term.i == 1 and follows != "actor":
             return f"#{term.data['number']:g}"
         letter = len(token.text) == 1 and token.text.isupper() and token.text != "I"

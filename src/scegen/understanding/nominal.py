@@ -7,6 +7,7 @@ from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
 OPENERS = frozenset({"det", "possessive", "num", "quant"})
+WAYS = frozenset({"left", "right", "straight"})
 _SIDE_ONLY = 2
 _NAMED_BY_SIDE = frozenset({"turn", "u_turn", "lane_change", "sharp_turn", "merge", "leave"})
 """Actions that a side tells apart: "the left turn"."""
@@ -55,7 +56,8 @@ def is_nominal(
         return False
     if tokens[mods[-1].i].low == "others":
         return False  # "two others turn"
-    pronominal = mods[-1].cat == "num" or mods[-1].value in {"another", "other", *ORDINALS}
+    last = next((m for m in reversed(mods) if m.cat != "manner"), mods[-1])
+    pronominal = last.cat == "num" or last.value in {"another", "other", *ORDINALS}
     if pronominal and head.form != "base":
         return False
     return not (mods[0].cat == "manner" and head.form == "s")
@@ -80,3 +82,35 @@ def _way(follows: Term | None) -> bool:
 def has_dir(mods: list[Term]) -> bool:
     """Whether a direction stands among the words before a noun."""
     return any(m.cat == "dir" for m in mods)
+
+
+def compound_end(head: Term, following: Term | None) -> Term:
+    """``a construction area``: the last noun of a compound, the head itself if it is none.
+
+    Args:
+        head: a noun for a thing.
+        following: the term after it.
+    """
+    if head.value != "obstacle" or following is None:
+        return head
+    return following if (following.cat, following.value) == ("inert", "noun") else head
+
+
+def governed(chunks: list[Chunk]) -> bool:
+    """Whether a side named next belongs to a preposition ("from left and right").
+
+    Args:
+        chunks: the chunks read so far.
+    """
+    previous = chunks[-1] if chunks else None
+    preposed = isinstance(previous, Word) and previous.cat in VERBAL_LINKS
+    return preposed or _after_a_side(chunks)
+
+
+def one_side(term: Term) -> bool:
+    """Whether a further direction may belong to the same side ("front left").
+
+    Args:
+        term: the direction before it.
+    """
+    return term.value not in WAYS and term.cat != "compass"

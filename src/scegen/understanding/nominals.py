@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from scegen.understanding import relatives
 from scegen.understanding.attachment import attach, place_in_front
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
-from scegen.understanding.lookahead import finite_follows
-from scegen.understanding.phrases import also_from, apposes, bracketed
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing, Word
+from scegen.understanding.joining import joins
+from scegen.understanding.lookahead import copula_follows, finite_follows
+from scegen.understanding.partitives import further_ones, partitive_before
+from scegen.understanding.phrases import also_from, apposed_to, bracketed, whose
 from scegen.understanding.state import State
 
-_COMING = frozenset({"approach", "collide", "overtake", "pass", "cut_in", "cut_off", "follow"})
+_BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
 _OWNED = frozenset({"side", "lane", "path"})
+_INTRANSITIVE = frozenset({"pass", "cross", "move", "walk", "merge", "enter", "turn", "leave"})
 
 
 def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
@@ -22,8 +25,11 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         chunks: the chunks of the text.
         state: what the clause reader remembers.
     """
+    if _emphasises(mention, state):
+        return
     state.mentions.append(mention)
-    state.topic = None
+    within = state.prep is not None and state.prep.value == "of"
+    state.topic = state.topic if within else None  # "the view of the road is blocked"
     if mention.possessor:
         return
     if state.prep is not None:
@@ -33,26 +39,21 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         return
     anchor = state.anchor
     direct = isinstance(anchor, Event) and not anchor.nominal and not state.between
-    whole = _partitive_before(k, chunks)
+    whole = partitive_before(k, chunks)
     if whole is not None and (mention.mods == [] or mention.mods[0].value == "indef"):
         mention.same_as = whole
         return
-    if _further_ones(mention, k, chunks, state):
+    if further_ones(mention, k, chunks, state):
         mention.pronoun = "further"
-    if state.fronted:
+    if state.fronted or (direct and any(e is anchor and e.finite for e in state.pending)):
         _start_clause(mention, state)
-    elif isinstance(anchor, Event) and direct and anchor.object is None:
-        anchor.object = mention
-    elif _is_predicate(mention, k, chunks, state):
-        mention.same_as = state.candidate
-        return
-    elif bracketed(chunks, k) and isinstance(anchor, Mention):
-        mention.same_as = anchor
-        return
-    elif apposes(chunks, k, state):
-        mention.same_as = anchor if isinstance(anchor, Mention) else state.candidate
-        return
-    elif _joins(mention, k, chunks, state):
+    elif isinstance(anchor, Event) and direct and _takes(anchor, k, chunks):
+        _undergo(anchor, mention)
+    elif (described := _described(mention, k, chunks, state)) is not None:
+        mention.same_as = described
+        if described is state.candidate or bracketed(chunks, k):
+            return
+    elif joins(mention, k, chunks, state):
         return
     else:
         _start_clause(mention, state)
@@ -61,41 +62,40 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
     state.last_pp = None
 
 
-def _partitive_before(k: int, chunks: list[Chunk]) -> Mention | None:
-    """``four of them trucks``, ``one of which a bus``: the noun says what kind they are."""
-    if k < 3:
-        return None
-    part, of, whole = chunks[k - 3 : k]
-    if not isinstance(part, Mention) or not isinstance(of, Word) or of.value != "of":
-        return None
-    named = isinstance(whole, Mention) and whole.pronoun == "they"
-    return part if named or (isinstance(whole, Word) and whole.cat == "rel") else None
+def _undergo(verb: Event, mention: Mention) -> None:
+    """The object of a verb; ``lets pass three cyclists``: they pass, nobody passes them."""
+    parent = verb.parent
+    let = parent is not None and parent.control == "object" and parent.object is None
+    let = let and verb.form == "base" and verb.link == "ing" and verb.name in _INTRANSITIVE
+    if let and parent is not None:
+        verb.subject, parent.object = [mention], mention
+    else:
+        verb.object = mention
 
 
-def _further_ones(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
-    """``two cars coming from the left and one from the right``: three cars, not two."""
-    if mention.pronoun not in {"one", "count"} or state.between - {"and", "conj"}:
+def _emphasises(mention: Mention, state: State) -> bool:
+    """``the van itself changes lanes``: the pronoun adds nothing to the noun before it."""
+    if mention.pronoun != "reflexive" or state.between or state.prep is not None:
         return False
-    last = state.events[-1] if state.events else None
-    following = chunks[k + 1] if k + 1 < len(chunks) else None
-    if "and" in state.between and _in_the_same_words(state.anchor, following):
-        return True
-    if last is None or last.form != "ing" or last.finite or len(last.subject) != 1:
-        return False
-    described = isinstance(following, Event) and following.form == "ing"
-    described = described or (isinstance(following, Word) and following.cat == "prep")
-    number = last.subject[0].mod("num")
-    several = number is not None and number.data["number"] > 1 and bool(last.subject[0].heads)
-    return described and several and "and" in state.between
+    mention.same_as = state.anchor if isinstance(state.anchor, Mention) else None
+    return mention.same_as is not None
 
 
-def _in_the_same_words(before: object, following: Chunk | None) -> bool:
-    """``two cars from the left and one from the right``: each with a place of its own."""
-    if not isinstance(before, Mention) or not before.heads or not before.pps:
-        return False
-    number, prep = before.mod("num"), before.pps[-1]
-    several = number is not None and number.data["number"] > 1
-    return several and isinstance(following, Word) and following.value == prep.value == "from"
+def _takes(verb: Event, k: int, chunks: list[Chunk]) -> bool:
+    """Whether a noun after a verb is its object; "he said the van stopped" tells of the van."""
+    tells = verb.says or (verb.control == "subject" and isinstance(chunks[k], Mention))
+    reported = tells and (finite_follows(chunks, k) or copula_follows(chunks, k))
+    return verb.object is None and not reported
+
+
+def _described(mention: Mention, k: int, chunks: list[Chunk], state: State) -> Mention | None:
+    """Whom a noun says more of: "V1 is a taxi", "V1 (a taxi)", "V1, a taxi, …"."""
+    anchor = state.anchor if isinstance(state.anchor, Mention) else None
+    if _is_predicate(mention, k, chunks, state):
+        return state.candidate
+    if bracketed(chunks, k) and anchor is not None:
+        return anchor
+    return apposed_to(chunks, k, state)
 
 
 def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
@@ -104,6 +104,7 @@ def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -
     if who is None or state.candidate_done or state.anchor is not who:
         return False
     bare = not mention.mods or mention.mods[0].value == "indef" or mention.mods[0].cat != "det"
+    bare = bare or any(h.data.get("ego") for h in mention.heads)  # "the truck is the ego"
     named = (mention.label or "").startswith("#")
     if "aux:be" not in state.between or mention.pronoun or named or not bare:
         return False
@@ -112,66 +113,21 @@ def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -
     return not finite_follows(chunks, k)
 
 
-def _joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
-    """``a car and a truck``: the second takes the role of the first."""
-    anchor = state.anchor
-    listed = "and" in state.between or "or" in state.between or state.between == {","}
-    if not (isinstance(anchor, Mention) and listed) or "sub" in state.between:
-        return False
-    if mention.pronoun in {"count", "one", "another"} and "," in state.between:
-        return False  # "four vans, two turning left": some of them, not further ones
-    waiting = anchor is state.candidate and not state.candidate_done
-    waiting = waiting and not any(anchor in event.subject for event in state.events)
-    if state.between == {","} and not waiting:
-        return False
-    let = _let(anchor, k, chunks, state)
-    if not waiting and ((finite_follows(chunks, k) and not let) or "," in state.between):
-        return False
-    if _in_parallel(anchor, k, chunks, state):
-        return False
-    mention.joined = anchor
-    mention.pps += [p for p in anchor.pps if p.fronted]
-    for event in state.events:
-        if event.finite and event.i < anchor.i and event.subject[-1:] == [anchor]:
-            event.subject.append(mention)  # "from the left come a bus and a van"
-    if waiting:
-        state.candidate = mention
-    for event in state.events:
-        if event.object is anchor:
-            event.object = mention
-    state.anchor = mention
-    state.between = set()
-    return True
-
-
-def _let(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
-    """``lets two people and a cyclist cross``: both are let."""
-    last = state.events[-1] if state.events else None
-    if last is None or last.control != "object" or last.object is not anchor:
-        return False
-    verb = next((c for c in chunks[k + 1 : k + 4] if isinstance(c, Event)), None)
-    return verb is not None and verb.form == "base"
-
-
-def _in_parallel(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
-    """``a bus hits me from the left and a taxi from the right``: the taxi hits, too."""
-    last = state.events[-1] if state.events else None
-    if last is None or last.object is not anchor or last.name not in _COMING or k < 3:
-        return False
-    before, after = chunks[k - 3], chunks[k + 1] if k + 1 < len(chunks) else None
-    if not isinstance(before, Word) or not isinstance(after, Word) or before.cat != "prep":
-        return False
-    return before.value == after.value and isinstance(chunks[k - 2], Place)
+def _ego(mention: Mention) -> bool:
+    return any(h.data.get("ego") for h in mention.heads)
 
 
 def _start_clause(mention: Mention, state: State) -> None:
     mention.denied = "neg:not" in state.between
     exists = "copy" in state.between or ("aux:be" in state.between and bool(state.fronted))
+    others = any(e.finite and e.subject and not _ego(e.subject[-1]) for e in state.events)
+    if "sub" in state.between and others and _ego(mention):
+        state.trailing.append(mention)
     state.candidate = mention
     state.candidate_done = exists  # "there is a van": that is all of its clause
     for event in state.pending:
-        event.subject = [mention]
-        inverted = event.finite and bool(state.fronted)
+        event.subject = event.subject if event.nominal and event.subject else [mention]
+        inverted = event.finite and (bool(state.fronted) or state.anchor is event)
         event.pps += state.fronted if inverted else []
         state.candidate_done = state.candidate_done or inverted
     state.pending = []
@@ -219,14 +175,48 @@ def _owns_place(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
 
 
 def _side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
-    """``a driveway on the right``: the side at which the place lies."""
+    """``a driveway on the right``, ``the lane to its right``: the side at which it lies."""
     place = chunks[k - 2] if k > 1 else None
-    if not isinstance(place, Place) or place.kind != "access" or not isinstance(noun, Place):
+    if not isinstance(noun, Place) or noun.kind != "side":
         return False
-    if noun.kind != "side":
+    behind = isinstance(place, Thing) and place.prep is not None and place.prep.cat == "locus"
+    if isinstance(place, Thing) and behind and set(noun.dirs) & {"left", "right"}:
+        place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
+        return True  # "from behind a hedge on the right"
+    if not isinstance(place, Place):
+        return False
+    if place.kind not in _BESIDE_THE_ROAD and not _lane_beside(place, noun, k, chunks):
         return False
     place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
     place.j = noun.j
+    return True
+
+
+def _lane_beside(lane: Place, side: Place, k: int, chunks: list[Chunk]) -> bool:
+    """``in the lane to the right of the bus``: no movement to the right."""
+    along = lane.kind in {"lane", "bike_lane", "sidewalk", "shoulder"}
+    within = along and lane.prep is not None and lane.prep.value in {"in", "into"}
+    if not within or not set(side.dirs) & {"left", "right"}:
+        return False
+    whose, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
+    owned = isinstance(whose, Word) and whose.value == "of" and isinstance(who, Mention)
+    if owned and isinstance(who, Mention):
+        lane.beside = who
+    return owned or any(m.cat == "possessive" for m in side.mods)
+
+
+def _left_to(noun: NounPhrase, state: State) -> bool:
+    """``leaving the ego little time to brake``: nobody leaves, and it does not brake."""
+    verb = state.events[-1] if state.events else None
+    if verb is None or verb.name not in {"leave", "cause", "inert"} or not isinstance(noun, Thing):
+        return False
+    whom = verb.object
+    granted = isinstance(whom, Mention) and (
+        whom is state.anchor or any(p.target is state.anchor for p in whom.pps)
+    )
+    if not granted or noun.kind != "noun":
+        return False
+    verb.name, verb.control = "inert", "object"
     return True
 
 
@@ -239,10 +229,11 @@ def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> No
         chunks: the chunks of the text.
         state: what the clause reader remembers.
     """
-    opens = not state.events or bool(state.between & {"sub", ",", "conj"})
+    opens = not state.events or bool(state.between & {"sub", ",", "conj"}) or whose(k, chunks)
     if state.prep is None and opens and finite_follows(chunks, k):
         opens = not (state.events and "," in state.between and "sub" not in state.between)
         opens = opens and (state.candidate is None or "sub" in state.between)
+        opens = opens or whose(k, chunks)
         state.topic = noun if opens else None
     if state.prep is not None:
         state.prep.target = noun
@@ -251,7 +242,7 @@ def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> No
             attach(state.prep, state)
         state.prep = None
         return
-    if also_from(noun, state):
+    if also_from(noun, state) or _left_to(noun, state):
         return
     anchor = state.anchor
     direct = isinstance(anchor, Event) and anchor.object is None

@@ -13,6 +13,14 @@ _SIGNS = frozenset({"stop_sign", "stop_line", "yield_sign"})
 _SEEING = frozenset({"encounter", "overlook"})
 _BRAKING = frozenset({"stop", "brake", "slow"})
 _STOPPING = frozenset({"stop", "brake", "wait", "slow"})
+_TO_BRAKE_FOR = frozenset({HazardKind.HARD_BRAKING, HazardKind.STOPPING, HazardKind.OBSTACLE,
+                          HazardKind.SLOW_DRIVING, HazardKind.CROSSING_PEDESTRIAN,
+                          HazardKind.CROSSING_CYCLIST, HazardKind.CUT_IN})  # fmt: skip
+_CROSSING = frozenset({HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_CYCLIST})
+"""What concerns those who come from the front, too."""
+_NEAR = 12
+_PHRASE = 5
+_LEEWAY = frozenset({"time", "chance", "room", "space", "distance", "hope"})
 _HARMLESS = frozenset({"light", "inert", "return", "move", "encounter", "try"})
 
 
@@ -29,20 +37,26 @@ def not_done(scene: Scene, context: Context) -> None:
         _unable(scene, context)
     elif event.name in _SEEING and breaches.breach(scene, context):
         return
+    elif event.name in _SEEING and scene.how("late") is not None and scene.drivers:
+        context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name == "yield":
         breaches.fail_to_yield(scene, context)
     elif event.name == "obey":
         breaches.breach(scene, context)
-    elif event.name in _STOPPING and _at_signals(scene, context):
+    elif event.name in _STOPPING and _at_signals(scene, context) and not _rear(scene, context):
         context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
     elif event.name in _BRAKING and scene.drivers and _behind_or_late(scene, context):
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name in _STOPPING and _has_to_wait(scene, context):
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers)
     elif (event.name in _SEEING and scene.drivers and _ahead(scene, context)) or (
-        event.name in {"brake", "stop", "slow"} and scene.drivers
+        event.name in _BRAKING | {"react"}
+        and scene.drivers
+        and ((event.name != "slow" and not _oncoming(scene, context)) or _due(scene, context))
     ):
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
+    elif event.name == "encounter" and any(0 < event.i - i < _NEAR for i in context.screens):
+        context.draft.hazard(HazardKind.OCCLUSION, basis, [])
     elif event.name not in _HARMLESS:
         context.draft.note(event.i, event.j, "said not to happen; left out")
 
@@ -52,11 +66,18 @@ def _unable(scene: Scene, context: Context) -> None:
     event = scene.event
     basis = Basis(event.i, event.j)
     if event.name in {"brake", "stop", "slow"} and scene.drivers:
-        context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
+        if not _too_near(event.i, context):
+            context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name == "encounter":
         context.draft.hazard(HazardKind.OCCLUSION, basis, _in_the_way(scene, context))
     elif event.name not in _HARMLESS:
         context.draft.note(event.i, event.j, "said not to happen; left out")
+
+
+def _too_near(i: int, context: Context) -> bool:
+    """``has no chance to stop``, ``with no time left to brake``: nobody's fault but the other's."""
+    before = {t.low for t in context.tokens[max(0, i - _PHRASE) : i]}
+    return bool(before & _LEEWAY) and bool(before & {"no", "not", "little", "without"})
 
 
 def _in_the_way(scene: Scene, context: Context) -> list[Entity]:
@@ -75,7 +96,28 @@ def _in_the_way(scene: Scene, context: Context) -> list[Entity]:
 def _at_signals(scene: Scene, context: Context) -> bool:
     named = any(p.kind == "signal" for p in scene.places())
     regulated = scene.event.name == "stop" and context.junction.control is Control.SIGNALS
-    return named or regulated
+    follows = all(context.placed(e, Approach.BEHIND) for e in scene.drivers)
+    return named or (regulated and not (follows and scene.drivers))
+
+
+def _rear(scene: Scene, context: Context) -> bool:
+    """``the car behind it did not stop in time``: for the one in front, not for the light."""
+    named = any(p.kind == "signal" for p in scene.places())
+    behind = bool(scene.drivers) and all(context.placed(e, Approach.BEHIND) for e in scene.drivers)
+    return (behind or not named) and _behind_or_late(scene, context)
+
+
+def _due(scene: Scene, context: Context) -> bool:
+    """``does not slow down``: whether there is something to slow down for."""
+    oncoming = _oncoming(scene, context)
+    owed = _TO_BRAKE_FOR & _CROSSING if oncoming else _TO_BRAKE_FOR
+    return any(
+        d.kind in owed and not any(e in scene.drivers for e in d.by) for d in context.draft.dangers
+    ) or (not oncoming and _ahead(scene, context))
+
+
+def _oncoming(scene: Scene, context: Context) -> bool:
+    return bool(scene.drivers) and all(context.oncoming(e) for e in scene.drivers)
 
 
 def _ahead(scene: Scene, context: Context) -> bool:
@@ -89,6 +131,7 @@ def _behind_or_late(scene: Scene, context: Context) -> bool:
     if any(p.kind in _SIGNS for p in scene.places()):
         return False
     late = any(context.tokens[m.j - 1].low == "time" for m in scene.event.mods)
+    late = late or scene.event.late
     return late or all(context.placed(e, Approach.BEHIND) for e in scene.drivers)
 
 
@@ -102,4 +145,12 @@ def _has_to_wait(scene: Scene, context: Context) -> bool:
         return True
     if any(context.comes_across(e) for e in scene.drivers):
         return True
-    return scene.event.link == "ing" and context.junction.crossing
+    awaited = any(p.value == "for" and isinstance(p.target, Mention) for p in scene.event.pps)
+    awaited = awaited and scene.event.name == "wait"
+    parent = scene.event.parent
+    onto = parent is not None and parent.name in {"enter", "pull_out", "cross", "move"}
+    onto = onto and any(p.value == "into" for p in (parent.pps if parent else []))
+    if scene.event.link == "ing" and (onto or (parent and parent.name == "pull_out")):
+        return True  # "rides onto the road without stopping"
+    joins = context.junction.crossing or context.draft.access is not None
+    return (scene.event.link == "ing" or awaited) and joins

@@ -6,44 +6,53 @@ from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place
 from scegen.understanding.state import State
 
 
-def apposes(chunks: list[Chunk], k: int, state: State) -> bool:
+def apposed_to(chunks: list[Chunk], k: int, state: State) -> Mention | None:
     """``vehicle 1, a sedan, was …``: the second only describes the first.
 
     Args:
         chunks: the chunks of the text.
         k: index of the second noun.
         state: what the clause reader remembers.
+
+    Returns:
+        Whom it describes; None if it is somebody else.
     """
-    if _names_before(chunks, k, state):
-        return True
-    waiting = isinstance(state.anchor, Mention) and state.anchor is state.candidate
+    if _names_before(chunks, k, state) and isinstance(state.anchor, Mention):
+        return state.anchor
+    who = state.candidate
+    waiting = who is not None and (state.anchor is who or _places(state.anchor, who))
     if not waiting or state.between != {","} or state.candidate_done:
-        return False
+        return None
     following = chunks[k + 1 : k + 3]
     comma = bool(following) and isinstance(following[0], Word) and following[0].value == ","
     if not comma and _described_role(chunks, k, state):
-        return True
+        return who
     if not comma or len(following) < 2:
-        return False
+        return None
     after = following[1]
     verb = isinstance(after, Event) and after.form != "ing"
-    return verb or (isinstance(after, Word) and after.cat == "aux")
+    return who if verb or (isinstance(after, Word) and after.cat == "aux") else None
+
+
+def _places(anchor: object, who: Mention) -> bool:
+    """``the car behind it, a taxi, …``: "it" only says which car."""
+    return any(p.target is anchor for p in who.pps)
 
 
 def _described_role(chunks: list[Chunk], k: int, state: State) -> bool:
-    """``the adversary, a van stopped ahead, blocks …``: a role, then what plays it."""
+    """``the driver, a man from Leeds, lost …``: a noun and its phrases between two commas."""
     role, noun = state.candidate, chunks[k]
     if role is None or not role.heads or not isinstance(noun, Mention) or not noun.mods:
         return False
-    named = any(h.value in {"adversary", "ego"} for h in role.heads)
-    bare = named and noun.mods[0].value == "indef"
+    bare = noun.mods[0].value == "indef"
     after = chunks[k + 1 : k + 9]
     ends = next((m for m, c in enumerate(after) if isinstance(c, Word) and c.value == ","), None)
     if not bare or ends is None or ends + 1 >= len(after):
         return False
     joined = any(isinstance(c, Word) and c.cat in {"conj", "sub", "copy"} for c in after[:ends])
     verb = after[ends + 1]
-    return not joined and isinstance(verb, Event) and verb.form in {"s", "ed"}
+    finite = isinstance(verb, Event) and verb.form != "ing" and not verb.nominal
+    return not joined and (finite or (isinstance(verb, Word) and verb.cat == "aux"))
 
 
 def also_from(noun: NounPhrase, state: State) -> bool:
@@ -90,3 +99,15 @@ def _names_before(chunks: list[Chunk], k: int, state: State) -> bool:
     indefinite = any(m.value == "indef" for m in here.mods)
     acts = isinstance(following, Event) and following.form != "ing"
     return named and indefinite and not listed and not acts
+
+
+def whose(k: int, chunks: list[Chunk]) -> bool:
+    """``the ego, whose light has turned green, starts``: the clause is about the light.
+
+    Args:
+        k: index of a noun.
+        chunks: the chunks of the text.
+    """
+    before = chunks[k - 1] if k else None
+    head = before.head if isinstance(before, NounPhrase) else None
+    return head is not None and head.value == "wh"

@@ -13,6 +13,7 @@ from scegen.understanding.context import Context
 from scegen.understanding.coverage import unattached
 from scegen.understanding.discourse import Discourse
 from scegen.understanding.draft import Draft
+from scegen.understanding.each_arm import count_arms, share_arms
 from scegen.understanding.ellipsis import fill_in
 from scegen.understanding.headings import silence
 from scegen.understanding.junctions import JunctionReading, read_junction
@@ -25,6 +26,7 @@ from scegen.understanding.respectively import share_out
 from scegen.understanding.sides import settle_sides
 from scegen.understanding.surroundings import read_surroundings
 from scegen.understanding.tagging import tag
+from scegen.understanding.telegrams import spell_out
 from scegen.understanding.tokens import tokenize
 
 MAX_CHARACTERS = 20_000
@@ -65,12 +67,13 @@ def read(text: str) -> FunctionalScenario:
     junction = read_junction(terms, tokens)
     surroundings = read_surroundings(terms, tokens)
     terms = settle_sides(terms, surroundings.side)
-    chunks = Chunker(terms, tokens).run()
-    silence(chunks)
-    repeat(chunks, tokens)
-    events = fill_in(chunks, ClauseReader(chunks).run())
+    chunks = spell_out(Chunker(terms, tokens).run())
+    chunks = repeat(silence(chunks), tokens)
+    events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     draft = Draft(text, tokens)
+    shared = share_arms(chunks, events)
     resolve_mentions(chunks, events, Discourse(draft, tokens, _arms(junction)))
+    count_arms(shared, junction)
     across = "right" if surroundings.side is DrivingSide.LEFT else "left"
     events = share_out(events, terms)
     context = Context(draft, junction, tokens, across)

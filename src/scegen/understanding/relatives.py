@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.state import State
 
 _DONE_TO_SOMEBODY = frozenset({"follow", "overtake", "pass", "bypass", "tailgate", "encounter",
                                "approach", "avoid", "collide", "cut_off", "undertake"})  # fmt: skip
+_GOING = frozenset({"enter", "turn", "move", "approach", "cross", "merge", "leave", "use",
+                    "sharp_turn"})  # fmt: skip
 _REACH = 4
+_FARTHEST = 8
 
 
 def opens(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
@@ -26,6 +29,11 @@ def opens(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
         if before and isinstance(before[-1], Word) and before[-1].value == ",":
             before.pop()
     about = before[-1] if before else None
+    if isinstance(about, Place) and state.candidate is not None and _travels(k, chunks):
+        state.relative = (mention, about)
+        return True
+    if marked and not isinstance(about, Mention):
+        about = _described_before(chunks[: k - 1])
     if not isinstance(about, Mention) or not about.heads or about.possessor:
         return False
     waits = about is state.candidate and not state.candidate_done and not state.between
@@ -33,6 +41,29 @@ def opens(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
         return False
     state.relative = (mention, about)
     return True
+
+
+def _travels(k: int, chunks: list[Chunk]) -> bool:
+    """``the street it is turning into``: which place it is, told by who is about to go there."""
+    be, verb = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
+    after = [c for c in chunks[k + 3 : k + 5] if not isinstance(c, Word) or c.cat != "prep"]
+    copula = isinstance(be, Word) and (be.cat, be.value) == ("aux", "be")
+    told = chunks[k]
+    who = isinstance(told, Mention) and (
+        told.pronoun is not None or any(h.data.get("ego") for h in told.heads)
+    )
+    going = isinstance(verb, Event) and verb.form == "ing" and verb.name in _GOING
+    return who and copula and going and not (after and not isinstance(after[0], Word | Event))
+
+
+def _described_before(chunks: list[Chunk]) -> Chunk | None:
+    """``an excavator doing 15 km/h, which the ego has to overtake``: the excavator."""
+    for chunk in reversed(chunks[-_FARTHEST:]):
+        ends = isinstance(chunk, Word) and chunk.cat in {"sub", "conj", "rel", "copy"}
+        ends = ends or (isinstance(chunk, Event) and chunk.form != "ing")
+        if isinstance(chunk, Mention) or ends:
+            return chunk if isinstance(chunk, Mention) and chunk.prep is None else None
+    return None
 
 
 def _acts(k: int, chunks: list[Chunk]) -> bool:
@@ -64,6 +95,8 @@ def close(event: Event, state: State) -> bool:
         return False
     actor, about = state.relative
     event.subject, event.object = [actor], about
+    kept = isinstance(about, Mention) or event.name == "merge"
+    event.name = event.name if kept else "inert"  # which place it is, not what is done
     event.negated = any(word.startswith("neg:") for word in state.between)
     state.relative = None
     state.events.append(event)

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, Word
 from scegen.understanding.describing import describe
 from scegen.understanding.discourse import Discourse
+from scegen.understanding.located import share_places
+from scegen.understanding.lookahead import BOUNDARIES
 from scegen.understanding.terms import Term
 
 _A_PAIR = 2
 """Of two sides named, there may still be any number of vehicles."""
+_CLOSING_IN = frozenset({"avoid"})
 _BEHIND = frozenset({"follow", "tailgate"})
+_LETTING_BY = frozenset({"wait", "yield", "stop", "brake", "slow", "hard_brake", "react"})
+_BACK = frozenset({"it", "him", "they"})
 _PARTS = frozenset({"one", "count", "both", "other", "another", "ordinal"})
 
 
@@ -21,16 +26,27 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         events: its events.
         discourse: the participants so far.
     """
-    describe(chunks, events)
+    describe(chunks, events, discourse.tokens)
+    share_places(chunks)
+    _generic(chunks, events)
     objects = {id(e.object) for e in events}
     subjects = {
-        id(m) for e in events for m in e.subject if e.finite or id(m) not in objects
-    }  # "meets a van blocking the lane": the sentence is not about the van
+        id(m)
+        for e in events
+        for m in e.subject
+        if e.finite or not (id(m) in objects or m.prep is not None)
+    }  # "meets a van blocking the lane", "waits for a van to pass": not about the van
     acted_on = {id(e.object): e for e in events if e.object is not None}
-    everywhere = _sides(events)
+    everywhere = _sides(events, chunks)
     beside = _beside(chunks)
     settled = _settled(events)
-    around = {id(p.target): e for e in events for p in e.pps if _is_it(p.target)}
+    around = {
+        id(m): e
+        for e in events
+        for p in e.pps
+        if isinstance(p.target, Mention) and (_is_it(p.target) or p.value == "between")
+        for m in (p.target, *(c for c in chunks if isinstance(c, Mention) and c.joined is p.target))
+    }  # "drives between the ego and the van ahead": not the van itself
     behind = {
         id(p.target): e
         for e in events
@@ -51,10 +67,19 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         for p in c.pps
         if p.word.cat == "locus" and isinstance(p.target, Mention)
     } | relative
+    heads |= {
+        id(p.target.owner): c
+        for c in chunks
+        if isinstance(c, Mention)
+        for p in c.pps
+        if isinstance(p.target, Place) and p.target.owner is not None
+    }  # "two vans on either side of it"
     owners = {id(c.owner) for c in chunks if isinstance(c, Mention)}
+    stand = {id(m): e for e in events if e.name == "park" and not e.negated for m in e.subject}
     waiting: list[Mention] = []
+    early: list[Mention] = []
     for chunk in chunks:
-        if isinstance(chunk, Place) and any(m.value == "first_person" for m in chunk.mods):
+        if isinstance(chunk, Place | Thing) and any(m.value == "first_person" for m in chunk.mods):
             discourse.observer(chunk.i, chunk.j)
         if isinstance(chunk, Word) and discourse.tells(chunk.i, chunk.j):
             discourse.observer(chunk.i, chunk.j)
@@ -63,14 +88,81 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         if chunk.partitive and chunk.pronoun in _PARTS:
             waiting.append(chunk)
             continue
+        if chunk.pronoun in _BACK and _named_later(chunk, chunks):
+            early.append(chunk)
+            continue
         _resolve(chunk, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
+        if id(chunk) in stand:
+            _parked(chunk, stand[id(chunk)])
+        if early and id(chunk) in subjects:
+            waiting, early = [*waiting, *early], []
         for earlier in waiting:
             _resolve(
                 earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind
             )
         waiting = []
-    for earlier in waiting:
+    for earlier in (*waiting, *early):
         _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
+
+
+def _parked(mention: Mention, event: Event) -> None:
+    """``vehicle 1 was parked``: from then on, "the parked vehicle" is that one."""
+    for entity in mention.entities if event.form == "ed" else []:
+        entity.parked = entity.parked or (entity.is_vehicle and not entity.ego)
+
+
+def _named_later(pronoun: Mention, chunks: list[Chunk]) -> bool:
+    """``before it turns right, the ego …``: the main clause names whom "it" means."""
+    opened = False
+    if any(isinstance(c, Mention) and c.entities for c in chunks):
+        return False
+    for chunk in chunks:
+        if isinstance(chunk, Word) and chunk.i < pronoun.i:
+            opened = opened or chunk.cat == "sub"
+        if isinstance(chunk, Word) and chunk.i > pronoun.i and chunk.value in {".", ";"}:
+            return False
+        if isinstance(chunk, Mention) and chunk.i > pronoun.i and chunk.heads:
+            return opened
+    return False
+
+
+def _is_view(chunk: Chunk) -> bool:
+    """``the view of oncoming traffic``."""
+    return isinstance(chunk, Thing) and chunk.kind == "view"
+
+
+def _generic(chunks: list[Chunk], events: list[Event]) -> None:
+    """``red for cross traffic``, ``looks for oncoming traffic``: nobody in particular.
+
+    Traffic that somebody waits for, or gives way to, is there.
+    """
+    met = {id(p.target) for e in events if e.name in _LETTING_BY for p in e.pps}
+    for k, chunk in enumerate(chunks):
+        if not isinstance(chunk, Mention) or chunk.head is None:
+            continue
+        if chunk.prep is None:
+            chunk.negated = chunk.negated or _only_the_scene(chunk, k, chunks)
+            continue
+        several = chunk.head.form == "s" and chunk.mod("det", "num", "quant") is None
+        lit = any(isinstance(c, Place) and c.kind == "signal" for c in chunks[max(0, k - 4) : k])
+        anybody = "mass" in chunk.head.data or (several and lit)
+        purpose = chunk.prep.value in {"for", "against"} or (
+            chunk.prep.value == "of" and any(_is_view(c) for c in chunks[max(0, k - 2) : k])
+        )
+        chunk.negated = chunk.negated or (anybody and purpose and id(chunk) not in met)
+
+
+def _only_the_scene(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
+    """``Stop-and-go traffic on a ring road; the car ahead …``: where it all takes place."""
+    opens = k == 0 or getattr(chunks[k - 1], "value", "") in BOUNDARIES
+    if not opens or mention.head is None or "mass" not in mention.head.data or mention.dirs:
+        return False
+    for chunk in chunks[k + 1 :]:
+        if isinstance(chunk, Event | Mention):
+            return False
+        if isinstance(chunk, Word) and chunk.value in BOUNDARIES:
+            return any(isinstance(c, Mention) for c in chunks if c.i > chunk.i)
+    return False
 
 
 def _resolve(
@@ -102,7 +194,7 @@ def _resolve(
         settled=id(mention) in settled,
     )
     _seen_from_the_ego(mention, described)
-    if event is not None and event.name in _BEHIND and mention is event.object:
+    if event is not None and event.name in _BEHIND | _CLOSING_IN and mention is event.object:
         _in_front_of_the_ego(mention, event)
     driving = behind.get(id(mention))
     if driving is not None:
@@ -162,18 +254,36 @@ def from_everywhere(prep: Prep) -> bool:
     if prep.value not in {"from", "in"} or not isinstance(target, Place):
         return False
     quantified = any(m.cat == "quant" and m.value == "all" for m in target.mods)
-    return quantified and target.kind in {"direction", "side", "exit"}
+    return quantified and target.kind in {"direction", "side", "exit", "leg", "road"}
 
 
-def _sides(events: list[Event]) -> dict[int, int]:
+def each_side(prep: Prep) -> bool:
+    """``from each side``: one from the left, one from the right.
+
+    Args:
+        prep: a phrase of place.
+    """
+    target = prep.target
+    single = isinstance(target, Place) and target.head is not None and target.head.form != "s"
+    return from_everywhere(prep) and single and isinstance(target, Place) and target.kind == "side"
+
+
+def _sides(events: list[Event], chunks: list[Chunk]) -> dict[int, int]:
     """Mentions of those who come one from each of some sides -> how many sides; 0: all."""
     found: dict[int, int] = {}
     for event in events:
         sides = {m.value for p in event.pps if p.value == "from" for m in _compass(p)}
-        if any(from_everywhere(p) for p in event.pps):
+        if any(each_side(p) for p in event.pps):
+            found |= {id(m): _A_PAIR for m in event.subject}
+        elif any(from_everywhere(p) for p in event.pps):
             found |= {id(m): 0 for m in event.subject}
         elif len(sides) > _A_PAIR:
             found |= {id(m): len(sides) for m in event.subject}
+    for chunk in chunks:
+        if isinstance(chunk, Mention) and any(each_side(p) for p in chunk.pps):
+            found[id(chunk)] = _A_PAIR
+        elif isinstance(chunk, Mention) and any(from_everywhere(p) for p in chunk.pps):
+            found[id(chunk)] = 0
     return found
 
 

@@ -6,6 +6,12 @@ from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding.chunks import Chunk, Mention, Thing
 from scegen.understanding.draft import Basis, Draft, Entity
 
+_OPENED_REACH = 11
+_FLUNG = frozenset({"flung", "swung", "swings", "ajar"})
+_FALLING = frozenset({"fall", "drop", "spill", "tumble", "roll", "fly", "slide", "detach",
+                      "scatter", "blow", "shed"})  # fmt: skip
+_REACH = 4
+
 
 def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
     """What a thing on or beside the road means.
@@ -17,12 +23,13 @@ def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
     """
     basis = Basis(thing.i, thing.j)
     possessed = thing.owner is not None or any(m.cat == "possessive" for m in thing.mods)
-    if thing.kind == "obstacle" and (possessed or _carried(thing, chunks)):
+    lost = possessed and _comes_off(thing, draft)
+    if thing.kind == "obstacle" and not lost and (possessed or _carried(thing, chunks)):
         return  # "its tyre bursts", "a man with a dog": a part of somebody
     if thing.kind == "obstacle":
         draft.hazard(HazardKind.OBSTACLE, basis, [])
         draft.note(thing.i, thing.j, "things on the road are kept as the hazard 'obstacle' only")
-    elif thing.kind == "door":
+    elif thing.kind == "door" and _open(thing, draft):
         whose = [e for p in thing.pps if isinstance(p.target, Mention) for e in p.target.entities]
         whose += thing.owner.entities if thing.owner is not None else []
         draft.hazard(HazardKind.OBSTACLE, basis, whose)
@@ -31,6 +38,20 @@ def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
         draft.note(thing.i, thing.j, "things beside the road are not built; what they hide is kept")
     elif thing.kind == "view" and any(m.cat == "verb" for m in thing.mods):
         draft.hazard(HazardKind.OCCLUSION, basis, _owing_to(thing, chunks))
+
+
+def _open(thing: Thing, draft: Draft) -> bool:
+    """``an opening door``, ``a door opens``; "hit the driver's door" is a place on a car."""
+    around = draft.tokens[max(0, thing.i - 2) : thing.j + _OPENED_REACH]
+    ends = next((k for k, t in enumerate(around) if k > 2 and t.kind == "punct"), len(around))
+    around = around[:ends]
+    return any(t.low.startswith("open") or t.low in _FLUNG for t in around)
+
+
+def _comes_off(thing: Thing, draft: Draft) -> bool:
+    """``the truck's cargo falls onto the road``: no longer a part of it."""
+    words = [t.forms[-1][0] for t in draft.tokens[thing.j : thing.j + _REACH]]
+    return bool(_FALLING & set(words))
 
 
 def _carried(thing: Thing, chunks: list[Chunk]) -> bool:

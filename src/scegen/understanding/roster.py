@@ -5,15 +5,29 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.calling import contradict
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
-from scegen.understanding.groups import Group
+from scegen.understanding.groups import Group, in_list
 from scegen.understanding.mention_words import Reading
 from scegen.understanding.tokens import Token
 
 _MOTOR = frozenset(ParticipantKind) - {ParticipantKind.PEDESTRIAN}
 _RIDDEN = ParticipantKind.MOTORCYCLE
 _INCLUDING = frozenset({"including", "among", "amongst"})
+POSITIONS = {
+    "first": 0,
+    "second": 1,
+    "third": 2,
+    "fourth": 3,
+    "fifth": 4,
+    "sixth": 5,
+    "seventh": 6,
+    "eighth": 7,
+    "former": 0,
+    "latter": -1,
+}
+"""Place within those spoken of last; "the former" and "the latter" are of two."""
 
 
 @dataclass(slots=True)
@@ -91,8 +105,9 @@ class Roster:
             claimed = self.claim(1, exclude)
             if claimed:
                 return claimed
-        alike = [e.kind for e in self.recent if e.is_vehicle] or [ParticipantKind.CAR]
-        return [self.new(alike[-1], basis)]
+        afoot = len(self.subject) == 1 and self.subject[0] is self.draft.entities[-1]
+        alike = [e.kind for e in self.recent if e.is_vehicle or (afoot and e in self.subject)]
+        return [self.new((alike or [ParticipantKind.CAR])[-1], basis)]
 
     def named(self, reading: Reading, names: set[str], exclude: list[Entity]) -> list[Entity]:
         """``Two cars collided. Vehicle 1 …``: a new name goes to one without a name."""
@@ -132,12 +147,23 @@ class Roster:
 
     def _after_colon(self, reading: Reading, mention: Mention) -> bool:
         """``three vehicles meet: a bus turns, a taxi waits …``: each is one of the three."""
-        if reading.det not in {"indef", "one"} or not self.groups or self.groups[-1].vague:
-            return False
-        said = self.groups[-1].members[-1].basis.j or 0
-        colons = [k for k, t in enumerate(self.tokens[: mention.i]) if t.low == ":" and k >= said]
-        stops = [k for k, t in enumerate(self.tokens[: mention.i]) if t.low == "."]
-        return bool(colons) and not any(k > colons[0] for k in stops)
+        return reading.det in {"indef", "one"} and in_list(self.groups, self.tokens, mention)
+
+    def last_is_ego(self, mention: Mention) -> None:
+        """``three cars: the first …, the second …, and the ego``: the one that is left."""
+        if any(e.ego for e in self.draft.entities):
+            return
+        for group in reversed(self.groups):
+            counted = not group.vague and len(group.members) > 2 and len(group.free) == 1
+            listed = (
+                group is self.groups[-1]
+                and bool(group.free)
+                and in_list(self.groups, self.tokens, mention)
+            )
+            last = group.free[0] if counted or listed else None
+            if last is not None and last.kind is ParticipantKind.CAR and not last.parked:
+                last.ego = last.claimed = True
+                last.named_by.add("ego")
 
     def told_what(self, reading: Reading, basis: Basis) -> list[Entity]:
         """``three of us …, the van on my right``: what one of the others drives."""
@@ -156,6 +182,37 @@ class Roster:
         before = [e for e in self.draft.entities if (e.basis.i or 0) < colon and not e.ego]
         alike = [e for e in before if self.compatible(e, reading) and e.dirs == reading.dirs]
         return alike[:1]
+
+    def by_order(self, reading: Reading, mention: Mention) -> list[Entity] | None:
+        """``the first car``, ``the second truck``: by the order in which they came up.
+
+        Args:
+            reading: what the words of the mention say.
+            mention: the mention.
+
+        Returns:
+            Whom it means; None if it says nothing of an order.
+        """
+        which = next((m.value for m in mention.mods if m.value in POSITIONS), None)
+        if which is None or reading.det not in {"def", "ordinal"} or reading.plural:
+            return None
+        if mention.mods[0].value != "def":
+            return None
+        for group in reversed(self.groups):
+            alike = [e for e in group.members if self.compatible(e, reading)]
+            if len(alike) > abs(POSITIONS[which]):
+                return self._claimed(alike[POSITIONS[which]])
+        alike = [e for e in self.draft.entities if self.compatible(e, reading)]
+        alike = [e for e in alike if not e.ego]
+        if not alike:
+            return None
+        known = alike[POSITIONS[which] :][:1] if POSITIONS[which] < len(alike) else []
+        return self._claimed(known[0]) if known else []
+
+    def _claimed(self, entity: Entity) -> list[Entity]:
+        """Picks somebody out of a group."""
+        entity.claimed = True
+        return [entity]
 
     def fits(self, entity: Entity, reading: Reading | None) -> bool:
         """Whether a member of a group can be meant."""
@@ -182,6 +239,8 @@ class Roster:
                 return False
             return "adversary" in entity.labels
         if reading.labels and not reading.labels <= entity.labels:
+            return False
+        if contradict(entity.named_by, reading.called):
             return False
         return kind and (entity.parked or not reading.parked)
 
@@ -215,6 +274,7 @@ class Roster:
         """What a further mention says of known participants."""
         for entity in known:
             entity.labels |= reading.labels
+            entity.named_by |= reading.called if len(known) == 1 else set()
             if reading.dirs and not entity.dirs:
                 entity.dirs |= reading.dirs
 
@@ -224,6 +284,7 @@ class Roster:
         for _ in range(reading.count):
             entity = self.new(reading.kind, basis)
             entity.labels |= reading.labels
+            entity.named_by |= reading.called
             entity.dirs |= reading.dirs
             entity.parked = reading.parked
             entity.parked_basis = basis if reading.parked else None

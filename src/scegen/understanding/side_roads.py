@@ -6,6 +6,7 @@ from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Event, Place, Prep
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.resolving import each_side
 
 _LEAVING = frozenset({"reverse", "pull_out", "leave", "unpark"})
 _COMING = frozenset({"move", "approach", "appear", "enter"})
@@ -37,14 +38,22 @@ def access(scene: Scene, context: Context) -> None:
         scene: what happens.
         context: the scenario in the making.
     """
-    for place in scene.places():
+    described = [
+        p.target
+        for m in scene.event.subject
+        for p in m.pps
+        if p.value == "from" and isinstance(p.target, Place) and p.target.kind == "access"
+    ]  # "a van from a side road nudges out"
+    for place in (*scene.places(), *described):
         if place.kind == "lane" and "adjacent" in place.dirs:
             basis = Basis(place.i, place.j)
             context.lanes_implied(basis, "there is a lane beside")
-        if place.kind == "access" or (place.kind == "sidewalk" and place is scene.event.object):
+        left = place.kind in {"bus_stop", "parking"} and scene.event.name in _LEAVING
+        aside = place.kind == "sidewalk" and place is scene.event.object
+        if place.kind == "access" or left or aside:
             _from_access(place, scene, context)
-        if place.kind == "parking" and any(e.ego for e in scene.drivers):
-            context.draft.from_kerb = context.draft.from_kerb or scene.event.name in _LEAVING
+        if left and scene.drivers and not context.junction.crossing:
+            context.draft.from_kerb = True
         if place.kind == "access" and scene.drivers and context.draft.access is None:
             context.draft.access = Basis(place.i, place.j)
 
@@ -69,6 +78,10 @@ def spread(prep: Prep, actors: list[Entity], context: Context) -> None:
     target = prep.target
     end = target.j if target is not None else prep.word.j
     arms = context.junction.arms or max(len(actors), 1)
+    if each_side(prep):
+        for entity, side in zip(actors, (Approach.LEFT, Approach.RIGHT), strict=False):
+            context.draft.place(entity, None, {side}, Basis(prep.word.i, end))
+        return
     for number, entity in enumerate(actors):
         entity.entries = {number % arms}
         entity.entry_basis = Basis(prep.word.i, end)

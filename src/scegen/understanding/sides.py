@@ -23,12 +23,23 @@ def settle_sides(terms: list[Term], side: DrivingSide | None) -> list[Term]:
     """
     near = "left" if side is DrivingSide.LEFT else "right"
     values = {"near": near, "far": _OTHER[near]}
-    return [
-        replace(t, value=values[t.value], form="base")
-        if t.cat == "dir" and t.value in values and not _of_a_junction(terms, k)
-        else t
-        for k, t in enumerate(terms)
-    ]
+    found: list[Term] = []
+    for k, t in enumerate(terms):
+        if t.cat != "dir" or t.value not in values or _of_a_junction(terms, k):
+            found.append(t)
+            continue
+        if _bare(terms, k):
+            found.append(Term("prep", "from", t.i, t.i))  # "a child crossing, farside"
+        found.append(replace(t, value=values[t.value], form="base"))
+    return found
+
+
+def _bare(terms: list[Term], k: int) -> bool:
+    """Whether a side stands alone, as in "pedestrian, nearside, 5 km/h"."""
+    before = terms[k - 1] if k else None
+    after = terms[k + 1] if k + 1 < len(terms) else None
+    joined = before is not None and before.cat in {"actor", "verb", "punct"}
+    return joined and (after is None or after.cat in {"punct", "conj", "sub", "quantity", "prep"})
 
 
 def _of_a_junction(terms: list[Term], k: int) -> bool:

@@ -3,28 +3,25 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Event, Mention, NounPhrase
+from scegen.understanding.coordination import auxiliary, coordinate
+from scegen.understanding.dependents import (
+    chain,
+    depend,
+    gerund,
+    infinitive,
+    nominal,
+)
 from scegen.understanding.state import State
 
-_PASSIVE = frozenset(
+PASSIVE = frozenset(
     {"collide", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate", "cause",
      "prevent", "precede", "encounter", "pass", "cut_in", "cut", "avoid", "approach", "undertake",
-     "enter", "use", "door"}
+     "enter", "use", "door", "chase", "harm", "send"}
 )  # fmt: skip
 
-_DESCRIBING = _PASSIVE - {"enter", "use", "approach", "pass"} | {"locate", "park"}
+_MOVING = frozenset({"enter", "lane_change", "cross", "move", "merge", "swerve", "sharp_turn"})
+_DESCRIBING = PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}
 """Verbs whose participle describes a noun ("a man hidden behind a van")."""
-
-
-def chain(mention: Mention) -> list[Mention]:
-    """A mention with those that it is joined to ("a car and a truck"), in order."""
-    found = [mention]
-    while found[-1].joined is not None and len(found) < 64:
-        found.append(found[-1].joined)
-    return found[::-1]
-
-
-def _auxiliary(state: State) -> bool:
-    return any(word.startswith("aux:") for word in state.between)
 
 
 def link(event: Event, state: State) -> None:
@@ -35,32 +32,32 @@ def link(event: Event, state: State) -> None:
         state: what the clause reader remembers.
     """
     if event.nominal:
-        _nominal(event, state)
+        nominal(event, state)
         return
-    infinitive = state.prep is not None and state.prep.value == "to" and event.form == "base"
-    auxiliary = _auxiliary(state)
-    if infinitive:
-        _infinitive(event, state)
+    to = state.prep is not None and state.prep.value == "to" and event.form == "base"
+    helped = auxiliary(state)
+    if to:
+        infinitive(event, state)
     elif state.prep is not None and event.form == "ing":
-        _gerund(event, state)
+        gerund(event, state)
     else:
-        event.finite = event.form in {"s", "ed", "base"} or auxiliary
+        event.finite = event.form in {"s", "ed", "base"} or helped
         if event.finite and state.topic is not None:
             _said_of_a_thing(event, state)
             return
         _clause(event, state)
     parent = event.parent
     if parent is not None and parent.control == "object" and event.form == "base":
-        event.finite = event.finite and auxiliary  # "lets them cross": no clause of its own
+        event.finite = event.finite and helped  # "lets them cross": no clause of its own
     if _blocked(event, state):
         return
-    if event.form == "base" and "aux:be" in state.between and event.name in _PASSIVE:
+    if event.form == "base" and "aux:be" in state.between and event.name in PASSIVE:
         event.form = "ed"  # "is cut off", "was hit": the participle looks like the base form
-    if event.reduced and event.form == "ed" and event.name in _DESCRIBING and not auxiliary:
+    if event.reduced and event.form == "ed" and not helped:
         event.finite = False
-        event.passive = event.name in _PASSIVE
+        event.passive = event.name in _DESCRIBING & PASSIVE
         return
-    if event.form == "ed" and event.name in _PASSIVE:
+    if event.form == "ed" and event.name in PASSIVE:
         reduced = isinstance(state.anchor, Mention) and "aux:have" not in state.between
         event.passive = "aux:be" in state.between or (reduced and _bare_participle(event, state))
     if event.finite and event.subject:
@@ -69,28 +66,34 @@ def link(event: Event, state: State) -> None:
         state.candidate_done = state.candidate_done or not waits
 
 
-def before_by(event: Event) -> None:
+def before_by(event: Event, state: State) -> None:
     """``…, obstructed by a van``: a participle with "by" after it is passive.
 
     Args:
         event: the verb form right before "by".
+        state: what the clause reader remembers.
     """
-    if event.form == "ed" and event.name in _PASSIVE and not event.nominal:
-        event.passive = True
+    if event.form != "ed" or event.name not in PASSIVE or event.nominal:
+        return
+    event.passive = True
+    finite = [e for e in state.events if e.finite]
+    thing = bool(finite) and not finite[-1].subject and finite[-1] not in state.pending
+    if thing and "," in state.between:
+        event.subject = []  # "a ball rolls out, followed by a boy"
 
 
 def _said_of_a_thing(event: Event, state: State) -> None:
     """``the view is blocked by a van``: nobody acts but who stands after "by"."""
-    passive = event.form == "ed" or (event.form == "base" and event.name in _PASSIVE)
+    passive = event.form == "ed" or (event.form == "base" and event.name in PASSIVE)
     if passive and "aux:be" in state.between:
-        event.passive, event.object = event.name in _PASSIVE, state.topic
+        event.passive, event.object = event.name in PASSIVE, state.topic
     state.topic = None
 
 
 def _blocked(event: Event, state: State) -> bool:
     """``finds its lane blocked by a van``: the place suffers it, not the finder."""
     anchor = state.anchor
-    if event.form != "ed" or event.name not in _PASSIVE or state.between:
+    if event.form != "ed" or event.name not in PASSIVE or state.between:
         return False
     if isinstance(anchor, Mention) or not isinstance(anchor, NounPhrase):
         return False
@@ -104,75 +107,12 @@ def _bare_participle(event: Event, state: State) -> bool:
     return isinstance(anchor, Mention) and anchor is not state.candidate and not event.finite
 
 
-def _depend(event: Event, parent: Event, link_kind: str) -> None:
-    event.parent = parent
-    event.link = link_kind
-    parent.children.append(event)
-    event.modal = event.modal or parent.modal or parent.name in {"cause", "prevent"}
-
-
-def _nominal(event: Event, state: State) -> None:
-    anchor = state.anchor
-    owner = next((m for m in reversed(state.mentions) if m.possessor and m.j >= event.i - 1), None)
-    if owner is not None:
-        event.subject = [owner]
-    if isinstance(anchor, Event) and not (state.between - {"either", "or"}):
-        _depend(event, anchor, "noun")
-        if not event.subject and anchor.name not in {"cause", "prevent"}:
-            event.subject = anchor.subject
-    elif "conj" in state.between and state.events:
-        event.subject = event.subject or state.events[-1].subject
-        _alternative(event, state.events[-1], state)
-    elif state.prep is not None and state.events and not event.subject:
-        event.subject = state.events[-1].subject
-    elif not event.subject and not state.events and "sub" in state.between:
-        state.pending.append(event)  # "after a right turn, the car …"
-
-
-def _infinitive(event: Event, state: State) -> None:
-    parent = state.events[-1] if state.events else None
-    anchor = state.anchor
-    if isinstance(anchor, Event):
-        parent = anchor
-    if parent is None:
-        event.subject = chain(anchor) if isinstance(anchor, Mention) else []
-        return
-    _depend(event, parent, "inf")
-    event.negated = parent.negated and parent.control == "subject"
-    controlled = parent.control == "object" and isinstance(parent.object, Mention)
-    prep = anchor.prep if isinstance(anchor, Mention) else None
-    if prep is not None and prep.value == "for" and isinstance(anchor, Mention):
-        event.subject = chain(anchor)
-    elif controlled and isinstance(parent.object, Mention):
-        event.subject = chain(parent.object)
-        event.modal = True
-    else:
-        event.subject = parent.subject
-
-
-def _gerund(event: Event, state: State) -> None:
-    """``blocking the car from returning``, ``without yielding``, ``by turning``."""
-    prep = state.prep.value if state.prep else ""
-    parent = state.events[-1] if state.events else None
-    event.negated = prep == "without"
-    if parent is None:
-        anchor = state.anchor
-        event.subject = chain(anchor) if isinstance(anchor, Mention) else []
-        if not event.subject:
-            state.pending.append(event)
-        return
-    _depend(event, parent, "ing")
-    prevented = prep == "from" and isinstance(parent.object, Mention)
-    if prevented and isinstance(parent.object, Mention):
-        event.subject = chain(parent.object)
-        event.negated = True
-    else:
-        event.subject = parent.subject
-
-
 def _clause(event: Event, state: State) -> None:
     anchor = state.anchor
     between = state.between
+    event.embedded = "rel" in between or state.where
+    if "thing" in between:
+        return  # "a fallen tree that blocks the lane"
     if "rel" in between and state.mentions:
         which = _antecedent(state)
         singular = event.form == "s" and (which.head is None or which.head.form != "s")
@@ -180,16 +120,24 @@ def _clause(event: Event, state: State) -> None:
     elif "sub" in between:
         _subjectless(event, state)
     elif "conj" in between and state.events:
-        _coordinated(event, state)
+        coordinate(event, state)
     elif "," in between:
         _after_comma(event, state)
     elif isinstance(anchor, Mention):
         _after_mention(event, anchor, state)
+    elif isinstance(anchor, Event) and event.finite and _waits(state):
+        event.subject = chain(state.candidate) if state.candidate else []
     elif isinstance(anchor, Event):
-        _depend(event, anchor, "ing")
+        depend(event, anchor, "ing")
         event.subject = anchor.subject
+        event.negated = anchor.name == "prevent"  # "oncoming cars prevent overtaking"
     else:
         _subjectless(event, state)
+
+
+def _waits(state: State) -> bool:
+    """``a man with a walking frame crosses``: whether a noun still has no verb of its own."""
+    return state.candidate is not None and not state.candidate_done
 
 
 def _antecedent(state: State) -> Mention:
@@ -216,7 +164,9 @@ def _subjectless(event: Event, state: State) -> None:
 
 def _after_comma(event: Event, state: State) -> None:
     waiting = state.candidate is not None and not state.candidate_done
-    if waiting and state.anchor is state.candidate and state.candidate is not None:
+    who = state.candidate
+    placed = who is not None and any(p.target is state.anchor for p in who.pps)
+    if waiting and (state.anchor is who or placed) and state.candidate is not None:
         event.subject = chain(state.candidate)  # "when a van, turning left, fails to yield"
         return
     if state.candidate is not None and (event.finite or not state.main):
@@ -246,7 +196,7 @@ def _main_in_sentence(state: State) -> list[Mention]:
 def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     waiting = state.candidate is not None and not state.candidate_done
     if event.finite and waiting and state.candidate is not None:
-        if event.form == "ed" and anchor is not state.candidate and not _auxiliary(state):
+        if event.form == "ed" and anchor is not state.candidate and not auxiliary(state):
             event.finite = False
             event.subject = chain(anchor)
             return
@@ -255,12 +205,30 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     if anchor is not state.candidate:
         event.finite = event.finite and event.form != "ed"
     last = state.events[-1] if state.events else None
+    within = anchor.prep is not None and anchor.prep.value == "in" and anchor.head is not None
+    if last and within and anchor.head and "mass" in anchor.head.data and event.form == "ing":
+        event.subject = last.subject  # "is stopped in traffic waiting to turn"
+        return
+    if last is not None and last.object is anchor and _by_doing(event, last, anchor):
+        event.subject = last.subject  # "overtakes a bus using the oncoming lane"
+        return
     if last is not None and last.object is anchor and last.name in {"cause", "prevent"}:
-        _depend(event, last, "ing")
+        depend(event, last, "ing")
+    granted = last is not None and last.object is anchor and last.name in {"leave", "inert"}
+    if granted and "neg:unable" in state.between:
+        event.name = "inert"  # "leaving the ego no time to brake"
     if last is not None and _pronoun_object(anchor, last) and not event.finite:
         event.subject = last.subject  # "nearly hit me coming from the right"
         return
     event.subject = chain(anchor)
+
+
+def _by_doing(event: Event, last: Event, passed: Mention) -> bool:
+    """Whether a participle says how somebody is passed, and not what the one passed does."""
+    if event.form != "ing" or last.name not in {"overtake", "bypass", "pass", "avoid"}:
+        return False
+    parked = any(m.cat == "state" for m in passed.mods)
+    return event.name == "use" or (parked and event.name in _MOVING)
 
 
 def _pronoun_object(anchor: Mention, verb: Event) -> bool:
@@ -269,40 +237,3 @@ def _pronoun_object(anchor: Mention, verb: Event) -> bool:
         anchor.head and anchor.head.data.get("me")
     )
     return verb.object is anchor and bare and verb.name not in {"encounter", "cause", "prevent"}
-
-
-def _shape(event: Event) -> str:
-    if event.link == "inf" or (event.modal and event.form == "base"):
-        return "inf"
-    return "finite" if event.finite and event.form != "ing" else event.form
-
-
-def _coordinated(event: Event, state: State) -> None:
-    """``brakes and turns``, ``to brake and turn``: the verb of like form gives the subject."""
-    auxiliary = _auxiliary(state)
-    if event.form == "base" and not auxiliary:
-        wanted = "inf"
-    else:
-        wanted = "ing" if event.form == "ing" and not auxiliary else "finite"
-    verbs = [e for e in state.events if not e.nominal]
-    alike = [e for e in verbs if _shape(e) == wanted]
-    exact = [e for e in alike if wanted == "finite" and e.form == event.form and not e.perfect]
-    parallel = next(reversed(exact or alike), None)
-    if parallel is None:
-        parallel = next((e for e in reversed(verbs) if e.finite), None)
-    waiting = state.candidate is not None and not state.candidate_done
-    if parallel is None and waiting and state.candidate is not None:
-        event.subject = chain(state.candidate)
-        return
-    parallel = parallel or state.events[-1]
-    event.subject = parallel.subject
-    if wanted != "finite":
-        event.parent, event.link = parallel.parent, parallel.link
-        event.modal = event.modal or parallel.modal
-    _alternative(event, parallel, state)
-
-
-def _alternative(event: Event, other: Event, state: State) -> None:
-    if "or" in state.between:
-        other.alternative = other.alternative or id(other)
-        event.alternative = other.alternative

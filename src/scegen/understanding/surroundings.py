@@ -12,6 +12,8 @@ from scegen.understanding.tokens import Token
 
 _LIMIT_REACH = 4
 _MOST_LANES = 3
+_CARRIAGEWAYS = frozenset({"motorway", "motorways", "carriageway", "carriageways", "autobahn"})
+"""Roads whose lanes are counted in one direction; "a two-lane highway" has one each way."""
 
 
 @dataclass(slots=True)
@@ -26,6 +28,7 @@ class Surroundings:
         limit_term: the quantity used, so that it is not read as somebody's speed.
         lanes: lanes per direction.
         lanes_basis: the words or the reason.
+        lanes_in_all: what the text counts, where it seems to count both directions together.
         side: driving side.
         side_basis: its words.
         two_lane: the words "two lanes" without "per direction": those of a roundabout's ring.
@@ -38,6 +41,7 @@ class Surroundings:
     limit_term: Term | None = None
     lanes: int | None = None
     lanes_basis: Basis | None = None
+    lanes_in_all: int | None = None
     side: DrivingSide | None = None
     side_basis: Basis | None = None
     highway: Basis | None = None
@@ -124,13 +128,20 @@ def _lanes(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) 
     else:
         return
     count = int(min(number.data["number"], 99))
-    plural = noun.form == "s"
-    if plural and not each_way:
-        each_way = True
+    each_way = each_way or noun.form == "s" or _one_way(terms[k + 1 : k + 4], count, tokens)
     lanes = count if each_way else max(1, count // 2)
     if not 1 <= lanes <= _MOST_LANES:
         return
     basis = Basis(number.i, noun.j)
     if not each_way:
         basis = Basis(basis.i, basis.j, f"{count} lanes in both directions together")
+        found.lanes_in_all = count
     found.lanes, found.lanes_basis = lanes, basis
+
+
+def _one_way(after: list[Term], count: int, tokens: list[Token]) -> bool:
+    """``a three-lane motorway``: the lanes of one carriageway, as always where they are odd."""
+    words = {t.low for term in after for t in tokens[term.i : term.j]}
+    odd = count > 1 and count % 2 == 1
+    fast = any(term.value == "highway" for term in after)
+    return bool(words & _CARRIAGEWAYS) or (fast and odd)

@@ -2,30 +2,36 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 from scegen.understanding.choosing import choose, is_adverb
+from scegen.understanding.collectives import gather
+from scegen.understanding.labels import named_at
 from scegen.understanding.lexicon import Entry
 from scegen.understanding.numbers import number_at
+from scegen.understanding.paces import pace_at, speed_at
+from scegen.understanding.particles import (
+    after_a_phrase,
+    in_front,
+    just_right,
+    lane_then_verb,
+    of_so_much,
+    over_a_place,
+    sends_back,
+    suffix_form,
+    then_a_noun,
+    then_a_side,
+)
+from scegen.understanding.passages import from_side_to_side
 from scegen.understanding.quantities import quantity_at
+from scegen.understanding.retagging import retag
 from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
 
-_LABELLED = re.compile(r"^(?:v|veh|u|d|car|cv)\d{1,2}$")
-_WALKER = re.compile(r"^(?:p|ped)\d{1,2}$")
 _NOUNS = ("actor", "place", "thing", "inert")
+_CROSSED = frozenset({"road", "lane", "path", "highway", "crosswalk"})
+_STEERED = frozenset({"driven", "ridden"})
 _UNIT_WORDS = frozenset({"unit", "veh", "v"})
-
-
-def _labelled(token: Token, i: int) -> Term | None:
-    """``V1``, ``car2``: a participant called by a short name."""
-    if token.kind == "label" and _LABELLED.match(token.low):
-        digits = token.low.lstrip("abcdefghijklmnopqrstuvwxyz")
-        return Term("actor", "car", i, i + 1, "base", {"label": f"#{digits}"})
-    if token.kind == "label" and _WALKER.match(token.low):
-        return Term("actor", "pedestrian", i, i + 1, "base", {"label": f"#{token.low}"})
-    return None
 
 
 def _first_person(token: Token) -> bool:
@@ -49,16 +55,14 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
         return None
     infinitive = previous.cat == "prep" and previous.value == "to"
     if infinitive or previous.cat in {"aux", "neg"}:
-        return _suffix_form(token) or "base"
+        return suffix_form(token) or "base"
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
-    if previous.cat in {"actor", "pronoun", "rel"} or adverb:
-        return _suffix_form(token)
+    one = previous.cat == "num" and previous.value == "one" and token.low.endswith("es")
+    if previous.cat in {"actor", "pronoun", "rel"} or adverb or one:
+        return suffix_form(token)
+    if after_a_phrase(token, previous, tokens):
+        return "s"
     return None
-
-
-def _suffix_form(token: Token) -> str | None:
-    endings = (("ing", "ing"), ("ed", "ed"), ("s", "s"))
-    return next((form for ending, form in endings if token.low.endswith(ending)), None)
 
 
 def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term | None) -> bool:
@@ -84,40 +88,12 @@ def tag(tokens: list[Token]) -> list[Term]:
         term = _term_at(tokens, i, _before(terms, tokens))
         if term.value == "crosswalk" and _list_of_doings(terms, tokens, term):
             term = _term_at(tokens[: i + 1], i, _before(terms, tokens))
-        if (term.cat, term.value, term.form) == ("verb", "stop", "base") and _at_a(terms, tokens):
-            term = Term("place", "bus_stop", term.i, term.j)  # "pulls away from the stop"
-        if (term.cat, term.value) == ("verb", "yield") and _a_noun(terms, tokens, term):
-            term = Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
-        if (term.cat, tokens[term.i].low) == ("possessive", "her") and _alone(tokens, term.j):
-            term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
-        if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
-            terms[-1] = replace(terms[-1], value="move", data={})  # "carries straight on"
+        if term.cat == "verb" and sends_back(tokens, terms, i):
+            term = Term("manner", "mild", i, i + 1)
+        term = retag(term, terms, tokens)
         terms.append(term)
         i = terms[-1].j
-    return _crossings(terms, tokens)
-
-
-def _at_a(terms: list[Term], tokens: list[Token]) -> bool:
-    """Whether "at the" or "from a" stands before."""
-    if len(terms) < 2 or terms[-1].cat not in {"det", "possessive"}:
-        return False
-    if terms[-1].cat == "possessive" and terms[-2].value in {"leave", "approach", "pull_out"}:
-        return True  # "leaves its stop"
-    return tokens[terms[-2].i].low in {"at", "from"}
-
-
-def _alone(tokens: list[Token], j: int) -> bool:
-    """Whether no noun follows that a possessive could belong to."""
-    if j >= len(tokens) or tokens[j].kind == "punct":
-        return True
-    following = longest_match(tokens, j)
-    return following is not None and following.only("prep", "conj", "sub", "locus", "aux")
-
-
-def _a_noun(terms: list[Term], tokens: list[Token], term: Term) -> bool:
-    """``through the give way``: the sign."""
-    after = tokens[term.j].kind if term.j < len(tokens) else "punct"
-    return bool(terms) and terms[-1].cat == "det" and after == "punct"
+    return _crossings(gather(from_side_to_side(terms), tokens), tokens)
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:
@@ -136,8 +112,11 @@ def _list_of_doings(terms: list[Term], tokens: list[Token], term: Term) -> bool:
     """``a van turning left and a pedestrian crossing``: not the place of that name."""
     if term.j - term.i != 2 or not tokens[term.j - 1].low.endswith("ing"):
         return False
-    if term.j < len(tokens) and tokens[term.j].low == "from":
-        return True  # "pedestrian crossing from the left"
+    walker = longest_match(tokens[: term.i + 1], term.i)
+    if walker is None or not walker.has("actor"):
+        return False  # "the zebra crossing that …"
+    if _crossed(tokens, term.j):
+        return True
     if len(terms) < 3:
         return False
     counted = terms[-1].cat in {"det", "num"}
@@ -148,6 +127,21 @@ def _list_of_doings(terms: list[Term], tokens: list[Token], term: Term) -> bool:
     return listed and any(t.cat == "verb" and t.form == "ing" for t in terms[-8:])
 
 
+def _crossed(tokens: list[Token], j: int) -> bool:
+    """``pedestrian crossing from the left``, ``… the road``, ``… in front of the ego``."""
+    if j >= len(tokens):
+        return False
+    if tokens[j].low in {"from", "against", "into"}:
+        return True
+    following = longest_match(tokens, j)
+    if following is None:
+        return False
+    if following.has("det", "possessive"):
+        noun = longest_match(tokens, following.j) if following.j < len(tokens) else None
+        return noun is not None and any(e.value in _CROSSED for e in noun.entries)
+    return following.has("locus") and following.get("locus").value in {"ahead", "behind"}
+
+
 def _before(terms: list[Term], tokens: list[Token]) -> Term | None:
     """The term before; a number that names a vehicle ("vehicle 1") counts as the vehicle."""
     if len(terms) > 1 and terms[-1].cat == "num" and terms[-2].cat == "actor":
@@ -155,62 +149,61 @@ def _before(terms: list[Term], tokens: list[Token]) -> Term | None:
     return terms[-1] if terms else None
 
 
-def _just_right(tokens: list[Token], i: int, previous: Term | None) -> bool:
-    """``right behind``, ``right in front of``: no direction, except after a turn."""
-    if tokens[i].low != "right" or i + 1 >= len(tokens) or previous is None:
-        return False
-    following = longest_match(tokens, i + 1)
-    located = following is not None and following.has("locus")
-    return located and not previous.value.endswith("turn") and previous.cat != "det"
-
-
 def _turning(previous: Term | None) -> bool:
     return previous is not None and previous.cat in {"verb", "prep", "det", "possessive"}
 
 
-def _then_a_side(tokens: list[Token], match: Match) -> bool:
-    """Whether a phrase ends in "from" and a side comes next: "from" belongs to the side."""
-    if tokens[match.j - 1].low != "from" or match.j + 1 >= len(tokens):
+def _needs_infinitive(tokens: list[Token], match: Match) -> bool:
+    """``continues to the third exit``: "to" leads to a place, not to another verb."""
+    if tokens[match.j - 1].low != "to" or match.j >= len(tokens):
         return False
-    side = longest_match(tokens, match.j + 1)
-    return tokens[match.j].low == "the" and side is not None and side.has("dir")
-
-
-def _in_front(tokens: list[Token], match: Match) -> bool:
-    """Whether "in" at the end of a verb belongs to "in front of" as well."""
-    after = [t.low for t in tokens[match.j : match.j + 2]]
-    return tokens[match.j - 1].low == "in" and after == ["front", "of"]
+    following = longest_match(tokens, match.j)
+    return following is None or not following.has("verb", "neg", "manner")
 
 
 def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | None:
     """The phrase at a token, cut down where its words are no phrase here."""
     token = tokens[i]
     match = longest_match(tokens, i)
+    if match and match.form in {"ed", "ing"} and match.only("actor", "pronoun", "possessive"):
+        return None  # nouns are not inflected so
+    if match and token.low in _STEERED and tokens[match.j - 1].low == "by":
+        match = longest_match(tokens[: i + 1], i)  # "driven by a student"
     if match and _is_clause(match, tokens, i, previous):
         match = longest_match(tokens[: i + 1], i)
     if match and token.low == "right" and match.only("sub") and _turning(previous):
         match = longest_match(tokens[: i + 1], i)  # "turns right when …"
-    if match and match.only("locus") and _then_a_side(tokens, match):
+    if match and (then_a_side(tokens, match) or of_so_much(tokens, match)):
         match = longest_match(tokens[: match.j - 1], i)  # "darts across from the left"
-    if match and match.only("verb") and _in_front(tokens, match):
+    if match and match.j > i + 1 and (then_a_noun(tokens, match) or over_a_place(tokens, match)):
+        match = longest_match(tokens[: match.j - 1], i)
+    if match and match.only("verb") and in_front(tokens, match):
         match = replace(match, j=match.j + 2)  # "forces its way in front of"
+    if match and match.j > i + 1 and match.only("verb", "aux") and _needs_infinitive(tokens, match):
+        match = longest_match(tokens[: match.j - 1], i) or match
+    if match and lane_then_verb(tokens, match, previous):
+        match = longest_match(tokens[: match.j - 1], i)  # "in the left lane changes to"
     plural = any(form == "s" for _, form in token.forms)
     if match and match.j > i + 1 and plural and match.only(*_NOUNS):
         match = longest_match(tokens[: i + 1], i)  # "two pedestrians crossing", no crossing
     if match and match.j > i + 1 and match.form in {"ed", "ing"} and match.only(*_NOUNS):
         match = longest_match(tokens[: match.j - 1], i)  # "a car parked", no car park
-    return match
+    verbal = match is not None and match.form in {"ed", "ing"} and match.only("thing", "actor")
+    return None if verbal else match  # "boxed in"
 
 
 def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     token = tokens[i]
     if token.kind == "punct":
         return Term("punct", token.low, i, i + 1)
-    labelled = _labelled(token, i)
-    if labelled:
-        return labelled
-    if _just_right(tokens, i, previous):
+    named = named_at(tokens, i)
+    if named:
+        return named
+    if just_right(tokens, i, previous):
         return Term("manner", "mild", i, i + 1)
+    pace = pace_at(tokens, i) or speed_at(tokens, i)
+    if pace is not None:
+        return pace
     quantity = quantity_at(tokens, i)
     if quantity:
         return Term("quantity", quantity.dimension, i, quantity.j, data={"quantity": quantity})
@@ -218,10 +211,13 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
         return Term("actor", "car", i, i + 1)
     number = number_at(tokens, i)
     match = _match_at(tokens, i, previous) if _first_person(token) else None
-    counted = number is not None and match is not None and match.has("shape") and match.form == "s"
+    counted = number is not None and match is not None and match.has("shape", "label")
+    counted = counted and match is not None and match.form == "s"
     if match and not counted and (number is None or match.j > i + number.length):
         entry, premod = choose(match, tokens, previous)
         form = _own_form(entry, match, token)
+        if token.low == "about" and entry.cat == "verb" and (not previous or previous.cat != "aux"):
+            form = "ing"  # "children about to cross": describes them
         return Term(entry.cat, entry.value, i, match.j, form, entry.data, premod)
     if number:
         return Term("num", token.low, i, i + number.length, data={"number": number.value})

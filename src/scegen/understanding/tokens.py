@@ -10,15 +10,29 @@ from scegen.understanding.lexicon import load
 from scegen.understanding.spelling import meant
 
 _TOKEN = re.compile(
-    r"(?P<label>[A-Za-z]{1,4}\d{1,2}(?!\w|\.\d))"
+    r"(?P<clock>(?<![\d:])\d{1,2}:\d{2}(?![\d:]))"
+    r"|(?P<bound>\b[NSEWnsew]/[Bb]\b)"
+    r"|(?P<label>[A-Za-z]{1,4}\d{1,2}(?!\w|\.\d))"
+    r"|(?P<ordinal>\d{1,2}(?:st|nd|rd|th)(?!\w))"
     r"|(?P<number>\d{1,9}(?:[.,]\d{1,6})?)"
     r"|(?P<neg>n['’]t\b)"
     r"|(?P<clitic>['’](?:s|re|ll|m|ve|d)?\b|(?<=s)['’])"
     r"|(?P<word>[^\W\d_]+?(?=n['’]t\b)|[^\W\d_]+)"
     r"|(?P<punct>[.,;:!?()\[\]\n&])"
 )
+_ORDINALS = {"1st": "first", "2nd": "second", "3rd": "third", "4th": "fourth", "5th": "fifth",
+             "6th": "sixth", "7th": "seventh", "8th": "eighth"}  # fmt: skip
+_POINT = re.compile(
+    r"\b(?i:approx|mr|mrs|ms|hwy|rte|rt|veh|vs|ped|st|ave|av|rd|blvd|dr|ln|ft|hrs?|mins?|secs?|no"
+    r"|a\.m|p\.m|i\.e|e\.g|u\.s)(?P<point>\.)(?=\s*[a-z0-9(,;]|\s[A-Z][-.]?\d)"
+    r"|\b[apieuAPIEU](?P<inner>\.)(?=[megsMEGS]\b)"
+)
+"""A full stop that only shortens a word: a sentence would go on with a capital letter."""
 _MAX_WORD = 40
 """Longer runs of letters are no words; cutting them keeps look-ups cheap."""
+
+
+_KINDS = {"clock": "word", "bound": "word", "ordinal": "word"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,9 +68,14 @@ def tokenize(text: str) -> list[Token]:
         The tokens; ``token.text == text[token.start : token.end]`` holds for each.
     """
     found: list[Token] = []
+    points = {m.start(m.lastgroup or 0) for m in _POINT.finditer(text)}
     for match in _TOKEN.finditer(text):
-        kind = match.lastgroup or "punct"
+        if match.start() in points:
+            continue
+        kind = _KINDS.get(match.lastgroup or "", match.lastgroup or "punct")
         low = match.group().lower().replace("’", "'")
+        low = low.replace("/", "") if match.lastgroup == "bound" else low
+        low = _ORDINALS.get(low, low)
         known = kind in {"word", "neg", "clitic"} and len(low) <= _MAX_WORD
         forms = lemmas(low) if known else ((low, "base"),)
         mended = meant(low) if kind == "word" and _strange(low, forms) else None

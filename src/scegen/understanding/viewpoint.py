@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
 from scegen.understanding.draft import Basis, Danger, Draft, Entity, Placement
+from scegen.understanding.mutual import allow, face_each_other, in_file
 from scegen.understanding.placing import INVERSE
 
-_IN_THE_WAY = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING, HazardKind.HARD_BRAKING})
 _COMPASS = ("north", "east", "south", "west")
 _SEEN = {1: Approach.LEFT, 2: Approach.OPPOSITE, 3: Approach.RIGHT}
 """Quarter turns clockwise from the ego's heading to the other's -> where the other comes from."""
 _FRAME = {Approach.LEFT: "east", Approach.RIGHT: "west", Approach.OPPOSITE: "south"}
 """Headings of those who come from a side, for an observer who looks north."""
-
-
 _ALONG = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE})
+_SEEN_BACK = _ALONG | {Approach.ADJACENT}
 _SIDEWAYS = _ALONG | {Approach.LEFT, Approach.RIGHT}
 """A single vehicle "from the left" is seen by somebody; of two, each may see the other."""
 
@@ -44,7 +43,12 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
         return last, Basis(reason="the text names no ego; this vehicle follows the other")
     walkers = any(not e.is_vehicle for e in draft.entities)
     alone = len(candidates) == 1 == len(movers) and not walkers
-    if all(_seen(draft, e, _SIDEWAYS if alone else _ALONG) for e in candidates):
+    led = any(_placed(draft, e, Approach.AHEAD) for e in candidates)
+    still = {e.index for d in draft.dangers if d.kind is HazardKind.STOPPING for e in d.by}
+    sides = _SIDEWAYS if alone else _ALONG
+    behind = walkers and len(candidates) == 1 and _placed(draft, candidates[0], Approach.BEHIND)
+    sides = frozenset() if behind else sides  # "a car comes from behind": behind the jogger
+    if all(_seen(draft, e, sides) or (led and e.index in still) for e in candidates):
         reason = "positions are given as seen from a vehicle that is not named; a car is added"
         return _added(draft, reason)
     chosen, reason = _designate(draft, candidates)
@@ -159,10 +163,11 @@ def settle_positions(
         if reference is ego:
             if own is not None and placement.reference is None:
                 approaches = _reframed(own, approaches)
-            _allow(entity, approaches, placement.basis)
+            allow(entity, approaches, placement.basis)
         elif not any(r[0] is entity and r[1] is reference for r in relations):
             relations.append((entity, reference, set(approaches), placement.basis))
-    _opposed(draft, ego, relations)
+    in_file(relations)
+    face_each_other(draft, ego, relations)
     _against_the_ego(draft, ego)
     if ego.heading is not None:
         for entity in draft.entities:
@@ -175,20 +180,35 @@ def settle_positions(
             seen = ego.heading_basis or Basis()
             entity.by_heading = Basis(seen.i, seen.j, f"the ego is headed {ego.heading}")
     _beside(draft, ego)
+    _in_file(relations)
     ego.approaches = set()
     return relations
 
 
+def _in_file(relations: list[tuple[Entity, Entity, set[Approach], Basis]]) -> None:
+    """``a van from the left, and a bus behind it``: both come from there."""
+    turned = [(b, a, {INVERSE[x] for x in s}, basis) for a, b, s, basis in relations]
+    for entity, leader, approaches, basis in (*relations, *turned):
+        seen = leader.approaches
+        across = len(seen) == 1 and seen <= {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
+        farther = len(seen) == 1 and seen == approaches
+        along = approaches <= {Approach.AHEAD, Approach.BEHIND} and len(approaches) == 1
+        free = not entity.approaches and entity.heading is None and not entity.entries
+        if along and (across or farther) and free and not entity.parked:
+            entity.approaches = set(seen)
+            entity.approach_basis = Basis(basis.i, basis.j, "it is in one file with another")
+
+
 def _against_the_ego(draft: Draft, ego: Entity) -> None:
-    """``while the ego comes from the opposite direction``: then the other one faces it."""
+    """``while the ego comes from the opposite direction``, ``I'm right alongside``: of whom?"""
     said = [
-        p.basis
+        p
         for p in draft.placements
-        if p.entity is ego and p.reference is None and p.approaches == {Approach.OPPOSITE}
+        if p.entity is ego and p.reference is None and p.approaches <= _SEEN_BACK
     ]
     others = [e for e in draft.entities if e.moving_vehicle and e is not ego]
     if said and len(others) == 1 and not others[0].approaches and others[0].heading is None:
-        _allow(others[0], {Approach.OPPOSITE}, said[0])
+        allow(others[0], {INVERSE[a] for a in said[0].approaches}, said[0].basis)
 
 
 def _beside(draft: Draft, ego: Entity) -> None:
@@ -201,51 +221,6 @@ def _beside(draft: Draft, ego: Entity) -> None:
                 entity.approaches = {Approach.ADJACENT}
                 reason = "who cuts in comes from the next lane"
                 entity.approach_basis = Basis(danger.basis.i, danger.basis.j, reason)
-
-
-def in_the_way(draft: Draft, ego: Entity) -> None:
-    """On a straight road, who endangers the ego by going slowly or stopping is ahead of it.
-
-    Args:
-        draft: the scenario in the making, positions settled.
-        ego: its ego.
-    """
-    placed = {p.entity.index for p in draft.placements} | {
-        p.reference.index for p in draft.placements if p.reference is not None
-    }
-    for danger in draft.dangers:
-        if danger.kind not in _IN_THE_WAY or (danger.to and ego not in danger.to):
-            continue
-        for entity in danger.by:
-            free = entity.index not in placed and not entity.approaches and entity.heading is None
-            if free and entity is not ego and entity.moving_vehicle:
-                entity.approaches = {Approach.AHEAD}
-                reason = "on a straight road, who is in the way is ahead"
-                entity.approach_basis = Basis(danger.basis.i, danger.basis.j, reason)
-
-
-def abreast(draft: Draft, ego: Entity) -> None:
-    """On a straight road, a vehicle on the left is not one that comes out of a road there.
-
-    Args:
-        draft: the scenario in the making, positions settled.
-        ego: its ego.
-    """
-    along = draft.access is None and not draft.from_kerb
-    for entity in draft.entities if along else []:
-        side = entity.approaches and entity.approaches <= {Approach.LEFT, Approach.RIGHT}
-        alongside = entity.moving_vehicle and Maneuver.CROSS not in entity.maneuvers
-        if entity is ego or not side or len(entity.approaches) > 1 or not alongside:
-            continue
-        if entity.by_heading is not None:
-            continue  # headings across each other: the roads meet somewhere
-        basis = entity.approach_basis or entity.basis
-        rides = entity.kind is ParticipantKind.BICYCLE and basis.i is not None
-        if rides and draft.tokens[basis.i or 0].low == "from":
-            continue  # a cyclist comes from the right: off the pavement
-        reason = "on a straight road, who is at one's side drives in the next lane"
-        entity.approaches = {Approach.ADJACENT}
-        entity.approach_basis = Basis(basis.i, basis.j, reason)
 
 
 def _own_side(draft: Draft, ego: Entity) -> Approach | None:
@@ -272,29 +247,3 @@ def _oriented(placement: Placement, ego: Entity) -> tuple[Entity, Entity, set[Ap
     if placement.entity is ego and reference is not ego:
         return reference, ego, {INVERSE[a] for a in placement.approaches}
     return placement.entity, reference, set(placement.approaches)
-
-
-def _allow(entity: Entity, approaches: set[Approach], basis: Basis) -> None:
-    """Two statements narrow each other down; where they differ, both are allowed."""
-    if not approaches or (approaches == {Approach.AHEAD} and entity.approaches - approaches):
-        return  # "… from the left and stops in front of the ego": where it gets to
-    common = entity.approaches & approaches
-    entity.approaches = common or (entity.approaches | approaches)
-    if entity.approach_basis is None or common:
-        entity.approach_basis = basis
-
-
-def _opposed(
-    draft: Draft, ego: Entity, relations: list[tuple[Entity, Entity, set[Approach], Basis]]
-) -> None:
-    for entity in draft.entities:
-        if entity is ego or not entity.opposed:
-            continue
-        basis = entity.approach_basis or entity.basis
-        if ego.index in entity.opposed:
-            _allow(entity, {Approach.OPPOSITE}, basis)
-            continue
-        first = min(entity.opposed)
-        if first < entity.index:
-            reference = draft.entities[first]
-            relations.append((entity, reference, {Approach.OPPOSITE}, basis))

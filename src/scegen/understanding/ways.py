@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import JunctionKind, Maneuver
-from scegen.understanding.chunks import Event, Place
-from scegen.understanding.context import Context, span
-from scegen.understanding.draft import Basis
+from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
+from scegen.understanding.chunks import Event, Place, Prep, Thing
+from scegen.understanding.context import Context, Scene, span
+from scegen.understanding.draft import Basis, Entity
 
 DIRECTIONS = {
     "left": Maneuver.LEFT,
     "right": Maneuver.RIGHT,
     "straight": Maneuver.STRAIGHT,
 }
+BESIDE = frozenset({"adjacent", "left", "right"})
+"""Which lane it is, seen from the one that somebody drives in."""
+_OTHER = {"left": "right", "right": "left"}
+_KEEPING = frozenset({"keep", "stay", "remain", "stick", "hold", "continue"})
+_WAY = frozenset({"road", "lane", "path", "highway"})
+_TO_PASS = frozenset({"pull_out", "try", "accelerate", "lane_change", "swerve", "enter"})
 _THROUGH = frozenset({"through", "across"})
 
 
@@ -23,10 +29,30 @@ def directions(event: Event) -> dict[Maneuver, Basis]:
     for prep in event.pps:
         target = prep.target
         if prep.value in {"to", "into"} and isinstance(target, Place) and target.kind == "side":
+            across = _came_from(event) & {_OTHER.get(d, "") for d in target.dirs}
+            if target.owner is not None:
+                continue  # "to the right of the bus": where it is
             for value in target.dirs:
                 if value in {"left", "right"}:
-                    found[DIRECTIONS[value]] = span(event, target.i, target.j)
+                    way = Maneuver.STRAIGHT if across else DIRECTIONS[value]
+                    found[way] = span(event, target.i, target.j)
     return found
+
+
+def side_to_side(event: Event) -> bool:
+    """``from left to right``: across the way of whoever sees it.
+
+    Args:
+        event: a verb of motion.
+    """
+    goals = [p.target for p in event.pps if p.value == "to" and isinstance(p.target, Place)]
+    return any(_OTHER.get(d) in _came_from(event) for goal in goals for d in goal.dirs)
+
+
+def _came_from(event: Event) -> set[str]:
+    """``from left to right``: right across, no turn."""
+    sides = [p.target for p in event.pps if p.value == "from" and isinstance(p.target, Place)]
+    return {d for side in sides for d in side.dirs}
 
 
 def into_lane(event: Event) -> Place | None:
@@ -40,6 +66,28 @@ def into_lane(event: Event) -> Place | None:
     return direct if isinstance(direct, Place) and direct.kind in {"lane", "path"} else None
 
 
+def next_lane(event: Event, context: Context) -> bool:
+    """``swings into the right lane``: on a road without a junction, a change of lane.
+
+    Args:
+        event: a movement.
+        context: the scenario in the making.
+    """
+    lane = into_lane(event)
+    ranked = lane is not None and lane.head is not None and "ranked" in lane.head.data
+    beside = ranked or (lane is not None and lane.kind == "lane" and bool(BESIDE & set(lane.dirs)))
+    beside = beside or _into_a_gap(event)
+    keeps = context.tokens[event.i].forms[-1][0] in _KEEPING
+    return beside and not keeps and not context.junction.crossing
+
+
+def _into_a_gap(event: Event) -> bool:
+    """``steers into the same gap``: between the vehicles of another lane."""
+    goals = [p.target for p in event.pps if p.value == "into"]
+    goals += [event.object] if event.name == "enter" else []
+    return any(isinstance(g, Thing) and g.head is not None and "gap" in g.head.data for g in goals)
+
+
 def through(event: Event, context: Context) -> Basis | None:
     """``drives through the intersection``; a roundabout is left by one of its exits."""
     if context.junction.kind is JunctionKind.ROUNDABOUT:
@@ -50,7 +98,7 @@ def through(event: Event, context: Context) -> Basis | None:
     for prep in event.pps:
         place, word = prep.target, context.tokens[prep.word.i].low
         if isinstance(place, Place) and (
-            (word in _THROUGH and place.kind == "junction")
+            (word in _THROUGH and place.kind in {"junction", "signal"})
             or (word == "along" and place.kind == "road")
         ):
             return span(event, prep.word.i, place.j)
@@ -62,3 +110,67 @@ def only_signalled(event: Event, context: Context) -> bool:
     after = [t.low for t in context.tokens[event.j : event.j + 2] if t.low != ","]
     signalled = event.parent is not None and event.parent.name == "inert"
     return signalled and after[:1] != [] and after[0] in {"but", "yet", "however", "though"}
+
+
+def overtaking(scene: Scene, context: Context) -> bool:
+    """Whether passing is overtaking: somebody is passed, or who passes was behind somebody.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    if scene.event.name != "pass" or scene.targets:
+        return True
+    if scene.event.link == "inf" and scene.event.parent is not None and scene.drivers:
+        same = scene.event.parent.subject == scene.event.subject
+        if same and scene.event.parent.name in _TO_PASS:
+            return True  # "pulls out to pass", "tries to pass"
+    over = any(p.kind == "centerline" for p in scene.places())
+    if any(p.value == "behind" for p in scene.event.pps):
+        return False  # "passes behind": across the road there
+    return over or any(
+        p.approaches == {Approach.BEHIND} and p.entity in scene.actors
+        for p in context.draft.placements
+    )
+
+
+def across_the_road(event: Event, context: Context) -> bool:
+    """``turns across the ego's lane`` where no roads meet: over the road, not into another.
+
+    Args:
+        event: a turn.
+        context: the scenario in the making.
+    """
+    if context.junction.crossing:
+        return False
+    for prep in event.pps:
+        place, word = prep.target, context.tokens[prep.word.i].low
+        onto = word == "across" or (prep.value == "into" and place is not None)
+        if onto and isinstance(place, Place) and place.kind in _WAY:
+            return place.kind == "path" or word == "across"
+        if prep.word.cat == "locus" and prep.value == "ahead" and place is not None:
+            return True
+    return not any(d.value in DIRECTIONS for d in event.dirs)
+
+
+def leads(prep: Prep, context: Context) -> bool:
+    """``turns left ahead of it``: it drives in front, and does not turn in front of it.
+
+    Args:
+        prep: "ahead of", "in front of".
+        context: the scenario in the making.
+    """
+    return any(t.low == "ahead" for t in context.tokens[prep.word.i : prep.word.j])
+
+
+def against(entity: Entity, place: Place) -> bool:
+    """Whether a lane leads the other way than somebody is headed ("the northbound lane").
+
+    Args:
+        entity: who drives into it.
+        place: the lane.
+    """
+    ways = {m.value for m in place.mods if m.cat == "compass"}
+    opposed = {"north": "south", "south": "north", "east": "west", "west": "east"}
+    heading = entity.heading or ""
+    return place.kind == "lane" and opposed.get(heading, "") in ways

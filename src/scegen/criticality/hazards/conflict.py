@@ -11,8 +11,10 @@ import numpy as np
 from scegen.criticality.hazards import thresholds as limits
 from scegen.criticality.hazards.predicate import NEVER, Part, Predicate, at_least
 from scegen.criticality.hazards.view import View
+from scegen.scenario.concrete import DriveMotion
 
 _BEFORE_LINE_M = 15.0
+_FROM_KERB_M = (0.5, 1.0)
 
 
 def closeness(view: View, by: str, to: str, limit: limits.Threshold = limits.CONFLICT) -> Part:
@@ -42,15 +44,24 @@ def conflict(view: View, by: str, to: str) -> list[Part]:
 
 
 def drives_on(view: View, by: str, to: str) -> list[Part]:
-    """The same, by one who should have stopped and does not.
+    """The same, by one who should have stopped before it and does not.
 
-    Signal states are not simulated: running a red light is entering without a stop.
+    Signal states are not simulated: running a red light is coming from before the line to the
+    ground shared with the other without a stop. Who crosses on foot or by bicycle has no line:
+    what counts is the way from the kerb.
     """
     way, place = view.ways[by], view.place_m(by)
-    near = (place > way.turn_start_m - _BEFORE_LINE_M) & (place < way.turn_end_m)
-    slowest = np.where(near, view.speed_mps(by), np.inf)
+    drives = isinstance(way.participant.motion, DriveMotion)
+    begin, line = (way.turn_start_m - _BEFORE_LINE_M, way.turn_start_m) if drives else _FROM_KERB_M
+    shared = view.shared_from_m(by, to)
+    end = way.turn_end_m if shared is None else max(shared, line)
+    slowest = np.where((place > begin) & (place < end), view.speed_mps(by), np.inf)
     part = at_least(
-        "slowest speed at the line", slowest.min(axis=1), limits.DRIVES_ON, view.when(-slowest)
+        "slowest speed at the line",
+        slowest.min(axis=1),
+        limits.DRIVES_ON,
+        view.when(-slowest),
+        limits.DRIVES_ON.value if drives else limits.WALKS_ON_MPS,
     )
     return [closeness(view, by, to), part]
 

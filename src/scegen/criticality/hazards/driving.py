@@ -8,7 +8,7 @@ from scegen.criticality.hazards import thresholds as limits
 from scegen.criticality.hazards.predicate import Part, Predicate, at_least, at_most
 from scegen.criticality.hazards.view import View, lasting, longest_run
 from scegen.motion.friction import GRAVITY_MPS2
-from scegen.scenario.bodies import BODIES
+from scegen.scenario.bodies import BODIES, speeding_mps
 
 _MOVING_MPS = 0.5
 _AT_END_M = 0.05
@@ -18,9 +18,9 @@ _HARSH_MPS2 = 3.0
 
 
 def speeding(view: View, by: str, _: str) -> list[Part]:
-    """Drives clearly faster than its roads allow."""
-    speed = view.speed_mps(by)
-    bound = limits.SPEEDING.value * view.ways[by].limit_mps
+    """Drives clearly faster than its roads allow, or than its kind usually does."""
+    speed, way = view.speed_mps(by), view.ways[by]
+    bound = speeding_mps(way.participant.kind, way.limit_mps)
     return [at_least("speed", speed.max(axis=1), limits.SPEEDING, view.when(speed), bound)]
 
 

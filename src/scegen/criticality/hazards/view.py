@@ -96,6 +96,15 @@ class View:
                 room = np.fmin(room, np.where(left >= 0.0, left, np.nan))
         return room
 
+    def shared_from_m(self, name: str, other: str) -> float | None:
+        """Where on its path the first ground begins that it shares with another's way."""
+        found = self.pair(name, other)
+        if found is None:
+            return None
+        p, side = found
+        enter = self.scene.areas.enter_m[self.scene.areas.first[p] : self.scene.areas.first[p + 1]]
+        return float(enter[:, side].min()) if len(enter) else None
+
     def headway_s(self, follower: str, leader: str) -> Floats:
         """Time headway; inf where there is none (no leader, or the follower stands)."""
         speed = self.speed_mps(follower)

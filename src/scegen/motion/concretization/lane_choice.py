@@ -42,6 +42,9 @@ def choose_lanes(scene: Scene, draft: DriveDraft) -> None:
     beside = scene.drives.get(draft.drive.beside or "")
     if beside is not None and beside.drive.entry == draft.drive.entry:
         lanes = [lane for lane in lanes if lane != beside.entry_lane] or lanes
+        along = [d.id for d in scene.drives.values() if d.drive.beside == beside.id]
+        turns = along.index(draft.id) % len(lanes)  # several take the lanes beside it in turn
+        lanes = lanes[turns:] + lanes[:turns]
     draft.entry_lane = lanes[0]
     draft.exit_lane = lanes[0]
     choose_ring_lane(scene, draft)

@@ -122,12 +122,19 @@ def _free_change(scene: Scene, draft: DriveDraft) -> None:
 
 
 def _side_by_side(scene: Scene) -> list[Meeting]:
-    """Those who travel beside another are level with it half way along the arm."""
+    """Those who travel beside another are level with it half way along the arm.
+
+    Only the first in a lane is; further ones queue up behind.
+    """
     meetings = []
+    level: set[tuple[str, int]] = set()
     for draft in scene.drives.values():
         beside = scene.drives.get(draft.drive.beside or "")
         if beside is None or not same_arm(draft, beside):
             continue
+        if (beside.id, draft.entry_lane) in level:
+            continue
+        level.add((beside.id, draft.entry_lane))
         place = draft.junction_s_m * 0.6
         meetings.append(
             Meeting(STRUCTURAL + 1, beside.id, draft.id, place, place, 0.0, "side by side")

@@ -1,0 +1,80 @@
+"""Nouns joined by "and", "or" or commas: when the second takes the role of the first."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.lookahead import BOUNDARIES, finite_follows
+from scegen.understanding.state import State
+
+_COMING = frozenset({"approach", "collide", "overtake", "pass", "cut_in", "cut_off", "follow"})
+
+
+def joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+    """``a car and a truck``: the second takes the role of the first.
+
+    Args:
+        mention: the second noun.
+        k: its index among the chunks.
+        chunks: the chunks of the text.
+        state: what the clause reader remembers.
+    """
+    anchor = state.anchor
+    listed = "and" in state.between or "or" in state.between or state.between == {","}
+    if not (isinstance(anchor, Mention) and listed) or "sub" in state.between:
+        return False
+    if mention.pronoun in {"count", "one", "another"} and "," in state.between:
+        return False  # "four vans, two turning left": some of them, not further ones
+    waiting = anchor is state.candidate and not state.candidate_done
+    waiting = waiting and not any(anchor in event.subject for event in state.events)
+    said = {"aux:be", "aux:have"} & state.between  # "I'm here and a van …"
+    complete = bool(said) and finite_follows(chunks, k)
+    if complete or (state.between == {","} and not (waiting and _list_goes_on(k, chunks))):
+        return False
+    let = _let(anchor, k, chunks, state)
+    if not waiting and ((finite_follows(chunks, k) and not let) or "," in state.between):
+        return False
+    if _in_parallel(anchor, k, chunks, state):
+        return False
+    mention.joined = anchor
+    mention.pps += [p for p in anchor.pps if p.fronted]
+    for event in state.events:
+        if event.finite and event.i < anchor.i and event.subject[-1:] == [anchor]:
+            event.subject.append(mention)  # "from the left come a bus and a van"
+    if waiting:
+        state.candidate = mention
+    for event in state.events:
+        if event.object is anchor:
+            event.object = mention
+    state.anchor = mention
+    state.between = set()
+    return True
+
+
+def _list_goes_on(k: int, chunks: list[Chunk]) -> bool:
+    """``a car, a van and a bus``: a comma alone does not make a list."""
+    for chunk in chunks[k + 1 :]:
+        if isinstance(chunk, Event) or (isinstance(chunk, Word) and chunk.value in BOUNDARIES):
+            return False
+        if isinstance(chunk, Word) and chunk.value in {"and", "or"}:
+            return True
+    return False
+
+
+def _let(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+    """``lets two people and a cyclist cross``: both are let."""
+    last = state.events[-1] if state.events else None
+    if last is None or last.control != "object" or last.object is not anchor:
+        return False
+    verb = next((c for c in chunks[k + 1 : k + 4] if isinstance(c, Event)), None)
+    return verb is not None and verb.form == "base"
+
+
+def _in_parallel(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+    """``a bus hits me from the left and a taxi from the right``: the taxi hits, too."""
+    last = state.events[-1] if state.events else None
+    if last is None or last.object is not anchor or last.name not in _COMING or k < 3:
+        return False
+    before, after = chunks[k - 3], chunks[k + 1] if k + 1 < len(chunks) else None
+    if not isinstance(before, Word) or not isinstance(after, Word) or before.cat != "prep":
+        return False
+    return before.value == after.value and isinstance(chunks[k - 2], Place)

@@ -1,0 +1,72 @@
+"""Positions that hold on a straight road only: who is in the way, who drives abreast."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
+from scegen.understanding.draft import Basis, Draft, Entity
+
+_IN_THE_WAY = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING, HazardKind.HARD_BRAKING,
+                         HazardKind.OBSTACLE})  # fmt: skip
+
+
+def in_the_way(draft: Draft, ego: Entity) -> None:
+    """On a straight road, who endangers the ego by going slowly or stopping is ahead of it.
+
+    Args:
+        draft: the scenario in the making, positions settled.
+        ego: its ego.
+    """
+    placed = {p.entity.index for p in draft.placements} | {
+        p.reference.index for p in draft.placements if p.reference is not None
+    }
+    for danger in draft.dangers:
+        if danger.kind not in _IN_THE_WAY or (danger.to and ego not in danger.to):
+            continue
+        for entity in danger.by:
+            free = entity.index not in placed and not entity.approaches and entity.heading is None
+            if free and entity is not ego and entity.is_vehicle:
+                entity.approaches = {Approach.AHEAD}
+                reason = "on a straight road, who is in the way is ahead"
+                entity.approach_basis = Basis(danger.basis.i, danger.basis.j, reason)
+
+
+def abreast(draft: Draft, ego: Entity) -> None:
+    """On a straight road, a vehicle on the left is not one that comes out of a road there.
+
+    Args:
+        draft: the scenario in the making, positions settled.
+        ego: its ego.
+    """
+    along = draft.access is None and not draft.from_kerb
+    for entity in draft.entities if along else []:
+        side = entity.approaches and entity.approaches <= {Approach.LEFT, Approach.RIGHT}
+        alongside = entity.moving_vehicle and Maneuver.CROSS not in entity.maneuvers
+        if entity is ego or not side or len(entity.approaches) > 1 or not alongside:
+            continue
+        if entity.by_heading is not None or entity.pulls_out:
+            continue  # headings across each other: the roads meet somewhere
+        basis = entity.approach_basis or entity.basis
+        rides = entity.kind is ParticipantKind.BICYCLE and basis.i is not None
+        if rides and draft.tokens[basis.i or 0].low == "from":
+            continue  # a cyclist comes from the right: off the pavement
+        reason = "on a straight road, who is at one's side drives in the next lane"
+        entity.approaches = {Approach.ADJACENT}
+        entity.approach_basis = Basis(basis.i, basis.j, reason)
+
+
+def both_change_lanes(draft: Draft, ego: Entity) -> None:
+    """Who changes lanes at the same time as the ego comes from another lane.
+
+    Args:
+        draft: the scenario in the making, positions settled.
+        ego: its ego.
+    """
+    placed = {p.entity.index for p in draft.placements}
+    for entity in draft.entities if Maneuver.LANE_CHANGE in ego.maneuvers else []:
+        if entity is ego or entity.approaches or entity.index in placed:
+            continue
+        if Maneuver.LANE_CHANGE in entity.maneuvers:
+            entity.approaches = {Approach.ADJACENT}
+            basis = entity.maneuver_basis or entity.basis
+            reason = "who changes lanes beside the ego comes from another lane"
+            entity.approach_basis = Basis(basis.i, basis.j, reason)

@@ -1,0 +1,138 @@
+"""What a verb of motion amounts to: who moves, and the phrase of place after it, decide.
+
+English says how somebody moves by the verb and what comes of it by the phrase after it: to whip
+past somebody is to overtake, to whip in front of somebody is to cut in, to whip out of a drive
+is to pull out. On foot, whoever jumps out crosses.
+"""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Approach, Control
+from scegen.understanding.chunks import Event, Mention, Place, Prep
+from scegen.understanding.context import Context, Scene
+
+_OPEN = frozenset({"dash", "breach"})
+"""Verbs that say nothing without a phrase of place."""
+_MAKING = frozenset({"light", "use"})
+_OUT = frozenset({"pull_out", "cut_in", "dash"})
+_PAST = frozenset({"past", "by", "around", "round"})
+_ACROSS = frozenset({"across", "over"})
+_ASIDE = frozenset({"access", "parking", "bus_stop", "sidewalk", "junction"})
+_ROADS = frozenset({"road", "junction", "crosswalk", "highway", "path"})
+
+
+def recast(scene: Scene, context: Context) -> str:
+    """The name of an event by who acts in it and where that leads.
+
+    Args:
+        scene: the event with its participants.
+        context: the scenario in the making.
+    """
+    event = scene.event
+    if event.name in _MAKING and _into_a_turn(event):
+        return "turn"
+    if event.name == "walk" and scene.drivers and _runs_it(scene, context):
+        return "breach"
+    if event.name == "move" and scene.walkers and "across" in _own(scene, context):
+        return "cross"
+    if event.name in _OUT and scene.actors and not any(e.is_vehicle for e in scene.actors):
+        return "cross" if not _around(scene, context) else "walk"
+    riders = scene.drivers and all(context.is_cyclist(e) and not e.ego for e in scene.drivers)
+    motor = [e for e in scene.drivers if not context.is_cyclist(e)]
+    if event.name == "cross" and motor and not riders and "out" in _own(scene, context):
+        return "pull_out"
+    if event.name == "pull_out" and motor and _between_lanes(scene, context):
+        return "cut_in"
+    if event.name in {"move", "dash", "speed"} and scene.drivers and _ignores_it(scene, context):
+        return "breach"
+    if event.name == "breach" and isinstance(event.object, Place) and event.object.kind == "lane":
+        return "move"  # "drives through the opposite lane"
+    if event.name not in _OPEN or (event.name == "breach" and event.object is not None):
+        return event.name
+    if not scene.drivers:
+        return event.name
+    return _by_path(scene, context, riding=bool(riders))
+
+
+def _into_a_turn(event: Event) -> bool:
+    """``makes a left``, ``hangs a right``: turns; the side moves to the verb."""
+    side = event.object
+    if not isinstance(side, Place) or side.kind != "side" or side.owner is not None:
+        return False
+    ways = [m for m in side.mods if m.cat == "dir" and m.value in {"left", "right"}]
+    if not ways or any(d in side.dirs for d in ("front", "rear", "opposite")):
+        return False
+    event.mods, event.object = [*event.mods, *ways], None
+    return True
+
+
+def _runs_it(scene: Scene, context: Context) -> bool:
+    """``the light changed and he ran it``."""
+    it, verb = scene.event.object, context.tokens[scene.event.i].forms[-1][0]
+    named = isinstance(it, Mention) and context.tokens[it.i].low == "it"
+    return named and verb == "run" and context.junction.control is not None
+
+
+def _ignores_it(scene: Scene, context: Context) -> bool:
+    """``I'm at the stop sign, he sails through it``: the sign."""
+    if context.junction.control in {None, Control.UNCONTROLLED, Control.PRIORITY_TO_RIGHT}:
+        return False
+    others = [e for e in context.draft.entities if not e.ego and e not in scene.actors]
+    ways = {"through"} if others else {"through", "past"}
+    named = [scene.event.object, *(p.target for p in scene.event.pps)]
+    return any(
+        isinstance(m, Mention)
+        and context.tokens[m.i].low == "it"
+        and context.tokens[m.i - 1].low in ways
+        for m in named
+    )
+
+
+def _by_path(scene: Scene, context: Context, *, riding: bool) -> str:
+    event = scene.event
+    own = _own(scene, context)
+    words = own | {context.tokens[p.word.i].low for p in event.pps}
+    ahead = [p for p in event.pps if p.word.cat == "locus" and p.value == "ahead"]
+    to_somebody = [*scene.targets, *(e for p in ahead for e in _who(p))]
+    places = {p.kind for p in scene.places()}
+    if "through" in words and places & {"signal", "stop_sign", "yield_sign", "right_of_way"}:
+        return "breach"
+    if words & _PAST and (scene.targets or any(_who(p) for p in event.pps if p not in ahead)):
+        return "overtake"
+    if "lane" in places and words & (_ACROSS | {"into", "onto"}):
+        return "lane_change"
+    if words & {"out", "from"} and (places & _ASIDE or not places):
+        return "cross" if riding else "pull_out"
+    if words & _ACROSS and places & _ROADS:
+        return "cross"
+    if to_somebody:
+        return "cross" if riding else "cut_in"
+    beside = any(context.placed(e, Approach.ADJACENT) for e in scene.drivers)
+    if beside and words & _ACROSS:
+        return "lane_change"  # "the van next to me comes over"
+    return "breach" if event.name == "breach" else "move"
+
+
+def _who(prep: Prep) -> list[object]:
+    return list(prep.target.entities) if isinstance(prep.target, Mention) else []
+
+
+def _own(scene: Scene, context: Context) -> set[str]:
+    return {t.low for t in context.tokens[scene.event.i : scene.event.j]}
+
+
+def _around(scene: Scene, context: Context) -> bool:
+    words = {context.tokens[p.word.i].low for p in scene.event.pps}
+    return bool(words & {"around", "round"})
+
+
+def _between_lanes(scene: Scene, context: Context) -> bool:
+    """``a coach in the next lane pulls out in front of me``: out of its lane, not of a road."""
+    event = scene.event
+    ahead = any(
+        _who(p) and (p.value == "ahead" or context.tokens[p.word.i].low == "on") for p in event.pps
+    )
+    aside = any(p.kind in _ASIDE for p in scene.places())
+    beside = any(context.placed(e, Approach.ADJACENT) for e in scene.drivers)
+    along = context.junction.highway and not context.junction.crossing
+    return ahead and not aside and (beside or along)

@@ -1,0 +1,77 @@
+"""What the form of a noun phrase says about whom it can mean."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.chunks import Mention
+from scegen.understanding.draft import Entity
+from scegen.understanding.mention_words import Reading
+
+_RIDDEN = frozenset({ParticipantKind.MOTORCYCLE, ParticipantKind.BICYCLE})
+
+
+def own_vehicle(reading: Reading, mention: Mention, owners: list[Entity]) -> bool:
+    """``the driver opens the door of his vehicle``: what the driver stands for."""
+    possessed = bool(mention.mods) and mention.mods[0].cat == "possessive"
+    whose = possessed and mention.mods[0].value == "its"
+    riding = reading.kind in _RIDDEN and any(e.kind in _RIDDEN for e in owners)
+    return whose and (reading.generic or riding) and not reading.plural and not reading.dirs
+
+
+def is_pronoun(target: object) -> bool:
+    """Whether a noun is "it", "him" or "they"."""
+    return isinstance(target, Mention) and target.pronoun in {"it", "him", "they"}
+
+
+def refers_to_nobody(mention: Mention) -> bool:
+    """``in traffic``, ``no pedestrians``, ``at the second``: words that name no participant."""
+    prep = mention.prep.value if mention.prep is not None else ""
+    mass = bool(mention.head and mention.head.data.get("mass")) and not mention.mods
+    if mass and prep in {"in", "of", "for"}:
+        return True
+    gathered = bool(mention.mods) and mention.mods[0].cat in {"det", "quant"}
+    gathered = gathered and mention.mods[0].j - mention.mods[0].i > 1
+    if gathered and prep == "with" and mention.head and "mass" in mention.head.data:
+        return True  # "travels with the flow of traffic"
+    place = mention.pronoun == "ordinal" and prep == "in"  # "at the first junction …, the second"
+    return place or mention.negated or mention.pronoun == "reflexive"
+
+
+def kin(reading: Reading, mention: Mention) -> bool:
+    """``her daughter``, ``his two children``: nobody who was called otherwise.
+
+    Args:
+        reading: what the words of the mention say.
+        mention: the mention.
+    """
+    whose = mention.mods[0] if mention.mods else None
+    people = reading.kind is ParticipantKind.PEDESTRIAN and not reading.driver
+    return people and whose is not None and (whose.cat, whose.value) == ("possessive", "its")
+
+
+def tells(mention: Mention) -> bool:
+    """Whether it is the one who tells it ("I", "we").
+
+    Args:
+        mention: a mention.
+    """
+    return any("speaks" in h.data or "me" in h.data for h in mention.heads)
+
+
+def elsewhere(reading: Reading, mention: Mention, entity: Entity) -> bool:
+    """``lead car brakes; car on the left``: a bare noun with a place of its own is another one.
+
+    Args:
+        reading: what the words of the mention say.
+        mention: the mention.
+        entity: somebody known.
+    """
+    if entity.ego and reading.called - entity.named_by and "speaks" in entity.named_by:
+        return True  # "this Audi": not the one who tells it
+    person = mention.head is not None and mention.head.value == "pedestrian" and reading.driver
+    if person and mention.pps and entity.is_vehicle:
+        return not reading.called & entity.named_by  # "the bloke behind me"
+    bare = reading.det == "bare" and not reading.dirs and reading.kind is entity.kind
+    if bare and reading.called and entity.named_by and not reading.called & entity.named_by:
+        return bool(mention.pps)  # "bus from the left, tram from the right"
+    return bare and bool(mention.pps) and bool(entity.dirs)

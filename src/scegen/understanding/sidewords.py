@@ -1,0 +1,54 @@
+"""Words for sides that mean something else besides: "left" and "opposite"."""
+
+from __future__ import annotations
+
+from scegen.understanding.lexicon import Entry
+from scegen.understanding.terms import Match, Term, longest_match
+from scegen.understanding.tokens import Token
+
+_LEAVING = frozenset({"without", "from", "before", "after"})
+
+
+def left_or_gone(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
+    """``left`` is nearly always the side; "V1 left the road" has a subject and an object.
+
+    Args:
+        match: the word with its meanings.
+        tokens: the tokens of the text.
+        previous: the term before.
+
+    Returns:
+        The meaning, and that it is no participle before a noun.
+    """
+    subject = previous is not None and previous.cat in {"actor", "pronoun", "aux"}
+    following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    left = following is not None and following.has("det", "possessive", "place", "manner")
+    left = left or (match.j < len(tokens) and tokens[match.j].low in _LEAVING)
+    return (match.get("verb") if subject and left else match.get("dir")), False
+
+
+def across_from(match: Match, tokens: list[Token], previous: Term | None) -> Match:
+    """``waits opposite me``: across from, unlike in "the opposite lane".
+
+    Args:
+        match: a phrase with its meanings.
+        tokens: the tokens of the text.
+        previous: the term before.
+
+    Returns:
+        The phrase with the meanings that it may have here.
+    """
+    if not (match.has("locus") and match.has("dir")):
+        return match
+    following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    inside = previous is not None and previous.cat in {"det", "prep", "possessive"}
+    somebody = (
+        following is not None
+        and not inside
+        and (
+            any("me" in e.data or e.value == "reflexive" for e in following.entries)
+            or following.has("det", "possessive")
+        )
+    )
+    cat = "locus" if somebody else "dir"
+    return Match(tuple(e for e in match.entries if e.cat == cat), match.j, match.form)
