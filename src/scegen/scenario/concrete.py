@@ -44,14 +44,27 @@ class ArmRoad(FrozenModel):
     speed_limit_mps: float = Field(gt=0, le=70)
 
 
+class Turn(FrozenModel):
+    """A way through a crossing that usual lane markings do not give, from lane to lane.
+
+    ``radius_m`` makes it turn as tightly as that, late; None: as gently as there is room.
+    """
+
+    entry: int = Field(ge=0)
+    lane_in: int = Field(ge=1, le=3)
+    exit: int = Field(ge=0)
+    lane_out: int = Field(ge=1, le=3)
+    radius_m: float | None = Field(default=None, ge=3.0, le=50.0)
+
+
 class RoadParameters(FrozenModel):
     """All that determines the road network.
 
     ``corner_radius_m`` is the kerb radius between neighbouring arms, ``ring_radius_m`` the
     radius of the outermost ring lane's centre; None lets the road package choose.
     ``parking_lanes`` are arms with a strip for standing vehicles beside the travelled lanes;
-    ``u_turns`` arms where turning back is possible; ``controlled_arms`` those whose entering
-    traffic the control's signs or lights stand for.
+    ``u_turns`` arms where turning back is possible; ``turns`` more ways through the crossing;
+    ``controlled_arms`` are those whose entering traffic the control's signs or lights stand for.
     """
 
     kind: JunctionKind
@@ -64,6 +77,7 @@ class RoadParameters(FrozenModel):
     crosswalks: ArmSet = frozenset()
     parking_lanes: ArmSet = frozenset()
     u_turns: ArmSet = frozenset()
+    turns: tuple[Turn, ...] = ()
     controlled_arms: ArmSet = frozenset()
 
 

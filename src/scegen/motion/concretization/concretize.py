@@ -7,6 +7,7 @@ from math import ceil
 import numpy as np
 
 from scegen.errors import MotionInfeasibleError
+from scegen.motion.concretization.abreast import place_abreast
 from scegen.motion.concretization.assemble import assemble
 from scegen.motion.concretization.clock import schedule
 from scegen.motion.concretization.drafts import DriveDraft, Scene
@@ -78,9 +79,9 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
     place_standers(scene)
     for drive in scene.logical.drives:
         scene.drives[drive.participant] = _draft(scene, drive)
-    # Those beside others take what lane is left.
-    for draft in sorted(scene.drives.values(), key=lambda draft: draft.drive.beside is not None):
+    for draft in scene.drives.values():
         choose_lanes(scene, draft)
+    place_abreast(scene)
     choose_lanes_that_meet(scene, rules)
     for rule, hazard in rules:
         if rule.prepare is not None:

@@ -10,7 +10,6 @@ from scegen.errors import MotionInfeasibleError
 from scegen.motion.concretization.limits import (
     COMFORTABLE_ACCELERATION_MPS2,
     COMFORTABLE_BRAKING_MPS2,
-    DEFAULT_LIMIT_MPS,
     LATERAL_MPS2,
 )
 from scegen.motion.concretization.marks import Mark, Timeline, timeline
@@ -33,6 +32,7 @@ from scegen.scenario.concrete import (
 )
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Crossing, Drive, LogicalScenario, Standing
+from scegen.scenario.speed_limits import implied_limit_mps
 from scegen.scenario.vocabulary import ParticipantKind
 
 _SIDEWAYS = 0.9
@@ -214,7 +214,7 @@ class Scene:
     def limit_mps(self) -> float:
         """The speed limit of the junction."""
         return self.functional.junction.speed_limit_mps or min(
-            DEFAULT_LIMIT_MPS, self.road.arms[0].speed_limit_mps
+            implied_limit_mps(self.functional), self.road.arms[0].speed_limit_mps
         )
 
     @property

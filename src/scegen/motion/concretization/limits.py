@@ -13,9 +13,6 @@ number is this program's own choice.
 
 from __future__ import annotations
 
-DEFAULT_LIMIT_MPS = 50 / 3.6
-"""Where the text names no speed limit: the urban limit of the Vienna Convention's countries."""
-
 COMFORTABLE_BRAKING_MPS2 = 2.5  # [EDM]
 COMFORTABLE_ACCELERATION_MPS2 = 2.0  # [EDM]
 HARD_BRAKING_MPS2 = (7.0, 8.0)  # well above [UN152], below the tyre's limit on dry road

@@ -7,7 +7,7 @@ from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.hazards.overtaking import overtake_speeds
 from scegen.motion.concretization.hazards.rule import same_arm
 from scegen.motion.concretization.lane_choice import change_lanes, entry_lanes, lanes_in
-from scegen.motion.concretization.meetings import STRUCTURAL, Meeting
+from scegen.motion.concretization.meetings import DANGER, STRUCTURAL, Meeting, drives_meet
 from scegen.motion.concretization.passing import (
     change_length_m,
     pass_drive,
@@ -122,11 +122,20 @@ def _free_change(scene: Scene, draft: DriveDraft) -> None:
 
 
 def _side_by_side(scene: Scene) -> list[Meeting]:
-    """Those who travel beside another are level with it half way along the arm."""
+    """Those who travel beside another are level with it half way along the arm.
+
+    Where one turns across the other, they are so there.
+    """
     meetings = []
     for draft in scene.drives.values():
         beside = scene.drives.get(draft.drive.beside or "")
         if beside is None or not same_arm(draft, beside):
+            continue
+        point = drives_meet(beside, draft)
+        if point is not None:
+            reason = "side by side, one turns across the other"
+            places = point.first_s_m, point.second_s_m
+            meetings.append(Meeting(DANGER, beside.id, draft.id, *places, 0.0, reason))
             continue
         place = draft.junction_s_m * 0.6
         meetings.append(

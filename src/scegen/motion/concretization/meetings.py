@@ -92,12 +92,15 @@ def nearest_s_m(path: Path, x_m: float, y_m: float) -> tuple[float, float]:
 
 
 def drives_meet(first: DriveDraft, second: DriveDraft) -> MeetingPoint | None:
-    """Where two drives from different arms meet, as places of their reference points.
+    """Where two drives meet that start in different lanes, as places of their reference points.
 
-    The bodies' centres are to meet, which lie ahead of the reference points.
+    The bodies' centres are to meet, which lie ahead of the reference points. Of two on one arm
+    nobody changes lanes: they meet where one turns across the other.
     """
     if first.drive.entry == second.drive.entry:
-        return None
+        together = first.entry_lane == second.entry_lane
+        if together or first.lane_changes or second.lane_changes:
+            return None
     point = meeting_point(first.laid.path, second.laid.path)
     if point is None:
         return None
