@@ -152,8 +152,20 @@ def place_abreast(scene: Scene) -> None:
     for drive, other in abreast(logical):
         if drive.participant not in settled:
             groups.setdefault(other.participant, []).append(drive)
+    _clear_of_turning_back(scene)
     for reference, drives in groups.items():
         _place_group(scene, reference, drives, movable=reference not in settled)
+
+
+def _clear_of_turning_back(scene: Scene) -> None:
+    """Who goes straight on is passed on its own side by nobody who turns back from the kerb."""
+    if scene.road.kind is not JunctionKind.STRAIGHT:
+        return
+    arms = {d.drive.entry for d in scene.drives.values() if d.drive.turn is Maneuver.U_TURN}
+    for draft in scene.drives.values():
+        plain = draft.drive.maneuver is draft.drive.turn is Maneuver.STRAIGHT
+        if plain and draft.drive.entry in arms:
+            _take(scene, draft, min(entry_lanes(scene, draft)))
 
 
 def _place_group(scene: Scene, reference: str, drives: list[Drive], *, movable: bool) -> None:

@@ -8,6 +8,7 @@ front of another: they meet.
 from __future__ import annotations
 
 from scegen.errors import MotionInfeasibleError
+from scegen.motion.concretization.abreast import is_outward
 from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.hazards.rule import Rule, culprits, pairs, same_arm
 from scegen.motion.concretization.lane_choice import (
@@ -28,7 +29,7 @@ from scegen.motion.concretization.room import NeedsLongerArms
 from scegen.motion.lanes import is_ring
 from scegen.motion.stretches import Stretch
 from scegen.scenario.functional import Hazard
-from scegen.scenario.vocabulary import HazardKind, JunctionKind
+from scegen.scenario.vocabulary import HazardKind, JunctionKind, ParticipantKind
 
 _RING_MARGIN_M = 0.25
 _LEAST_RING_CHANGE_M = 7.0
@@ -68,10 +69,10 @@ def _on_arm(scene: Scene, culprit: DriveDraft, victim: DriveDraft) -> list[Meeti
             "where they go",
             where=culprit.id,
         )
-    target = lanes[0]
+    target, start = _lanes(scene, culprit, victim, lanes)
     victim.entry_lane = target
     victim.lay(scene.network)
-    culprit.entry_lane = target - 1 if target > 1 else target + 1
+    culprit.entry_lane = start
     length = change_length_m(culprit.cruise_mps, ABRUPT_LANE_CHANGE_S)
     if scene.network.junctions:
         end = min(slowing_s_m(culprit), slowing_s_m(victim)) - 5.0
@@ -81,6 +82,27 @@ def _on_arm(scene: Scene, culprit: DriveDraft, victim: DriveDraft) -> list[Meeti
         raise NeedsLongerArms(15.0 - (end - length), culprit.id)
     change_lanes(scene, culprit, [(end - length, length, target)], HazardKind.CUT_IN)
     return [_close_behind(scene, culprit, victim, end, end)]
+
+
+def _lanes(
+    scene: Scene, culprit: DriveDraft, victim: DriveDraft, lanes: list[int]
+) -> tuple[int, int]:
+    """(the sufferer's lane, the one it is cut in from): as they drive, or on the side said.
+
+    Where nothing is said, the cut-in comes from the inside, a rider's from the kerb.
+    """
+    own, other = culprit.entry_lane, victim.entry_lane
+    if abs(own - other) == 1 and other in lanes:
+        return other, own
+    outward = is_outward(scene.functional, culprit.id, victim.id)
+    if outward is None:
+        outward = culprit.kind is ParticipantKind.BICYCLE
+    count = lanes_in(scene, culprit)
+    inner = [lane for lane in lanes if lane < count]
+    if outward and inner:
+        return inner[0], inner[0] + 1
+    target = lanes[0]
+    return target, target - 1 if target > 1 else target + 1
 
 
 def _close_behind(
