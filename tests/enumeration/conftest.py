@@ -220,6 +220,17 @@ def _hazards_hold(functional, made: Assignment) -> bool:
             continue
         by, to = index[hazard.by[0]], index[hazard.to[0]]
         met = ways_meet(junction, way(by), way(to))
+        if _turn_behind_each_other(functional, hazard, angles, made[by], made[to]):
+            met = "crossing"
+        beside = _beside(functional, hazard)
+        if beside and hazard.kind in {
+            HazardKind.FAILURE_TO_YIELD,
+            HazardKind.UNPROTECTED_LEFT_TURN,
+        }:
+            turns = {turn_name(angles, *made[n][:2]) for n in (by, to)}
+            ring = junction.kind is JunctionKind.ROUNDABOUT
+            across = made[by][0] == made[to][0] and turns != {Maneuver.STRAIGHT} and not ring
+            met = "crossing" if across else met
         if hazard.kind is HazardKind.MERGING_CONFLICT and met != "merging":
             return False
         if hazard.kind is HazardKind.FAILURE_TO_YIELD and met not in {"merging", "crossing"}:
@@ -227,9 +238,33 @@ def _hazards_hold(functional, made: Assignment) -> bool:
         if hazard.kind is HazardKind.UNPROTECTED_LEFT_TURN:
             opposite = _faces(angles, made[by][0], made[to][0])
             left = turn_name(angles, *made[by][:2]) is Maneuver.LEFT
-            if not (opposite and left and met in {"merging", "crossing"}):
+            if not ((opposite or beside) and left and met in {"merging", "crossing"}):
                 return False
     return True
+
+
+def _beside(functional, hazard) -> bool:
+    """Whether one of the two is said to be beside the other, which is the ego."""
+    pair = {hazard.by[0], hazard.to[0]}
+    others = [functional.participant(name) for name in pair - {functional.ego.id}]
+    return len(others) == 1 and others[0].approaches == frozenset({Approach.ADJACENT})
+
+
+def _turn_behind_each_other(functional, hazard, angles, by, to) -> bool:
+    """Both are said to turn across the oncoming lane, from opposite arms."""
+    across = Maneuver.LEFT
+    if functional.junction.driving_side is DrivingSide.LEFT:
+        across = Maneuver.RIGHT
+    said = [across in functional.participant(n).maneuvers for n in (hazard.by[0], hazard.to[0])]
+    if hazard.kind is HazardKind.UNPROTECTED_LEFT_TURN and across is Maneuver.LEFT:
+        said[0] = True
+    turns = [turn_name(angles, *made[:2]) is across for made in (by, to)]
+    return (
+        hazard.kind is not HazardKind.MERGING_CONFLICT
+        and all(said)
+        and all(turns)
+        and _faces(angles, by[0], to[0])
+    )
 
 
 def _faces(angles, arm, other) -> bool:
