@@ -11,7 +11,11 @@ from scegen.scenario.logical import (
     ParameterRange,
     Standing,
 )
-from scegen.scenario.speed_limits import implied_limit_mps
+from scegen.scenario.speed_limits import (
+    FAST_FOR_KIND_MPS,
+    implied_limit_mps,
+    limit_for_kind_mps,
+)
 from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind
 
 Range = tuple[float, float, float, str]
@@ -47,13 +51,14 @@ def _speed(functional: FunctionalScenario, participant: Participant) -> Range:
         said = participant.speed_mps
         return said.low, said.high, (said.low + said.high) / 2, "stated"
     kind = participant.kind
-    if kind in KIND_SPEED_MPS:
+    own = {hazard.kind for hazard in functional.hazards if participant.id in hazard.by}
+    if kind in KIND_SPEED_MPS and not (kind in FAST_FOR_KIND_MPS and HazardKind.SPEEDING in own):
         return KIND_SPEED_MPS[kind]
     share = USUAL_SHARE
     for hazard in functional.hazards:
         if hazard.kind in HAZARD_SHARE and participant.id in hazard.by:
             share = HAZARD_SHARE[hazard.kind]
-    limit = implied_limit_mps(functional)
+    limit = limit_for_kind_mps(kind, implied_limit_mps(functional))
     low, high, default, reason = share
     return low * limit, high * limit, default * limit, f"{reason}, limit {limit:.4g} m/s"
 

@@ -15,6 +15,16 @@ _CLEARLY = 1.02
 _HIGHEST_MPS = 130 / 3.6
 
 
+FAST_FOR_KIND_MPS = {ParticipantKind.BICYCLE: 25 / 3.6}
+"""What counts as the limit for kinds that no road's limit holds back: beyond 25 km/h no electric
+bicycle of the EU's Regulation 168/2013 may help its rider, and few riders go faster."""
+
+
+def limit_for_kind_mps(kind: ParticipantKind, limit_mps: float) -> float:
+    """The speed beyond which one of this kind is speeding."""
+    return min(limit_mps, FAST_FOR_KIND_MPS.get(kind, limit_mps))
+
+
 def implied_limit_mps(functional: FunctionalScenario) -> float:
     """The limit said; else the usual one, or one that allows the speeds said.
 
@@ -42,4 +52,4 @@ def implied_limit_mps(functional: FunctionalScenario) -> float:
     fastest = max(said, default=0.0)
     if fastest <= usual * _CLEARLY:
         return usual
-    return max(min(ceil(round(fastest / _STEP_MPS, 2)) * _STEP_MPS, _HIGHEST_MPS), usual)
+    return max(min(ceil(round(fastest / _STEP_MPS, 1)) * _STEP_MPS, _HIGHEST_MPS), usual)

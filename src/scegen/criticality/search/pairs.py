@@ -38,9 +38,17 @@ def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
         pairs = [
             (b, v) for b, _ in hazard_pairs(concrete, hazard) for v in victims(concrete, hazard, b)
         ]
-        found += sorted(dict.fromkeys(pairs), key=lambda pair: ego not in pair)
+        found += sorted(
+            dict.fromkeys(pairs), key=lambda pair: (ego not in pair, _apart(concrete, pair))
+        )
     conflicts = [c for c in concrete.logical.conflicts if c.kind is not ConflictKind.NONE]
-    conflicts.sort(key=lambda c: (ego not in {c.first, c.second}, c.kind not in MEETS))
+    conflicts.sort(
+        key=lambda c: (
+            ego not in {c.first, c.second},
+            c.kind not in MEETS,
+            _apart(concrete, (c.first, c.second)),
+        )
+    )
     found += [(c.first, c.second) for c in conflicts]
     movers = [p.id for p in concrete.participants if not p.parked]
     found += sorted(combinations(movers, 2), key=lambda pair: ego not in pair)
@@ -51,6 +59,15 @@ def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
             seen.add(frozenset(pair))
             result.append(pair)
     return result
+
+
+def _apart(concrete: ConcreteScenario, pair: Pair) -> int:
+    """How many places apart two are in the queue of one arm: neighbours come close first."""
+    drives = {drive.participant: drive for drive in concrete.logical.drives}
+    if not drives.keys() >= {*pair}:
+        return 0
+    first, second = drives[pair[0]], drives[pair[1]]
+    return abs(first.rank - second.rank) if first.entry == second.entry else 0
 
 
 def judged_pairs(concrete: ConcreteScenario) -> list[Pair]:

@@ -10,6 +10,7 @@ from scegen.errors import MotionInfeasibleError
 from scegen.motion.concretization.abreast import place_abreast
 from scegen.motion.concretization.assemble import assemble
 from scegen.motion.concretization.clock import schedule
+from scegen.motion.concretization.coming_up import come_up, prepare_standing
 from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.encounters import conflict_meetings
 from scegen.motion.concretization.hazards.table import ordered_rules
@@ -31,6 +32,7 @@ from scegen.scenario.vocabulary import Control
 
 _ATTEMPTS = 30
 _ARM_STEP_M = 10.0
+_PATIENT, _GROWTH = 12, 1.15
 
 
 def concretize(
@@ -54,7 +56,7 @@ def concretize(
     """
     ordered_rules(functional.hazards)
     arm_m = FIRST_ARM_M
-    for _ in range(_ATTEMPTS):
+    for attempt in range(_ATTEMPTS):
         parameters = road if road is not None else plan(functional, logical, arm_m)
         network = build_network(parameters)
         # The same draws in every attempt: lengthening the road must not change the rest.
@@ -63,7 +65,9 @@ def concretize(
         try:
             return _compose(scene, seed)
         except NeedsLongerArms as need:
-            arm_m = ceil((arm_m + need.metres) / _ARM_STEP_M) * _ARM_STEP_M
+            # Some plans ask for little more each time: after a while, go faster.
+            least = arm_m * _GROWTH if attempt >= _PATIENT else 0.0
+            arm_m = ceil(max(arm_m + need.metres, least) / _ARM_STEP_M) * _ARM_STEP_M
             if road is not None or arm_m > LONGEST_ARM_M:
                 longest = max(arm.length_m for arm in parameters.arms)
                 raise MotionInfeasibleError(
@@ -87,6 +91,7 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
         if rule.prepare is not None:
             rule.prepare(scene, hazard)
     prepare_maneuvers(scene)
+    prepare_standing(scene)
     for draft in scene.drives.values():
         draft.lay(scene.network)
     place_walkers(scene)
@@ -99,6 +104,7 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
     for rule, hazard in rules:
         if rule.act is not None:
             rule.act(scene, hazard)
+    meetings += come_up(scene)
     meetings += conflict_meetings(scene, rules, meetings)
     _start(scene, meetings)
     for rule, hazard in rules:
@@ -127,6 +133,8 @@ def _start(scene: Scene, meetings: list[Meeting]) -> None:
     reasons = {m.second: f"{m.reason} with {m.first}" for m in reversed(meetings) if m.reason}
     for name, draft in scene.drives.items():
         draft.start_m = draft.course.s_at(-plan_.offsets_s[name])
+        if draft.stands_at_m is not None:
+            draft.start_m = draft.stands_at_m
         station = draft.laid.station_m(draft.start_m)
         reason = reasons.get(name, "in line on its arm")
         scene.note(f"{name}.start_m", station, reason)

@@ -48,7 +48,9 @@ class DriveDraft:
     ``start_m`` where on that path it starts at time 0; ``reactions`` phases that look at others,
     to be put where the program reaches ``reacts_at_s_m``. ``slowing_mps2`` is how hard it brakes
     before turns, ``approach_mps`` and ``resume_mps`` its speeds before and after them if not
-    ``cruise_mps``; ``grip_mps2`` is what the tyres hold on this road.
+    ``cruise_mps``; ``grip_mps2`` is what the tyres hold on this road. One that stands at first does
+    so at ``stands_at_m`` of its path, until ``moves_off``; ``comes_up`` says that it brakes behind
+    one who is slower or stands.
     """
 
     id: str
@@ -67,6 +69,9 @@ class DriveDraft:
     marks: list[Mark] = field(default_factory=list)
     reactions: list[SpeedPhase] = field(default_factory=list)
     reacts_at_s_m: float = 0.0
+    stands_at_m: float | None = None
+    moves_off: SpeedPhase | None = None
+    comes_up: bool = False
     start_m: float = 0.0
     grip_mps2: float = GRAVITY_MPS2
     laid_: LaidDrive | None = None

@@ -16,7 +16,7 @@ from scegen.scenario.speed_limits import implied_limit_mps
 from scegen.scenario.vocabulary import FROM_BESIDE, HazardKind, JunctionKind, Maneuver
 
 FIRST_ARM_M = 100.0
-LONGEST_ARM_M = 900.0
+LONGEST_ARM_M = 1500.0
 _RING_CHANGE_ROOM_M = 16.0
 _RING_RADII_M = (20.0, 24.0, 28.0, 32.0, 36.0, 40.0, 50.0)
 _SIDE_BY_SIDE = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})

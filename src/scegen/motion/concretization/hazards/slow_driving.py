@@ -25,7 +25,7 @@ def _prepare(scene: Scene, hazard: Hazard) -> None:
 
 def _comes_up_behind(slow: DriveDraft, other: DriveDraft) -> bool:
     """Whether another stays or ends behind the slow one in its lane, and is faster."""
-    if not same_arm(slow, other) or other is slow or other.reactions:
+    if not same_arm(slow, other) or other is slow or other.reactions or other.comes_up:
         return False
     if other.cruise_mps <= slow.cruise_mps:
         return False
