@@ -169,7 +169,8 @@ class LaneChange(FrozenModel):
 
 
 class DriveMotion(FrozenModel):
-    """A vehicle's way. It starts ``start_m`` along the drive, in lane ``entry_lane``.
+    """A vehicle's way. It starts ``start_m`` along the drive, in lane ``entry_lane`` (the number
+    after the outermost lane's is the strip for parking, out of which it pulls).
 
     ``turning_starts_m`` and ``turning_ends_m`` are where the junction (or ring) begins and
     ends on its way; they follow from the road and are checked, not obeyed.
@@ -177,7 +178,7 @@ class DriveMotion(FrozenModel):
 
     type: Literal["drive"] = "drive"
     entry: int = Field(ge=0)
-    entry_lane: int = Field(ge=1, le=3)
+    entry_lane: int = Field(ge=1, le=4)
     exit: int = Field(ge=0)
     exit_lane: int = Field(ge=1, le=3)
     ring_lane: int | None = Field(default=None, ge=1, le=2)

@@ -16,6 +16,7 @@ from scegen.scenario.vocabulary import HazardKind
 
 _BEFORE_LINE_M = 15.0
 _IN_M = 1.0
+_SET_OFF_M = 3.0
 _FROM, _UNTIL = 0.3, 0.7
 _OF_ITS_PACE = 0.7
 
@@ -57,6 +58,9 @@ def drives_on(view: View, by: str, to: str) -> list[Part]:
         # Who crosses sets off from rest and ends at rest: what counts is the middle of its way.
         near = (place > _FROM * way.path.length_m) & (place < _UNTIL * way.path.length_m)
         bound = min(bound, _OF_ITS_PACE * _pace_mps(way))
+    elif way.participant.speed_mps == 0.0:
+        # Who sets off from rest does not stop again before it is in the other's way.
+        near = (place > place[:, :1] + _SET_OFF_M) & (place < place[:, :1] + _BEFORE_LINE_M)
     else:
         stops = any(h.kind is HazardKind.STOPPING and by in h.by for h in view.concrete.hazards)
         # One who is also to stop in the way has driven on once it is in.

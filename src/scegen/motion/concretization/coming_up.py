@@ -8,10 +8,10 @@ off once it has come to a stop behind them.
 from __future__ import annotations
 
 from scegen.motion.concretization.drafts import DriveDraft, Scene
-from scegen.motion.concretization.hazards.rule import in_line_before
+from scegen.motion.concretization.hazards.rule import BRAKES, braking_of, in_line_before
 from scegen.motion.concretization.limits import (
     COMFORTABLE_ACCELERATION_MPS2,
-    HARD_BRAKING_MPS2,
+    LATE_BRAKING_MPS2,
 )
 from scegen.motion.concretization.marks import Mark
 from scegen.motion.concretization.meetings import STRUCTURAL, Meeting
@@ -21,8 +21,6 @@ from scegen.scenario.concrete import SpeedPhase, StoodStill
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 
 _FASTER = 1.15
-_LATE_BRAKING_MPS2 = 5.0
-"""Between comfortable and emergency braking."""
 _GAP_M = 1.2
 _QUEUE_GAP_M = 2.0
 _BEFORE_LINE_M = 2.0
@@ -30,7 +28,6 @@ _LEAST_PLACE_M = 40.0
 _STOOD_S = 200.0
 _MOVES_OFF_S = 1.0
 _ONE_BY_ONE_S = 0.8
-_BRAKES = (HazardKind.DELAYED_BRAKING, HazardKind.HARD_BRAKING)
 
 
 def stands_in_line(scene: Scene, draft: DriveDraft) -> bool:
@@ -122,7 +119,7 @@ def _up_to_standing(
             place -= ahead.body.rear_m + _QUEUE_GAP_M + one.body.front_m
         one.stands_at_m = place
         one.marks = [m for m in one.marks if m.hazard is not HazardKind.STOPPING]
-        rate = one.braking_mps2(_LATE_BRAKING_MPS2)
+        rate = one.braking_mps2(LATE_BRAKING_MPS2)
         braking = one.cruise_mps**2 / (2 * rate)
         one.add_mark(Mark(max(0.1, place - braking), 0.0, rate, hold_s=_STOOD_S))
         waits = _MOVES_OFF_S + number * _ONE_BY_ONE_S
@@ -134,11 +131,11 @@ def _up_to_standing(
         ahead = one
     last = standing[-1]
     rest = place - last.body.rear_m - _GAP_M - draft.body.front_m
-    hazard, rate = _braking(scene, draft)
+    hazard, rate = braking_of(scene, draft)
     braking = draft.cruise_mps**2 / (2 * rate)
     if rest - braking < draft.body.rear_m + draft.cruise_mps:
         raise NeedsLongerArms(draft.cruise_mps + braking - rest + 10.0, draft.id)
-    draft.marks = [m for m in draft.marks if m.hazard not in _BRAKES]
+    draft.marks = [m for m in draft.marks if m.hazard not in BRAKES]
     draft.comes_up = True
     hold = _MOVES_OFF_S + (len(standing) + 1) * _ONE_BY_ONE_S + 1.0
     draft.add_mark(Mark(rest - braking, 0.0, rate, hazard, hold_s=hold))
@@ -165,7 +162,7 @@ def _up_to_slower(
         place = min(slowing_s_m(draft), slowing_s_m(lead)) - draft.cruise_mps
     else:
         place = draft.laid.path.length_m / 2
-    hazard, rate = _braking(scene, draft)
+    hazard, rate = braking_of(scene, draft)
     braking = (draft.cruise_mps**2 - pace_mps**2) / (2 * rate)
     begins = place - braking
     if begins < draft.body.rear_m + draft.cruise_mps:
@@ -176,11 +173,3 @@ def _up_to_slower(
     bodies = lead.body.rear_m + _GAP_M + draft.body.front_m
     reason = f"comes up behind {lead.id}"
     return [Meeting(STRUCTURAL, lead.id, draft.id, place + bodies, place, 0.0, reason)]
-
-
-def _braking(scene: Scene, draft: DriveDraft) -> tuple[HazardKind | None, float]:
-    """The danger that the braking is, if one is asked for, and how hard it is."""
-    for kind in _BRAKES:
-        if any(h.kind is kind and draft.id in h.by for h in scene.functional.hazards):
-            return kind, draft.braking_mps2(HARD_BRAKING_MPS2[0])
-    return None, draft.braking_mps2(_LATE_BRAKING_MPS2)

@@ -18,6 +18,11 @@ from scegen.motion.concretization.lane_choice import choose_lanes
 from scegen.motion.concretization.maneuvers import prepare_maneuvers, shape_maneuvers
 from scegen.motion.concretization.meeting_lanes import choose_lanes_that_meet
 from scegen.motion.concretization.meetings import Meeting
+from scegen.motion.concretization.pulling_out import (
+    program_pulls,
+    pull_appointments,
+    pull_out,
+)
 from scegen.motion.concretization.roads import FIRST_ARM_M, LONGEST_ARM_M, plan
 from scegen.motion.concretization.room import NeedsLongerArms
 from scegen.motion.concretization.speeds import cruise_speed_mps
@@ -105,12 +110,14 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
         if rule.act is not None:
             rule.act(scene, hazard)
     meetings += come_up(scene)
+    pull_out(scene)
     meetings += conflict_meetings(scene, rules, meetings)
     _start(scene, meetings)
     for rule, hazard in rules:
         if rule.react is not None:
             rule.react(scene, hazard)
     program_walkers(scene)
+    program_pulls(scene)
     return assemble(scene, seed)
 
 
@@ -127,7 +134,7 @@ def _draft(scene: Scene, drive: Drive) -> DriveDraft:
 
 
 def _start(scene: Scene, meetings: list[Meeting]) -> None:
-    plan_ = schedule(scene, meetings, appointments(scene))
+    plan_ = schedule(scene, meetings, [*appointments(scene), *pull_appointments(scene)])
     if plan_.shortfall_m > 0:
         raise NeedsLongerArms(plan_.shortfall_m, plan_.shortest_of)
     reasons = {m.second: f"{m.reason} with {m.first}" for m in reversed(meetings) if m.reason}

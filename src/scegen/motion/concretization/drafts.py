@@ -33,7 +33,7 @@ from scegen.scenario.concrete import (
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Crossing, Drive, LogicalScenario, Standing
 from scegen.scenario.speed_limits import implied_limit_mps
-from scegen.scenario.vocabulary import ParticipantKind
+from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 
 _SIDEWAYS = 0.9
 """The share of the grip that a bend may take."""
@@ -202,6 +202,28 @@ class StandDraft:
 
 
 @dataclass
+class PullDraft:
+    """One who is parked and pulls out, in the making; lengths are along its path.
+
+    It is in the lane ``in_lane_m`` from where it stands, ``takes_s`` after it sets off, when
+    ``waits_for`` is at ``place_m`` of its own path.
+    """
+
+    id: str
+    kind: ParticipantKind
+    motion: DriveMotion
+    laid: LaidDrive
+    speed_mps: float
+    rate_mps2: float
+    in_lane_m: float
+    hazard: HazardKind | None = None
+    waits_for: str | None = None
+    place_m: float = 0.0
+    takes_s: float = 0.0
+    program: list[SpeedPhase] = field(default_factory=list)
+
+
+@dataclass
 class Scene:
     """Everything about one scenario in the making."""
 
@@ -213,6 +235,7 @@ class Scene:
     drives: dict[str, DriveDraft] = field(default_factory=dict)
     walks: dict[str, WalkDraft] = field(default_factory=dict)
     stands: dict[str, StandDraft] = field(default_factory=dict)
+    pulls: dict[str, PullDraft] = field(default_factory=dict)
     changes: list[Change] = field(default_factory=list)
 
     @property

@@ -13,7 +13,10 @@ from scegen.scenario.vocabulary import DrivingSide
 
 CLEAR_OF_CORNER_M = 6.0
 """From the junction to the nearest parked bumper: behind a crosswalk of 4 m set back by 1 m."""
+_ROOM_TO_PULL_OUT_M = 30.0
 _BETWEEN_M = 1.5
+_BEFORE_PULLING_OUT_M = 7.0
+"""In a row, who pulls out needs this much before it."""
 _BLOCKS_AT_M = 45.0
 """A vehicle that blocks its lane stands this far before the junction, so that others get round."""
 _BLOCKS_STRAIGHT_AT_M = 15.0
@@ -27,6 +30,8 @@ def place_standers(scene: Scene) -> None:
         key = (standing.arm, standing.side, standing.in_lane)
         body = BODIES[participant.kind]
         inner = filled.get(key, _first_free_m(scene, standing))
+        if key in filled and participant.pulls_out and towards_junction(scene, standing):
+            inner += _BEFORE_PULLING_OUT_M
         towards = towards_junction(scene, standing)
         # The bumper that faces the junction: the front of one that heads for it.
         from_junction = inner + (body.front_m if towards else body.rear_m)
@@ -36,7 +41,13 @@ def place_standers(scene: Scene) -> None:
 
 def _first_free_m(scene: Scene, standing: Standing) -> float:
     if not standing.in_lane:
-        return CLEAR_OF_CORNER_M
+        pulls_out = any(
+            scene.functional.participant(other.participant).pulls_out
+            for other in scene.logical.standings
+            if other.arm == standing.arm
+        )
+        room = scene.network.junctions and pulls_out
+        return _ROOM_TO_PULL_OUT_M if room else CLEAR_OF_CORNER_M
     return _BLOCKS_AT_M if scene.network.junctions else _BLOCKS_STRAIGHT_AT_M
 
 
