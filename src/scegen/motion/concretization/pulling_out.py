@@ -76,18 +76,14 @@ def _draft(scene: Scene, name: str, from_junction_m: float) -> PullDraft:
     own = {hazard.kind for hazard in scene.functional.hazards if name in hazard.by}
     length = _CHANGE_M * (_LONG_CHANGE if body.length_m > _LONG_M else 1.0)
     entry = standing.arm
-    if towards_junction(scene, standing):
-        start = scene.network.arm_road(entry).length_m - from_junction_m
-    elif scene.network.junctions:
+    if not towards_junction(scene, standing):
         raise MotionInfeasibleError(
-            "stands where traffic leaves the junction; pulling out is possible on the side that "
-            "leads to it",
+            "is parked on the other side of the road: one that pulls out there comes into nobody's "
+            "way on the ego's side",
             where=name,
-            hint="Say that it is parked on the ego's side, before the junction.",
+            hint="Say that it is parked on the ego's side, or let it turn back.",
         )
-    else:
-        entry = 1 - entry
-        start = scene.network.arm_road(entry).length_m + from_junction_m
+    start = scene.network.arm_road(entry).length_m - from_junction_m
     lane = scene.road.arms[entry].lanes_in
     exits = [
         (abs(_bend_rad(scene, entry, pair[1], lane)), pair[1])
