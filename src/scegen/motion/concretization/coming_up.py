@@ -8,7 +8,12 @@ off once it has come to a stop behind them.
 from __future__ import annotations
 
 from scegen.motion.concretization.drafts import DriveDraft, Scene
-from scegen.motion.concretization.hazards.rule import BRAKES, braking_of, in_line_before
+from scegen.motion.concretization.hazards.rule import (
+    BRAKES,
+    brake_behind,
+    braking_of,
+    in_line_before,
+)
 from scegen.motion.concretization.limits import (
     COMFORTABLE_ACCELERATION_MPS2,
     LATE_BRAKING_MPS2,
@@ -61,7 +66,7 @@ def come_up(scene: Scene) -> list[Meeting]:
         if not line or draft.drive.maneuver is Maneuver.STAY:
             continue
         lead = line[-1]
-        if draft.lane_changes or lead.lane_changes or draft.drive.beside or lead.drive.beside:
+        if draft.comes_up or draft.lane_changes or lead.lane_changes or draft.drive.beside or lead.drive.beside:
             continue
         standing = [other for other in line if stands_in_line(scene, other)]
         if lead in standing:
@@ -162,14 +167,7 @@ def _up_to_slower(
         place = min(slowing_s_m(draft), slowing_s_m(lead)) - draft.cruise_mps
     else:
         place = draft.laid.path.length_m / 2
-    hazard, rate = braking_of(scene, draft)
-    braking = (draft.cruise_mps**2 - pace_mps**2) / (2 * rate)
-    begins = place - braking
-    if begins < draft.body.rear_m + draft.cruise_mps:
-        raise NeedsLongerArms(draft.cruise_mps - begins + 10.0, draft.id)
-    draft.add_mark(Mark(begins, pace_mps, rate, hazard))
-    draft.comes_up = True
-    draft.resume_mps = pace_mps
+    brake_behind(scene, draft, place, pace_mps)
     bodies = lead.body.rear_m + _GAP_M + draft.body.front_m
     reason = f"comes up behind {lead.id}"
     return [Meeting(STRUCTURAL, lead.id, draft.id, place + bodies, place, 0.0, reason)]

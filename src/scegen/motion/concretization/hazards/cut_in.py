@@ -10,7 +10,13 @@ from __future__ import annotations
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.concretization.abreast import is_outward
 from scegen.motion.concretization.drafts import DriveDraft, Scene
-from scegen.motion.concretization.hazards.rule import Rule, culprits, pairs, same_arm
+from scegen.motion.concretization.hazards.rule import (
+    Rule,
+    brake_behind,
+    culprits,
+    pairs,
+    same_arm,
+)
 from scegen.motion.concretization.lane_choice import (
     change_lanes,
     choose_ring_lane,
@@ -34,6 +40,8 @@ from scegen.scenario.vocabulary import HazardKind, JunctionKind, ParticipantKind
 _RING_MARGIN_M = 0.25
 _LEAST_RING_CHANGE_M = 7.0
 _SAME_LINE_M = 2.0
+_MUCH_FASTER_MPS = 3.5
+_GAP_M = 1.5
 
 
 def _prepare(scene: Scene, hazard: Hazard) -> None:
@@ -56,12 +64,15 @@ def come_in(scene: Scene, hazard: Hazard) -> list[Meeting]:
             meetings += _in_ring(scene, culprit, victim)
             done.add(culprit.id)
         elif same_arm(culprit, victim) and lanes_in(scene, culprit) > 1:
-            meetings += _on_arm(scene, culprit, victim)
+            meetings += on_arm(scene, culprit, victim, HazardKind.CUT_IN)
             done.add(culprit.id)
     return meetings
 
 
-def _on_arm(scene: Scene, culprit: DriveDraft, victim: DriveDraft) -> list[Meeting]:
+def on_arm(
+    scene: Scene, culprit: DriveDraft, victim: DriveDraft, kind: HazardKind
+) -> list[Meeting]:
+    """Into the sufferer's lane, close before it; one who is much faster brakes late."""
     lanes = [n for n in entry_lanes(scene, culprit) if n in entry_lanes(scene, victim)]
     if not lanes:
         raise MotionInfeasibleError(
@@ -80,8 +91,13 @@ def _on_arm(scene: Scene, culprit: DriveDraft, victim: DriveDraft) -> list[Meeti
         end = culprit.laid.path.length_m / 2
     if end - length < 10.0:
         raise NeedsLongerArms(15.0 - (end - length), culprit.id)
-    change_lanes(scene, culprit, [(end - length, length, target)], HazardKind.CUT_IN)
-    return [_close_behind(scene, culprit, victim, end, end)]
+    change_lanes(scene, culprit, [(end - length, length, target)], kind)
+    if victim.cruise_mps - culprit.cruise_mps < _MUCH_FASTER_MPS:
+        return [_close_behind(scene, culprit, victim, end, end)]
+    place = end - culprit.body.rear_m - _GAP_M - victim.body.front_m
+    brake_behind(scene, victim, place, culprit.cruise_mps)
+    reason = f"comes up behind {culprit.id}"
+    return [Meeting(STRUCTURAL, culprit.id, victim.id, end, place, 0.0, reason)]
 
 
 def _lanes(
