@@ -155,6 +155,26 @@ def place_abreast(scene: Scene) -> None:
     _clear_of_turning_back(scene)
     for reference, drives in groups.items():
         _place_group(scene, reference, drives, movable=reference not in settled)
+    _place_diagonally(scene)
+
+
+def _place_diagonally(scene: Scene) -> None:
+    """Who is said to be ahead or behind in the lane beside the ego drives in that lane."""
+    if scene.functional.ego.id not in scene.drives:
+        return
+    ego = scene.ego
+    for draft in scene.drives.values():
+        said = scene.functional.participant(draft.id).approaches
+        along = said & {Approach.AHEAD, Approach.BEHIND}
+        if draft is ego or draft.drive.beside or Approach.ADJACENT not in said or not along:
+            continue
+        near = [
+            lane
+            for lane in entry_lanes(scene, draft)
+            if draft.drive.entry == ego.drive.entry and abs(lane - ego.entry_lane) == 1
+        ]
+        if draft.entry_lane == ego.entry_lane and near:
+            _take(scene, draft, near[-1])
 
 
 def _clear_of_turning_back(scene: Scene) -> None:

@@ -105,7 +105,7 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
         if rule.shape is not None:
             meetings += rule.shape(scene, hazard)
     meetings += shape_maneuvers(scene)
-    go_round_standers(scene)
+    meetings += go_round_standers(scene)
     for rule, hazard in rules:
         if rule.act is not None:
             rule.act(scene, hazard)

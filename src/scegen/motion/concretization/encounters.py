@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.hazards.rule import (
     Rule,
@@ -21,7 +19,6 @@ from scegen.motion.concretization.meetings import (
     STRUCTURAL,
     Meeting,
     drives_meet,
-    nearest_s_m,
 )
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
@@ -29,9 +26,6 @@ from scegen.scenario.vocabulary import HazardKind
 _SHORT_OF_REST_M = 0.5
 _EARLIER_S = 3.0
 _LEAST_PLACE_M = 20.0
-_BACK = 0.7
-"""The share of a change back after which a stray is out of the oncoming one's way."""
-_LANE_M = 5.0
 
 
 def conflict_meetings(
@@ -123,29 +117,9 @@ def _meeting(
     point = drives_meet(first, second)
     if point is None:
         return []
-    first_m, second_m = point.first_s_m, point.second_s_m
-    if point.opposed:
-        first_m, second_m = _just_back(first, second) or (first_m, second_m)
-    first_s = arrival_s_m(first, first_m)
-    second_s = arrival_s_m(second, second_m)
+    first_s = arrival_s_m(first, point.first_s_m)
+    second_s = arrival_s_m(second, point.second_s_m)
     return [Meeting(priority, first.id, second.id, first_s, second_s, lag_s, reason)]
-
-
-def _just_back(first: DriveDraft, second: DriveDraft) -> tuple[float, float] | None:
-    """Where two meet of whom one strays: it comes back into its own lane just then."""
-    for stray, other, swapped in ((first, second, False), (second, first, True)):
-        changes = stray.lane_changes
-        back = [b for a, b in pairwise(changes) if a.lane_after == 0 and b.lane_after > 0]
-        if not back:
-            continue
-        place = stray.laid.path_s_m(back[0].position_m + _BACK * back[0].length_m)
-        pose = stray.laid.path.pose(place + stray.body.front_m)
-        met, apart = nearest_s_m(other.laid.path, pose.x_m, pose.y_m)
-        if apart > _LANE_M:
-            continue
-        met = max(0.0, met - other.body.front_m)
-        return (met, place) if swapped else (place, met)
-    return None
 
 
 def arrival_s_m(draft: DriveDraft, meeting_s_m: float) -> float:

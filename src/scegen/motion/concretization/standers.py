@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from scegen.motion.concretization.drafts import DriveDraft, Scene, StandDraft
+from scegen.motion.concretization.hazards.rule import brake_behind, same_arm
+from scegen.motion.concretization.meetings import STRUCTURAL, Meeting
 from scegen.motion.concretization.passing import pass_standing
 from scegen.motion.standing import standing_path
 from scegen.scenario.bodies import BODIES
@@ -15,6 +17,7 @@ CLEAR_OF_CORNER_M = 6.0
 """From the junction to the nearest parked bumper: behind a crosswalk of 4 m set back by 1 m."""
 _ROOM_TO_PULL_OUT_M = 30.0
 _BETWEEN_M = 1.5
+_PULLS_OUT_BEFORE_M = 1.5
 _BEFORE_PULLING_OUT_M = 7.0
 """In a row, who pulls out needs this much before it."""
 _BLOCKS_AT_M = 45.0
@@ -77,8 +80,12 @@ def blocked_lane_ahead(scene: Scene, draft: DriveDraft) -> bool:
     return any(_place_on_way(scene, draft, stand) is not None for stand in blocking)
 
 
-def go_round_standers(scene: Scene) -> None:
-    """Who drives in the lane of a vehicle that blocks it goes round."""
+def go_round_standers(scene: Scene) -> list[Meeting]:
+    """Who drives in the lane of a vehicle that blocks it goes round.
+
+    Returns the meetings with those who come from behind in the lane that this needs.
+    """
+    meetings: list[Meeting] = []
     for stand in scene.stands.values():
         if not stand.standing.in_lane:
             continue
@@ -86,6 +93,29 @@ def go_round_standers(scene: Scene) -> None:
             place = _place_on_way(scene, draft, stand)
             if place is not None and not draft.lane_changes:
                 pass_standing(scene, draft, place, BODIES[stand.kind])
+                meetings += _in_front_of(scene, draft)
+    return meetings
+
+
+def _in_front_of(scene: Scene, draft: DriveDraft) -> list[Meeting]:
+    """The next from behind in the lane into which one pulls out: it brakes late if it is faster."""
+    out = draft.lane_changes[0]
+    behind = [
+        other
+        for other in scene.drives.values()
+        if same_arm(other, draft)
+        and other.entry_lane == out.lane_after
+        and other.drive.rank >= draft.drive.rank
+        and not other.lane_changes
+    ]
+    if not behind:
+        return []
+    other = min(behind, key=lambda each: each.drive.rank)
+    place = draft.laid.path_s_m(out.position_m + out.length_m)
+    met = max(1.0, place - draft.body.rear_m - _PULLS_OUT_BEFORE_M - other.body.front_m)
+    brake_behind(scene, other, met, draft.cruise_mps)
+    reason = f"pulls out in front of {other.id}"
+    return [Meeting(STRUCTURAL, draft.id, other.id, place, met, 0.0, reason)]
 
 
 def _place_on_way(scene: Scene, draft: DriveDraft, stand: StandDraft) -> float | None:
