@@ -12,6 +12,7 @@ from scegen.criticality.hazards import thresholds as limits
 from scegen.criticality.hazards.predicate import NEVER, Part, Predicate, at_least
 from scegen.criticality.hazards.view import View
 from scegen.criticality.hazards.ways import Way
+from scegen.scenario.concrete import CrossingMotion
 from scegen.scenario.vocabulary import HazardKind
 
 _BEFORE_LINE_M = 15.0
@@ -54,11 +55,11 @@ def drives_on(view: View, by: str, to: str) -> list[Part]:
     """
     way, place = view.ways[by], view.place_m(by)
     bound = limits.DRIVES_ON.value
-    if way.laid is None:
+    if isinstance(way.participant.motion, CrossingMotion):
         # Who crosses sets off from rest and ends at rest: what counts is the middle of its way.
         near = (place > _FROM * way.path.length_m) & (place < _UNTIL * way.path.length_m)
         bound = min(bound, _OF_ITS_PACE * _pace_mps(way))
-    elif way.participant.speed_mps == 0.0:
+    elif way.sets_off:
         # Who sets off from rest does not stop again before it is in the other's way.
         near = (place > place[:, :1] + _SET_OFF_M) & (place < place[:, :1] + _BEFORE_LINE_M)
     else:

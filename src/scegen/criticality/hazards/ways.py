@@ -55,6 +55,11 @@ class Way:
     laid: LaidDrive | None
     lanes_in: int = 0
 
+    @property
+    def sets_off(self) -> bool:
+        """Whether it stands at first and is to move."""
+        return self.participant.speed_mps == 0.0 and bool(self.participant.speed_program)
+
 
 def ways_of(concrete: ConcreteScenario, network: RoadNetwork) -> dict[str, Way]:
     """The ways of all participants, by id, from where they start.

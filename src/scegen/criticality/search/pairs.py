@@ -12,7 +12,7 @@ from scegen.criticality.hazards.roles import victims
 from scegen.criticality.hazards.table import PREDICATES
 from scegen.criticality.scene import Scene, build_scene
 from scegen.motion.model import Path
-from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.logical import ConflictKind
 from scegen.scenario.vocabulary import HazardKind
 
@@ -25,7 +25,7 @@ def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
     """Pairs that the danger may be about, the best first, each once.
 
     First those of the dangers, plain conflicts and the ego's before others; then the ego's
-    conflicts, then all others.
+    conflicts, then all others; those between whom somebody drives come last.
     """
     ego = concrete.ego.id
     found: list[Pair] = []
@@ -38,17 +38,9 @@ def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
         pairs = [
             (b, v) for b, _ in hazard_pairs(concrete, hazard) for v in victims(concrete, hazard, b)
         ]
-        found += sorted(
-            dict.fromkeys(pairs), key=lambda pair: (ego not in pair, _apart(concrete, pair))
-        )
+        found += sorted(dict.fromkeys(pairs), key=lambda pair: ego not in pair)
     conflicts = [c for c in concrete.logical.conflicts if c.kind is not ConflictKind.NONE]
-    conflicts.sort(
-        key=lambda c: (
-            ego not in {c.first, c.second},
-            c.kind not in MEETS,
-            _apart(concrete, (c.first, c.second)),
-        )
-    )
+    conflicts.sort(key=lambda c: (ego not in {c.first, c.second}, c.kind not in MEETS))
     found += [(c.first, c.second) for c in conflicts]
     movers = [p.id for p in concrete.participants if not p.parked]
     found += sorted(combinations(movers, 2), key=lambda pair: ego not in pair)
@@ -58,16 +50,23 @@ def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
         if frozenset(pair) not in seen and pair[0] != pair[1]:
             seen.add(frozenset(pair))
             result.append(pair)
-    return result
+    return sorted(result, key=lambda pair: _parted(concrete, pair))
 
 
-def _apart(concrete: ConcreteScenario, pair: Pair) -> int:
-    """How many places apart two are in the queue of one arm: neighbours come close first."""
-    drives = {drive.participant: drive for drive in concrete.logical.drives}
-    if not drives.keys() >= {*pair}:
-        return 0
-    first, second = drives[pair[0]], drives[pair[1]]
-    return abs(first.rank - second.rank) if first.entry == second.entry else 0
+def _parted(concrete: ConcreteScenario, pair: Pair) -> bool:
+    """Whether somebody drives between two in the queue of one lane: neighbours come close."""
+    ranks = {drive.participant: drive.rank for drive in concrete.logical.drives}
+    queues = {
+        p.id: (p.motion.entry, p.motion.entry_lane)
+        for p in concrete.participants
+        if isinstance(p.motion, DriveMotion) and not p.motion.lane_changes and p.id in ranks
+    }
+    if not queues.keys() >= {*pair} or queues[pair[0]] != queues[pair[1]]:
+        return False
+    low, high = sorted(ranks[name] for name in pair)
+    return any(
+        low < ranks[name] < high for name, queue in queues.items() if queue == queues[pair[0]]
+    )
 
 
 def judged_pairs(concrete: ConcreteScenario) -> list[Pair]:

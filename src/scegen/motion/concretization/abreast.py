@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from scegen.motion.concretization.drafts import DriveDraft, Scene
-from scegen.motion.concretization.lane_choice import entry_lanes
+from scegen.motion.concretization.lane_choice import choose_ring_lane, entry_lanes
 from scegen.road.lane_choice import lane_ways
 from scegen.scenario.concrete import RoadParameters, Turn
 from scegen.scenario.functional import FunctionalScenario
@@ -224,6 +224,7 @@ def _place_group(scene: Scene, reference: str, drives: list[Drive], *, movable: 
 def _take(scene: Scene, draft: DriveDraft, lane: int) -> None:
     if lane != draft.entry_lane:
         draft.entry_lane = draft.exit_lane = lane
+        choose_ring_lane(scene, draft)
 
 
 def crosses_beside(functional: FunctionalScenario) -> frozenset[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from scegen.errors import MotionInfeasibleError
 from scegen.motion.concretization.drafts import Scene
 from scegen.motion.concretization.hazards.cut_in import come_in, on_arm
 from scegen.motion.concretization.hazards.rule import Rule, culprits, pairs, same_arm
@@ -20,7 +21,17 @@ def _keep_going(scene: Scene, hazard: Hazard) -> None:
 def _from_beside(scene: Scene, hazard: Hazard) -> list[Meeting]:
     """Where no junction is, one merges from the lane beside, unless it changes lanes anyway."""
     changes = any(draft.lane_changes for draft in culprits(scene, hazard))
-    return [] if scene.network.junctions or changes else come_in(scene, hazard)
+    if scene.network.junctions or changes:
+        return []
+    for culprit, victim in pairs(scene, hazard):
+        if same_arm(culprit, victim) and lanes_in(scene, culprit) == 1:
+            raise MotionInfeasibleError(
+                f"the road has one lane per direction: no lane from which {culprit.id} could come "
+                f"into that of {victim.id}",
+                where=culprit.id,
+                hint="Say that the road has more lanes, or where else it comes from.",
+            )
+    return come_in(scene, hazard)
 
 
 ARRIVES_TOGETHER = Rule(prepare=_keep_going, shape=_from_beside)
