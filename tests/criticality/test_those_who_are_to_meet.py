@@ -4,6 +4,7 @@ import pytest
 from meetings import MEETINGS
 from told import raised
 
+
 @pytest.mark.parametrize("seed", [0, 3])
 @pytest.mark.parametrize("name", sorted(MEETINGS))
 def test_the_danger_is_reached(name, seed):

@@ -10,7 +10,6 @@ from scegen.errors import MotionInfeasibleError
 from scegen.road.model import LaneType, Road
 from scegen.scenario.vocabulary import DrivingSide
 
-
 _STRIPS = frozenset({LaneType.PARKING, LaneType.SHOULDER})
 
 

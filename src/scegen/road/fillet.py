@@ -44,9 +44,7 @@ def chain(start: Pose, pieces: list[tuple[float, float]]) -> ReferenceLine:
     return ReferenceLine(tuple(segments))
 
 
-def _line_arc_line(
-    start: Pose, end: Pose, most_m: float | None = None
-) -> ReferenceLine | None:
+def _line_arc_line(start: Pose, end: Pose, most_m: float | None = None) -> ReferenceLine | None:
     """Straight on, one arc, straight on; None where the two rays do not meet ahead of both.
 
     The widest arc, or one of radius ``most_m`` if that is tighter.

@@ -45,10 +45,7 @@ class ArmRoad(FrozenModel):
 
 
 class Turn(FrozenModel):
-    """A way through a crossing that usual lane markings do not give, from lane to lane.
-
-    ``radius_m`` makes it turn as tightly as that, late; None: as gently as there is room.
-    """
+    """A way through a crossing beside the usual ones; with ``radius_m`` it turns so tightly."""
 
     entry: int = Field(ge=0)
     lane_in: int = Field(ge=1, le=3)
@@ -169,9 +166,9 @@ class LaneChange(FrozenModel):
 
 
 class DriveMotion(FrozenModel):
-    """A vehicle's way. It starts ``start_m`` along the drive, in lane ``entry_lane`` (the number
-    after the outermost lane's is the strip for parking, out of which it pulls).
+    """A vehicle's way. It starts ``start_m`` along the drive, in lane ``entry_lane``.
 
+    One lane beyond the outermost is the strip for parking, out of which it then pulls.
     ``turning_starts_m`` and ``turning_ends_m`` are where the junction (or ring) begins and
     ends on its way; they follow from the road and are checked, not obeyed.
     """

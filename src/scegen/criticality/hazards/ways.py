@@ -39,8 +39,9 @@ class Sideways:
 class Way:
     """One participant's way; positions are along its path, m.
 
-    ``lanes_in`` is the number of lanes of its entry arm; ``turn_start_m`` and ``turn_end_m`` are where the junction begins and ends, ``goal_m`` how far
-    it must come before the scenario may end; ``curvature_1pm`` belongs to ``at_m``.
+    ``turn_start_m`` and ``turn_end_m`` are where the junction begins and ends, ``goal_m`` how far
+    it must come before the scenario may end; ``curvature_1pm`` belongs to ``at_m``; ``lanes_in``
+    is the number of lanes of its entry arm.
     """
 
     participant: ConcreteParticipant

@@ -46,9 +46,7 @@ def abreast(logical: LogicalScenario) -> Iterator[tuple[Drive, Drive]]:
             yield drive, other
 
 
-def outer_of(
-    functional: FunctionalScenario, drive: Drive, other: Drive
-) -> tuple[str, str] | None:
+def outer_of(functional: FunctionalScenario, drive: Drive, other: Drive) -> tuple[str, str] | None:
     """(on the kerb's side, on the centre line's side) of two; None if either will do."""
     said = is_outward(functional, drive.participant, other.participant)
     if said is None:

@@ -25,6 +25,7 @@ from scegen.motion.concretization.room import NeedsLongerArms
 from scegen.scenario.concrete import SpeedPhase, StoodStill
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 
+_STAYS_OR_PASSES = frozenset({Maneuver.STAY, Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 _FASTER = 1.15
 _GAP_M = 1.2
 _QUEUE_GAP_M = 2.0
@@ -36,22 +37,36 @@ _ONE_BY_ONE_S = 0.8
 
 
 def stands_in_line(scene: Scene, draft: DriveDraft) -> bool:
-    """Whether one who is said to stay stands in the lane of somebody who comes from behind."""
-    return draft.drive.maneuver is Maneuver.STAY and any(
-        other.drive.maneuver is not Maneuver.STAY
+    """Whether one who is said to stay stands in the lane of somebody who stops behind it."""
+    return draft.drive.maneuver is Maneuver.STAY and bool(_from_behind(scene, draft))
+
+
+def _from_behind(scene: Scene, draft: DriveDraft) -> list[DriveDraft]:
+    """Those who come from behind in the same lane and do not go round, the first first."""
+    passing = {
+        name
+        for hazard in scene.functional.hazards
+        if hazard.kind is HazardKind.OVERTAKING
+        for name in hazard.by
+    }
+    coming = [
+        other
+        for other in scene.drives.values()
+        if other.drive.maneuver not in _STAYS_OR_PASSES
+        and other.id not in passing
         and other.drive.entry == draft.drive.entry
         and other.entry_lane == draft.entry_lane
         and other.drive.rank > draft.drive.rank
         and not other.lane_changes
-        for other in scene.drives.values()
-    )
+    ]
+    return sorted(coming, key=lambda other: other.drive.rank)
 
 
 def prepare_standing(scene: Scene) -> None:
     """Those who stand drive on like the others once they move off."""
     for draft in scene.drives.values():
         if stands_in_line(scene, draft):
-            behind = _behind(scene, draft)
+            behind = _from_behind(scene, draft)[0]
             pace = min(behind.cruise_mps, draft.body.top_speed_mps)
             scene.note(f"{draft.id}.speed_mps", pace, "moves off in the end", draft.cruise_mps)
             draft.cruise_mps = pace
@@ -66,7 +81,13 @@ def come_up(scene: Scene) -> list[Meeting]:
         if not line or draft.drive.maneuver is Maneuver.STAY:
             continue
         lead = line[-1]
-        if draft.comes_up or draft.lane_changes or lead.lane_changes or draft.drive.beside or lead.drive.beside:
+        if (
+            draft.comes_up
+            or draft.lane_changes
+            or lead.lane_changes
+            or draft.drive.beside
+            or lead.drive.beside
+        ):
             continue
         standing = [other for other in line if stands_in_line(scene, other)]
         if lead in standing:
@@ -95,24 +116,9 @@ def _otherwise(scene: Scene, draft: DriveDraft, lead: DriveDraft) -> bool:
     return bool(kinds) or (slow and alone) or lead.drive.maneuver is Maneuver.STAY
 
 
-def _behind(scene: Scene, draft: DriveDraft) -> DriveDraft:
-    """The first who comes from behind one who stands."""
-    moving = [
-        other
-        for other in scene.drives.values()
-        if other.drive.maneuver is not Maneuver.STAY
-        and other.drive.entry == draft.drive.entry
-        and other.entry_lane == draft.entry_lane
-        and other.drive.rank > draft.drive.rank
-    ]
-    return min(moving, key=lambda other: other.drive.rank)
-
-
-def _up_to_standing(
-    scene: Scene, draft: DriveDraft, standing: list[DriveDraft]
-) -> list[Meeting]:
+def _up_to_standing(scene: Scene, draft: DriveDraft, standing: list[DriveDraft]) -> list[Meeting]:
     """Stop behind the last of a queue; ``standing`` from the front."""
-    meetings: list[Meeting] = []
+    places: list[tuple[DriveDraft, float]] = []
     head = standing[0]
     if scene.network.junctions:
         place = head.junction_s_m - head.body.front_m - _BEFORE_LINE_M
@@ -123,6 +129,7 @@ def _up_to_standing(
         if ahead is not None:
             place -= ahead.body.rear_m + _QUEUE_GAP_M + one.body.front_m
         one.stands_at_m = place
+        places.append((one, place))
         one.marks = [m for m in one.marks if m.hazard is not HazardKind.STOPPING]
         rate = one.braking_mps2(LATE_BRAKING_MPS2)
         braking = one.cruise_mps**2 / (2 * rate)
@@ -144,19 +151,11 @@ def _up_to_standing(
     draft.comes_up = True
     hold = _MOVES_OFF_S + (len(standing) + 1) * _ONE_BY_ONE_S + 1.0
     draft.add_mark(Mark(rest - braking, 0.0, rate, hazard, hold_s=hold))
-    for one in standing:
-        meetings.append(
-            Meeting(
-                STRUCTURAL,
-                one.id,
-                draft.id,
-                one.stands_at_m or 0.0,
-                rest - 0.3,
-                _STOOD_S / 2,
-                f"comes up behind {last.id}, which stands",
-            )
-        )
-    return meetings
+    reason = f"comes up behind {last.id}, which stands"
+    return [
+        Meeting(STRUCTURAL, one.id, draft.id, at_m, rest - 0.3, _STOOD_S / 2, reason)
+        for one, at_m in places
+    ]
 
 
 def _up_to_slower(

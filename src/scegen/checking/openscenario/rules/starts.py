@@ -14,8 +14,9 @@ RULE = "xosc.start"
 
 
 def check_starts(situation: Situation) -> Iterator[Finding]:
-    """``xosc.start``: each entity is placed; drivers on their entry lane (or the strip
-    that they pull out of), the rest at their arm.
+    """``xosc.start``: each entity is placed; drivers on their entry lane, the rest at their arm.
+
+    The entry lane of one who pulls out is the strip beside the lanes.
     """
     for entity in situation.storyboard.entities:
         position = situation.in_world(situation.storyboard.start(entity.name))

@@ -37,6 +37,7 @@ def _from_beside(scene: Scene, hazard: Hazard) -> list[Meeting]:
 ARRIVES_TOGETHER = Rule(prepare=_keep_going, shape=_from_beside)
 """Merging conflict, unprotected left turn, red-light running, failure to yield."""
 
+
 def _across(scene: Scene, hazard: Hazard) -> list[Meeting]:
     """A rider ahead who does not turn off comes over from the kerb, in front of one behind it."""
     meetings: list[Meeting] = []
