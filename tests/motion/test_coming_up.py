@@ -7,7 +7,7 @@ from told import first, told, who
 from scegen.motion import build_paths, simulate
 from scegen.road import build_network
 from scegen.scenario.bodies import BODIES
-from scegen.scenario.concrete import StoodStill
+from scegen.scenario.concrete import StandingMotion, StoodStill
 
 
 def traces(concrete):
@@ -77,8 +77,11 @@ def test_a_stray_is_met_as_it_comes_back(speed):
     assert back.position_m < place < back.position_m + back.length_m + 0.25 * speed + 5.0
 
 
-def test_one_who_stays_is_overtaken_as_before():
-    people = [who("ego", maneuvers=["overtake"]), who("x", "car", ["ahead"], ["stay"])]
+@pytest.mark.parametrize("maneuver", ["overtake", "lane_change"])
+def test_one_who_stays_is_gone_round(maneuver):
+    people = [who("ego", maneuvers=[maneuver]), who("x", "car", ["ahead"], ["stay"])]
     concrete = first(told("straight", people))
     assert concrete.ego.motion.lane_changes
-    assert concrete.participant("x").speed_mps < 2.0
+    x = concrete.participant("x")
+    assert isinstance(x.motion, StandingMotion)
+    assert x.motion.in_lane

@@ -142,13 +142,14 @@ def place_abreast(scene: Scene) -> None:
     settled = {
         name: lane
         for name, lane in lanes_abreast(functional, logical, scene.road).items()
-        if lane in entry_lanes(scene, scene.drives[name])
+        if name in scene.drives and lane in entry_lanes(scene, scene.drives[name])
     }
     for name, lane in settled.items():
         _take(scene, scene.drives[name], lane)
     groups: dict[str, list[Drive]] = {}
     for drive, other in abreast(logical):
-        if drive.participant not in settled:
+        known = scene.drives.keys() >= {drive.participant, other.participant}
+        if known and drive.participant not in settled:
             groups.setdefault(other.participant, []).append(drive)
     _clear_of_turning_back(scene)
     for reference, drives in groups.items():

@@ -87,7 +87,8 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
     rules = ordered_rules(scene.functional.hazards)
     place_standers(scene)
     for drive in scene.logical.drives:
-        scene.drives[drive.participant] = _draft(scene, drive)
+        if drive.participant not in scene.stands:
+            scene.drives[drive.participant] = _draft(scene, drive)
     for draft in scene.drives.values():
         choose_lanes(scene, draft)
     place_abreast(scene)

@@ -11,8 +11,9 @@ from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import StandingMotion
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Side, Standing
-from scegen.scenario.vocabulary import DrivingSide
+from scegen.scenario.vocabulary import DrivingSide, Maneuver
 
+_GO_ROUND = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 CLEAR_OF_CORNER_M = 6.0
 """From the junction to the nearest parked bumper: behind a crosswalk of 4 m set back by 1 m."""
 _ROOM_TO_PULL_OUT_M = 30.0
@@ -25,10 +26,23 @@ _BLOCKS_AT_M = 45.0
 _BLOCKS_STRAIGHT_AT_M = 15.0
 
 
+def passed_where_they_stand(scene: Scene) -> tuple[Standing, ...]:
+    """Those who are said to stay in their lane while somebody from behind goes round them."""
+    passers = [d for d in scene.logical.drives if d.maneuver in _GO_ROUND]
+    kerb = Side(scene.functional.junction.driving_side.value)
+    return tuple(
+        Standing(participant=drive.participant, arm=drive.entry, side=kerb, in_lane=True)
+        for drive in scene.logical.drives
+        if drive.maneuver is Maneuver.STAY
+        and drive.participant != scene.functional.ego.id
+        and any(p.entry == drive.entry and p.rank > drive.rank for p in passers)
+    )
+
+
 def place_standers(scene: Scene) -> None:
     """Line them up from the junction outwards, those that hide somebody next to the corner."""
     filled: dict[tuple[int, Side, bool], float] = {}
-    for standing in scene.logical.standings:
+    for standing in (*scene.logical.standings, *passed_where_they_stand(scene)):
         participant = scene.functional.participant(standing.participant)
         key = (standing.arm, standing.side, standing.in_lane)
         body = BODIES[participant.kind]
