@@ -108,7 +108,9 @@ def _otherwise(scene: Scene, draft: DriveDraft, lead: DriveDraft) -> bool:
         for hazard in scene.functional.hazards
         if {draft.id, lead.id} & {*hazard.by} and hazard.kind is not HazardKind.SLOW_DRIVING
     }
-    alone = not in_line_before(scene, lead)
+    # One who comes up behind one slow one reacts to it; several would drive through each other.
+    following = [each for each in scene.drives.values() if lead in in_line_before(scene, each)]
+    alone = not in_line_before(scene, lead) and following == [draft]
     slow = any(
         hazard.kind is HazardKind.SLOW_DRIVING and lead.id in hazard.by
         for hazard in scene.functional.hazards
