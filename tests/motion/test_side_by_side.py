@@ -1,5 +1,7 @@
 """Lanes of those beside each other, and who comes into whose."""
 
+from itertools import pairwise
+
 import pytest
 from shapely import LineString
 from told import first, told, who
@@ -97,3 +99,13 @@ def test_nobody_comes_in_from_a_lane_that_is_not_there():
     functional = told("straight", people, [("merging_conflict", "x", "ego")], lanes=1)
     with pytest.raises(MotionInfeasibleError, match="one lane per direction: no lane from which x"):
         first(functional)
+
+
+def test_several_in_the_one_lane_beside_drive_in_a_line():
+    people = [who("ego", maneuvers=["lane_change"])]
+    people += [who(name, "car", ["adjacent"], ["straight"]) for name in "abc"]
+    concrete = first(told("straight", people, lanes=2))
+    lane = motion(concrete, "ego").entry_lane
+    assert {motion(concrete, name).entry_lane for name in "abc"} == {3 - lane}
+    starts = sorted(motion(concrete, name).start_m for name in "abc")
+    assert all(after - before > 4.79 for before, after in pairwise(starts))

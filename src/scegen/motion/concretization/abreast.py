@@ -194,10 +194,10 @@ def _place_group(scene: Scene, reference: str, drives: list[Drive], *, movable: 
     outward = [name for name, side in said.items() if side is True]
     free = [name for name, side in said.items() if side is None]
     inward = [name for name, side in said.items() if side is False]
-    # Two sides: of several with no side said, the second goes outside.
-    crowded = len(free) + min(len(inward), 1) > 1 and not outward
     own = entry_lanes(scene, centre)
     count = scene.road.arms[centre.drive.entry].lanes_in
+    # Two sides: of several with no side said, the second goes outside.
+    crowded = len(free) + min(len(inward), 1) > 1 and not outward and count > 2
     if movable and outward + free[1:] * crowded and centre.entry_lane == count:
         inner = [lane for lane in own if lane < count]
         if inner:

@@ -148,12 +148,15 @@ def _side_by_side(scene: Scene, meetings: list[Meeting]) -> list[Meeting]:
     """
     arranged = {frozenset((m.first, m.second)) for m in meetings}
     found = []
+    # The second in the same lane drives in a line with the first.
+    taken: set[tuple[str, int]] = set()
     for draft in scene.drives.values():
         beside = scene.drives.get(draft.drive.beside or "")
         if beside is None or not same_arm(draft, beside):
             continue
-        if frozenset((beside.id, draft.id)) in arranged:
+        if frozenset((beside.id, draft.id)) in arranged or (beside.id, draft.entry_lane) in taken:
             continue
+        taken.add((beside.id, draft.entry_lane))
         point = drives_meet(beside, draft)
         if point is not None:
             reason = "side by side, one turns across the other"
