@@ -225,3 +225,49 @@ def test_who_brakes_beside_the_ego_stays_beside_it(describe):
     found = listed(describe("straight", 2, [EGO, car], [hazard("hard_braking")]))
     assert found
     assert all(drive.beside == "ego" for _, drive, _ in found)
+
+
+def test_across_one_beside(describe):
+    """Beside each other, one turns across the other: that is how it fails to yield."""
+    car = CAR | {"approaches": ["adjacent"], "maneuvers": ["left", "straight"]}
+    functional = describe("four_way", 4, [EGO, car], [hazard("failure_to_yield")])
+    for _, one, ego in listed(functional):
+        assert one.entry == ego.entry
+        assert {one.turn, ego.turn} != {Maneuver.STRAIGHT}
+
+
+def test_both_turn_left_if_both_are_said_to(describe):
+    turning = {"approaches": ["opposite"], "maneuvers": ["left"]}
+    functional = describe(
+        "four_way",
+        4,
+        [EGO | {"maneuvers": ["left"]}, CAR | turning],
+        [hazard("unprotected_left_turn", "ego", "car")],
+    )
+    for _, car, ego in listed(functional):
+        assert (car.entry - ego.entry) % 4 == 2
+    free = describe("four_way", 4, [EGO, CAR | turning], [hazard("failure_to_yield", "ego", "car")])
+    for _, _, ego in listed(free):
+        assert ego.turn is not Maneuver.LEFT
+
+
+@pytest.mark.parametrize("kind", ["failure_to_yield", "delayed_braking", "hard_braking"])
+def test_from_the_other_end_where_somebody_strays(describe, kind):
+    car = CAR | {"approaches": ["opposite"]}
+    around = EGO | {"maneuvers": ["overtake"]}
+    van = {"id": "van", "parked": True, "approaches": ["ahead"], "maneuvers": ["stay"]}
+    for people, more in (([around, car], []), ([EGO, car, van], [hazard("obstacle", "van")])):
+        functional = describe("straight", 2, people, [hazard(kind), *more])
+        for _, one, ego in listed(functional):
+            assert one.entry != ego.entry
+    with pytest.raises(NoScenarioError):
+        enumerate_scenarios(describe("straight", 2, [EGO, car], [hazard(kind)]))
+
+
+@pytest.mark.parametrize("place", ["opposite", "ahead"])
+def test_one_who_turns_back_cuts_off_those_who_come(describe, place):
+    car = CAR | {"approaches": [place], "maneuvers": ["u_turn"]}
+    functional = describe("straight", 2, [EGO, car], [hazard("failure_to_yield")])
+    for _, one, ego in listed(functional):
+        assert one.turn is Maneuver.U_TURN
+        assert (one.entry == ego.entry) == (place == "ahead")

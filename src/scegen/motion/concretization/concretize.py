@@ -85,13 +85,7 @@ def concretize(
 
 def _compose(scene: Scene, seed: int) -> ConcreteScenario:
     rules = ordered_rules(scene.functional.hazards)
-    place_standers(scene)
-    for drive in scene.logical.drives:
-        if drive.participant not in scene.stands:
-            scene.drives[drive.participant] = _draft(scene, drive)
-    for draft in scene.drives.values():
-        choose_lanes(scene, draft)
-    place_abreast(scene)
+    _place(scene)
     choose_lanes_that_meet(scene, rules)
     for rule, hazard in rules:
         if rule.prepare is not None:
@@ -120,6 +114,17 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
     program_walkers(scene)
     program_pulls(scene)
     return assemble(scene, seed)
+
+
+def _place(scene: Scene) -> None:
+    """Who stands where, and who drives in which lane before any danger is looked at."""
+    place_standers(scene)
+    for drive in scene.logical.drives:
+        if drive.participant not in scene.stands:
+            scene.drives[drive.participant] = _draft(scene, drive)
+    for draft in scene.drives.values():
+        choose_lanes(scene, draft)
+    place_abreast(scene)
 
 
 def _draft(scene: Scene, drive: Drive) -> DriveDraft:
