@@ -7,7 +7,7 @@ from hazard_views import DT_S, line, steady, view, way
 
 from scegen.criticality.hazards.judging import judge, relative_margins
 from scegen.criticality.hazards.table import INEXPRESSIBLE, PREDICATES
-from scegen.scenario.concrete import CrossingMotion
+from scegen.scenario.concrete import AtTime, CrossingMotion, SpeedPhase
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
 
@@ -148,7 +148,9 @@ CROSSES = CrossingMotion(arm=0, start_side="right", from_junction_m=0.0, setback
 @pytest.mark.parametrize(("halts_at_m", "expected"), [(None, True), (7.0, False)])
 def test_a_cyclist_who_waits_at_the_kerb_and_then_rides_on_does_not_yield(halts_at_m, expected):
     """It stands before it sets out; what counts is whether it stops before the ego's way."""
-    rider = participant("other", "bicycle").model_copy(update={"motion": CROSSES})
+    sets_out = SpeedPhase(trigger=AtTime(time_s=2.0), target_speed_mps=4.0, rate_mps2=20.0)
+    rider = participant("other", "bicycle", program=[sets_out])
+    rider = rider.model_copy(update={"motion": CROSSES})
     speed = ramp(0, 4.0, 20.0, begins_s=2.0)
     if halts_at_m is not None:
         speed = np.where(np.cumsum(speed) * DT_S > halts_at_m, 0.0, speed)
@@ -158,9 +160,9 @@ def test_a_cyclist_who_waits_at_the_kerb_and_then_rides_on_does_not_yield(halts_
 
 
 def test_speeding_of_who_cannot_reach_the_limit():
-    """A bicycle is fast from half its top speed on."""
+    """A bicycle is fast above the 25 km/h up to which a pedelec helps, by a tenth."""
     rider = participant("other", "bicycle")
-    for speed, expected in ((7.2, True), (6.8, False)):
+    for speed, expected in ((7.8, True), (7.5, False)):
         made = view((EGO, rider), (line(0, 0, 0), line(20, 0, 0)), (steady(5), steady(speed)))
         assert happens("speeding", made, to=()).happened is expected
 

@@ -227,27 +227,47 @@ def test_who_brakes_beside_the_ego_stays_beside_it(describe):
     assert all(drive.beside == "ego" for _, drive, _ in found)
 
 
-HEAD_ON = [("failure_to_yield", "car"), ("delayed_braking", "car"), ("stopping", "car"),
-           ("failure_to_yield", "ego"), ("hard_braking", "car")]  # fmt: skip
+def test_across_one_beside(describe):
+    """Beside each other, one turns across the other: that is how it fails to yield."""
+    car = CAR | {"approaches": ["adjacent"], "maneuvers": ["left", "straight"]}
+    functional = describe("four_way", 4, [EGO, car], [hazard("failure_to_yield")])
+    for _, one, ego in listed(functional):
+        assert one.entry == ego.entry
+        assert {one.turn, ego.turn} != {Maneuver.STRAIGHT}
 
 
-@pytest.mark.parametrize(("kind", "by"), HEAD_ON)
-def test_who_overtakes_meets_the_oncoming(describe, kind, by):
-    """On a plain road the two keep to their own sides, unless one pulls out."""
-    oncoming = CAR | {"approaches": ["opposite"]}
-    danger = hazard(kind, by, "ego" if by == "car" else "car")
-    passing = EGO | {"maneuvers": ["overtake"]}
-    assert listed(describe("straight", 2, [passing, oncoming], [danger]))
-    with pytest.raises(NoScenarioError):
-        enumerate_scenarios(describe("straight", 2, [EGO, oncoming], [danger]))
-
-
-def test_two_who_turn_left_from_opposite_sides(describe):
-    left = {"maneuvers": ["left"]}
+def test_both_turn_left_if_both_are_said_to(describe):
+    turning = {"approaches": ["opposite"], "maneuvers": ["left"]}
     functional = describe(
         "four_way",
         4,
-        [EGO | left, CAR | left | {"approaches": ["opposite"]}],
+        [EGO | {"maneuvers": ["left"]}, CAR | turning],
         [hazard("unprotected_left_turn", "ego", "car")],
     )
-    assert all((car.entry - ego.entry) % 4 == 2 for _, car, ego in listed(functional))
+    for _, car, ego in listed(functional):
+        assert (car.entry - ego.entry) % 4 == 2
+    free = describe("four_way", 4, [EGO, CAR | turning], [hazard("failure_to_yield", "ego", "car")])
+    for _, _, ego in listed(free):
+        assert ego.turn is not Maneuver.LEFT
+
+
+@pytest.mark.parametrize("kind", ["failure_to_yield", "delayed_braking", "hard_braking"])
+def test_from_the_other_end_where_somebody_strays(describe, kind):
+    car = CAR | {"approaches": ["opposite"]}
+    around = EGO | {"maneuvers": ["overtake"]}
+    van = {"id": "van", "parked": True, "approaches": ["ahead"], "maneuvers": ["stay"]}
+    for people, more in (([around, car], []), ([EGO, car, van], [hazard("obstacle", "van")])):
+        functional = describe("straight", 2, people, [hazard(kind), *more])
+        for _, one, ego in listed(functional):
+            assert one.entry != ego.entry
+    with pytest.raises(NoScenarioError):
+        enumerate_scenarios(describe("straight", 2, [EGO, car], [hazard(kind)]))
+
+
+@pytest.mark.parametrize("place", ["opposite", "ahead"])
+def test_one_who_turns_back_cuts_off_those_who_come(describe, place):
+    car = CAR | {"approaches": [place], "maneuvers": ["u_turn"]}
+    functional = describe("straight", 2, [EGO, car], [hazard("failure_to_yield")])
+    for _, one, ego in listed(functional):
+        assert one.turn is Maneuver.U_TURN
+        assert (one.entry == ego.entry) == (place == "ahead")

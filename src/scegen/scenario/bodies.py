@@ -54,18 +54,3 @@ BODIES: dict[ParticipantKind, Body] = {
         5.90, 2.30, 2.70, 1.85, 3.70, "vehicle.ford.ambulance", 50, 3, 8
     ),
 }
-
-
-ABOVE_LIMIT = 1.1
-"""As a share of the limit: what is clearly above it."""
-_OF_TOP_SPEED = 0.5
-
-
-def speeding_mps(kind: ParticipantKind, limit_mps: float) -> float:
-    """From which speed on somebody speeds: clearly above the limit.
-
-    Who cannot get there is fast for its kind: half its top speed (a bicycle: 25 km/h, where the
-    assistance of a pedelec ends, EU 168/2013).
-    """
-    clearly, top = ABOVE_LIMIT * limit_mps, BODIES[kind].top_speed_mps
-    return clearly if clearly <= top else _OF_TOP_SPEED * top

@@ -44,14 +44,24 @@ class ArmRoad(FrozenModel):
     speed_limit_mps: float = Field(gt=0, le=70)
 
 
+class Turn(FrozenModel):
+    """A way through a crossing beside the usual ones; with ``radius_m`` it turns so tightly."""
+
+    entry: int = Field(ge=0)
+    lane_in: int = Field(ge=1, le=3)
+    exit: int = Field(ge=0)
+    lane_out: int = Field(ge=1, le=3)
+    radius_m: float | None = Field(default=None, ge=3.0, le=50.0)
+
+
 class RoadParameters(FrozenModel):
     """All that determines the road network.
 
     ``corner_radius_m`` is the kerb radius between neighbouring arms, ``ring_radius_m`` the
     radius of the outermost ring lane's centre; None lets the road package choose.
     ``parking_lanes`` are arms with a strip for standing vehicles beside the travelled lanes;
-    ``u_turns`` arms where turning back is possible; ``controlled_arms`` those whose entering
-    traffic the control's signs or lights stand for.
+    ``u_turns`` arms where turning back is possible; ``turns`` more ways through the crossing;
+    ``controlled_arms`` are those whose entering traffic the control's signs or lights stand for.
     """
 
     kind: JunctionKind
@@ -64,6 +74,7 @@ class RoadParameters(FrozenModel):
     crosswalks: ArmSet = frozenset()
     parking_lanes: ArmSet = frozenset()
     u_turns: ArmSet = frozenset()
+    turns: tuple[Turn, ...] = ()
     controlled_arms: ArmSet = frozenset()
 
 
@@ -157,13 +168,14 @@ class LaneChange(FrozenModel):
 class DriveMotion(FrozenModel):
     """A vehicle's way. It starts ``start_m`` along the drive, in lane ``entry_lane``.
 
+    One lane beyond the outermost is the strip for parking, out of which it then pulls.
     ``turning_starts_m`` and ``turning_ends_m`` are where the junction (or ring) begins and
     ends on its way; they follow from the road and are checked, not obeyed.
     """
 
     type: Literal["drive"] = "drive"
     entry: int = Field(ge=0)
-    entry_lane: int = Field(ge=1, le=3)
+    entry_lane: int = Field(ge=1, le=4)
     exit: int = Field(ge=0)
     exit_lane: int = Field(ge=1, le=3)
     ring_lane: int | None = Field(default=None, ge=1, le=2)

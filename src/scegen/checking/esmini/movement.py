@@ -100,7 +100,7 @@ def _way(
     motion = participant.motion
     if isinstance(motion, DriveMotion):
         first = _lanes(network, movement, 0, arms[motion.entry])
-        if not first & set(arms[motion.entry].inward):
+        if not first & {*arms[motion.entry].inward, *arms[motion.entry].strips}:
             message = f"does not start on a lane into the junction of arm {motion.entry}"
             yield error("esmini.entry", participant.id, message)
         last = _lanes(network, movement, -1, arms[motion.exit])

@@ -18,8 +18,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from scegen.scenario.bodies import ABOVE_LIMIT
-
 
 @dataclass(frozen=True, slots=True)
 class Threshold:
@@ -31,7 +29,7 @@ class Threshold:
     source: str
 
 
-SPEEDING = Threshold(ABOVE_LIMIT, "m/s", 1.4, "own: a tenth above the limit")
+SPEEDING = Threshold(1.1, "m/s", 1.4, "own: a tenth above the limit")
 """As a share of the speed limit; its margin is in m/s."""
 SLOW = Threshold(0.6, "m/s", 1.4, "own: below 0.6 of the limit")
 SLOW_FOR_S = 3.0
@@ -52,8 +50,6 @@ CONFLICT = Threshold(1.5, "s", 0.5, "[ASC], [TTC]")
 CONFLICT_WITHIN_M = 5.0
 """A TTC counts only for those who come this close."""
 DRIVES_ON = Threshold(1.4, "m/s", 0.5, "own: at least walking pace where it should stop")
-WALKS_ON_MPS = 0.5
-"""The same for one who crosses."""
 PASSES = Threshold(0.0, "m", 2.0, "own: from wholly behind to wholly ahead")
 ONCOMING = Threshold(1.0, "s", 0.5, "own: a second over the centre line")
 OCCLUDED = Threshold(0.4, "s", 0.2, "[UN157]: as long as a careful driver takes to see a risk")

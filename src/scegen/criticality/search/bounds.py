@@ -116,6 +116,9 @@ def _start(
     maker: _Maker, participant: ConcreteParticipant, way: Way, start_m: float, *, full: bool
 ) -> Quantity:
     """Where a drive starts on its arm."""
+    motion = participant.motion
+    if isinstance(motion, DriveMotion) and motion.entry_lane > way.lanes_in:
+        return Quantity(start_m)
     speed = max(participant.speed_mps, 1.0)
     within = speed * (_START_WITHIN_S if full else _BYSTANDER_WITHIN_S)
     places = [way.turn_start_m - _BEFORE_JUNCTION_M]
@@ -149,6 +152,8 @@ def _cruise(
     maker: _Maker, concrete: ConcreteScenario, participant: ConcreteParticipant, way: Way
 ) -> Quantity:
     speed = participant.speed_mps
+    if speed == 0.0:
+        return Quantity(0.0)
     bounds = speed_range(concrete, participant, way.limit_mps, speed)
     return maker.quantity(f"{participant.id}.speed_mps", speed, bounds, 0.1 * max(speed, 1.0))
 

@@ -12,7 +12,7 @@ from scegen.criticality.hazards.roles import victims
 from scegen.criticality.hazards.table import PREDICATES
 from scegen.criticality.scene import Scene, build_scene
 from scegen.motion.model import Path
-from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.logical import ConflictKind
 from scegen.scenario.vocabulary import HazardKind
 
@@ -25,7 +25,7 @@ def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
     """Pairs that the danger may be about, the best first, each once.
 
     First those of the dangers, plain conflicts and the ego's before others; then the ego's
-    conflicts, then all others.
+    conflicts, then all others; those between whom somebody drives come last.
     """
     ego = concrete.ego.id
     found: list[Pair] = []
@@ -50,7 +50,23 @@ def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
         if frozenset(pair) not in seen and pair[0] != pair[1]:
             seen.add(frozenset(pair))
             result.append(pair)
-    return result
+    return sorted(result, key=lambda pair: _parted(concrete, pair))
+
+
+def _parted(concrete: ConcreteScenario, pair: Pair) -> bool:
+    """Whether somebody drives between two in the queue of one lane: neighbours come close."""
+    ranks = {drive.participant: drive.rank for drive in concrete.logical.drives}
+    queues = {
+        p.id: (p.motion.entry, p.motion.entry_lane)
+        for p in concrete.participants
+        if isinstance(p.motion, DriveMotion) and not p.motion.lane_changes and p.id in ranks
+    }
+    if not queues.keys() >= {*pair} or queues[pair[0]] != queues[pair[1]]:
+        return False
+    low, high = sorted(ranks[name] for name in pair)
+    return any(
+        low < ranks[name] < high for name, queue in queues.items() if queue == queues[pair[0]]
+    )
 
 
 def judged_pairs(concrete: ConcreteScenario) -> list[Pair]:

@@ -92,6 +92,16 @@ def _participant(scene: Scene, participant: Participant) -> ConcreteParticipant:
             motion=walk.motion,
             speed_program=tuple(walk.program),
         )
+    if name in scene.pulls:
+        pull = scene.pulls[name]
+        return ConcreteParticipant(
+            id=name,
+            kind=participant.kind,
+            role=participant.role,
+            speed_mps=0.0,
+            motion=pull.motion,
+            speed_program=tuple(pull.program),
+        )
     if name in scene.stands:
         return ConcreteParticipant(
             id=name,
@@ -106,6 +116,8 @@ def _participant(scene: Scene, participant: Participant) -> ConcreteParticipant:
 
 def _program(draft: DriveDraft) -> tuple[float, tuple[SpeedPhase, ...]]:
     """Initial speed and phases, rounded; reactions come where the program reaches them."""
+    if draft.moves_off is not None:
+        return 0.0, (_rounded(draft.moves_off),)
     speed, phases = compile_marks(draft.id, draft.all_marks(), draft.course, draft.start_m)
     if draft.reactions:
         at = draft.reacts_at_s_m - draft.start_m
@@ -177,6 +189,10 @@ def _goal_m(scene: Scene, name: str, path: Path) -> float:
             for change in draft.lane_changes
         ]
         return min(max(places), draft.laid.path.length_m) - draft.start_m - 1e-6
+    if name in scene.pulls:
+        pull = scene.pulls[name]
+        places = [pull.laid.path_s_m(pull.motion.turning_ends_m) + _INTO_EXIT_M]
+        return min(max(*places, pull.in_lane_m + 5.0), path.length_m) - 1e-6
     if name in scene.walks:
         return max(0.0, path.length_m - 0.5)
     return 0.0

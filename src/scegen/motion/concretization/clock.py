@@ -207,6 +207,8 @@ def schedule(
     ego = scene.ego
     latest = [APPROACH_S - ego.course.time_at(first_s[ego.id])]
     for name, draft in scene.drives.items():
+        if draft.stands_at_m is not None:
+            continue
         lead_in = draft.course.time_at(_latest_start_m(draft, first_s[name])) - LEAD_IN_S
         latest.append(-offsets[name] - max(0.0, lead_in))
     for appointment in appointments:
@@ -216,7 +218,9 @@ def schedule(
     shifted = {name: offset + shift for name, offset in offsets.items()}
     short, who = 0.0, ""
     for name, draft in scene.drives.items():
-        start = draft.course.s_at(-shifted[name])
+        start = draft.stands_at_m
+        if start is None:
+            start = draft.course.s_at(-shifted[name])
         missing = draft.body.rear_m + _ARM_MARGIN_M - start
         if missing > short:
             short, who = missing, name

@@ -10,7 +10,6 @@ from scegen.errors import MotionInfeasibleError
 from scegen.motion.concretization.limits import (
     COMFORTABLE_ACCELERATION_MPS2,
     COMFORTABLE_BRAKING_MPS2,
-    DEFAULT_LIMIT_MPS,
     LATERAL_MPS2,
 )
 from scegen.motion.concretization.marks import Mark, Timeline, timeline
@@ -33,7 +32,8 @@ from scegen.scenario.concrete import (
 )
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Crossing, Drive, LogicalScenario, Standing
-from scegen.scenario.vocabulary import ParticipantKind
+from scegen.scenario.speed_limits import implied_limit_mps
+from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 
 _SIDEWAYS = 0.9
 """The share of the grip that a bend may take."""
@@ -48,7 +48,9 @@ class DriveDraft:
     ``start_m`` where on that path it starts at time 0; ``reactions`` phases that look at others,
     to be put where the program reaches ``reacts_at_s_m``. ``slowing_mps2`` is how hard it brakes
     before turns, ``approach_mps`` and ``resume_mps`` its speeds before and after them if not
-    ``cruise_mps``; ``grip_mps2`` is what the tyres hold on this road.
+    ``cruise_mps``; ``grip_mps2`` is what the tyres hold on this road. One that stands at first does
+    so at ``stands_at_m`` of its path, until ``moves_off``; ``comes_up`` says that it brakes behind
+    one who is slower or stands.
     """
 
     id: str
@@ -67,6 +69,9 @@ class DriveDraft:
     marks: list[Mark] = field(default_factory=list)
     reactions: list[SpeedPhase] = field(default_factory=list)
     reacts_at_s_m: float = 0.0
+    stands_at_m: float | None = None
+    moves_off: SpeedPhase | None = None
+    comes_up: bool = False
     start_m: float = 0.0
     grip_mps2: float = GRAVITY_MPS2
     laid_: LaidDrive | None = None
@@ -197,6 +202,28 @@ class StandDraft:
 
 
 @dataclass
+class PullDraft:
+    """One who is parked and pulls out, in the making; lengths are along its path.
+
+    It is in the lane ``in_lane_m`` from where it stands, ``takes_s`` after it sets off, when
+    ``waits_for`` is at ``place_m`` of its own path.
+    """
+
+    id: str
+    kind: ParticipantKind
+    motion: DriveMotion
+    laid: LaidDrive
+    speed_mps: float
+    rate_mps2: float
+    in_lane_m: float
+    hazard: HazardKind | None = None
+    waits_for: str | None = None
+    place_m: float = 0.0
+    takes_s: float = 0.0
+    program: list[SpeedPhase] = field(default_factory=list)
+
+
+@dataclass
 class Scene:
     """Everything about one scenario in the making."""
 
@@ -208,13 +235,14 @@ class Scene:
     drives: dict[str, DriveDraft] = field(default_factory=dict)
     walks: dict[str, WalkDraft] = field(default_factory=dict)
     stands: dict[str, StandDraft] = field(default_factory=dict)
+    pulls: dict[str, PullDraft] = field(default_factory=dict)
     changes: list[Change] = field(default_factory=list)
 
     @property
     def limit_mps(self) -> float:
         """The speed limit of the junction."""
         return self.functional.junction.speed_limit_mps or min(
-            DEFAULT_LIMIT_MPS, self.road.arms[0].speed_limit_mps
+            implied_limit_mps(self.functional), self.road.arms[0].speed_limit_mps
         )
 
     @property

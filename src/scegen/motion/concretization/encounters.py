@@ -48,7 +48,7 @@ def conflict_meetings(
             if key not in involved and not _others_between(scene, cause, sufferer):
                 priority = DANGER if scene.ego.id in key else DANGER_TO_OTHERS
                 reason = f"{hazard.kind}: arrives together"
-                if same_arm(cause, sufferer):
+                if same_arm(cause, sufferer) and drives_meet(cause, sufferer) is None:
                     found = [_close(scene, hazard, cause, sufferer, priority)]
                 else:
                     found = _meeting(priority, cause, sufferer, 0.0, reason)

@@ -13,12 +13,10 @@ number is this program's own choice.
 
 from __future__ import annotations
 
-DEFAULT_LIMIT_MPS = 50 / 3.6
-"""Where the text names no speed limit: the urban limit of the Vienna Convention's countries."""
-
 COMFORTABLE_BRAKING_MPS2 = 2.5  # [EDM]
 COMFORTABLE_ACCELERATION_MPS2 = 2.0  # [EDM]
 HARD_BRAKING_MPS2 = (7.0, 8.0)  # well above [UN152], below the tyre's limit on dry road
+LATE_BRAKING_MPS2 = 5.0  # between comfort and [UN152]: one who comes up behind another
 STOPPING_MPS2 = 4.0  # above the 3.4 of [AASHTO]
 SUDDEN_ACCELERATION_MPS2 = (3.0, 4.0)
 

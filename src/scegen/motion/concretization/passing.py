@@ -59,6 +59,12 @@ def pass_drive(
     Raises:
         NeedsLongerArms: the arm is too short for it.
     """
+    if _is_to_stray(scene, passer):
+        oncoming = True
+        for draft in (passer, passed):
+            if not draft.lane_changes:
+                draft.entry_lane = min(entry_lanes(scene, draft))
+                draft.lay(scene.network)
     lanes = entry_lanes(scene, passer)
     if comes_back or passed.entry_lane in lanes:
         passer.entry_lane = passed.entry_lane
@@ -84,6 +90,14 @@ def pass_drive(
     return [
         Meeting(STRUCTURAL, passed.id, passer.id, middle + difference, middle, 0.0, "side by side")
     ]
+
+
+def _is_to_stray(scene: Scene, passer: DriveDraft) -> bool:
+    """Whether one who overtakes is said to do so through the oncoming lane."""
+    return any(
+        hazard.kind is HazardKind.ONCOMING_LANE and passer.id in hazard.by
+        for hazard in scene.functional.hazards
+    )
 
 
 def pass_standing(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import dataclass
+from math import sqrt
 
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.concretization.drafts import DriveDraft, Scene, WalkDraft
@@ -32,6 +33,8 @@ _INTO_PATH_M = 1.0
 _STEPS_OFF_M = 0.5
 _SETTLE_S = 0.5
 _ABREAST_M = 0.9
+_OF_PEAK = 0.9
+"""Of the pace at which one who sets off must begin to stop, the share that is used."""
 
 _HAZARD = {
     ParticipantKind.PEDESTRIAN: HazardKind.CROSSING_PEDESTRIAN,
@@ -203,5 +206,7 @@ def _stop_in_the_way(scene: Scene, walk: WalkDraft, point: MeetingPoint) -> None
     length = min(point.second_s_m + _STOP_SHORT_M, walk.path.length_m)
     if length <= 0:
         raise MotionInfeasibleError("stops before it has started", where=walk.id)
+    # Nobody reaches its full pace on a way too short to stop from it.
+    walk.speed_mps = round(min(walk.speed_mps, _OF_PEAK * sqrt(WALKING_START_MPS2 * length)), 3)
     walk.motion = walk.motion.model_copy(update={"stops_after_m": round(length, 3)})
     walk.path = crossing_path(scene.network, walk.motion, walk.id)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from scegen.checking.opendrive.arms import Arm
+from scegen.checking.opendrive.arms import STRIPS, Arm
 from scegen.checking.opendrive.locate import OnLane
 from scegen.checking.openscenario.situation import Situation
 from scegen.checking.openscenario.storyboard import Trajectory
@@ -38,8 +38,11 @@ def _drive(
     situation: Situation, name: str, motion: DriveMotion, trajectory: Trajectory
 ) -> Iterator[Finding]:
     under = situation.lanes_at([vertex.point for vertex in trajectory.points])
+    inward = situation.arms[motion.entry].inward
+    pulls_out = motion.entry_lane > max((abs(lane) for lane in inward), default=0)
+    usable = {"driving", *STRIPS} if pulls_out else {"driving"}
     for number, (vertex, lanes) in enumerate(zip(trajectory.points, under, strict=True)):
-        if all(lane.type != "driving" for lane in lanes):
+        if all(lane.type not in usable for lane in lanes):
             message = f"vertex {number} ({vertex.x:.2f}, {vertex.y:.2f}) lies on no driving lane"
             yield error("xosc.off_road", name, message)
             break

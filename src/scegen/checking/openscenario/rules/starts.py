@@ -14,7 +14,10 @@ RULE = "xosc.start"
 
 
 def check_starts(situation: Situation) -> Iterator[Finding]:
-    """``xosc.start``: each entity is placed; drivers on their entry lane, the rest at their arm."""
+    """``xosc.start``: each entity is placed; drivers on their entry lane, the rest at their arm.
+
+    The entry lane of one who pulls out is the strip beside the lanes.
+    """
     for entity in situation.storyboard.entities:
         position = situation.in_world(situation.storyboard.start(entity.name))
         if position is None:
@@ -45,7 +48,7 @@ def _where_asked(
         yield error(RULE, participant.id, message)
         return
     if isinstance(motion, DriveMotion):
-        wanted = {lane for lane in arm.inward if abs(lane) == motion.entry_lane}
+        wanted = {lane for lane in (*arm.inward, *arm.strips) if abs(lane) == motion.entry_lane}
         if not wanted & {lane.lane for lane in here}:
             message = f"starts on lane {here[0].lane} of {arm.place}, not on {sorted(wanted)}"
             yield error(RULE, participant.id, message)

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.concretization.hazards.braking import DELAYED_BRAKING, HARD_BRAKING, STOPPING
-from scegen.motion.concretization.hazards.conflict import ARRIVES_TOGETHER, STANDS_OR_WALKS
+from scegen.motion.concretization.hazards.conflict import (
+    ARRIVES_TOGETHER,
+    CROSSES,
+    STANDS_OR_WALKS,
+)
 from scegen.motion.concretization.hazards.cut_in import CUT_IN
 from scegen.motion.concretization.hazards.oncoming_lane import ONCOMING_LANE
 from scegen.motion.concretization.hazards.overtaking import OVERTAKING
@@ -37,7 +41,7 @@ RULES: dict[HazardKind, Rule] = {
     HazardKind.RED_LIGHT_RUNNING: ARRIVES_TOGETHER,
     HazardKind.FAILURE_TO_YIELD: ARRIVES_TOGETHER,
     HazardKind.CROSSING_PEDESTRIAN: STANDS_OR_WALKS,
-    HazardKind.CROSSING_CYCLIST: STANDS_OR_WALKS,
+    HazardKind.CROSSING_CYCLIST: CROSSES,
     HazardKind.OCCLUSION: STANDS_OR_WALKS,
     HazardKind.OBSTACLE: STANDS_OR_WALKS,
 }
