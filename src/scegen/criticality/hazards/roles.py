@@ -29,7 +29,8 @@ def culprits(concrete: ConcreteScenario, hazard: Hazard) -> list[str]:
         return list(hazard.by)
     driving, ego = drivers(concrete), concrete.ego.id
     if hazard.kind in _BY_STANDERS:
-        return [p.id for p in concrete.participants if p.parked]
+        standing = [p.id for p in concrete.participants if p.parked]
+        return standing or [thing.id for thing in concrete.objects]
     if hazard.kind in _BY_WALKERS:
         walkers = [p.id for p in concrete.participants if p.motion.type == "crossing"]
         return [name for name in walkers if name not in hazard.to]

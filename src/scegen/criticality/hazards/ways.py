@@ -39,7 +39,8 @@ class Way:
     """One participant's way; positions are along its path, m.
 
     ``turn_start_m`` and ``turn_end_m`` are where the junction begins and ends, ``goal_m`` how far
-    it must come before the scenario may end; ``curvature_1pm`` belongs to ``at_m``.
+    it must come before the scenario may end, unless it ``halts``: stops on the way and stays;
+    ``curvature_1pm`` belongs to ``at_m``.
     """
 
     participant: ConcreteParticipant
@@ -52,6 +53,7 @@ class Way:
     at_m: Floats
     curvature_1pm: Floats
     laid: LaidDrive | None
+    halts: bool = False
 
 
 def ways_of(concrete: ConcreteScenario, network: RoadNetwork) -> dict[str, Way]:
@@ -102,7 +104,14 @@ def _way(participant: ConcreteParticipant, concrete: ConcreteScenario, network: 
         at_m=at,
         curvature_1pm=curvature,
         laid=laid,
+        halts=halts(participant),
     )
+
+
+def halts(participant: ConcreteParticipant) -> bool:
+    """Whether a driver's program ends at rest: it stops on its way and stays."""
+    program = participant.speed_program
+    return bool(program) and program[-1].target_speed_mps == 0.0
 
 
 def _curvature(path: Path) -> tuple[Floats, Floats]:

@@ -16,6 +16,8 @@ from scegen.motion.concretization.lane_choice import choose_lanes
 from scegen.motion.concretization.maneuvers import prepare_maneuvers, shape_maneuvers
 from scegen.motion.concretization.meeting_lanes import choose_lanes_that_meet
 from scegen.motion.concretization.meetings import Meeting
+from scegen.motion.concretization.obstacles import expect_obstacles, place_obstacles, stop_short
+from scegen.motion.concretization.occluders import hide
 from scegen.motion.concretization.roads import FIRST_ARM_M, LONGEST_ARM_M, plan
 from scegen.motion.concretization.room import NeedsLongerArms
 from scegen.motion.concretization.speeds import cruise_speed_mps
@@ -81,6 +83,7 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
     # Those beside others take what lane is left.
     for draft in sorted(scene.drives.values(), key=lambda draft: draft.drive.beside is not None):
         choose_lanes(scene, draft)
+    expect_obstacles(scene)
     choose_lanes_that_meet(scene, rules)
     for rule, hazard in rules:
         if rule.prepare is not None:
@@ -95,16 +98,18 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
             meetings += rule.shape(scene, hazard)
     meetings += shape_maneuvers(scene)
     go_round_standers(scene)
+    place_obstacles(scene)
     for rule, hazard in rules:
         if rule.act is not None:
             rule.act(scene, hazard)
+    stop_short(scene)
     meetings += conflict_meetings(scene, rules, meetings)
     _start(scene, meetings)
     for rule, hazard in rules:
         if rule.react is not None:
             rule.react(scene, hazard)
     program_walkers(scene)
-    return assemble(scene, seed)
+    return hide(scene, assemble(scene, seed))
 
 
 def _draft(scene: Scene, drive: Drive) -> DriveDraft:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from math import inf
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from scegen.motion.concretization.limits import (
     LATERAL_MPS2,
 )
 from scegen.motion.concretization.marks import Mark, Timeline, timeline
+from scegen.motion.concretization.things import Thing
 from scegen.motion.concretization.turning import turning_marks
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.model import Path
@@ -31,8 +33,9 @@ from scegen.scenario.concrete import (
     SpeedPhase,
     StandingMotion,
 )
-from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import Crossing, Drive, LogicalScenario, Standing
+from scegen.scenario.objects import StaticObject
 from scegen.scenario.vocabulary import ParticipantKind
 
 _SIDEWAYS = 0.9
@@ -48,7 +51,8 @@ class DriveDraft:
     ``start_m`` where on that path it starts at time 0; ``reactions`` phases that look at others,
     to be put where the program reaches ``reacts_at_s_m``. ``slowing_mps2`` is how hard it brakes
     before turns, ``approach_mps`` and ``resume_mps`` its speeds before and after them if not
-    ``cruise_mps``; ``grip_mps2`` is what the tyres hold on this road.
+    ``cruise_mps``; ``grip_mps2`` is what the tyres hold on this road. ``rests_at_m`` is where it
+    is to come to rest if it brakes, because of a thing in its way; ``halts_at_m`` where it stays.
     """
 
     id: str
@@ -69,6 +73,8 @@ class DriveDraft:
     reacts_at_s_m: float = 0.0
     start_m: float = 0.0
     grip_mps2: float = GRAVITY_MPS2
+    rests_at_m: float | None = None
+    halts_at_m: float | None = None
     laid_: LaidDrive | None = None
     course_: Timeline | None = None
 
@@ -156,8 +162,10 @@ class DriveDraft:
         )
 
     def all_marks(self) -> list[Mark]:
-        """All marks in the order of the path."""
-        return sorted([*self.base_marks(), *self.marks], key=lambda mark: mark.s_m)
+        """All marks in the order of the path, as far as it goes."""
+        end = inf if self.halts_at_m is None else self.halts_at_m
+        marks = [mark for mark in (*self.base_marks(), *self.marks) if mark.s_m < end]
+        return sorted(marks, key=lambda mark: mark.s_m)
 
     def first_speed(self) -> float:
         """The speed at the outer end of the entry arm."""
@@ -184,6 +192,11 @@ class WalkDraft:
     path: Path
     program: list[SpeedPhase] = field(default_factory=list)
 
+    @property
+    def body(self) -> Body:
+        """Its size."""
+        return BODIES[self.kind]
+
 
 @dataclass
 class StandDraft:
@@ -195,10 +208,27 @@ class StandDraft:
     motion: StandingMotion
     path: Path
 
+    @property
+    def body(self) -> Body:
+        """Its size."""
+        return BODIES[self.kind]
+
+
+@dataclass(frozen=True, slots=True)
+class Expected:
+    """A danger that a thing is to cause, what it is, and in whose way it lies."""
+
+    hazard: Hazard
+    thing: Thing
+    who: str
+
 
 @dataclass
 class Scene:
-    """Everything about one scenario in the making."""
+    """Everything about one scenario in the making.
+
+    ``expected`` are dangers that things are to cause, ``objects`` those things that have a place.
+    """
 
     functional: FunctionalScenario
     logical: LogicalScenario
@@ -208,7 +238,21 @@ class Scene:
     drives: dict[str, DriveDraft] = field(default_factory=dict)
     walks: dict[str, WalkDraft] = field(default_factory=dict)
     stands: dict[str, StandDraft] = field(default_factory=dict)
+    expected: list[Expected] = field(default_factory=list)
+    objects: list[StaticObject] = field(default_factory=list)
+    caused: dict[Hazard, Hazard] = field(default_factory=dict)
     changes: list[Change] = field(default_factory=list)
+
+    @property
+    def hazards(self) -> tuple[Hazard, ...]:
+        """The dangers, with the things that cause them."""
+        return tuple(self.caused.get(hazard, hazard) for hazard in self.functional.hazards)
+
+    def add_object(self, thing: StaticObject, hazard: Hazard, who: str) -> None:
+        """Place a thing, which causes a danger to somebody."""
+        self.objects.append(thing)
+        to = hazard.to or (who,)
+        self.caused[hazard] = hazard.model_copy(update={"by": (thing.id,), "to": to})
 
     @property
     def limit_mps(self) -> float:

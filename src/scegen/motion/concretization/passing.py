@@ -91,15 +91,19 @@ def pass_standing(
     passer: DriveDraft,
     middle_m: float,
     body: Body,
+    *,
+    over_m: float | None = None,
 ) -> None:
-    """``passer`` goes round one who stands in its lane, its centre at ``middle_m`` of the way.
+    """``passer`` goes round what stands in its lane, its centre at ``middle_m`` of the way.
+
+    It changes lanes over ``over_m``, or as its speed asks for.
 
     Raises:
         NeedsLongerArms: there is no room before or behind it.
     """
     lane = passer.entry_lane
     aside = neighbour_lane(scene, passer, oncoming=True)
-    change = change_length_m(min(passer.cruise_mps, 10.0))
+    change = over_m or change_length_m(min(passer.cruise_mps, 10.0))
     half = (passer.body.length_m + body.length_m) / 2
     centre = middle_m - passer.body.centre_ahead_m
     out = centre - half - _BEHIND_M - change

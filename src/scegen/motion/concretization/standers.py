@@ -14,9 +14,9 @@ from scegen.scenario.vocabulary import DrivingSide
 CLEAR_OF_CORNER_M = 6.0
 """From the junction to the nearest parked bumper: behind a crosswalk of 4 m set back by 1 m."""
 _BETWEEN_M = 1.5
-_BLOCKS_AT_M = 45.0
+BLOCKS_AT_M = 45.0
 """A vehicle that blocks its lane stands this far before the junction, so that others get round."""
-_BLOCKS_STRAIGHT_AT_M = 15.0
+BLOCKS_STRAIGHT_AT_M = 15.0
 
 
 def place_standers(scene: Scene) -> None:
@@ -37,7 +37,7 @@ def place_standers(scene: Scene) -> None:
 def _first_free_m(scene: Scene, standing: Standing) -> float:
     if not standing.in_lane:
         return CLEAR_OF_CORNER_M
-    return _BLOCKS_AT_M if scene.network.junctions else _BLOCKS_STRAIGHT_AT_M
+    return BLOCKS_AT_M if scene.network.junctions else BLOCKS_STRAIGHT_AT_M
 
 
 def _draft(
