@@ -1,8 +1,8 @@
 """Things in the way: where they lie, and what those in whose way they lie do about them.
 
 Who changes lanes anyway does it because of the thing, which lies in the lane that it leaves. Who
-is alone with the thing brakes and stops short of it. Everybody else goes round it, as round a
-parked vehicle; who is said to brake does so first.
+is concerned with nothing else brakes and stops short of it, and so does, in line, who follows.
+Everybody else goes round it, as round a parked vehicle; who is said to brake does so first.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from math import ceil, degrees
 import numpy as np
 
 from scegen.motion.concretization.boxes import Poses, overlaps
+from scegen.motion.concretization.clock import same_lane
 from scegen.motion.concretization.drafts import DriveDraft, Expected, Scene
 from scegen.motion.concretization.hazards.rule import culprits
 from scegen.motion.concretization.lane_choice import lanes_in, neighbour_lane
@@ -45,14 +46,17 @@ _REACTS = (
     HazardKind.SUDDEN_TURN,
 )
 """What somebody may do because of a thing in its way, the plainest first."""
-_ALONE = frozenset({HazardKind.SPEEDING, HazardKind.SLOW_DRIVING, *_REACTS[:1], *_REACTS[2:4]})
-"""Dangers of one's own making that leave one alone with the thing."""
+_BRAKES = frozenset({HazardKind.HARD_BRAKING, HazardKind.STOPPING, HazardKind.DELAYED_BRAKING})
+_IN_LINE = _BRAKES | {HazardKind.SPEEDING, HazardKind.TAILGATING}
+"""Dangers in one line of vehicles that end with it standing before the thing."""
 _SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 _CLEAR_M = 0.45
 """What keeps clear of a thing passes by at least so far from it."""
 _KERB_M = 0.1
 _SHORT_M = 1.0
 """Between a thing and who stops for it."""
+_QUEUE_M = 1.5
+"""Between two who stop for it in line."""
 _PULLS_OUT_OVER_M = 12.0
 """One that has stopped needs no more room than this to change lanes."""
 _BEFORE_PULLING_OUT_M = 0.5
@@ -143,24 +147,29 @@ def _body(length_m: float, width_m: float, height_m: float) -> Body:
 
 
 def _may_stay(scene: Scene, draft: DriveDraft) -> bool:
-    """Whether a drive may stop short of a thing for good: nothing else waits for it."""
-    if draft.lane_changes or draft.drive.maneuver in _SIDEWAYS or scene.walks:
+    """Whether a drive may stop short of a thing for good: nothing but its line is concerned."""
+    line = [draft, *_behind(scene, draft)]
+    names = {d.id for d in line}
+    if scene.walks or any(d.lane_changes or d.drive.maneuver in _SIDEWAYS for d in line):
         return False
     for hazard in scene.functional.hazards:
-        own = {d.id for d in culprits(scene, hazard)} | {*hazard.by} <= {draft.id}
-        own = own and hazard.kind in _ALONE and {*hazard.to} <= {draft.id}
-        if not own and hazard.kind is not HazardKind.OBSTACLE:
+        own = {d.id for d in culprits(scene, hazard)} | {*hazard.by, *hazard.to} <= names
+        if hazard.kind is not HazardKind.OBSTACLE and not (own and hazard.kind in _IN_LINE):
             return False
     return all(
-        _ahead_in_lane(other, draft) or drives_meet(draft, other) is None
+        same_lane(other, draft) or drives_meet(one, other) is None
+        for one in line
         for other in scene.drives.values()
-        if other is not draft
+        if other.id not in names
     )
 
 
-def _ahead_in_lane(other: DriveDraft, draft: DriveDraft) -> bool:
-    same = (other.drive.entry, other.entry_lane) == (draft.drive.entry, draft.entry_lane)
-    return same and other.drive.rank < draft.drive.rank
+def _behind(scene: Scene, draft: DriveDraft) -> list[DriveDraft]:
+    """Those behind a drive in its lane, in line."""
+    found = [d for d in scene.drives.values() if same_lane(d, draft)]
+    return sorted(
+        (d for d in found if d.drive.rank > draft.drive.rank), key=lambda d: d.drive.rank
+    )
 
 
 def _ahead(scene: Scene, draft: DriveDraft, body: Body, *, stays: bool) -> Iterator[_Spot]:
@@ -226,17 +235,13 @@ def _pose(scene: Scene, draft: DriveDraft, station_m: float, left_m: float) -> P
 def _free(scene: Scene, draft: DriveDraft, spot: _Spot, body: Body) -> bool:
     """Whether a thing may lie there: whoever would touch it and may not can still go round."""
     for other in scene.drives.values():
-        free = not other.lane_changes and (other is draft or _behind_or_ahead(other, draft))
+        free = not other.lane_changes and (other is draft or same_lane(other, draft))
         if not free and _touches(other.laid.path, other.body, spot.pose, body):
             return False
     still = [(w.path, w.body) for w in scene.walks.values()]
     still += [(s.path, s.body) for s in scene.stands.values()]
     still += [(object_path(thing), thing.body) for thing in scene.objects]
     return not any(_touches(path, own, spot.pose, body) for path, own in still)
-
-
-def _behind_or_ahead(other: DriveDraft, draft: DriveDraft) -> bool:
-    return (other.drive.entry, other.entry_lane) == (draft.drive.entry, draft.entry_lane)
 
 
 def _touches(path: Path, own: Body, place: Pose, body: Body) -> bool:
@@ -258,12 +263,14 @@ def _touches(path: Path, own: Body, place: Pose, body: Body) -> bool:
 
 def _react(scene: Scene, draft: DriveDraft, spot: _Spot, body: Body, *, stays: bool) -> None:
     """Lead everybody round a thing who would touch it; who may stay stops short of it."""
-    if stays:
-        rest = spot.station_m - body.length_m / 2 - draft.body.front_m - _SHORT_M
-        draft.halts_at_m = draft.rests_at_m = draft.laid.path_s_m(rest)
+    line = [draft, *_behind(scene, draft)] if stays else []
+    rear = spot.station_m - body.length_m / 2 - _SHORT_M
+    for one in line:
+        one.halts_at_m = one.rests_at_m = one.laid.path_s_m(rear - one.body.front_m)
+        rear -= one.body.length_m + _QUEUE_M
     brakes = _brakes(scene, draft)
     for other in scene.drives.values():
-        if other.lane_changes or (stays and other is draft):
+        if other.lane_changes or other in line:
             continue
         if _touches(other.laid.path, other.body, spot.pose, body):
             over = _PULLS_OUT_OVER_M if brakes and other is draft else None
@@ -275,9 +282,8 @@ def _react(scene: Scene, draft: DriveDraft, spot: _Spot, body: Body, *, stays: b
 
 def _brakes(scene: Scene, draft: DriveDraft) -> bool:
     """Whether a drive is said to brake or to stop."""
-    braking = {HazardKind.HARD_BRAKING, HazardKind.STOPPING, HazardKind.DELAYED_BRAKING}
     return any(
-        hazard.kind in braking and draft in culprits(scene, hazard)
+        hazard.kind in _BRAKES and draft in culprits(scene, hazard)
         for hazard in scene.functional.hazards
     )
 

@@ -27,14 +27,17 @@ from scegen.scenario.functional import Hazard
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.vocabulary import HazardKind
 
-_EARLIEST_S, _LATEST_S, _EVERY_S = 4.5, 0.4, 0.3
+_EARLIEST_S, _LATEST_S, _EVERY_S = 8.0, 0.5, 0.8
 """Before the encounter: the moments whose lines of sight are tried."""
-_LOOK_S = 8.0
+_LOOK_S = 10.0
 _STEP_S = 0.1
 _FADES_S = 2.0
 _LEAST_S = 0.3
 _FROM_EITHER_M = (1.0, 1.6, 2.4, 3.5, 5.0, 7.0, 10.0, 14.0, 20.0)
-_ALONG = (0.0, -0.4, 0.4)
+_ALONG = (0.0, -0.45, 0.45)
+"""Where the line of sight meets a box along its length: in the middle, or near an end."""
+_ASIDE_M = tuple(0.2 * n for n in range(-6, 7))
+"""How far to the side of that a box is moved: to the kerb, clear of somebody's way."""
 _LONG_M = 12.0
 """As long as what can be as long as needed is, where it is to hide a vehicle."""
 _ACROSS = 0.95
@@ -221,13 +224,14 @@ def _places(
             if from_it >= away:
                 break
             for point in (b - from_it * sight, a + from_it * sight):
-                for (heading, worth), share in product(headings, _ALONG):
-                    along = share * thing.length_m
-                    x = point[0] + along * np.cos(heading)
-                    y = point[1] + along * np.sin(heading)
-                    rows.append((x, y, heading, worth))
-    table = np.array(rows, dtype=np.float64).reshape(-1, 4)
-    return _Places(*table.T)
+                rows += [(*point, heading, worth) for heading, worth in headings]
+    table = np.array(rows, dtype=np.float64).reshape(-1, 1, 4)
+    shifts = np.array(list(product(_ALONG, _ASIDE_M))) * np.array([thing.length_m, 1.0])
+    x, y, heading, worth = np.repeat(table, len(shifts), axis=1).T
+    along, aside = shifts[:, :1], shifts[:, 1:]
+    c, s = np.cos(heading), np.sin(heading)
+    x, y = x + along * c - aside * s, y + along * s + aside * c
+    return _Places(*(values.T.ravel() for values in (x, y, heading, worth)))
 
 
 def _cut(places: _Places, thing: Thing, eye: Array, point: Array) -> NDArray[np.bool_]:

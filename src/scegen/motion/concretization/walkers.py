@@ -15,7 +15,7 @@ from scegen.motion.concretization.limits import (
 from scegen.motion.concretization.meetings import MeetingPoint, meeting_point
 from scegen.motion.standing import crossing_path
 from scegen.road.model import LaneType
-from scegen.scenario.bodies import BODIES
+from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.concrete import AtTime, CrossingMotion, SpeedPhase, Travelled
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing, Side
@@ -26,6 +26,8 @@ _BEYOND_STRIP_M = 1.0
 _UNMARKED_M = 4.0
 _STRAIGHT_M = 5.0
 _BEYOND_PARKED_M = 1.2
+_BEHIND_SCREEN_M = 0.8
+"""The front of one whom a thing is to hide is so far from the carriageway: it needs room there."""
 _STOP_SHORT_M = 0.15
 _INTO_PATH_M = 1.0
 """The walker is in the driver's line when the bumper is this close (both at their speed)."""
@@ -60,7 +62,7 @@ def place_walkers(scene: Scene) -> None:
             arm=crossing.arm,
             start_side=crossing.start,
             from_junction_m=round(max(0.0, _from_junction_m(scene, crossing) + aside), 3),
-            setback_m=_setback_m(scene, crossing.arm),
+            setback_m=_setback_m(scene, crossing.arm, BODIES[participant.kind]),
         )
         path = crossing_path(scene.network, motion, participant.id)
         speed = _speed(scene, participant)
@@ -83,13 +85,16 @@ def _speed(scene: Scene, participant: Participant) -> float:
     return round(speed, 3)
 
 
-def _setback_m(scene: Scene, arm: int) -> float:
+def _setback_m(scene: Scene, arm: int, body: Body) -> float:
+    hidden = any(h.kind is HazardKind.OCCLUSION and not h.by for h in scene.functional.hazards)
+    behind = body.front_m + _BEHIND_SCREEN_M if hidden else 0.0
     strip = [
         lane.width_m
         for lane in scene.network.arm_road(arm).lanes
         if lane.type in {LaneType.PARKING, LaneType.SHOULDER}
     ]
-    return max(strip) + _BEYOND_STRIP_M if strip else _SETBACK_M
+    usual = max(strip) + _BEYOND_STRIP_M if strip else _SETBACK_M
+    return max(usual, behind)
 
 
 def _from_junction_m(scene: Scene, crossing: Crossing) -> float:
