@@ -140,7 +140,7 @@ def _label(axes: Axes, text: str, middle: Array, *, above: bool, bold: bool) -> 
     left = middle[0] > float(np.mean(axes.get_xlim()))
     axes.annotate(
         text,
-        middle,
+        (float(middle[0]), float(middle[1])),
         xytext=(-8 if left else 8, 12 if above else -12),
         textcoords="offset points",
         ha="right" if left else "left",

@@ -41,7 +41,8 @@ def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
             (b, v) for b, _ in hazard_pairs(concrete, hazard) for v in victims(concrete, hazard, b)
         ]
         found += sorted(dict.fromkeys(pairs), key=lambda pair: ego not in pair)
-    found = sorted((p for p in found if ego in p or not things & {*p}), key=lambda p: p[0] in things)
+    moving = [pair for pair in found if not things & {*pair}]
+    found = [*moving, *(pair for pair in found if pair not in moving and ego in pair)]
     conflicts = [c for c in concrete.logical.conflicts if c.kind is not ConflictKind.NONE]
     conflicts.sort(key=lambda c: (ego not in {c.first, c.second}, c.kind not in MEETS))
     found += [(c.first, c.second) for c in conflicts]

@@ -191,7 +191,7 @@ def headway_s(
 def _like_the_ego(scene: Scene, draft: DriveDraft) -> float:
     """Arrives at the junction when the ego does."""
     ego = scene.ego
-    return ego.course.time_at(ego.junction_s_m) - draft.course.time_at(draft.junction_s_m)
+    return ego.course.time_at(ego.arrives_s_m) - draft.course.time_at(draft.arrives_s_m)
 
 
 def schedule(
@@ -225,10 +225,7 @@ def schedule(
 
 def _first_places(scene: Scene, meetings: Sequence[Meeting]) -> dict[str, float]:
     """Where each drive has its first meeting, or the inner end of its arm."""
-    places = {
-        name: draft.junction_s_m if draft.halts_at_m is None else draft.halts_at_m
-        for name, draft in scene.drives.items()
-    }
+    places = {name: draft.arrives_s_m for name, draft in scene.drives.items()}
     for meeting in meetings:
         if meeting.priority < 0:
             continue

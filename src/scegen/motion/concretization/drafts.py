@@ -15,10 +15,9 @@ from scegen.motion.concretization.limits import (
     LATERAL_MPS2,
 )
 from scegen.motion.concretization.marks import Mark, Timeline, timeline
-from scegen.motion.concretization.things import Thing
+from scegen.motion.concretization.others import Expected, StandDraft, WalkDraft
 from scegen.motion.concretization.turning import turning_marks
 from scegen.motion.friction import GRAVITY_MPS2
-from scegen.motion.model import Path
 from scegen.motion.paths import END_MARGIN_M
 from scegen.motion.polyline import LaidDrive, lay_polyline
 from scegen.motion.routing import walk_route
@@ -26,15 +25,13 @@ from scegen.road.model import RoadNetwork
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.concrete import (
     Change,
-    CrossingMotion,
     DriveMotion,
     LaneChange,
     RoadParameters,
     SpeedPhase,
-    StandingMotion,
 )
 from scegen.scenario.functional import FunctionalScenario, Hazard
-from scegen.scenario.logical import Crossing, Drive, LogicalScenario, Standing
+from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.vocabulary import ParticipantKind
 
@@ -112,6 +109,18 @@ class DriveDraft:
         return self.laid.path_s_m(self.laid.turning_starts_m)
 
     @property
+    def arrives_s_m(self) -> float:
+        """Where its approach ends: at the junction, or where it stays before."""
+        return self.junction_s_m if self.halts_at_m is None else self.halts_at_m
+
+    @property
+    def changes_before(self) -> bool:
+        """Whether it changes lanes before the junction, or anywhere on a plain road."""
+        begins = self.laid.turning_starts_m
+        plain = self.laid.turning_ends_m <= begins
+        return any(plain or change.position_m < begins for change in self.lane_changes)
+
+    @property
     def exit_s_m(self) -> float:
         """Arc length at the inner end of the exit arm."""
         return self.laid.path_s_m(self.laid.turning_ends_m)
@@ -178,49 +187,6 @@ class DriveDraft:
             if mark.s_m <= s_m:
                 speed = mark.target_mps
         return speed
-
-
-@dataclass
-class WalkDraft:
-    """One who crosses an arm, in the making."""
-
-    id: str
-    kind: ParticipantKind
-    crossing: Crossing
-    speed_mps: float
-    motion: CrossingMotion
-    path: Path
-    program: list[SpeedPhase] = field(default_factory=list)
-
-    @property
-    def body(self) -> Body:
-        """Its size."""
-        return BODIES[self.kind]
-
-
-@dataclass
-class StandDraft:
-    """One who stands, in the making."""
-
-    id: str
-    kind: ParticipantKind
-    standing: Standing
-    motion: StandingMotion
-    path: Path
-
-    @property
-    def body(self) -> Body:
-        """Its size."""
-        return BODIES[self.kind]
-
-
-@dataclass(frozen=True, slots=True)
-class Expected:
-    """A danger that a thing is to cause, what it is, and in whose way it lies."""
-
-    hazard: Hazard
-    thing: Thing
-    who: str
 
 
 @dataclass

@@ -10,7 +10,10 @@ from numpy.typing import NDArray
 
 from scegen.motion.concretization.drafts import Scene
 from scegen.motion.model import Array, Path
+from scegen.motion.standing import object_path
+from scegen.road.geometry import Pose
 from scegen.road.model import LaneType, Road
+from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario
 
 _OFF_THE_ROAD_M = 0.2
@@ -35,13 +38,15 @@ def taken_ground(
             way = shapely.LineString(np.column_stack((path.x_m, path.y_m)))
             parts.append(way.buffer(body.width_m / 2 + _OFF_THE_WAY_M))
         else:
-            x, y, heading = path.x_m, path.y_m, path.heading_rad
-            x, y = x + body.centre_ahead_m * np.cos(heading), y + body.centre_ahead_m * np.sin(heading)
-            parts.append(boxes(x, y, heading, body.length_m, body.width_m)[0].buffer(_OFF_THE_ROAD_M))
-    for thing in concrete.objects:
-        at = (np.array([v]) for v in (thing.x_m, thing.y_m, np.deg2rad(thing.heading_deg)))
-        parts.append(boxes(*at, thing.length_m, thing.width_m)[0].buffer(_OFF_THE_ROAD_M))
+            middle = path.start.shifted(forward_m=body.centre_ahead_m)
+            parts.append(_standing_on(middle, body))
+    parts += [_standing_on(object_path(thing).start, thing.body) for thing in concrete.objects]
     return shapely.union_all(parts)
+
+
+def _standing_on(middle: Pose, body: Body) -> shapely.Geometry:
+    x, y, heading = (np.array([v]) for v in (middle.x_m, middle.y_m, middle.heading_rad))
+    return boxes(x, y, heading, body.length_m, body.width_m)[0].buffer(_OFF_THE_ROAD_M)
 
 
 def boxes(

@@ -17,11 +17,12 @@ from numpy.typing import NDArray
 
 from scegen.motion.concretization.drafts import Scene
 from scegen.motion.concretization.ground import boxes, taken_ground
-from scegen.motion.concretization.said import object_id, words_of
+from scegen.motion.concretization.objects import made_of, words_of
 from scegen.motion.concretization.things import SCREEN, Thing, screen_named
 from scegen.motion.model import Array, Trace
 from scegen.motion.paths import build_paths
 from scegen.motion.simulation import simulate
+from scegen.road.geometry import Pose
 from scegen.scenario.concrete import Change, ConcreteScenario
 from scegen.scenario.functional import Hazard
 from scegen.scenario.objects import StaticObject
@@ -66,7 +67,7 @@ def hide(scene: Scene, concrete: ConcreteScenario) -> ConcreteScenario:
     """
     for hazard in scene.functional.hazards:
         if hazard.kind is HazardKind.OCCLUSION and not hazard.by:
-            named = screen_named(words_of(scene.functional, hazard))
+            named = screen_named(words_of(scene, hazard))
             if named is None and scene.stands:
                 continue
             concrete = _hide(scene, concrete, hazard, named or SCREEN)
@@ -87,7 +88,7 @@ def _hide(
             sized = replace(thing, length_m=_LONG_M) if thing.long and drives else thing
             found = _best_place(traces[observer], traces[name], concrete, sized, ground)
             if found is not None and (best is None or found[0] > best[0]):
-                best = found[0], name, _made(scene, sized, *found[1:])
+                best = found[0], name, made_of(scene, sized, Pose(*found[1:]))
         if best is not None:
             break
     if best is None:
@@ -121,22 +122,6 @@ def _hidden_ones(scene: Scene, concrete: ConcreteScenario, observer: str) -> lis
     ]
     groups = [list(scene.walks), causes, met, list(scene.drives)]
     return [[n for n in dict.fromkeys(group) if n != observer] for group in groups]
-
-
-def _made(scene: Scene, thing: Thing, x_m: float, y_m: float, heading_rad: float) -> StaticObject:
-    return StaticObject(
-        id=object_id(scene, thing.what),
-        category=thing.category,
-        what=thing.what,
-        x_m=round(x_m, 3),
-        y_m=round(y_m, 3),
-        heading_deg=round((np.rad2deg(heading_rad) + 180) % 360 - 180, 3),
-        length_m=thing.length_m,
-        width_m=thing.width_m,
-        height_m=thing.height_m,
-        mass_kg=thing.mass_kg,
-        blueprint=thing.blueprint,
-    )
 
 
 def _best_place(

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from scegen.motion.concretization.drafts import DriveDraft, Scene, StandDraft
+from scegen.motion.concretization.drafts import DriveDraft, Scene
+from scegen.motion.concretization.others import StandDraft
 from scegen.motion.concretization.passing import pass_standing
 from scegen.motion.standing import standing_path
 from scegen.scenario.bodies import BODIES

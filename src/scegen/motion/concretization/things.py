@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
+from scegen.scenario.bodies import Body
 from scegen.scenario.objects import ObjectCategory
 
 _O, _W, _B = ObjectCategory.OBSTACLE, ObjectCategory.BARRIER, ObjectCategory.BUILDING
@@ -32,6 +33,11 @@ class Thing:
     mass_kg: float
     prop: str
     long: bool = False
+
+    @property
+    def body(self) -> Body:
+        """Its box; it goes nowhere."""
+        return Body(self.length_m, self.width_m, self.height_m, 0.0, 0.0, self.prop, 0.0, 0.0, 0.0)
 
     @property
     def blueprint(self) -> str:

@@ -6,13 +6,14 @@ from collections import Counter
 from dataclasses import dataclass
 
 from scegen.errors import MotionInfeasibleError
-from scegen.motion.concretization.drafts import DriveDraft, Scene, WalkDraft
+from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.limits import (
     CYCLING_MPS,
     WALKING_MPS,
     WALKING_START_MPS2,
 )
 from scegen.motion.concretization.meetings import MeetingPoint, meeting_point
+from scegen.motion.concretization.others import WalkDraft
 from scegen.motion.standing import crossing_path
 from scegen.road.model import LaneType
 from scegen.scenario.bodies import BODIES, Body

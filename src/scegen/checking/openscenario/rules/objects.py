@@ -27,9 +27,7 @@ def check_objects(situation: Situation) -> Iterator[Finding]:
     if concrete is None:
         return
     entities = {entity.name: entity for entity in situation.storyboard.entities}
-    obstacles = {
-        name for h in concrete.hazards if h.kind is HazardKind.OBSTACLE for name in h.by
-    }
+    obstacles = {name for h in concrete.hazards if h.kind is HazardKind.OBSTACLE for name in h.by}
     for thing in concrete.objects:
         if thing.id in entities:  # xosc.participants tells the others
             yield from _as_said(thing, entities[thing.id])
