@@ -28,7 +28,9 @@ def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
         draft.hazard(HazardKind.OBSTACLE, basis, whose)
         draft.note(thing.i, thing.j, "doors are not modelled; an obstacle is")
     elif thing.kind == "object":
-        draft.note(thing.i, thing.j, "things beside the road are built only where they hide somebody")
+        draft.note(
+            thing.i, thing.j, "things beside the road are built only where they hide somebody"
+        )
     elif thing.kind == "view" and any(m.cat == "verb" for m in thing.mods):
         draft.hazard(HazardKind.OCCLUSION, basis, _owing_to(thing, chunks))
 

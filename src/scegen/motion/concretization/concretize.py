@@ -16,7 +16,12 @@ from scegen.motion.concretization.lane_choice import choose_lanes
 from scegen.motion.concretization.maneuvers import prepare_maneuvers, shape_maneuvers
 from scegen.motion.concretization.meeting_lanes import choose_lanes_that_meet
 from scegen.motion.concretization.meetings import Meeting
-from scegen.motion.concretization.obstacles import expect_obstacles, place_obstacles, stop_short
+from scegen.motion.concretization.obstacles import (
+    expect_obstacles,
+    needs_obstacle,
+    place_obstacles,
+    stop_short,
+)
 from scegen.motion.concretization.occluders import hide
 from scegen.motion.concretization.roads import FIRST_ARM_M, LONGEST_ARM_M, plan
 from scegen.motion.concretization.room import NeedsLongerArms
@@ -54,13 +59,30 @@ def concretize(
         RoadInfeasibleError: the junction cannot be built.
     """
     ordered_rules(functional.hazards)
+    try:
+        return _on_long_enough_arms(functional, logical, seed, road, obstacles=True)
+    except MotionInfeasibleError:
+        if not any(needs_obstacle(hazard) for hazard in functional.hazards):
+            raise
+    # Without the thing in the way, the rest can perhaps be driven; the proof says what is missing.
+    return _on_long_enough_arms(functional, logical, seed, road, obstacles=False)
+
+
+def _on_long_enough_arms(
+    functional: FunctionalScenario,
+    logical: LogicalScenario,
+    seed: int,
+    road: RoadParameters | None,
+    *,
+    obstacles: bool,
+) -> ConcreteScenario:
     arm_m = FIRST_ARM_M
     for _ in range(_ATTEMPTS):
         parameters = road if road is not None else plan(functional, logical, arm_m)
         network = build_network(parameters)
         # The same draws in every attempt: lengthening the road must not change the rest.
         rng = np.random.Generator(np.random.PCG64(seed))
-        scene = Scene(functional, logical, parameters, network, rng)
+        scene = Scene(functional, logical, parameters, network, rng, obstacles=obstacles)
         try:
             return _compose(scene, seed)
         except NeedsLongerArms as need:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from math import inf
 
 import numpy as np
 
@@ -171,10 +170,9 @@ class DriveDraft:
         )
 
     def all_marks(self) -> list[Mark]:
-        """All marks in the order of the path, as far as it goes."""
-        end = inf if self.halts_at_m is None else self.halts_at_m
-        marks = [mark for mark in (*self.base_marks(), *self.marks) if mark.s_m < end]
-        return sorted(marks, key=lambda mark: mark.s_m)
+        """All marks in the order of the path; one that stays before the junction does not turn."""
+        turning = self.base_marks() if self.halts_at_m is None else []
+        return sorted([*turning, *self.marks], key=lambda mark: mark.s_m)
 
     def first_speed(self) -> float:
         """The speed at the outer end of the entry arm."""
@@ -193,7 +191,8 @@ class DriveDraft:
 class Scene:
     """Everything about one scenario in the making.
 
-    ``expected`` are dangers that things are to cause, ``objects`` those things that have a place.
+    ``obstacles`` says whether things may be laid in the way, ``expected`` are the dangers that they
+    are to cause, ``objects`` the things that have a place.
     """
 
     functional: FunctionalScenario
@@ -201,6 +200,7 @@ class Scene:
     road: RoadParameters
     network: RoadNetwork
     rng: np.random.Generator
+    obstacles: bool = True
     drives: dict[str, DriveDraft] = field(default_factory=dict)
     walks: dict[str, WalkDraft] = field(default_factory=dict)
     stands: dict[str, StandDraft] = field(default_factory=dict)

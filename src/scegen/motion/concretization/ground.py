@@ -35,13 +35,25 @@ def taken_ground(
     for participant in concrete.participants:
         path, body = paths[participant.id], participant.body
         if len(path.s_m) > 1:
-            way = shapely.LineString(np.column_stack((path.x_m, path.y_m)))
-            parts.append(way.buffer(body.width_m / 2 + _OFF_THE_WAY_M))
+            parts.append(shapely.union_all(swept(path, body)).buffer(_OFF_THE_WAY_M))
         else:
             middle = path.start.shifted(forward_m=body.centre_ahead_m)
             parts.append(_standing_on(middle, body))
     parts += [_standing_on(object_path(thing).start, thing.body) for thing in concrete.objects]
     return shapely.union_all(parts)
+
+
+def swept(path: Path, body: Body) -> NDArray[np.object_]:
+    """The outlines of a body all along its way: in bends its corners go wide."""
+    s = np.linspace(0.0, path.length_m, max(2, int(path.length_m / _SAMPLE_M) + 1))
+    heading = np.interp(s, path.s_m, path.heading_rad)
+    return boxes(
+        np.interp(s, path.s_m, path.x_m) + body.centre_ahead_m * np.cos(heading),
+        np.interp(s, path.s_m, path.y_m) + body.centre_ahead_m * np.sin(heading),
+        heading,
+        body.length_m,
+        body.width_m,
+    )
 
 
 def _standing_on(middle: Pose, body: Body) -> shapely.Geometry:

@@ -12,6 +12,8 @@ from scegen.motion.concretization.boxes import Poses, overlaps
 from scegen.motion.concretization.clock import same_lane
 from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.lane_choice import neighbour_lane
+from scegen.motion.concretization.passing import calm_change_length_m
+from scegen.motion.concretization.room import NeedsLongerArms
 from scegen.motion.concretization.standers import BLOCKS_AT_M, BLOCKS_STRAIGHT_AT_M
 from scegen.motion.model import Path
 from scegen.motion.standing import object_path
@@ -22,7 +24,10 @@ from scegen.scenario.vocabulary import DrivingSide
 
 _CLEAR_M = 0.45
 """What keeps clear of a thing passes by at least so far from it."""
+_WOULD_HIT_M = 0.1
 _LEAST_WAY_M = 30.0
+_ROOM_M = 6.0
+"""Beside the change back and the two bodies: what who goes round keeps before and behind."""
 _EARLIER_M = 40.0
 _STEP_M = 1.0
 _SAMPLE_M = 0.5
@@ -42,8 +47,15 @@ def spots_ahead(scene: Scene, draft: DriveDraft, body: Body, *, stays: bool) -> 
     In the middle for one that stops; towards those who pass for one that goes round.
     """
     arm = scene.road.arms[draft.drive.entry]
-    aside = 0.0 if stays else _aside_m(scene, draft, (arm.lane_width_m - body.width_m) / 2)
-    nearest = BLOCKS_AT_M if scene.network.junctions else BLOCKS_STRAIGHT_AT_M
+    inwards = neighbour_lane(scene, draft, oncoming=True) < draft.entry_lane
+    aside = 0.0 if stays else _left_m(scene, _room_m(scene, draft, body), inwards=inwards)
+    nearest = BLOCKS_STRAIGHT_AT_M
+    if scene.network.junctions:
+        back = 0.0 if stays else calm_change_length_m(draft, arm.lane_width_m)
+        nearest = max(BLOCKS_AT_M, back + draft.body.length_m + body.length_m + _ROOM_M)
+    if draft.laid.turning_starts_m - nearest <= _LEAST_WAY_M:
+        short = nearest + _LEAST_WAY_M - draft.laid.turning_starts_m
+        raise NeedsLongerArms(short + 1.0, draft.id)
     for k in range(int(_EARLIER_M / _STEP_M)):
         station = draft.laid.turning_starts_m - nearest - k * _STEP_M
         if station > _LEAST_WAY_M:
@@ -64,7 +76,7 @@ def spots_beside(scene: Scene, draft: DriveDraft, body: Body) -> Iterator[Spot]:
     if not scene.network.junctions:
         end += scene.road.arms[draft.drive.exit].length_m
     last = min([*back, end - body.length_m])
-    room = (scene.road.arms[draft.drive.entry].lane_width_m - body.width_m) / 2
+    room = _room_m(scene, draft, body)
     inwards = leaving.lane_after < draft.entry_lane
     for k in range(max(0, ceil((last - leaving.position_m) / _STEP_M))):
         station = leaving.position_m + k * _STEP_M
@@ -73,10 +85,13 @@ def spots_beside(scene: Scene, draft: DriveDraft, body: Body) -> Iterator[Spot]:
             yield Spot(station, _pose(scene, draft, station, aside))
 
 
-def _aside_m(scene: Scene, draft: DriveDraft, room_m: float) -> float:
-    """How far to a drive's left a thing lies, so that one who goes round comes close to it."""
-    inwards = neighbour_lane(scene, draft, oncoming=True) < draft.entry_lane
-    return _left_m(scene, room_m, inwards=inwards)
+def _room_m(scene: Scene, draft: DriveDraft, body: Body) -> float:
+    """How far aside a thing can lie, so that one who goes round comes close to it.
+
+    It lies in the lane, and one who stayed in the middle of the lane would hit it.
+    """
+    in_lane = (scene.road.arms[draft.drive.entry].lane_width_m - body.width_m) / 2
+    return min(in_lane, (draft.body.width_m + body.width_m) / 2 - _WOULD_HIT_M)
 
 
 def _left_m(scene: Scene, aside_m: float, *, inwards: bool) -> float:

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from scegen.errors import MotionInfeasibleError
 from scegen.motion.concretization.clock import same_lane
 from scegen.motion.concretization.drafts import DriveDraft, Scene
-from scegen.motion.concretization.hazards.rule import culprits
+from scegen.motion.concretization.hazards.rule import culprits, same_arm, victims
 from scegen.motion.concretization.lane_choice import lanes_in
 from scegen.motion.concretization.limits import HARD_BRAKING_MPS2
 from scegen.motion.concretization.marks import Mark
@@ -25,9 +26,10 @@ from scegen.motion.concretization.obstacle_spots import (
     touches,
 )
 from scegen.motion.concretization.others import Expected
-from scegen.motion.concretization.passing import pass_standing
+from scegen.motion.concretization.passing import calm_change_length_m, pass_standing
 from scegen.motion.concretization.things import OBSTACLE, obstacle_named
 from scegen.scenario.bodies import Body
+from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 
 _REACTS = (
@@ -44,6 +46,7 @@ _REACTS = (
 )
 """What somebody may do because of a thing in its way, the plainest first."""
 _BRAKES = frozenset({HazardKind.HARD_BRAKING, HazardKind.STOPPING, HazardKind.DELAYED_BRAKING})
+_BY_THINGS = frozenset({HazardKind.OBSTACLE, HazardKind.OCCLUSION})
 _IN_LINE = _BRAKES | {HazardKind.SPEEDING, HazardKind.TAILGATING}
 """Dangers in one line of vehicles that end with it standing before the thing."""
 _SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
@@ -52,15 +55,20 @@ _SHORT_M = 1.0
 """Between a thing and who stops for it."""
 _QUEUE_M = 1.5
 """Between two who stop for it in line."""
-_PULLS_OUT_OVER_M = 12.0
+_PULLS_OUT_OVER_M = 15.0
 """One that has stopped needs no more room than this to change lanes."""
 _BEFORE_PULLING_OUT_M = 0.5
+
+
+def needs_obstacle(hazard: Hazard) -> bool:
+    """Whether a danger is a thing in the way, and nobody is said to be that thing."""
+    return hazard.kind is HazardKind.OBSTACLE and not hazard.by
 
 
 def expect_obstacles(scene: Scene) -> None:
     """Which dangers need a thing in the way, what it is, and in whose way it lies."""
     for hazard in scene.functional.hazards:
-        if hazard.kind is not HazardKind.OBSTACLE or hazard.by:
+        if not (scene.obstacles and needs_obstacle(hazard)):
             continue
         named = obstacle_named(words_of(scene, hazard))
         if named is None and scene.stands:
@@ -75,7 +83,7 @@ def _who_reacts(scene: Scene) -> str:
     for kind in _REACTS:
         for hazard in scene.functional.hazards:
             if hazard.kind is kind:
-                found = culprits(scene, hazard)
+                found = [d for d in culprits(scene, hazard) if _for_it(scene, hazard, d)]
                 if found:
                     return found[0].id
     sideways = [d.id for d in scene.drives.values() if d.drive.maneuver in _SIDEWAYS]
@@ -103,11 +111,11 @@ def place_obstacles(scene: Scene) -> None:
             spots = spots_beside(scene, draft, body)
         else:
             spots = spots_ahead(scene, draft, body, stays=stays)
-        spot = next((spot for spot in spots if is_free(scene, draft, spot, body)), None)
+        free = (spot for spot in spots if is_free(scene, draft, spot, body))
+        spot = next((s for s in free if _react(scene, draft, s, body, stays=stays)), None)
         if spot is None:
             continue
         made = made_of(scene, thing, spot.pose)
-        _react(scene, draft, spot, body, stays=stays)
         scene.add_object(made, plan.hazard, draft.id)
         away = draft.laid.turning_starts_m - spot.station_m
         scene.note(f"{made.id}.from_junction_m", away, f"lies in the way of {draft.id}")
@@ -121,7 +129,7 @@ def _may_stay(scene: Scene, draft: DriveDraft) -> bool:
         return False
     for hazard in scene.functional.hazards:
         own = {d.id for d in culprits(scene, hazard)} | {*hazard.by, *hazard.to} <= names
-        if hazard.kind is not HazardKind.OBSTACLE and not (own and hazard.kind in _IN_LINE):
+        if hazard.kind not in _BY_THINGS and not (own and hazard.kind in _IN_LINE):
             return False
     return all(
         same_lane(other, draft) or drives_meet(one, other) is None
@@ -141,8 +149,26 @@ def _behind(scene: Scene, draft: DriveDraft) -> list[DriveDraft]:
     return sorted(behind, key=lambda other: other.drive.rank)
 
 
-def _react(scene: Scene, draft: DriveDraft, spot: Spot, body: Body, *, stays: bool) -> None:
-    """Lead everybody round a thing who would touch it; who may stay stops short of it."""
+def _react(scene: Scene, draft: DriveDraft, spot: Spot, body: Body, *, stays: bool) -> bool:
+    """Lead everybody round a thing who would touch it; who may stay stops short of it.
+
+    False where somebody has no room for it: nothing has changed then.
+    """
+    before = {name: list(other.lane_changes) for name, other in scene.drives.items()}
+    try:
+        _go_round(scene, draft, spot, body, stays=stays)
+    except MotionInfeasibleError:
+        for name, changes in before.items():
+            other = scene.drives[name]
+            other.rests_at_m = other.halts_at_m = None
+            if other.lane_changes != changes:
+                other.lane_changes = changes
+                other.lay(scene.network)
+        return False
+    return True
+
+
+def _go_round(scene: Scene, draft: DriveDraft, spot: Spot, body: Body, *, stays: bool) -> None:
     line = [draft, *_behind(scene, draft)] if stays else []
     rear = spot.station_m - body.length_m / 2 - _SHORT_M
     for one in line:
@@ -153,19 +179,33 @@ def _react(scene: Scene, draft: DriveDraft, spot: Spot, body: Body, *, stays: bo
         if other.changes_before or other in line:
             continue
         if touches(other.laid.path, other.body, spot.pose, body):
-            over = _PULLS_OUT_OVER_M if brakes and other is draft else None
-            pass_standing(scene, other, spot.station_m, body, over_m=over)
+            width = scene.road.arms[other.drive.entry].lane_width_m
+            calm = calm_change_length_m(other, width)
+            out = _PULLS_OUT_OVER_M if brakes and other is draft else calm
+            pass_standing(scene, other, spot.station_m, body, over_m=(out, calm))
             if other is draft and brakes:
                 out = draft.lane_changes[0].position_m - _BEFORE_PULLING_OUT_M
                 draft.rests_at_m = draft.laid.path_s_m(out)
 
 
 def _brakes(scene: Scene, draft: DriveDraft) -> bool:
-    """Whether a drive is said to brake or to stop."""
+    """Whether a drive is said to brake or to stop, as one does before a thing."""
     return any(
-        hazard.kind in _BRAKES and draft in culprits(scene, hazard)
+        hazard.kind in _BRAKES
+        and draft in culprits(scene, hazard)
+        and _for_it(scene, hazard, draft)
         for hazard in scene.functional.hazards
     )
+
+
+def _for_it(scene: Scene, hazard: Hazard, draft: DriveDraft) -> bool:
+    """Whether somebody may do it because of a thing on its approach.
+
+    Who brakes in the way of one from another arm does it where the two meet, not for the thing.
+    """
+    if hazard.kind not in _BRAKES or not hazard.to:
+        return True
+    return any(same_arm(victim, draft) for victim in victims(scene, hazard, draft))
 
 
 def stop_short(scene: Scene) -> None:

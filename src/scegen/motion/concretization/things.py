@@ -57,9 +57,9 @@ _ON_THE_ROAD: dict[str, Thing] = {
     "debris|rubble|wreck|load|landslide": Thing("debris", _O, 1.5, 1.5, 0.6, 80, "dirtdebris02"),
     "rock|boulder|stone": Thing("rock", _O, 1.2, 1.2, 0.9, 900, "brokentile01"),
     "tyre|tire|pothole|ball|bucket": Thing("tyre", _O, 0.7, 0.7, 0.5, 12, "dirtdebris03"),
-    "animal|deer|dog|cow|sheep|boar": Thing("animal", _O, 1.2, 0.6, 1.0, 60, "haybale"),
-    "cone": Thing("cone", _O, 0.5, 0.5, 0.9, 5, "trafficcone01"),
-    "warning triangle": Thing("warning triangle", _O, 0.3, 0.6, 0.6, 2, "warningaccident"),
+    "animal|deer|dog|cow|sheep|boar": Thing("animal", _O, 0.6, 1.2, 1.0, 60, "haybale"),
+    "cone": Thing("cone", _O, 0.8, 0.8, 0.9, 5, "trafficcone01"),
+    "warning triangle": Thing("warning triangle", _O, 0.5, 0.8, 0.7, 2, "warningaccident"),
     "barrier": Thing("barrier", _W, 0.8, 2.2, 1.1, 120, "streetbarrier"),
     "construction|roadwork|road work|roadworks|work zone|lane closure|crash site|accident": Thing(
         "roadworks", _W, 6.0, 2.5, 1.2, 800, "warningconstruction"
