@@ -63,14 +63,21 @@ class _Places:
 def hide(scene: Scene, concrete: ConcreteScenario) -> ConcreteScenario:
     """The scenario with a thing for every occlusion that nobody is said to cause.
 
-    Where no place hides anybody for long enough, it is left out, and the danger with it.
+    Where it is too small for that it is as large as a plain wall; where even then no place hides
+    anybody for long enough, it is left out, and the danger with it.
     """
     for hazard in scene.functional.hazards:
         if hazard.kind is HazardKind.OCCLUSION and not hazard.by:
             named = screen_named(words_of(scene, hazard))
             if named is None and scene.stands:
                 continue
-            concrete = _hide(scene, concrete, hazard, named or SCREEN)
+            thing = named or SCREEN
+            made = _hide(scene, concrete, hazard, thing)
+            if made is concrete:  # too small for who is behind it
+                wider = max(thing.length_m, SCREEN.length_m), max(thing.width_m, SCREEN.width_m)
+                larger = replace(thing, length_m=wider[0], width_m=wider[1])
+                made = _hide(scene, concrete, hazard, larger)
+            concrete = made
     return concrete
 
 

@@ -71,6 +71,7 @@ _BESIDE_IT: dict[str, Thing] = {
         "hedge", _V, 6.0, 1.2, 2.2, 500, "plantpot04", long=True
     ),
     "tree|trees": Thing("tree", _T, 1.4, 1.4, 6.0, 900, "plantpot05"),
+    "advertising column|monument|statue": Thing("column", _P, 1.8, 1.8, 3.5, 2000, "advertisement"),
     "pole|post|lamp|lamppost|pillar|column|sign|mast": Thing(
         "pole", _P, 0.8, 0.8, 5.0, 300, "streetsign"
     ),

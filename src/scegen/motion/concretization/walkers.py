@@ -80,7 +80,8 @@ def _abreast_m(number: int) -> float:
 def _speed(scene: Scene, participant: Participant) -> float:
     usual = WALKING_MPS if participant.kind is ParticipantKind.PEDESTRIAN else CYCLING_MPS
     low, high = scene.allowed(f"{participant.id}.speed_mps", (0.9 * usual, 1.2 * usual))
-    speed = float(scene.rng.uniform(max(low, 0.9 * usual), max(min(high, 1.2 * usual), low)))
+    least = min(max(low, 0.9 * usual), high)
+    speed = float(scene.rng.uniform(least, max(min(high, 1.2 * usual), least)))
     speed = min(max(speed, low, 0.3), max(high, 0.3))
     scene.note(f"{participant.id}.speed_mps", speed, "usual pace")
     return round(speed, 3)
