@@ -14,6 +14,7 @@ from scegen.motion.model import Path, Trace
 from scegen.road import build_network, plan_road
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion, Travelled
+from scegen.scenario.logical import ParameterRange
 from scegen.scenario.vocabulary import HazardKind
 
 LIMIT_MPS = 50 / 3.6
@@ -320,3 +321,10 @@ def test_those_who_cross_together_walk_abreast(scenario):
     first, second, third, from_the_left = places
     assert sorted(round(p - first, 3) for p in (second, third)) == [-0.9, 0.9]
     assert from_the_left == first
+
+
+def test_one_who_is_said_to_ride_slower_than_usual_does(scenario):
+    functional, logical = scenario("straight", 2, [{"entry": 0, "move": 1}], (), [(0, "right")])
+    slow = ParameterRange(name="ped_0.speed_mps", low=0.8, high=0.8, default=0.8, reason="stated")
+    concrete = concretize(functional, logical.model_copy(update={"parameters": (slow,)}))
+    assert concrete.participant("ped_0").speed_program[0].target_speed_mps == 0.8

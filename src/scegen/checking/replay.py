@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import combinations
 from pathlib import Path as FilePath
 
@@ -30,6 +30,7 @@ from scegen.errors import ScegenError
 from scegen.motion import build_paths, simulate
 from scegen.motion.batch import compile_program, simulate_batch, stack_traces
 from scegen.motion.model import Array, Trace
+from scegen.motion.standing import object_paths
 from scegen.road import build_network
 from scegen.scenario.concrete import ConcreteScenario
 
@@ -49,7 +50,8 @@ class Prediction:
     """Our side: traces by participant, when phases fire, and when pairs first touch (s).
 
     ``distance_m`` is the smallest distance of every pair, 0 where they touch; ``overlaps`` are
-    the pairs that touch in more than one step, which are no mere grazes.
+    the pairs that touch in more than one step, which are no mere grazes; ``still`` says where
+    things stand, x + iy.
     """
 
     traces: dict[str, Trace]
@@ -57,6 +59,7 @@ class Prediction:
     contact_s: dict[frozenset[str], float]
     distance_m: dict[frozenset[str], float]
     overlaps: frozenset[frozenset[str]]
+    still: dict[str, complex] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,11 +111,17 @@ def predict(concrete: ConcreteScenario) -> Prediction:
     ]
     steps = batch.fired_step[0].tolist()
     people = concrete.participants
-    scene = build_scene([paths[p.id] for p in people], [p.kind for p in people])
+    still = object_paths(concrete)
+    scene = build_scene(
+        [*(paths[p.id] for p in people), *still.values()],
+        [*(p.kind for p in people), *concrete.objects],
+    )
     tracks = stack_traces([traces[p.id] for p in people]).tracks
+    # Things stand in both of our simulators where they stand.
+    tracks = np.concatenate([tracks, batch.tracks[:, len(people) :]], axis=1)
     touching = contact_series(tracks, scene.bodies, scene.pairs)[0]
     apart = distance_series(tracks, scene.bodies, scene.pairs)[0]
-    pairs = [frozenset((a.id, b.id)) for a, b in combinations(people, 2)]
+    pairs = [frozenset((a.id, b.id)) for a, b in combinations(concrete.entities, 2)]
     return Prediction(
         traces,
         {name: step * STEP_S for name, step in zip(names, steps, strict=True) if step >= 0},
@@ -123,6 +132,7 @@ def predict(concrete: ConcreteScenario) -> Prediction:
         },
         {pair: float(apart[:, n].min()) for n, pair in enumerate(pairs)},
         frozenset(pair for n, pair in enumerate(pairs) if touching[:, n].sum() > 1),
+        {name: complex(path.start.x_m, path.start.y_m) for name, path in still.items()},
     )
 
 
@@ -138,6 +148,11 @@ def compare(predicted: Prediction, recording: list[Movement], log: str) -> Agree
         off = position_errors(trace, played[name].point)
         errors.append(off)
         findings += _positions(trace, off)
+    for name, place in predicted.still.items():
+        if name not in played:
+            findings.append(error("replay.missing", name, "is not there in the play"))
+        elif np.abs(played[name].point - place).max() > P95_M:
+            findings.append(error("replay.position", name, "is not where it should stand"))
     phases, contacts = _phases(log), _contacts(log)
     findings += _events(predicted.fired_s, phases)
     findings += _touching(predicted, contacts)

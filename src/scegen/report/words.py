@@ -15,6 +15,7 @@ from scegen.scenario.concrete import (
 )
 from scegen.scenario.functional import Hazard
 from scegen.scenario.logical import Conflict, Rule
+from scegen.scenario.objects import StaticObject
 
 KMH = 3.6
 _RULES: dict[Rule, str] = {
@@ -68,6 +69,13 @@ def participant_words(participant: ConcreteParticipant) -> str:
         return f"{kind}, {start}, crosses arm {motion.arm} from the {motion.start_side}"
     place = "in the lane of" if motion.in_lane else f"on the {motion.side} of"
     return f"{kind}, stands {place} arm {motion.arm}"
+
+
+def thing_words(thing: StaticObject) -> str:
+    """What a thing is and how large."""
+    size = f"{thing.length_m:g} × {thing.width_m:g} × {thing.height_m:g} m"
+    kind = "" if thing.what == thing.category else f" ({thing.category})"
+    return f"{thing.what}{kind}, {size}, does not move"
 
 
 def phase_words(phase: SpeedPhase) -> str:

@@ -10,9 +10,11 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
+from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.functional import MAX_ARMS, Environment, Hazard
 from scegen.scenario.logical import LogicalScenario, Side
 from scegen.scenario.model import ArmSet, FrozenModel, Identifier
+from scegen.scenario.objects import StaticObject
 from scegen.scenario.vocabulary import (
     Control,
     DrivingSide,
@@ -224,6 +226,11 @@ class ConcreteParticipant(FrozenModel):
     motion: Motion
     speed_program: tuple[SpeedPhase, ...] = ()
 
+    @property
+    def body(self) -> Body:
+        """Its size and its limits."""
+        return BODIES[self.kind]
+
 
 class Rejected(FrozenModel):
     """A value that somebody proposed and that was not taken: whose, which, why not."""
@@ -248,7 +255,7 @@ class Change(FrozenModel):
 
 
 class ConcreteScenario(FrozenModel):
-    """All numbers of one scenario, and the logical scenario that it makes concrete."""
+    """All numbers of one scenario; ``hazards`` may name objects as their cause."""
 
     level: Literal["concrete"] = "concrete"
     name: str = Field(pattern=r"^[A-Za-z0-9_-]+$", max_length=100)
@@ -257,6 +264,7 @@ class ConcreteScenario(FrozenModel):
     logical: LogicalScenario
     road: RoadParameters
     participants: tuple[ConcreteParticipant, ...] = Field(min_length=1)
+    objects: tuple[StaticObject, ...] = ()
     environment: Environment = Environment()
     hazards: tuple[Hazard, ...] = ()
     duration_s: float = Field(gt=0, le=600)
@@ -269,8 +277,9 @@ class ConcreteScenario(FrozenModel):
             msg = f"exactly one participant must have the role ego, found {egos or 'none'}"
             raise ValueError(msg)
         ids = [p.id for p in self.participants]
-        if len(set(ids)) != len(ids):
-            msg = f"participant ids are not unique: {sorted(ids)}"
+        everything = [entity.id for entity in self.entities]
+        if len(set(everything)) != len(everything):
+            msg = f"ids of participants and objects are not unique: {sorted(everything)}"
             raise ValueError(msg)
         for participant in self.participants:
             for phase in participant.speed_program:
@@ -284,6 +293,11 @@ class ConcreteScenario(FrozenModel):
     def latest_end_s(self) -> float:
         """When the scenario ends if the ego has not come as far as planned by ``duration_s``."""
         return _LATEST * self.duration_s
+
+    @property
+    def entities(self) -> tuple[ConcreteParticipant | StaticObject, ...]:
+        """The participants, then the objects: whoever has a body."""
+        return (*self.participants, *self.objects)
 
     @property
     def ego(self) -> ConcreteParticipant:

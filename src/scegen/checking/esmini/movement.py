@@ -52,6 +52,14 @@ def check_movements(
         yield from _physics(found, participant)
         if network is not None and arms and participant.id not in driven_from_outside:
             yield from _way(found, participant, network, arms)
+    for thing in concrete.objects:
+        found = played.get(thing.id)
+        if found is None:
+            yield error("esmini.missing", thing.id, "is not there in what esmini plays")
+            continue
+        away = float(np.abs(found.point - complex(thing.x_m, thing.y_m)).max())
+        if away > JUMP_M:
+            yield error("esmini.standing", thing.id, f"is {away:.2f} m from where it should be")
 
 
 def _jumps(movement: Movement) -> Iterator[Finding]:

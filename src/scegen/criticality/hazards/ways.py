@@ -40,8 +40,8 @@ class Way:
     """One participant's way; positions are along its path, m.
 
     ``turn_start_m`` and ``turn_end_m`` are where the junction begins and ends, ``goal_m`` how far
-    it must come before the scenario may end; ``curvature_1pm`` belongs to ``at_m``; ``lanes_in``
-    is the number of lanes of its entry arm.
+    it must come before the scenario may end, unless it ``halts``: stops on the way and stays;
+    ``curvature_1pm`` belongs to ``at_m``; ``lanes_in`` is the number of lanes of its entry arm.
     """
 
     participant: ConcreteParticipant
@@ -55,6 +55,7 @@ class Way:
     curvature_1pm: Floats
     laid: LaidDrive | None
     lanes_in: int = 0
+    halts: bool = False
 
     @property
     def sets_off(self) -> bool:
@@ -113,7 +114,14 @@ def _way(participant: ConcreteParticipant, concrete: ConcreteScenario, network: 
         curvature_1pm=curvature,
         laid=laid,
         lanes_in=arms[motion.entry].lanes_in,
+        halts=halts(participant),
     )
+
+
+def halts(participant: ConcreteParticipant) -> bool:
+    """Whether a driver's program ends at rest: it stops on its way and stays."""
+    program = participant.speed_program
+    return bool(program) and program[-1].target_speed_mps == 0.0
 
 
 def _curvature(path: Path) -> tuple[Floats, Floats]:

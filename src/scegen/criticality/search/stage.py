@@ -65,7 +65,7 @@ class Stage:
         self.target = self._with_headway(target)
 
     def _choose_pair(self, target: Target, pairs: list[Pair]) -> None:
-        index = {p.id: i for i, p in enumerate(self.concrete.participants)}
+        index = {entity.id: i for i, entity in enumerate(self.concrete.entities)}
         rest = list(pairs)
         while rest:
             known = {tuple(map(int, pair)): n for n, pair in enumerate(self.scene.pairs)}
@@ -73,7 +73,10 @@ class Stage:
                 a, b = index[pair[0]], index[pair[1]]
                 p = known.get((a, b), known.get((b, a)))
                 rest.remove(pair)
-                if p is not None and measurable(target, self.scene, p):
+                if p is None:
+                    continue
+                still = max(a, b) >= len(self.concrete.participants)
+                if measurable(target, self.scene, p, still=still):
                     self.pair = pair
                     return
             if rest:
@@ -133,7 +136,7 @@ class Stage:
 
     def _look_at_touching(self, contact_s: Floats, pairs: Ints) -> None:
         """Those who touch at first get all measures: PET leads a search out of a contact."""
-        people = [p.id for p in self.concrete.participants]
+        people = [entity.id for entity in self.concrete.entities]
         touching = [
             (people[int(a)], people[int(b)])
             for (a, b), t in zip(pairs, contact_s, strict=True)
@@ -156,14 +159,18 @@ class Stage:
         return examine(made, self.network, self.focus, self.friction)
 
     def meetings_s(self, found: Evidence) -> dict[str, list[float]]:
-        """Whose danger with the ego it is, the target's partner first, and when it happens."""
+        """Whose danger with the ego it is, the target's partner first, and when it happens.
+
+        Things do not wait for anybody.
+        """
         ego = self.concrete.ego.id
-        pairs = [self.pair, *judged_pairs(self.concrete)]
+        people = {p.id for p in self.concrete.participants}
+        pairs = [p for p in (self.pair, *judged_pairs(self.concrete)) if people >= {*p}]
         met = {frozenset(pair): pair for pair in pairs if ego in pair}
         meetings: dict[str, list[float]] = {}
-        for people, pair in met.items():
-            (name,) = people - {ego}
-            times = [h.time_s for h in found.hazards if people <= {*h.by, *h.to}]
+        for both, pair in met.items():
+            (name,) = both - {ego}
+            times = [h.time_s for h in found.hazards if both <= {*h.by, *h.to}]
             times.append(number(found.view.of_pair("closest_s", *pair)[0]))
             meetings[name] = list(dict.fromkeys(time for time in times if time))
         return meetings

@@ -19,6 +19,7 @@ from scegen.motion.batch.arrays import (
     empty_traces,
 )
 from scegen.motion.model import Path, Trace
+from scegen.motion.standing import object_path
 from scegen.scenario.concrete import (
     ArrivalBelow,
     AtTime,
@@ -61,17 +62,20 @@ def compile_program(
 ) -> tuple[Program, Candidates]:
     """The arrays of a scenario: its program, and its own numbers as the one candidate.
 
-    Participants keep the scenario's order; the phases of a participant follow one another.
+    Participants keep the scenario's order, and objects follow them; the phases of a participant
+    follow one another.
 
     Args:
         concrete: the scenario.
         paths: its paths by participant, as :func:`scegen.motion.build_paths` makes them.
     """
     index = {p.id: i for i, p in enumerate(concrete.participants)}
+    still = [object_path(thing) for thing in concrete.objects]
+    programs = [[_phase(phase, index) for phase in p.speed_program] for p in concrete.participants]
     return build_program(
-        [paths[name] for name in index],
-        [p.speed_mps for p in concrete.participants],
-        [[_phase(phase, index) for phase in p.speed_program] for p in concrete.participants],
+        [*(paths[name] for name in index), *still],
+        [*(p.speed_mps for p in concrete.participants), *(0.0 for _ in still)],
+        [*programs, *([] for _ in still)],
     )
 
 

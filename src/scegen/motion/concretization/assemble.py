@@ -14,7 +14,7 @@ from scegen.motion.concretization.marks import compile_marks
 from scegen.motion.concretization.room import NeedsLongerArms
 from scegen.motion.model import Path
 from scegen.motion.paths import build_path
-from scegen.motion.simulation import simulate
+from scegen.motion.simulation import STANDING_MPS, simulate
 from scegen.motion.ties import clear_of_ties
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
@@ -45,8 +45,9 @@ def assemble(scene: Scene, seed: int) -> ConcreteScenario:
         logical=scene.logical,
         road=scene.road,
         participants=participants,
+        objects=tuple(scene.objects),
         environment=scene.functional.environment,
-        hazards=scene.functional.hazards,
+        hazards=scene.hazards,
         duration_s=MAX_DURATION_S,
         provenance=tuple(scene.changes),
     )
@@ -162,7 +163,8 @@ def _duration_s(scene: Scene, concrete: ConcreteScenario, paths: dict[str, Path]
     ends: dict[str, float] = {}
     for name, trace in traces.items():
         goal = _goal_m(scene, name, paths[name])
-        done = np.flatnonzero(trace.s_m >= goal)
+        halts = name in scene.drives and scene.drives[name].halts_at_m is not None
+        done = np.flatnonzero(trace.speed_mps < STANDING_MPS if halts else trace.s_m >= goal)
         if not done.size:
             return None
         ends[name] = float(trace.time_s[done[0]])

@@ -179,7 +179,7 @@ def headway_s(
     At every place that both pass, the follower's reference point comes ``time_s`` after the
     leader's, and its bumper stays ``gap_m`` behind.
     """
-    shared = shared_length_m(lead, follow)
+    shared = min(shared_length_m(lead, follow), float(follow.course.s_m[-1]))
     s = np.arange(0.0, max(shared, 1.0), 2.0)
     bodies = gap_m + lead.body.rear_m + follow.body.front_m
     mine = follow.course.times_at(s)
@@ -191,7 +191,7 @@ def headway_s(
 def _like_the_ego(scene: Scene, draft: DriveDraft) -> float:
     """Arrives at the junction when the ego does."""
     ego = scene.ego
-    return ego.course.time_at(ego.junction_s_m) - draft.course.time_at(draft.junction_s_m)
+    return ego.course.time_at(ego.arrives_s_m) - draft.course.time_at(draft.arrives_s_m)
 
 
 def schedule(
@@ -229,7 +229,7 @@ def schedule(
 
 def _first_places(scene: Scene, meetings: Sequence[Meeting]) -> dict[str, float]:
     """Where each drive has its first meeting, or the inner end of its arm."""
-    places = {name: draft.junction_s_m for name, draft in scene.drives.items()}
+    places = {name: draft.arrives_s_m for name, draft in scene.drives.items()}
     for meeting in meetings:
         if meeting.priority < 0:
             continue

@@ -18,6 +18,13 @@ from scegen.motion.concretization.lane_choice import choose_lanes
 from scegen.motion.concretization.maneuvers import prepare_maneuvers, shape_maneuvers
 from scegen.motion.concretization.meeting_lanes import choose_lanes_that_meet
 from scegen.motion.concretization.meetings import Meeting
+from scegen.motion.concretization.obstacles import (
+    expect_obstacles,
+    needs_obstacle,
+    place_obstacles,
+    stop_short,
+)
+from scegen.motion.concretization.occluders import hide
 from scegen.motion.concretization.pulling_out import (
     program_pulls,
     pull_appointments,
@@ -60,13 +67,30 @@ def concretize(
         RoadInfeasibleError: the junction cannot be built.
     """
     ordered_rules(functional.hazards)
+    try:
+        return _on_long_enough_arms(functional, logical, seed, road, obstacles=True)
+    except MotionInfeasibleError:
+        if not any(needs_obstacle(hazard) for hazard in functional.hazards):
+            raise
+    # Without the thing in the way, the rest can perhaps be driven; the proof says what is missing.
+    return _on_long_enough_arms(functional, logical, seed, road, obstacles=False)
+
+
+def _on_long_enough_arms(
+    functional: FunctionalScenario,
+    logical: LogicalScenario,
+    seed: int,
+    road: RoadParameters | None,
+    *,
+    obstacles: bool,
+) -> ConcreteScenario:
     arm_m = FIRST_ARM_M
     for attempt in range(_ATTEMPTS):
         parameters = road if road is not None else plan(functional, logical, arm_m)
         network = build_network(parameters)
         # The same draws in every attempt: lengthening the road must not change the rest.
         rng = np.random.Generator(np.random.PCG64(seed))
-        scene = Scene(functional, logical, parameters, network, rng)
+        scene = Scene(functional, logical, parameters, network, rng, obstacles=obstacles)
         try:
             return _compose(scene, seed)
         except NeedsLongerArms as need:
@@ -86,6 +110,7 @@ def concretize(
 def _compose(scene: Scene, seed: int) -> ConcreteScenario:
     rules = ordered_rules(scene.functional.hazards)
     _place(scene)
+    expect_obstacles(scene)
     choose_lanes_that_meet(scene, rules)
     for rule, hazard in rules:
         if rule.prepare is not None:
@@ -101,11 +126,13 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
             meetings += rule.shape(scene, hazard)
     meetings += shape_maneuvers(scene)
     meetings += go_round_standers(scene)
+    place_obstacles(scene)
     for rule, hazard in rules:
         if rule.act is not None:
             rule.act(scene, hazard)
     meetings += come_up(scene)
     pull_out(scene)
+    stop_short(scene)
     meetings += conflict_meetings(scene, rules, meetings)
     _start(scene, meetings)
     for rule, hazard in rules:
@@ -113,7 +140,7 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
             rule.react(scene, hazard)
     program_walkers(scene)
     program_pulls(scene)
-    return assemble(scene, seed)
+    return hide(scene, assemble(scene, seed))
 
 
 def _place(scene: Scene) -> None:

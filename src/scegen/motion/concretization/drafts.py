@@ -13,9 +13,9 @@ from scegen.motion.concretization.limits import (
     LATERAL_MPS2,
 )
 from scegen.motion.concretization.marks import Mark, Timeline, timeline
+from scegen.motion.concretization.others import Expected, PullDraft, StandDraft, WalkDraft
 from scegen.motion.concretization.turning import turning_marks
 from scegen.motion.friction import GRAVITY_MPS2
-from scegen.motion.model import Path
 from scegen.motion.paths import END_MARGIN_M
 from scegen.motion.polyline import LaidDrive, lay_polyline
 from scegen.motion.routing import walk_route
@@ -23,17 +23,16 @@ from scegen.road.model import RoadNetwork
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.concrete import (
     Change,
-    CrossingMotion,
     DriveMotion,
     LaneChange,
     RoadParameters,
     SpeedPhase,
-    StandingMotion,
 )
-from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.logical import Crossing, Drive, LogicalScenario, Standing
+from scegen.scenario.functional import FunctionalScenario, Hazard
+from scegen.scenario.logical import Drive, LogicalScenario
+from scegen.scenario.objects import StaticObject
 from scegen.scenario.speed_limits import implied_limit_mps
-from scegen.scenario.vocabulary import HazardKind, ParticipantKind
+from scegen.scenario.vocabulary import ParticipantKind
 
 _SIDEWAYS = 0.9
 """The share of the grip that a bend may take."""
@@ -50,7 +49,8 @@ class DriveDraft:
     before turns, ``approach_mps`` and ``resume_mps`` its speeds before and after them if not
     ``cruise_mps``; ``grip_mps2`` is what the tyres hold on this road. One that stands at first does
     so at ``stands_at_m`` of its path, until ``moves_off``; ``comes_up`` says that it brakes behind
-    one who is slower or stands.
+    one who is slower or stands. ``rests_at_m`` is where it is to come to rest if it brakes, because
+    of a thing in its way; ``halts_at_m`` where it stays.
     """
 
     id: str
@@ -74,6 +74,8 @@ class DriveDraft:
     comes_up: bool = False
     start_m: float = 0.0
     grip_mps2: float = GRAVITY_MPS2
+    rests_at_m: float | None = None
+    halts_at_m: float | None = None
     laid_: LaidDrive | None = None
     course_: Timeline | None = None
 
@@ -109,6 +111,18 @@ class DriveDraft:
     def junction_s_m(self) -> float:
         """Arc length at the inner end of the entry arm."""
         return self.laid.path_s_m(self.laid.turning_starts_m)
+
+    @property
+    def arrives_s_m(self) -> float:
+        """Where its approach ends: at the junction, or where it stays before."""
+        return self.junction_s_m if self.halts_at_m is None else self.halts_at_m
+
+    @property
+    def changes_before(self) -> bool:
+        """Whether it changes lanes before the junction, or anywhere on a plain road."""
+        begins = self.laid.turning_starts_m
+        plain = self.laid.turning_ends_m <= begins
+        return any(plain or change.position_m < begins for change in self.lane_changes)
 
     @property
     def exit_s_m(self) -> float:
@@ -161,8 +175,9 @@ class DriveDraft:
         )
 
     def all_marks(self) -> list[Mark]:
-        """All marks in the order of the path."""
-        return sorted([*self.base_marks(), *self.marks], key=lambda mark: mark.s_m)
+        """All marks in the order of the path; one that stays before the junction does not turn."""
+        turning = self.base_marks() if self.halts_at_m is None else []
+        return sorted([*turning, *self.marks], key=lambda mark: mark.s_m)
 
     def first_speed(self) -> float:
         """The speed at the outer end of the entry arm."""
@@ -178,65 +193,38 @@ class DriveDraft:
 
 
 @dataclass
-class WalkDraft:
-    """One who crosses an arm, in the making."""
-
-    id: str
-    kind: ParticipantKind
-    crossing: Crossing
-    speed_mps: float
-    motion: CrossingMotion
-    path: Path
-    program: list[SpeedPhase] = field(default_factory=list)
-
-
-@dataclass
-class StandDraft:
-    """One who stands, in the making."""
-
-    id: str
-    kind: ParticipantKind
-    standing: Standing
-    motion: StandingMotion
-    path: Path
-
-
-@dataclass
-class PullDraft:
-    """One who is parked and pulls out, in the making; lengths are along its path.
-
-    It is in the lane ``in_lane_m`` from where it stands, ``takes_s`` after it sets off, when
-    ``waits_for`` is at ``place_m`` of its own path.
-    """
-
-    id: str
-    kind: ParticipantKind
-    motion: DriveMotion
-    laid: LaidDrive
-    speed_mps: float
-    rate_mps2: float
-    in_lane_m: float
-    hazard: HazardKind | None = None
-    waits_for: str | None = None
-    place_m: float = 0.0
-    takes_s: float = 0.0
-    program: list[SpeedPhase] = field(default_factory=list)
-
-
-@dataclass
 class Scene:
-    """Everything about one scenario in the making."""
+    """Everything about one scenario in the making.
+
+    ``obstacles`` says whether things may be laid in the way, ``expected`` are the dangers that they
+    are to cause, ``objects`` the things that have a place.
+    """
 
     functional: FunctionalScenario
     logical: LogicalScenario
     road: RoadParameters
     network: RoadNetwork
     rng: np.random.Generator
+    obstacles: bool = True
     drives: dict[str, DriveDraft] = field(default_factory=dict)
     walks: dict[str, WalkDraft] = field(default_factory=dict)
     stands: dict[str, StandDraft] = field(default_factory=dict)
     pulls: dict[str, PullDraft] = field(default_factory=dict)
+    expected: list[Expected] = field(default_factory=list)
+    objects: list[StaticObject] = field(default_factory=list)
+    caused: dict[Hazard, Hazard] = field(default_factory=dict)
     changes: list[Change] = field(default_factory=list)
+
+    @property
+    def hazards(self) -> tuple[Hazard, ...]:
+        """The dangers, with the things that cause them."""
+        return tuple(self.caused.get(hazard, hazard) for hazard in self.functional.hazards)
+
+    def add_object(self, thing: StaticObject, hazard: Hazard, who: str) -> None:
+        """Place a thing, which causes a danger to somebody."""
+        self.objects.append(thing)
+        to = hazard.to or (who,)
+        self.caused[hazard] = hazard.model_copy(update={"by": (thing.id,), "to": to})
 
     @property
     def limit_mps(self) -> float:

@@ -9,6 +9,7 @@ from scegen.motion.concretization.hazards.rule import same_arm
 from scegen.motion.concretization.hazards.swerving import close_before
 from scegen.motion.concretization.lane_choice import change_lanes, entry_lanes, lanes_in
 from scegen.motion.concretization.meetings import DANGER, STRUCTURAL, Meeting, drives_meet
+from scegen.motion.concretization.obstacles import goes_round_a_thing
 from scegen.motion.concretization.passing import (
     change_length_m,
     pass_drive,
@@ -41,7 +42,11 @@ def shape_maneuvers(scene: Scene) -> list[Meeting]:
                 oncoming=lanes_in(scene, draft) == 1,
                 comes_back=draft.drive.maneuver is Maneuver.OVERTAKE,
             )
-        elif not (_goes_round_somebody_standing(scene, draft) or _drives_past(scene, draft)):
+        elif not (
+            _goes_round_somebody_standing(scene, draft)
+            or _drives_past(scene, draft)
+            or goes_round_a_thing(scene, draft)
+        ):
             meetings += _free_change(scene, draft)
     return [*meetings, *_side_by_side(scene, meetings)]
 

@@ -10,11 +10,12 @@ from dataclasses import dataclass
 from math import pi, sqrt
 
 from scegen.errors import MotionInfeasibleError
-from scegen.motion.concretization.drafts import DriveDraft, PullDraft, Scene
+from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.hazards.rule import braking_of
 from scegen.motion.concretization.limits import LEAD_IN_S, SUDDEN_ACCELERATION_MPS2
 from scegen.motion.concretization.marks import Mark
 from scegen.motion.concretization.meetings import nearest_s_m
+from scegen.motion.concretization.others import PullDraft
 from scegen.motion.concretization.room import NeedsLongerArms
 from scegen.motion.concretization.standers import towards_junction
 from scegen.motion.concretization.walkers import Appointment

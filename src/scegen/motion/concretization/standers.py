@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from scegen.motion.concretization.drafts import DriveDraft, Scene, StandDraft
+from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.hazards.rule import brake_behind, same_arm
 from scegen.motion.concretization.meetings import STRUCTURAL, Meeting
+from scegen.motion.concretization.others import StandDraft
 from scegen.motion.concretization.passing import pass_standing
 from scegen.motion.standing import standing_path
 from scegen.scenario.bodies import BODIES
@@ -21,9 +22,9 @@ _BETWEEN_M = 1.5
 _PULLS_OUT_BEFORE_M = 1.5
 _BEFORE_PULLING_OUT_M = 7.0
 """In a row, who pulls out needs this much before it."""
-_BLOCKS_AT_M = 45.0
+BLOCKS_AT_M = 45.0
 """A vehicle that blocks its lane stands this far before the junction, so that others get round."""
-_BLOCKS_STRAIGHT_AT_M = 15.0
+BLOCKS_STRAIGHT_AT_M = 15.0
 
 
 def passed_where_they_stand(scene: Scene) -> tuple[Standing, ...]:
@@ -65,7 +66,7 @@ def _first_free_m(scene: Scene, standing: Standing) -> float:
         )
         room = scene.network.junctions and pulls_out
         return _ROOM_TO_PULL_OUT_M if room else CLEAR_OF_CORNER_M
-    return _BLOCKS_AT_M if scene.network.junctions else _BLOCKS_STRAIGHT_AT_M
+    return BLOCKS_AT_M if scene.network.junctions else BLOCKS_STRAIGHT_AT_M
 
 
 def _draft(

@@ -7,16 +7,17 @@ from dataclasses import dataclass
 from math import sqrt
 
 from scegen.errors import MotionInfeasibleError
-from scegen.motion.concretization.drafts import DriveDraft, Scene, WalkDraft
+from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.limits import (
     CYCLING_MPS,
     WALKING_MPS,
     WALKING_START_MPS2,
 )
 from scegen.motion.concretization.meetings import MeetingPoint, meeting_point
+from scegen.motion.concretization.others import WalkDraft
 from scegen.motion.standing import crossing_path
 from scegen.road.model import LaneType
-from scegen.scenario.bodies import BODIES
+from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.concrete import AtTime, CrossingMotion, SpeedPhase, Travelled
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing, Side
@@ -27,6 +28,8 @@ _BEYOND_STRIP_M = 1.0
 _UNMARKED_M = 4.0
 _STRAIGHT_M = 5.0
 _BEYOND_PARKED_M = 1.2
+_BEHIND_SCREEN_M = 0.8
+"""The front of one whom a thing is to hide is so far from the carriageway: it needs room there."""
 _STOP_SHORT_M = 0.15
 _INTO_PATH_M = 1.0
 """The walker is in the driver's line when the bumper is this close (both at their speed)."""
@@ -63,7 +66,7 @@ def place_walkers(scene: Scene) -> None:
             arm=crossing.arm,
             start_side=crossing.start,
             from_junction_m=round(max(0.0, _from_junction_m(scene, crossing) + aside), 3),
-            setback_m=_setback_m(scene, crossing.arm),
+            setback_m=_setback_m(scene, crossing.arm, BODIES[participant.kind]),
         )
         path = crossing_path(scene.network, motion, participant.id)
         speed = _speed(scene, participant)
@@ -80,19 +83,23 @@ def _abreast_m(number: int) -> float:
 def _speed(scene: Scene, participant: Participant) -> float:
     usual = WALKING_MPS if participant.kind is ParticipantKind.PEDESTRIAN else CYCLING_MPS
     low, high = scene.allowed(f"{participant.id}.speed_mps", (0.9 * usual, 1.2 * usual))
-    speed = float(scene.rng.uniform(max(low, 0.9 * usual), max(min(high, 1.2 * usual), low)))
+    least = min(max(low, 0.9 * usual), high)
+    speed = float(scene.rng.uniform(least, max(min(high, 1.2 * usual), least)))
     speed = min(max(speed, low, 0.3), max(high, 0.3))
     scene.note(f"{participant.id}.speed_mps", speed, "usual pace")
     return round(speed, 3)
 
 
-def _setback_m(scene: Scene, arm: int) -> float:
+def _setback_m(scene: Scene, arm: int, body: Body) -> float:
+    hidden = any(h.kind is HazardKind.OCCLUSION and not h.by for h in scene.functional.hazards)
+    behind = body.front_m + _BEHIND_SCREEN_M if hidden else 0.0
     strip = [
         lane.width_m
         for lane in scene.network.arm_road(arm).lanes
         if lane.type in {LaneType.PARKING, LaneType.SHOULDER}
     ]
-    return max(strip) + _BEYOND_STRIP_M if strip else _SETBACK_M
+    usual = max(strip) + _BEYOND_STRIP_M if strip else _SETBACK_M
+    return max(usual, behind)
 
 
 def _from_junction_m(scene: Scene, crossing: Crossing) -> float:

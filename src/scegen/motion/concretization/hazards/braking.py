@@ -89,7 +89,7 @@ def _hard(scene: Scene, hazard: Hazard) -> None:
             hold = max(hold, clear - braking + _AFTER_WALKER_S)
         else:
             stop = event_s_m(scene, draft, hazard)
-            if draft is scene.ego:
+            if draft is scene.ego and draft.rests_at_m is None:
                 # The ego brakes to avoid, the others brake in its way.
                 stop -= draft.body.length_m / 2 + _CLEAR_OF_OTHER_M
         _stop_at(draft, stop, rate, HazardKind.HARD_BRAKING, hold)
@@ -99,11 +99,12 @@ def _late(scene: Scene, hazard: Hazard) -> None:
     for draft in culprits(scene, hazard):
         rate = draft.braking_mps2(HARD_BRAKING_MPS2[0])
         event = event_s_m(scene, draft, hazard)
-        for victim in victims(scene, hazard, draft):
+        for victim in victims(scene, hazard, draft) if draft.rests_at_m is None else ():
             point = drives_meet(draft, victim)
             event = point.first_s_m if point is not None else event
         speed = draft.course.speed_at(event - draft.cruise_mps)
-        start = max(3.0, event - _LATE * speed**2 / (2 * rate))
+        left = _LATE if draft.rests_at_m is None else 1.0
+        start = max(3.0, event - left * speed**2 / (2 * rate))
         draft.add_mark(Mark(start, 0.0, rate, HazardKind.DELAYED_BRAKING, hold_s=_HARD_HOLD_S))
 
 

@@ -126,9 +126,11 @@ def brake_behind(scene: Scene, draft: DriveDraft, place_m: float, pace_mps: floa
 def event_s_m(scene: Scene, draft: DriveDraft, hazard: Hazard) -> float:
     """Where on its way a driver's danger happens.
 
-    Where it meets a sufferer; else two thirds along its entry arm, before it slows to turn; on
-    a road without a junction, in the middle.
+    Short of a thing in its way; where it meets a sufferer; else two thirds along its entry arm,
+    before it slows to turn; on a road without a junction, in the middle.
     """
+    if draft.rests_at_m is not None:
+        return draft.rests_at_m
     for victim in victims(scene, hazard, draft):
         point = drives_meet(draft, victim)
         if point is not None:
