@@ -13,6 +13,7 @@ from pydantic import Field, model_validator
 from scegen.scenario.functional import MAX_ARMS, Environment, Hazard
 from scegen.scenario.logical import LogicalScenario, Side
 from scegen.scenario.model import ArmSet, FrozenModel, Identifier
+from scegen.scenario.reversing import Reversal
 from scegen.scenario.vocabulary import (
     Control,
     DrivingSide,
@@ -158,7 +159,8 @@ class DriveMotion(FrozenModel):
     """A vehicle's way. It starts ``start_m`` along the drive, in lane ``entry_lane``.
 
     ``turning_starts_m`` and ``turning_ends_m`` are where the junction (or ring) begins and
-    ends on its way; they follow from the road and are checked, not obeyed.
+    ends on its way; they follow from the road and are checked, not obeyed. ``reversal`` is a
+    part of the way that it drives backwards.
     """
 
     type: Literal["drive"] = "drive"
@@ -171,6 +173,7 @@ class DriveMotion(FrozenModel):
     turning_starts_m: float
     turning_ends_m: float
     lane_changes: tuple[LaneChange, ...] = ()
+    reversal: Reversal | None = None
 
 
 class CrossingMotion(FrozenModel):

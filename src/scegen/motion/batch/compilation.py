@@ -109,6 +109,10 @@ def path_table(paths: Sequence[Path]) -> PathTable:
         heading_rad=heading,
         cos=np.cos(heading),
         sin=np.sin(heading),
+        backwards=np.array(
+            [(i, *part) for i, path in enumerate(paths) for part in path.backwards],
+            dtype=np.float64,
+        ).reshape(-1, 3),
     )
 
 
@@ -133,7 +137,10 @@ def stack_traces(traces: Sequence[Trace]) -> BatchTraces:
         batch.heading_rad[0, :, i] = trace.heading_rad
         batch.tracks[0, i, COS] = np.cos(trace.heading_rad)
         batch.tracks[0, i, SIN] = np.sin(trace.heading_rad)
+        back = np.diff(trace.x_m) * np.cos(trace.heading_rad[1:])
+        back += np.diff(trace.y_m) * np.sin(trace.heading_rad[1:])
         batch.speed_mps[0, :, i] = trace.speed_mps
+        batch.speed_mps[0, 1:, i][back < 0.0] *= -1.0
     return batch
 
 

@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
-from scegen.motion.batch.arrays import BatchTraces, Candidates, Program, empty_traces
+from scegen.motion.batch.arrays import (
+    SPEED,
+    BatchTraces,
+    Candidates,
+    Program,
+    S,
+    empty_traces,
+)
 from scegen.motion.batch.kernels import kernel
 from scegen.motion.batch.stepping import run_candidate
 
@@ -12,7 +19,8 @@ def simulate_batch(
 ) -> BatchTraces:
     """Simulate all candidates from 0 to ``duration_s``.
 
-    Row c agrees with :func:`scegen.motion.simulate` on the scenario with c's numbers to rounding.
+    Row c agrees with :func:`scegen.motion.simulate` on the scenario with c's numbers to rounding
+    (there, speeds are along the path).
     A participant that reaches the end of its path stops there for good.
 
     Args:
@@ -29,6 +37,9 @@ def simulate_batch(
         dt_s,
     )
     _run(program, candidates, traces)
+    for who, begins_m, ends_m in program.paths.backwards:
+        track = traces.tracks[:, int(who)]
+        track[:, SPEED][(track[:, S] > begins_m) & (track[:, S] <= ends_m)] *= -1.0
     return traces
 
 

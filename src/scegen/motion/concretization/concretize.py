@@ -51,7 +51,6 @@ def concretize(
         MotionInfeasibleError: it cannot be driven, or needs something unsupported.
         RoadInfeasibleError: the junction cannot be built.
     """
-    ordered_rules(functional.hazards)
     arm_m = FIRST_ARM_M
     for _ in range(_ATTEMPTS):
         parameters = road if road is not None else plan(functional, logical, arm_m)
@@ -125,7 +124,8 @@ def _start(scene: Scene, meetings: list[Meeting]) -> None:
         raise NeedsLongerArms(plan_.shortfall_m, plan_.shortest_of)
     reasons = {m.second: f"{m.reason} with {m.first}" for m in reversed(meetings) if m.reason}
     for name, draft in scene.drives.items():
-        draft.start_m = draft.course.s_at(-plan_.offsets_s[name])
+        draft.offset_s = plan_.offsets_s[name]
+        draft.start_m = draft.course.s_at(-draft.offset_s)
         station = draft.laid.station_m(draft.start_m)
         reason = reasons.get(name, "in line on its arm")
         scene.note(f"{name}.start_m", station, reason)

@@ -18,7 +18,8 @@ from scegen.motion.concretization.turning import turning_marks
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.model import Path
 from scegen.motion.paths import END_MARGIN_M
-from scegen.motion.polyline import LaidDrive, lay_polyline
+from scegen.motion.polyline import LaidDrive
+from scegen.motion.reversing import lay_way
 from scegen.motion.routing import walk_route
 from scegen.road.model import RoadNetwork
 from scegen.scenario.bodies import BODIES, Body
@@ -33,6 +34,7 @@ from scegen.scenario.concrete import (
 )
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Crossing, Drive, LogicalScenario, Standing
+from scegen.scenario.reversing import BacksOut, Reversal
 from scegen.scenario.vocabulary import ParticipantKind
 
 _SIDEWAYS = 0.9
@@ -48,7 +50,10 @@ class DriveDraft:
     ``start_m`` where on that path it starts at time 0; ``reactions`` phases that look at others,
     to be put where the program reaches ``reacts_at_s_m``. ``slowing_mps2`` is how hard it brakes
     before turns, ``approach_mps`` and ``resume_mps`` its speeds before and after them if not
-    ``cruise_mps``; ``grip_mps2`` is what the tyres hold on this road.
+    ``cruise_mps``; ``grip_mps2`` is what the tyres hold on this road. ``reversal`` is a part driven
+    backwards; one that backs out (of arm ``from_arm``, if not from beside the road) joins its drive
+    at station ``joins_m``. Within ``alone_s_m`` of its path only the marks of dangers count.
+    ``offset_s`` is how late it is against its course.
     """
 
     id: str
@@ -68,7 +73,12 @@ class DriveDraft:
     reactions: list[SpeedPhase] = field(default_factory=list)
     reacts_at_s_m: float = 0.0
     start_m: float = 0.0
+    offset_s: float = 0.0
     grip_mps2: float = GRAVITY_MPS2
+    reversal: Reversal | None = None
+    joins_m: float = 0.0
+    from_arm: int | None = None
+    alone_s_m: tuple[float, float] | None = None
     laid_: LaidDrive | None = None
     course_: Timeline | None = None
 
@@ -113,6 +123,7 @@ class DriveDraft:
     def motion(self, start_m: float = 0.0) -> DriveMotion:
         """The drive as written to files."""
         laid = self.laid_
+        start_m = self.joins_m if self.backs_out else start_m
         return DriveMotion(
             entry=self.drive.entry,
             entry_lane=self.entry_lane,
@@ -123,13 +134,21 @@ class DriveDraft:
             turning_starts_m=round(laid.turning_starts_m, 3) if laid else 0.0,
             turning_ends_m=round(laid.turning_ends_m, 3) if laid else 0.0,
             lane_changes=tuple(self.lane_changes),
+            reversal=self.reversal,
         )
+
+    @property
+    def backs_out(self) -> bool:
+        """Whether it starts at rest beside the road or on a side arm, to come out backwards."""
+        return isinstance(self.reversal, BacksOut)
 
     def lay(self, network: RoadNetwork) -> None:
         """Lay the drive out anew, after lanes or lane changes have changed."""
         self.lane_changes.sort(key=lambda change: change.position_m)
-        stretches, self.exit_lane = walk_route(network, self.motion(), self.id)
-        self.laid_ = lay_polyline(stretches, 0.0, stretches[-1].end_m - END_MARGIN_M)
+        motion = self.motion()
+        stretches, self.exit_lane = walk_route(network, motion, self.id)
+        end_m = stretches[-1].end_m - END_MARGIN_M
+        self.laid_ = lay_way(network, motion, stretches, end_m, self.id)
         self.course_ = None
 
     def add_mark(self, mark: Mark) -> None:
@@ -157,11 +176,13 @@ class DriveDraft:
 
     def all_marks(self) -> list[Mark]:
         """All marks in the order of the path."""
-        return sorted([*self.base_marks(), *self.marks], key=lambda mark: mark.s_m)
+        low, high = self.alone_s_m or (1.0, 0.0)
+        ordinary = [mark for mark in self.base_marks() if not low <= mark.s_m <= high]
+        return sorted([*ordinary, *self.marks], key=lambda mark: mark.s_m)
 
     def first_speed(self) -> float:
-        """The speed at the outer end of the entry arm."""
-        return self.cruise_mps
+        """The speed at the outer end of the entry arm, or where it comes out."""
+        return 0.0 if self.backs_out else self.cruise_mps
 
     def speed_in_force(self, s_m: float) -> float:
         """The target speed at a place, dangers apart."""

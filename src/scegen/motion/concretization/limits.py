@@ -33,6 +33,9 @@ TAILGATING_HEADWAY_S = (0.4, 0.8)  # below the least gap of [ISO15622]
 CLOSE_FOLLOWING_S = 0.8  # followed closely, but not tailgated
 CUT_IN_HEADWAY_S = (0.3, 0.6)
 
+REVERSING_MPS = (1.8, 2.6)  # 6 to 9 km/h
+REVERSING_MPS2 = 1.5
+
 SPEEDING_FACTOR = (1.2, 1.5)  # of the limit
 SLOW_FACTOR = (0.35, 0.5)
 JITTER = 0.04  # relative spread of ordinary speeds

@@ -1,0 +1,213 @@
+"""Reversing: backing up towards another, or backing out in front of it; the other brakes, late.
+
+One that reverses waits for the other: it goes when that one is so many seconds short of where it
+will have to brake.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from scegen.errors import MotionInfeasibleError
+from scegen.motion.concretization.backing import back_out, back_up, in_each_others_way
+from scegen.motion.concretization.drafts import DriveDraft, Scene
+from scegen.motion.concretization.hazards.rule import Rule, culprits, same_arm, victims
+from scegen.motion.concretization.lane_choice import entry_lanes
+from scegen.motion.concretization.meetings import DANGER, Meeting, sampled
+from scegen.motion.concretization.room import NeedsLongerArms
+from scegen.scenario.concrete import ArrivalBelow, DistanceBelow, SpeedPhase, StoodStill
+from scegen.scenario.functional import Hazard
+from scegen.scenario.logical import Reverses
+from scegen.scenario.vocabulary import HazardKind, Maneuver
+
+_BRAKING_MPS2 = 6.0
+_GAP_M = 0.5
+"""Who brakes for one that reverses comes to rest this far from where it touches it."""
+_SEEN_S = 1.0
+"""It brakes so long after the other has begun to reverse, at least."""
+_INTRUDED_S = 0.5
+"""And so long after the other has come into its way."""
+_BEGINS_M = 0.3
+_LEAST_RUN_UP_M = 15.0
+_LEAST_WAIT_S = 1.5
+_RESUMING_MPS2 = 1.5
+_IN_LINE_M = 3.0
+_SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
+
+
+def _sufferer(scene: Scene, hazard: Hazard, draft: DriveDraft) -> DriveDraft | None:
+    """Towards whom it reverses: the first who drives.
+
+    Raises:
+        MotionInfeasibleError: those who are named do not drive.
+    """
+    others = victims(scene, hazard, draft)
+    on_foot = [name for name in hazard.to if name in scene.walks or name in scene.stands]
+    if on_foot and not others:
+        raise MotionInfeasibleError(
+            f"reversing towards {', '.join(on_foot)}, who does not drive, is not supported: one "
+            "that reverses does so towards somebody who drives",
+            where=draft.id,
+            hint="Name a vehicle that drives as the one that suffers it.",
+        )
+    return others[0] if others else None
+
+
+def _prepare(scene: Scene, hazard: Hazard) -> None:
+    """Who comes out backwards enters, as it were, ahead of the other, in its lane."""
+    for draft in culprits(scene, hazard):
+        other = _sufferer(scene, hazard, draft)
+        draft.stops_at_line = False
+        if draft.drive.maneuver in _SIDEWAYS:
+            raise MotionInfeasibleError(
+                f"reversing and {draft.drive.maneuver.value.replace('_', ' ')} in one drive are "
+                "not supported together",
+                where=draft.id,
+                hint="Leave one of both out.",
+            )
+        if other is None:
+            continue
+        other.stops_at_line = False
+        if draft.drive.reverses is Reverses.OUT_OF_ARM:
+            update = {"entry": other.drive.entry, "rank": other.drive.rank - 1}
+            draft.from_arm = draft.drive.entry
+            draft.drive = draft.drive.model_copy(update=update)
+        if same_arm(draft, other):
+            _one_lane(scene, draft, other)
+
+
+def _one_lane(scene: Scene, draft: DriveDraft, other: DriveDraft) -> None:
+    own = entry_lanes(scene, draft)
+    lanes = [lane for lane in entry_lanes(scene, other) if lane in own]
+    if draft.from_arm is not None:
+        routes = scene.network.routes.get((draft.drive.entry, draft.from_arm), ())
+        lanes = [lane for lane in lanes if any(r.entry_lane == lane for r in routes)]
+    if not lanes:
+        raise MotionInfeasibleError(
+            f"no lane of arm {draft.drive.entry} leads both {draft.id} and {other.id} where they "
+            "go, so the one cannot reverse towards the other",
+            where=draft.id,
+        )
+    lane = other.entry_lane if other.entry_lane in lanes else lanes[0]
+    draft.entry_lane = other.entry_lane = lane
+
+
+def _shape(scene: Scene, hazard: Hazard) -> list[Meeting]:
+    meetings: list[Meeting] = []
+    for draft in culprits(scene, hazard):
+        other = _sufferer(scene, hazard, draft)
+        if draft.reversal is not None:
+            continue
+        comes_out = draft.drive.reverses not in {None, Reverses.BACKS_UP}
+        if comes_out and other is not None:
+            back_out(scene, draft)
+        else:
+            back_up(scene, draft, other)
+        if other is not None:
+            event_s, brakes_s, _ = _encounter(draft, other)
+            reason = "reversing: brakes when it comes back"
+            meetings.append(Meeting(DANGER, draft.id, other.id, event_s, brakes_s, 0.0, reason))
+    return meetings
+
+
+def _encounter(draft: DriveDraft, other: DriveDraft) -> tuple[float, float, float]:
+    """Where the one is when the other has to brake, where that one is then, and where it stops."""
+    touching = in_each_others_way(draft.laid.path, draft.body, other.laid.path, other.body)
+    s, its = sampled(draft.laid.path)[0], sampled(other.laid.path)[0]
+    begins_s, ends_s = draft.laid.path.backwards[0]
+    back = (s >= begins_s) & (s <= ends_s)
+    meets = touching[back]
+    if not meets.any():
+        raise MotionInfeasibleError(
+            f"does not come into the way of {other.id} where it reverses", where=draft.id
+        )
+    stops_s = float(its[int(meets.any(axis=0).argmax())]) - _GAP_M - 1.0
+    intrudes_s = max(begins_s + _BEGINS_M, float(s[back][int(meets.any(axis=1).argmax())]))
+    course = draft.course
+    sees_s = course.time_at(begins_s + _BEGINS_M) + _SEEN_S
+    event_s = course.s_at(max(sees_s, course.time_at(intrudes_s) + _INTRUDED_S))
+    rate = other.braking_mps2(_BRAKING_MPS2)
+    speed = other.course.speed_at(max(1.0, stops_s - 10.0))
+    brakes_s = stops_s - speed**2 / (2 * rate)
+    if brakes_s < _LEAST_RUN_UP_M:
+        raise NeedsLongerArms(_LEAST_RUN_UP_M - brakes_s + 1.0, other.id)
+    return event_s, brakes_s, stops_s
+
+
+def _react(scene: Scene, hazard: Hazard) -> None:
+    """It goes when the other comes; the other, and who is behind it, brakes and goes on later."""
+    for draft in culprits(scene, hazard):
+        other = _sufferer(scene, hazard, draft)
+        if other is None or draft.reversal is None:
+            continue
+        event_s, brakes_s, stops_s = _encounter(draft, other)
+        _wait_for(draft, other, brakes_s)
+        _, ends_s = draft.laid.path.backwards[0]
+        begins_s = draft.laid.path.backwards[0][0]
+        over_s = draft.course.time_at(ends_s + (ends_s - begins_s)) + draft.offset_s
+        away_m = _apart_m(draft, event_s, other, brakes_s)
+        _brake_for(draft, other, brakes_s, stops_s, away_m, over_s)
+
+
+def _wait_for(draft: DriveDraft, other: DriveDraft, brakes_s: float) -> None:
+    """Begin to reverse when the other is so many seconds short of where it brakes."""
+    index = next(
+        n
+        for n, mark in enumerate(draft.marks)
+        if HazardKind.REVERSING in {mark.hazard, mark.resume_hazard}
+    )
+    mark = draft.marks[index]
+    begins_s, _ = draft.laid.path.backwards[0]
+    goes_s = draft.course.time_at(begins_s) if mark.hold_s is not None else 0.0
+    at_s = other.course.s_at(goes_s + draft.offset_s - other.offset_s)
+    here, there = other.laid.path.pose(at_s), other.laid.path.pose(brakes_s)
+    away = float(np.hypot(there.x_m - here.x_m, there.y_m - here.y_m))
+    speed = other.course.speed_at(at_s)
+    if at_s >= brakes_s or speed < 1.0:
+        return
+    waits = ArrivalBelow(
+        participant=other.id,
+        place_m=round(brakes_s - other.start_m, 3),
+        time_s=round(away / speed, 3),
+    )
+    draft.marks[index] = replace(mark, waits_for=waits)
+
+
+def _apart_m(draft: DriveDraft, s_m: float, other: DriveDraft, other_s_m: float) -> float:
+    here, there = draft.laid.path.pose(s_m), other.laid.path.pose(other_s_m)
+    return float(np.hypot(there.x_m - here.x_m, there.y_m - here.y_m))
+
+
+def _brake_for(
+    draft: DriveDraft,
+    other: DriveDraft,
+    brakes_s: float,
+    stops_s: float,
+    away_m: float,
+    over_s: float,
+) -> None:
+    if other.reactions:
+        return
+    rate = other.braking_mps2(_BRAKING_MPS2)
+    speed = other.course.speed_at(brakes_s)
+    stands_s = other.course.time_at(brakes_s) + other.offset_s + speed / rate
+    other.reactions += [
+        SpeedPhase(
+            trigger=DistanceBelow(participant=draft.id, distance_m=away_m),
+            target_speed_mps=0.0,
+            rate_mps2=rate,
+        ),
+        SpeedPhase(
+            trigger=StoodStill(
+                participant=other.id, duration_s=max(_LEAST_WAIT_S, over_s - stands_s)
+            ),
+            target_speed_mps=other.speed_in_force(stops_s),
+            rate_mps2=other.acceleration_mps2(_RESUMING_MPS2),
+        ),
+    ]
+    other.reacts_at_s_m = brakes_s
+
+
+REVERSING = Rule(prepare=_prepare, shape=_shape, react=_react)
