@@ -2,7 +2,8 @@
 
 Every part is laid out as if it were driven forwards, and then turned round: the vertices in
 reverse order, the headings as they were. The rear axle, which is the reference point, thus takes
-the very line that it would take forwards, as a real one does.
+the very line that it would take forwards, as a real one does. Positions along the path grow all
+the while; where the direction changes, the path has a cusp.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from dataclasses import dataclass
 from math import ceil, pi
 
 import numpy as np
+from numpy.typing import NDArray
 
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.model import Array, LaneSpan, Path
@@ -21,6 +23,14 @@ from scegen.motion.stretches import Stretch
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import DriveMotion
 from scegen.scenario.reversing import BacksOut, BacksUp
+
+
+ROLLS_M = 0.3
+"""Everybody rolls forwards so far, at least, before reversing: players take the sense in which a
+trajectory is followed from how it begins."""
+_CLOSE_M = 0.12
+"""esmini leaves out vertices that lie closer together than 0.1 m; where the direction changes it
+must be the other one."""
 
 
 @dataclass(frozen=True)
@@ -37,6 +47,16 @@ class _Part:
     def of(cls, laid: LaidDrive) -> _Part:
         path = laid.path
         return cls(laid.stations_m, path.x_m, path.y_m, path.heading_rad, path.spans)
+
+    def last(self, length_m: float) -> _Part:
+        """Its end, of so many metres on a straight line."""
+        x, y, heading = self.x_m[-1], self.y_m[-1], self.heading_rad[-1]
+        return _Part(
+            self.stations_m[-1:].repeat(2),
+            np.array([x - length_m * np.cos(heading), x]),
+            np.array([y - length_m * np.sin(heading), y]),
+            np.array([heading, heading]),
+        )
 
     def driven_back(self) -> _Part:
         """The same ground in reverse."""
@@ -73,7 +93,7 @@ def lay_way(
             inwards = _into_arm(network, motion, reversal.arm, reversal.setback_m, who)
         else:
             inwards = _beside(network, motion, reversal, onwards, who)
-        parts = [inwards.driven_back(), onwards]
+        parts = [inwards.last(ROLLS_M), inwards.driven_back(), onwards]
     return _joined(parts, stretches)
 
 
@@ -81,17 +101,17 @@ def _up_and_back(
     reversal: BacksUp, stretches: tuple[Stretch, ...], start_m: float, end_m: float, who: str
 ) -> list[_Part]:
     stops_m, back_m = reversal.from_m, reversal.from_m - reversal.length_m
-    if not start_m <= stops_m < end_m or back_m < 0.0:
+    if not start_m + ROLLS_M <= stops_m < end_m or back_m < 0.0:
         raise MotionInfeasibleError(
             f"cannot stop at {stops_m:.1f} m and go {reversal.length_m:.1f} m back on a way that "
             f"starts at {start_m:.1f} m and ends at {end_m:.1f} m",
             where=who,
-            hint="Choose a place between both, and a shorter way back.",
+            hint=f"It has to come {ROLLS_M:g} m forwards at least, and the way back to lie on its "
+            "drive.",
         )
-    parts = [_Part.of(lay_polyline(stretches, back_m, stops_m)).driven_back()]
-    if stops_m > start_m:
-        parts.insert(0, _Part.of(lay_polyline(stretches, start_m, stops_m)))
-    return [*parts, _Part.of(lay_polyline(stretches, back_m, end_m))]
+    forth = _Part.of(lay_polyline(stretches, start_m, stops_m))
+    back = _Part.of(lay_polyline(stretches, back_m, stops_m)).driven_back()
+    return [forth, back, _Part.of(lay_polyline(stretches, back_m, end_m))]
 
 
 def _into_arm(
@@ -180,11 +200,18 @@ def _joined(parts: list[_Part], stretches: tuple[Stretch, ...]) -> LaidDrive:
             for s in part.spans
         ]
         done += float(np.hypot(np.diff(part.x_m), np.diff(part.y_m)).sum())
+    kept = [_kept(part, first=not number) for number, part in enumerate(parts)]
     stations, x, y, heading = (
-        np.concatenate(
-            [getattr(part, name)[1 if number else 0 :] for number, part in enumerate(parts)]
-        )
+        np.concatenate([getattr(p, name)[keep] for p, keep in zip(parts, kept, strict=True)])
         for name in ("stations_m", "x_m", "y_m", "heading_rad")
     )
     s = np.concatenate(([0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))))
     return LaidDrive(Path(s, x, y, np.unwrap(heading), tuple(spans)), stations, stretches)
+
+
+def _kept(part: _Part, *, first: bool) -> NDArray[np.bool_]:
+    """Which vertices of a part are written: its first is the last of the part before."""
+    s = np.concatenate(([0.0], np.cumsum(np.hypot(np.diff(part.x_m), np.diff(part.y_m)))))
+    keep = (s > _CLOSE_M) & (s < s[-1] - _CLOSE_M)
+    keep[0], keep[-1] = first, True
+    return keep

@@ -47,7 +47,9 @@ def drives_on(view: View, by: str, to: str) -> list[Part]:
     Signal states are not simulated: running a red light is entering without a stop.
     """
     way, place = view.ways[by], view.place_m(by)
-    near = (place > way.turn_start_m - _BEFORE_LINE_M) & (place < way.turn_end_m)
+    # One that stops beyond the line, to reverse, has passed it all the same.
+    until_m = way.turn_start_m if way.path.backwards else way.turn_end_m
+    near = (place > way.turn_start_m - _BEFORE_LINE_M) & (place < until_m)
     slowest = np.where(near, view.speed_mps(by), np.inf)
     part = at_least(
         "slowest speed at the line", slowest.min(axis=1), limits.DRIVES_ON, view.when(-slowest)

@@ -12,6 +12,7 @@ from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.limits import LONGEST_DURATION_S, MAX_DURATION_S
 from scegen.motion.concretization.marks import compile_marks
 from scegen.motion.concretization.room import NeedsLongerArms
+from scegen.motion.concretization.settling import settle
 from scegen.motion.model import Path
 from scegen.motion.paths import build_path
 from scegen.motion.simulation import simulate
@@ -28,6 +29,8 @@ from scegen.scenario.functional import Participant
 _INTO_EXIT_M = 20.0
 _AFTER_S = 1.0
 _LONGEST_EXIT_M = 500.0
+_TURNS_MPS = 0.6
+"""One that is to stand where it changes direction comes to rest some centimetres short of it."""
 
 
 def assemble(scene: Scene, seed: int) -> ConcreteScenario:
@@ -52,6 +55,7 @@ def assemble(scene: Scene, seed: int) -> ConcreteScenario:
     )
     paths = {p.id: build_path(p.motion, p.kind, scene.network, p.id) for p in concrete.participants}
     _check_start(concrete, paths)
+    _check_turns(concrete, paths)
     duration = _duration_s(scene, concrete, paths)
     if duration is None:
         longer = concrete.model_copy(update={"duration_s": LONGEST_DURATION_S})
@@ -61,7 +65,8 @@ def assemble(scene: Scene, seed: int) -> ConcreteScenario:
             f"somebody has not left after {LONGEST_DURATION_S:.0f} s",
             hint="Raise the speeds or take a smaller junction.",
         )
-    return clear_of_ties(concrete.model_copy(update={"duration_s": duration}), paths)
+    timed = clear_of_ties(concrete.model_copy(update={"duration_s": duration}), paths)
+    return settle(timed, scene.network)
 
 
 def _name(scene: Scene) -> str:
@@ -140,6 +145,22 @@ def _check_start(concrete: ConcreteScenario, paths: dict[str, Path]) -> None:
             ):
                 raise MotionInfeasibleError(
                     f"{first.id} and {second.id} overlap at the start",
+                    hint="Fewer dangers at once, or another logical scenario.",
+                )
+
+
+def _check_turns(concrete: ConcreteScenario, paths: dict[str, Path]) -> None:
+    """Nobody goes from forwards to backwards, or on again, at speed."""
+    if not any(path.backwards for path in paths.values()):
+        return
+    for name, trace in simulate(concrete, paths).items():
+        for place in (place for part in paths[name].backwards for place in part):
+            passed = np.flatnonzero((trace.s_m[1:] > place) & (trace.s_m[:-1] <= place))
+            if place > 0.0 and passed.size and trace.speed_mps[passed[0]] > _TURNS_MPS:
+                raise MotionInfeasibleError(
+                    f"does not stand where it changes direction, {place:.1f} m from its start, "
+                    f"but goes {trace.speed_mps[passed[0]]:.1f} m/s",
+                    where=name,
                     hint="Fewer dangers at once, or another logical scenario.",
                 )
 

@@ -1,7 +1,7 @@
 """Where one that reverses stops, goes back and drives on, and what speed program that takes.
 
 Where it changes direction it has to stand. Simulators fire a trigger up to a step late, so it
-creeps the last bit: it then comes to rest within 4 cm before the place, never beyond it.
+creeps the last bit and comes to rest within a centimetre or two (see ``settling``).
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from scegen.motion.concretization.boxes import overlaps
 from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.limits import (
     COMFORTABLE_ACCELERATION_MPS2,
+    CREEP_MPS,
     HARD_BRAKING_MPS2,
     REVERSING_MPS,
     REVERSING_MPS2,
@@ -30,16 +31,14 @@ from scegen.scenario.logical import Reverses, Side
 from scegen.scenario.reversing import BacksOut, BacksUp
 from scegen.scenario.vocabulary import HazardKind
 
-CREEP_MPS = 0.5
 _CREEPS_M = 0.8
 _STOPS_MPS2 = 2.0
-_SHORT_M = 0.0275
-"""It brakes from creeping this much earlier than it would have to: half a step, and to spare."""
 _WAITS_S = 2.5
 _PAUSE_S = 1.0
 _LEAST_RUN_UP_M = 5.0
 _BACK_M = (5.0, 8.0)
 """How far one goes back towards another on its own lane."""
+_LONGEST_BACK_M = 9.0
 _CLEAR_M = 1.0
 """One that has crossed another's way stops so far beyond it, before it reverses into it."""
 _MERGED_M = 12.0
@@ -48,6 +47,7 @@ _BEHIND_MIDDLE_M = 10.0
 _TIGHTEST = 1.7
 """Radius of a tight turn in wheelbases, at 30 degrees of steering."""
 _ROOM_M = 0.5
+_SAMPLE_M = 0.1
 _OUT_OF_ARM_M = 2.0
 _BEFORE_END_M = 15.0
 
@@ -72,7 +72,7 @@ def back_up(scene: Scene, draft: DriveDraft, other: DriveDraft | None) -> None:
             stops_s = draft.junction_s_m - draft.body.front_m - _BEFORE_JUNCTION_M
     elif ways[1] < laid.path.length_m - _MERGED_M - _BEFORE_END_M and ways[1] - ways[0] < 40.0:
         stops_s = ways[1] + _CLEAR_M
-        back_m = stops_s - (ways[0] + ways[1]) / 2
+        back_m = min(stops_s - (ways[0] + ways[1]) / 2, _LONGEST_BACK_M)
     else:
         stops_s = ways[0] + _MERGED_M + draft.body.length_m
     station = laid.station_m(stops_s)
@@ -112,9 +112,8 @@ def back_out(scene: Scene, draft: DriveDraft) -> None:
         raise NeedsLongerArms(_LEAST_RUN_UP_M - draft.joins_m + 1.0, draft.id)
     draft.lay(scene.network)
     scene.note(f"{draft.id}.start_m", draft.joins_m, "reversing: comes out backwards to here")
-    speed = _back_mps(scene, draft)
-    draft.marks.append(Mark(0.0, speed, REVERSING_MPS2, HazardKind.REVERSING))
-    _halt(draft, speed, COMFORTABLE_ACCELERATION_MPS2)
+    draft.alone_s_m = (0.0, draft.laid.path.backwards[0][1] + _ROOM_M)
+    _go_back(scene, draft)
 
 
 def _back_mps(scene: Scene, draft: DriveDraft) -> float:
@@ -133,14 +132,11 @@ def _stop_before(scene: Scene, draft: DriveDraft, rest_s: float) -> None:
     if _asked(scene, draft, HazardKind.HARD_BRAKING):
         wanted = HARD_BRAKING_MPS2[0]
     rate = draft.braking_mps2(wanted)
-    speed = draft.course.speed_at(max(1.0, rest_s - 5.0))
-    begins = rest_s - _CREEPS_M - (speed**2 - CREEP_MPS**2) / (2 * rate)
-    speed = draft.course.speed_at(max(1.0, begins))
-    begins = rest_s - _CREEPS_M - (speed**2 - CREEP_MPS**2) / (2 * rate)
+    begins = brakes_from(draft, rest_s - _CREEPS_M, rate, CREEP_MPS)
     if begins < _LEAST_RUN_UP_M:
         raise NeedsLongerArms(_LEAST_RUN_UP_M - begins + 1.0, draft.id)
     _, ends_s = draft.laid.path.backwards[0]
-    draft.alone_s_m = (begins, ends_s + 0.5)
+    draft.alone_s_m = (begins, ends_s + _ROOM_M)
     draft.marks.append(Mark(begins, CREEP_MPS, rate))
     draft.course_ = None
 
@@ -182,8 +178,17 @@ def _halt(draft: DriveDraft, speed: float, onwards_mps2: float) -> None:
     draft.course_ = None
 
 
+def brakes_from(draft: DriveDraft, until_s: float, rate_mps2: float, to_mps: float) -> float:
+    """Where it has to begin to brake to be that slow at a place; below 0 if it is too late."""
+    s = np.arange(0.0, until_s, _SAMPLE_M)
+    speed = np.interp(draft.course.times_at(s), draft.course.time_s, draft.course.speed_mps)
+    spare = until_s - s - np.maximum(speed**2 - to_mps**2, 0.0) / (2 * rate_mps2)
+    in_time = np.flatnonzero(spare >= 0.0)
+    return float(s[in_time[-1]]) if in_time.size else float(spare.max())
+
+
 def _brakes_at(rest_s: float) -> float:
-    return rest_s - CREEP_MPS**2 / (2 * _STOPS_MPS2) - _SHORT_M
+    return rest_s - CREEP_MPS**2 / (2 * _STOPS_MPS2)
 
 
 def _shared_ground(

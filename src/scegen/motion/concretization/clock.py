@@ -208,8 +208,8 @@ def schedule(
     latest = [0.0 if ego.backs_out else APPROACH_S - ego.course.time_at(first_s[ego.id])]
     for name, draft in scene.drives.items():
         if draft.backs_out:
-            # It stands where it starts until its time has come.
-            latest.append(LEAD_IN_S - offsets[name])
+            # It stands near where it starts until its time has come.
+            latest.append(-offsets[name])
             continue
         lead_in = draft.course.time_at(_latest_start_m(draft, first_s[name])) - LEAD_IN_S
         latest.append(-offsets[name] - max(0.0, lead_in))

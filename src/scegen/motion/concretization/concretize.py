@@ -125,7 +125,7 @@ def _start(scene: Scene, meetings: list[Meeting]) -> None:
     reasons = {m.second: f"{m.reason} with {m.first}" for m in reversed(meetings) if m.reason}
     for name, draft in scene.drives.items():
         draft.offset_s = plan_.offsets_s[name]
-        draft.start_m = draft.course.s_at(-draft.offset_s)
+        draft.start_m = 0.0 if draft.backs_out else draft.course.s_at(-draft.offset_s)
         station = draft.laid.station_m(draft.start_m)
         reason = reasons.get(name, "in line on its arm")
         scene.note(f"{name}.start_m", station, reason)

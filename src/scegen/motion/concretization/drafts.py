@@ -10,6 +10,7 @@ from scegen.errors import MotionInfeasibleError
 from scegen.motion.concretization.limits import (
     COMFORTABLE_ACCELERATION_MPS2,
     COMFORTABLE_BRAKING_MPS2,
+    CREEP_MPS,
     DEFAULT_LIMIT_MPS,
     LATERAL_MPS2,
 )
@@ -139,7 +140,7 @@ class DriveDraft:
 
     @property
     def backs_out(self) -> bool:
-        """Whether it starts at rest beside the road or on a side arm, to come out backwards."""
+        """Whether it starts beside the road or on a side arm, to come out backwards."""
         return isinstance(self.reversal, BacksOut)
 
     def lay(self, network: RoadNetwork) -> None:
@@ -182,7 +183,7 @@ class DriveDraft:
 
     def first_speed(self) -> float:
         """The speed at the outer end of the entry arm, or where it comes out."""
-        return 0.0 if self.backs_out else self.cruise_mps
+        return CREEP_MPS if self.backs_out else self.cruise_mps
 
     def speed_in_force(self, s_m: float) -> float:
         """The target speed at a place, dangers apart."""

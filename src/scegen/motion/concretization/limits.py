@@ -35,6 +35,8 @@ CUT_IN_HEADWAY_S = (0.3, 0.6)
 
 REVERSING_MPS = (1.8, 2.6)  # 6 to 9 km/h
 REVERSING_MPS2 = 1.5
+CREEP_MPS = 0.5
+"""Who is to stand at a place creeps the last bit."""
 
 SPEEDING_FACTOR = (1.2, 1.5)  # of the limit
 SLOW_FACTOR = (0.35, 0.5)

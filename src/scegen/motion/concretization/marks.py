@@ -24,8 +24,8 @@ class Mark:
     """At ``s_m`` of the path (from the outer end), change speed to ``target_mps``.
 
     With ``hold_s``, that long after the target is reached the speed changes to ``resume_mps``.
-    ``waits_for`` is what it looks at instead of its own place (or, holding, of the time held),
-    once that is known; ``resume_hazard`` the danger that going on serves.
+    ``waits_for`` is what it waits for instead, once that is known; ``resume_hazard`` the danger
+    that going on serves.
     """
 
     s_m: float
@@ -124,12 +124,9 @@ def compile_marks(
         reached = mark.s_m <= start_m and abs(speed - mark.target_mps) < 1e-3
         if over or reached:
             continue
-        here: Trigger = Travelled(participant=who, distance_m=max(0.0, mark.s_m - start_m))
-        if mark.hold_s is None and mark.waits_for is not None:
-            here = mark.waits_for
         phases.append(
             SpeedPhase(
-                trigger=here,
+                trigger=Travelled(participant=who, distance_m=max(0.0, mark.s_m - start_m)),
                 target_speed_mps=mark.target_mps,
                 rate_mps2=mark.rate_mps2,
                 hazard=mark.hazard,

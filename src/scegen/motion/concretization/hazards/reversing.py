@@ -11,7 +11,12 @@ from dataclasses import replace
 import numpy as np
 
 from scegen.errors import MotionInfeasibleError
-from scegen.motion.concretization.backing import back_out, back_up, in_each_others_way
+from scegen.motion.concretization.backing import (
+    back_out,
+    back_up,
+    brakes_from,
+    in_each_others_way,
+)
 from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.hazards.rule import Rule, culprits, same_arm, victims
 from scegen.motion.concretization.lane_choice import entry_lanes
@@ -30,6 +35,8 @@ _SEEN_S = 1.0
 _INTRUDED_S = 0.5
 """And so long after the other has come into its way."""
 _BEGINS_M = 0.3
+_SEEN_BY_THEN_S = 0.6
+"""Time to get so far from standing."""
 _LEAST_RUN_UP_M = 15.0
 _LEAST_WAIT_S = 1.5
 _RESUMING_MPS2 = 1.5
@@ -129,8 +136,7 @@ def _encounter(draft: DriveDraft, other: DriveDraft) -> tuple[float, float, floa
     sees_s = course.time_at(begins_s + _BEGINS_M) + _SEEN_S
     event_s = course.s_at(max(sees_s, course.time_at(intrudes_s) + _INTRUDED_S))
     rate = other.braking_mps2(_BRAKING_MPS2)
-    speed = other.course.speed_at(max(1.0, stops_s - 10.0))
-    brakes_s = stops_s - speed**2 / (2 * rate)
+    brakes_s = brakes_from(other, stops_s, rate, 0.0)
     if brakes_s < _LEAST_RUN_UP_M:
         raise NeedsLongerArms(_LEAST_RUN_UP_M - brakes_s + 1.0, other.id)
     return event_s, brakes_s, stops_s
@@ -156,11 +162,11 @@ def _wait_for(draft: DriveDraft, other: DriveDraft, brakes_s: float) -> None:
     index = next(
         n
         for n, mark in enumerate(draft.marks)
-        if HazardKind.REVERSING in {mark.hazard, mark.resume_hazard}
+        if mark.resume_hazard is HazardKind.REVERSING
     )
     mark = draft.marks[index]
     begins_s, _ = draft.laid.path.backwards[0]
-    goes_s = draft.course.time_at(begins_s) if mark.hold_s is not None else 0.0
+    goes_s = draft.course.time_at(begins_s + _BEGINS_M) - _SEEN_BY_THEN_S
     at_s = other.course.s_at(goes_s + draft.offset_s - other.offset_s)
     here, there = other.laid.path.pose(at_s), other.laid.path.pose(brakes_s)
     away = float(np.hypot(there.x_m - here.x_m, there.y_m - here.y_m))
