@@ -1,8 +1,8 @@
 """Agreement with the reference player: does esmini show what our simulator predicts?
 
 The file is played in steps of 0.05 s and compared with ``scegen.motion.simulate`` at the same
-step: every participant's position and heading over its whole trace, the time at which every phase of a speed
-program fires, and which bodies touch, and when.
+step: every participant's position and heading over its whole trace, the time at which every phase
+of a speed program fires, and which bodies touch, and when.
 
 In the step that would go beyond the end of its path, an entity in esmini either does not move at
 all (off the road) or takes the whole step (on a road), and then it stops: up to speed times step

@@ -24,7 +24,6 @@ from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import DriveMotion
 from scegen.scenario.reversing import BacksOut, BacksUp
 
-
 ROLLS_M = 0.3
 """Everybody rolls forwards so far, at least, before reversing: players take the sense in which a
 trajectory is followed from how it begins."""
@@ -212,6 +211,6 @@ def _joined(parts: list[_Part], stretches: tuple[Stretch, ...]) -> LaidDrive:
 def _kept(part: _Part, *, first: bool) -> NDArray[np.bool_]:
     """Which vertices of a part are written: its first is the last of the part before."""
     s = np.concatenate(([0.0], np.cumsum(np.hypot(np.diff(part.x_m), np.diff(part.y_m)))))
-    keep = (s > _CLOSE_M) & (s < s[-1] - _CLOSE_M)
+    keep: NDArray[np.bool_] = (s > _CLOSE_M) & (s < s[-1] - _CLOSE_M)
     keep[0], keep[-1] = first, True
     return keep

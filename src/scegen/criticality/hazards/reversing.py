@@ -33,7 +33,9 @@ def reversing(view: View, by: str, to: str) -> list[Part]:
     return [far, _near(view, by, to, counts)]
 
 
-def _near(view: View, by: str, to: str, counts: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]) -> Part:
+def _near(
+    view: View, by: str, to: str, counts: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]
+) -> Part:
     """How close the two come while it goes back."""
     pair = np.array([[view.index[by], view.index[to]]], dtype=np.int64)
     apart = distance_series(view.traces.tracks, view.scene.bodies, pair)[:, :, 0]

@@ -103,7 +103,9 @@ def build_space(
             speeds.append(Quantity(participant.speed_mps))
         before = speeds[-1]
         for n, item in enumerate(participant.speed_program):
-            target = _level(maker, concrete, participant, item, levels, before, full=full and not reverses)
+            target = _level(
+                maker, concrete, participant, item, levels, before, full=full and not reverses
+            )
             recipes.append(
                 _recipe(
                     maker,

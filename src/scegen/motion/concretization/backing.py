@@ -195,7 +195,7 @@ def _shared_ground(
     path: Path, body: Body, other: Path, other_body: Body
 ) -> tuple[float, float] | None:
     """Where on a way one is in the way of who takes another: the first stretch, from and to."""
-    rows = in_each_others_way(path, body, other, other_body).any(axis=1)
+    rows: NDArray[np.bool_] = np.any(in_each_others_way(path, body, other, other_body), axis=1)
     if not rows.any():
         return None
     s = sampled(path)[0]
@@ -205,9 +205,7 @@ def _shared_ground(
     return float(s[first]), float(s[last])
 
 
-def in_each_others_way(
-    path: Path, body: Body, other: Path, other_body: Body
-) -> NDArray[np.bool_]:
+def in_each_others_way(path: Path, body: Body, other: Path, other_body: Body) -> NDArray[np.bool_]:
     """Whether bodies touch on two ways, by place of the one and of the other (see ``sampled``)."""
     _, *own = sampled(path)
     _, *its = sampled(other)

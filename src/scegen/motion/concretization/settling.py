@@ -58,27 +58,30 @@ def _moved(
     if not rests.any():
         return None
     short = place - float(trace.s_m[int(rests.argmax())])
-    program = tuple(_between_steps(phase, participant, place, trace) for phase in participant.speed_program)
-    first = end == 0
+    program = tuple(
+        _between_steps(phase, participant, place, trace) for phase in participant.speed_program
+    )
     reversal = motion.reversal
-    if abs(short) < _SETTLED_M or (first and isinstance(reversal, BacksOut)):
-        if program == participant.speed_program:
-            return None
-    else:
+    rolls = end == 0 and isinstance(reversal, BacksOut)  # a length that is fixed, and fits
+    if reversal is not None and abs(short) >= _SETTLED_M and not rolls:
         beyond = paths[who].backwards[0][1] + _NEAR_M
-        if isinstance(reversal, BacksUp):
-            update = {"from_m": reversal.from_m - short} if first else {
-                "length_m": reversal.length_m - short
-            }
-            later = 0.0 if first else 2 * short
-        elif reversal is not None:
-            update, later = {"setback_m": reversal.setback_m - short}, short
-        rounded = {name: round(value, _DECIMALS) for name, value in update.items()}
-        motion = motion.model_copy(update={"reversal": reversal.model_copy(update=rounded)})
+        name, later = _shortened(reversal, end, short)
+        value = round(getattr(reversal, name) - short, _DECIMALS)
+        motion = motion.model_copy(update={"reversal": reversal.model_copy(update={name: value})})
         program = tuple(_shifted(p, who, place, beyond, short, later) for p in program)
+    elif program == participant.speed_program:
+        return None
     moved = participant.model_copy(update={"motion": motion, "speed_program": program})
     people = tuple(moved if p.id == who else p for p in concrete.participants)
     return concrete.model_copy(update={"participants": people})
+
+
+def _shortened(reversal: BacksUp | BacksOut, end: int, short: float) -> tuple[str, float]:
+    """What becomes shorter by ``short``, and by how much the whole way does."""
+    if isinstance(reversal, BacksOut):
+        return "setback_m", short
+    # What it stops short of before going back, it does not have to come back.
+    return ("from_m", 0.0) if end == 0 else ("length_m", 2 * short)
 
 
 def _own_place_m(phase: SpeedPhase, who: str) -> float | None:

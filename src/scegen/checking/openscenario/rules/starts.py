@@ -36,11 +36,12 @@ def _where_asked(
 ) -> Iterator[Finding]:
     motion = participant.motion
     reversal = motion.reversal if isinstance(motion, DriveMotion) else None
-    comes_out = isinstance(reversal, BacksOut)
-    if isinstance(motion, CrossingMotion) or (comes_out and reversal.arm is None):
+    if isinstance(motion, CrossingMotion):
         return  # starts outside the carriageway: its path is checked instead
     number = motion.entry if isinstance(motion, DriveMotion) else motion.arm
-    if comes_out:
+    if isinstance(reversal, BacksOut):
+        if reversal.arm is None:
+            return  # likewise
         number = reversal.arm
     arm = arms[number]
     here = [lane for lane in lanes if lane.road == arm.road.id]
@@ -51,7 +52,7 @@ def _where_asked(
         return
     if isinstance(motion, DriveMotion):
         wanted = {lane for lane in arm.inward if abs(lane) == motion.entry_lane}
-        wanted = set(arm.outward) if comes_out else wanted
+        wanted = set(arm.outward) if isinstance(reversal, BacksOut) else wanted
         if not wanted & {lane.lane for lane in here}:
             message = f"starts on lane {here[0].lane} of {arm.place}, not on {sorted(wanted)}"
             yield error(RULE, participant.id, message)

@@ -25,8 +25,10 @@ SHARPEST_DEG = 10.0
 """Largest turn from one chord to the next, and of a vertex's heading against its chords."""
 BACKWARDS_DEG = 120.0
 """A chord that points so far away from the heading is driven backwards."""
+ROLLS_AT_MOST_M = 0.5
+"""One that comes out backwards rolls forwards so far at most before it does."""
 BACK_OFF = 0.15
-"""How far the way back may be off its length: that counts in the middle of the lane at its start."""
+"""How far the way back may be off its length, which counts along the middle of a lane."""
 START_M = 0.05
 """How far the first vertex may lie from where Init puts the entity."""
 
@@ -117,7 +119,7 @@ def _backwards(situation: Situation, trajectory: Trajectory, place: str) -> Iter
             message = f"should reverse once, but goes backwards {len(parts)} times"
         elif isinstance(asked, BacksUp) and abs(total - asked.length_m) > BACK_OFF * total:
             message = f"should go {asked.length_m:.1f} m back, but does for {total:.1f} m"
-        elif isinstance(asked, BacksOut) and parts[0][0] > 0.0:
+        elif isinstance(asked, BacksOut) and parts[0][0] > ROLLS_AT_MOST_M:
             message = f"should come out backwards, but first goes {parts[0][0]:.1f} m forwards"
         else:
             continue

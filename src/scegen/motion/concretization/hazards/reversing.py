@@ -160,9 +160,7 @@ def _react(scene: Scene, hazard: Hazard) -> None:
 def _wait_for(draft: DriveDraft, other: DriveDraft, brakes_s: float) -> None:
     """Begin to reverse when the other is so many seconds short of where it brakes."""
     index = next(
-        n
-        for n, mark in enumerate(draft.marks)
-        if mark.resume_hazard is HazardKind.REVERSING
+        n for n, mark in enumerate(draft.marks) if mark.resume_hazard is HazardKind.REVERSING
     )
     mark = draft.marks[index]
     begins_s, _ = draft.laid.path.backwards[0]
