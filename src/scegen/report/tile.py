@@ -69,6 +69,7 @@ def tile_body(
     lines: dict[str, list[Point]] = {}
     crossings = standings = 0
     drawings: list[tuple[bool, str]] = []
+    badges: list[str] = []
     drives = scenario.drives
     spreads = _spreads(drives)
     for assignment in scenario.assignments:
@@ -79,7 +80,7 @@ def tile_body(
             line = lines[name] = drive_line(plan, assignment, spreads[name], behind)
             drawing = arrow(line, colour[name], ego=is_ego)
             if assignment.reverses is not None:
-                drawing += reverse_badge(line, colour[name])
+                badges.append(reverse_badge(line, colour[name]))
         elif isinstance(assignment, Crossing):
             line = lines[name] = crossing_line(plan, assignment, crossings)
             drawing = walk(line, colour[name])
@@ -90,6 +91,7 @@ def tile_body(
         drawings.append((is_ego, drawing))
     parts += [d for is_ego, d in drawings if not is_ego]
     parts += [d for is_ego, d in drawings if is_ego]  # on top
+    parts += badges
     parts += [conflict_mark(kind, at) for kind, at in conflict_points(scenario.conflicts, lines)]
     lift = _lift(plan)
     caption = _caption(scenario, functional, colour, _PICTURE - 2 * lift)

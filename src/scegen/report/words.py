@@ -35,7 +35,7 @@ _RULES: dict[Rule, str] = {
 
 REVERSES: dict[Reverses, str] = {
     Reverses.BACKS_UP: "backs up",
-    Reverses.OUT_OF_ARM: "backs out of the arm",
+    Reverses.OUT_OF_ARM: "backs out",
     Reverses.FROM_RIGHT: "backs out from the right",
     Reverses.FROM_LEFT: "backs out from the left",
 }

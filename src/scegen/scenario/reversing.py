@@ -41,7 +41,7 @@ class BacksOut(FrozenModel):
     @model_validator(mode="after")
     def _from_one_place(self) -> BacksOut:
         if (self.side is None) == (self.arm is None):
-            msg = "one that backs out does so from a side of its road or from an arm: give one of both"
+            msg = "one that backs out does so from a side of its road, or from an arm"
             raise ValueError(msg)
         return self
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.concretization.boxes import overlaps
-from scegen.motion.concretization.drafts import DriveDraft, Scene
+from scegen.motion.concretization.drafts import DriveDraft, Scene, WalkDraft
 from scegen.motion.concretization.limits import (
     COMFORTABLE_ACCELERATION_MPS2,
     CREEP_MPS,
@@ -21,12 +21,12 @@ from scegen.motion.concretization.limits import (
     STOPPING_MPS2,
 )
 from scegen.motion.concretization.marks import Mark
-from scegen.motion.concretization.meetings import sampled
+from scegen.motion.concretization.meetings import meeting_point, sampled
 from scegen.motion.concretization.room import NeedsLongerArms
 from scegen.motion.lanes import arm_lane_id
 from scegen.motion.model import Path
 from scegen.motion.standing import side_sign
-from scegen.scenario.bodies import Body
+from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.logical import Reverses, Side
 from scegen.scenario.reversing import BacksOut, BacksUp
 from scegen.scenario.vocabulary import HazardKind
@@ -34,6 +34,7 @@ from scegen.scenario.vocabulary import HazardKind
 _CREEPS_M = 0.8
 _STOPS_MPS2 = 2.0
 _WAITS_S = 2.5
+_GOES_AT_ONCE_S = 0.8
 _PAUSE_S = 1.0
 _LEAST_RUN_UP_M = 5.0
 _BACK_M = (5.0, 8.0)
@@ -41,6 +42,8 @@ _BACK_M = (5.0, 8.0)
 _LONGEST_BACK_M = 9.0
 _CLEAR_M = 1.0
 """One that has crossed another's way stops so far beyond it, before it reverses into it."""
+_PAST_M = 4.0
+"""One that reverses towards somebody on foot begins with its tail so far beyond."""
 _MERGED_M = 12.0
 _BEFORE_JUNCTION_M = 2.0
 _BEHIND_MIDDLE_M = 10.0
@@ -75,6 +78,26 @@ def back_up(scene: Scene, draft: DriveDraft, other: DriveDraft | None) -> None:
         back_m = min(stops_s - (ways[0] + ways[1]) / 2, _LONGEST_BACK_M)
     else:
         stops_s = ways[0] + _MERGED_M + draft.body.length_m
+    _up_and_back(scene, draft, stops_s, back_m)
+
+
+def back_up_to(scene: Scene, draft: DriveDraft, walk: WalkDraft) -> None:
+    """Let it drive past the place where somebody will cross, stop, and go back to it."""
+    point = meeting_point(draft.laid.path, walk.path)
+    if point is None:
+        raise MotionInfeasibleError(
+            f"its way and that of {walk.id} do not meet, so it cannot reverse into it",
+            where=draft.id,
+        )
+    tail_s = point.first_s_m + draft.body.rear_m + BODIES[walk.kind].width_m / 2
+    _up_and_back(scene, draft, tail_s + _PAST_M, _PAST_M - _ROOM_M, waits_s=_GOES_AT_ONCE_S)
+    draft.backs_to = walk.id
+
+
+def _up_and_back(
+    scene: Scene, draft: DriveDraft, stops_s: float, back_m: float, waits_s: float = _WAITS_S
+) -> None:
+    laid = draft.laid
     station = laid.station_m(stops_s)
     draft.reversal = BacksUp(
         from_m=round(station, 3),
@@ -84,7 +107,7 @@ def back_up(scene: Scene, draft: DriveDraft, other: DriveDraft | None) -> None:
     scene.note(f"{draft.id}.reversal.from_m", station, "reversing: stops here and goes back")
     begins_s, _ = draft.laid.path.backwards[0]
     _stop_before(scene, draft, begins_s)
-    _go_back(scene, draft)
+    _go_back(scene, draft, waits_s)
 
 
 def back_out(scene: Scene, draft: DriveDraft) -> None:
@@ -113,7 +136,7 @@ def back_out(scene: Scene, draft: DriveDraft) -> None:
     draft.lay(scene.network)
     scene.note(f"{draft.id}.start_m", draft.joins_m, "reversing: comes out backwards to here")
     draft.alone_s_m = (0.0, draft.laid.path.backwards[0][1] + _ROOM_M)
-    _go_back(scene, draft)
+    _go_back(scene, draft, _WAITS_S)
 
 
 def _back_mps(scene: Scene, draft: DriveDraft) -> float:
@@ -141,7 +164,7 @@ def _stop_before(scene: Scene, draft: DriveDraft, rest_s: float) -> None:
     draft.course_ = None
 
 
-def _go_back(scene: Scene, draft: DriveDraft) -> None:
+def _go_back(scene: Scene, draft: DriveDraft, waits_s: float) -> None:
     """Stand, go back, and what follows."""
     begins_s, _ = draft.laid.path.backwards[0]
     speed = _back_mps(scene, draft)
@@ -150,7 +173,7 @@ def _go_back(scene: Scene, draft: DriveDraft) -> None:
             _brakes_at(begins_s),
             0.0,
             _STOPS_MPS2,
-            hold_s=_WAITS_S,
+            hold_s=waits_s,
             resume_mps=speed,
             resume_rate_mps2=REVERSING_MPS2,
             resume_hazard=HazardKind.REVERSING,

@@ -54,7 +54,8 @@ class DriveDraft:
     ``cruise_mps``; ``grip_mps2`` is what the tyres hold on this road. ``reversal`` is a part driven
     backwards; one that backs out (of arm ``from_arm``, if not from beside the road) joins its drive
     at station ``joins_m``. Within ``alone_s_m`` of its path only the marks of dangers count.
-    ``offset_s`` is how late it is against its course.
+    ``backs_to`` is somebody who crosses behind it. ``offset_s`` is how late it is against its
+    course.
     """
 
     id: str
@@ -79,6 +80,7 @@ class DriveDraft:
     reversal: Reversal | None = None
     joins_m: float = 0.0
     from_arm: int | None = None
+    backs_to: str | None = None
     alone_s_m: tuple[float, float] | None = None
     laid_: LaidDrive | None = None
     course_: Timeline | None = None

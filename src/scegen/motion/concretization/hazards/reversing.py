@@ -14,15 +14,16 @@ from scegen.errors import MotionInfeasibleError
 from scegen.motion.concretization.backing import (
     back_out,
     back_up,
+    back_up_to,
     brakes_from,
     in_each_others_way,
 )
-from scegen.motion.concretization.drafts import DriveDraft, Scene
+from scegen.motion.concretization.drafts import DriveDraft, Scene, WalkDraft
 from scegen.motion.concretization.hazards.rule import Rule, culprits, same_arm, victims
 from scegen.motion.concretization.lane_choice import entry_lanes
 from scegen.motion.concretization.meetings import DANGER, Meeting, sampled
 from scegen.motion.concretization.room import NeedsLongerArms
-from scegen.scenario.concrete import ArrivalBelow, DistanceBelow, SpeedPhase, StoodStill
+from scegen.scenario.concrete import ArrivalBelow, SpeedPhase, StoodStill
 from scegen.scenario.functional import Hazard
 from scegen.scenario.logical import Reverses
 from scegen.scenario.vocabulary import HazardKind, Maneuver
@@ -48,18 +49,26 @@ def _sufferer(scene: Scene, hazard: Hazard, draft: DriveDraft) -> DriveDraft | N
     """Towards whom it reverses: the first who drives.
 
     Raises:
-        MotionInfeasibleError: those who are named do not drive.
+        MotionInfeasibleError: those who are named only stand.
     """
     others = victims(scene, hazard, draft)
-    on_foot = [name for name in hazard.to if name in scene.walks or name in scene.stands]
-    if on_foot and not others:
+    if hazard.to and all(name in scene.stands for name in hazard.to):
         raise MotionInfeasibleError(
-            f"reversing towards {', '.join(on_foot)}, who does not drive, is not supported: one "
-            "that reverses does so towards somebody who drives",
+            f"reversing towards {', '.join(hazard.to)}, who is parked, is not supported: one that "
+            "reverses does so towards somebody who drives, walks or rides across",
             where=draft.id,
-            hint="Name a vehicle that drives as the one that suffers it.",
+            hint="Name another as the one that suffers it, or let it drive.",
         )
     return others[0] if others else None
+
+
+def _crosser(scene: Scene, hazard: Hazard, draft: DriveDraft) -> WalkDraft | None:
+    """Who crosses behind it: one who suffers it, or in whose way it is by another danger."""
+    crossing = [
+        name for other in scene.functional.hazards if draft.id in other.to for name in other.by
+    ]
+    names = [name for name in (*hazard.to, *crossing) if name in scene.walks]
+    return scene.walks[names[0]] if names else None
 
 
 def _prepare(scene: Scene, hazard: Hazard) -> None:
@@ -108,8 +117,11 @@ def _shape(scene: Scene, hazard: Hazard) -> list[Meeting]:
         if draft.reversal is not None:
             continue
         comes_out = draft.drive.reverses not in {None, Reverses.BACKS_UP}
+        walk = _crosser(scene, hazard, draft) if other is None else None
         if comes_out and other is not None:
             back_out(scene, draft)
+        elif walk is not None:
+            back_up_to(scene, draft, walk)
         else:
             back_up(scene, draft, other)
         if other is not None:
@@ -148,13 +160,12 @@ def _react(scene: Scene, hazard: Hazard) -> None:
         other = _sufferer(scene, hazard, draft)
         if other is None or draft.reversal is None:
             continue
-        event_s, brakes_s, stops_s = _encounter(draft, other)
+        _, brakes_s, stops_s = _encounter(draft, other)
         _wait_for(draft, other, brakes_s)
         _, ends_s = draft.laid.path.backwards[0]
         begins_s = draft.laid.path.backwards[0][0]
         over_s = draft.course.time_at(ends_s + (ends_s - begins_s)) + draft.offset_s
-        away_m = _apart_m(draft, event_s, other, brakes_s)
-        _brake_for(draft, other, brakes_s, stops_s, away_m, over_s)
+        _brake_for(other, brakes_s, stops_s, over_s)
 
 
 def _wait_for(draft: DriveDraft, other: DriveDraft, brakes_s: float) -> None:
@@ -166,32 +177,24 @@ def _wait_for(draft: DriveDraft, other: DriveDraft, brakes_s: float) -> None:
     begins_s, _ = draft.laid.path.backwards[0]
     goes_s = draft.course.time_at(begins_s + _BEGINS_M) - _SEEN_BY_THEN_S
     at_s = other.course.s_at(goes_s + draft.offset_s - other.offset_s)
-    here, there = other.laid.path.pose(at_s), other.laid.path.pose(brakes_s)
-    away = float(np.hypot(there.x_m - here.x_m, there.y_m - here.y_m))
     speed = other.course.speed_at(at_s)
     if at_s >= brakes_s or speed < 1.0:
         return
     waits = ArrivalBelow(
         participant=other.id,
         place_m=round(brakes_s - other.start_m, 3),
-        time_s=round(away / speed, 3),
+        time_s=round(_away_m(other, at_s, brakes_s) / speed, 3),
     )
     draft.marks[index] = replace(mark, waits_for=waits)
 
 
-def _apart_m(draft: DriveDraft, s_m: float, other: DriveDraft, other_s_m: float) -> float:
-    here, there = draft.laid.path.pose(s_m), other.laid.path.pose(other_s_m)
+def _away_m(draft: DriveDraft, from_s: float, to_s: float) -> float:
+    """How far apart two places of its way are, in a straight line."""
+    here, there = draft.laid.path.pose(from_s), draft.laid.path.pose(to_s)
     return float(np.hypot(there.x_m - here.x_m, there.y_m - here.y_m))
 
 
-def _brake_for(
-    draft: DriveDraft,
-    other: DriveDraft,
-    brakes_s: float,
-    stops_s: float,
-    away_m: float,
-    over_s: float,
-) -> None:
+def _brake_for(other: DriveDraft, brakes_s: float, stops_s: float, over_s: float) -> None:
     if other.reactions:
         return
     rate = other.braking_mps2(_BRAKING_MPS2)
@@ -199,7 +202,11 @@ def _brake_for(
     stands_s = other.course.time_at(brakes_s) + other.offset_s + speed / rate
     other.reactions += [
         SpeedPhase(
-            trigger=DistanceBelow(participant=draft.id, distance_m=away_m),
+            trigger=ArrivalBelow(
+                participant=other.id,
+                place_m=round(stops_s - other.start_m, 3),
+                time_s=_away_m(other, brakes_s, stops_s) / max(speed, 1.0),
+            ),
             target_speed_mps=0.0,
             rate_mps2=rate,
         ),
