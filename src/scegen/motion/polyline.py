@@ -45,10 +45,11 @@ class LaidDrive:
 
     def path_s_m(self, station_m: float) -> float:
         """Arc length along the path where a station is first reached."""
-        if station_m <= self.stations_m[0]:
-            return 0.0
-        farthest = np.maximum.accumulate(self.stations_m)
-        return float(np.interp(station_m, farthest, self.path.s_m))
+        if not self.path.backwards:
+            return float(np.interp(station_m, self.stations_m, self.path.s_m))
+        after = int(np.searchsorted(np.maximum.accumulate(self.stations_m), station_m))
+        here = slice(max(0, after - 1), after + 1)
+        return float(np.interp(station_m, self.stations_m[here], self.path.s_m[here]))
 
     def station_m(self, path_s_m: float) -> float:
         """Station at an arc length along the path."""

@@ -152,3 +152,10 @@ def empty_traces(
         tracks=np.empty((candidates, participants, TRACK_ROWS, steps)),
         fired_step=np.full((candidates, phases), -1, dtype=np.int64),
     )
+
+
+def mark_backwards(traces: BatchTraces, backwards: Floats) -> None:
+    """Turn speeds along the paths into speeds along the headings (see ``PathTable.backwards``)."""
+    for who, begins_m, ends_m in backwards:
+        track = traces.tracks[:, int(who)]
+        track[:, SPEED][(track[:, S] > begins_m) & (track[:, S] <= ends_m)] *= -1.0

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from scegen.motion.batch.arrays import (
-    SPEED,
     BatchTraces,
     Candidates,
     Program,
-    S,
     empty_traces,
+    mark_backwards,
 )
 from scegen.motion.batch.kernels import kernel
 from scegen.motion.batch.stepping import run_candidate
@@ -37,9 +36,7 @@ def simulate_batch(
         dt_s,
     )
     _run(program, candidates, traces)
-    for who, begins_m, ends_m in program.paths.backwards:
-        track = traces.tracks[:, int(who)]
-        track[:, SPEED][(track[:, S] > begins_m) & (track[:, S] <= ends_m)] *= -1.0
+    mark_backwards(traces, program.paths.backwards)
     return traces
 
 

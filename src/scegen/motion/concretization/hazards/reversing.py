@@ -91,7 +91,19 @@ def _prepare(scene: Scene, hazard: Hazard) -> None:
             draft.from_arm = draft.drive.entry
             draft.drive = draft.drive.model_copy(update=update)
         if same_arm(draft, other):
+            _check_order(draft, other)
             _one_lane(scene, draft, other)
+
+
+def _check_order(draft: DriveDraft, other: DriveDraft) -> None:
+    """On one arm, who reverses is ahead."""
+    beside = draft.id == other.drive.beside or other.id == draft.drive.beside
+    if beside or draft.drive.rank > other.drive.rank:
+        raise MotionInfeasibleError(
+            f"drives {'beside' if beside else 'behind'} {other.id}: reversing it moves away from it",
+            where=draft.id,
+            hint=f"Let it be ahead of {other.id}, or come from another arm.",
+        )
 
 
 def _one_lane(scene: Scene, draft: DriveDraft, other: DriveDraft) -> None:
