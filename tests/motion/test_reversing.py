@@ -208,9 +208,7 @@ def test_reversing_towards_one_who_is_parked_is_refused(scenario):
 
 def test_one_on_foot_crosses_behind_it_while_it_goes_back(scenario):
     hazards = [("reversing", ["ego"], ["ped_0"])]
-    concrete = concretize(
-        *scenario("straight", 2, [AHEAD[1]], hazards, crossings=[(0, "right")])
-    )
+    concrete = concretize(*scenario("straight", 2, [AHEAD[1]], hazards, crossings=[(0, "right")]))
     _, paths, traces = played(concrete)
     begins, ends = paths["ego"].backwards[0]
     ego, walker = traces["ego"], traces["ped_0"]
