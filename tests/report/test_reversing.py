@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from xml.etree import ElementTree as ET
 
 import numpy as np
 import pytest
+from lxml import etree
 
 from scegen.enumeration import enumerate_scenarios
 from scegen.motion import build_paths, concretize, simulate
@@ -47,12 +47,16 @@ def found():
     return ways
 
 
+def texts_of(scenario, functional):
+    return [text.text for text in etree.fromstring(tile_svg(scenario, functional).encode()).iter()]
+
+
 @pytest.mark.parametrize("how", [*Reverses])
 def test_tiles_and_tables_say_how(found, how):
     functional, scenario = found[how]
     listed_as, driven_as = WORDS[how]
     assert listed_as in describe(scenario)
-    texts = [text.text for text in ET.fromstring(tile_svg(scenario, functional)).iter()]
+    texts = texts_of(scenario, functional)
     assert texts.count("R") == 1
     car = concretize(functional, scenario).participant("car")
     assert driven_as in participant_words(car)
@@ -62,7 +66,9 @@ def test_who_does_not_reverse_has_no_mark(found):
     functional, scenario = found[Reverses.BACKS_UP]
     drives = tuple(a.model_copy(update={"reverses": None}) for a in scenario.assignments)
     plain = scenario.model_copy(update={"assignments": drives})
-    assert "R" not in [text.text for text in ET.fromstring(tile_svg(plain, functional)).iter()]
+    assert "R" not in [
+        text.text for text in etree.fromstring(tile_svg(plain, functional).encode()).iter()
+    ]
 
 
 def test_the_preview_marks_the_way_back(found):

@@ -100,7 +100,7 @@ def _check_order(draft: DriveDraft, other: DriveDraft) -> None:
     beside = draft.id == other.drive.beside or other.id == draft.drive.beside
     if beside or draft.drive.rank > other.drive.rank:
         raise MotionInfeasibleError(
-            f"drives {'beside' if beside else 'behind'} {other.id}: reversing it moves away from it",
+            f"drives {'beside' if beside else 'behind'} {other.id}: reversing moves it away",
             where=draft.id,
             hint=f"Let it be ahead of {other.id}, or come from another arm.",
         )
