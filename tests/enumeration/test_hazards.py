@@ -285,3 +285,11 @@ def test_as_many_are_counted_as_listed_where_somebody_reverses(describe, kind, a
     assert len(every.scenarios) == every.certificate.total
     found = enumerate_scenarios(functional)
     assert sum(s.class_size for s in found.scenarios) == found.certificate.total
+
+
+def test_where_knows_how_one_reverses(describe):
+    functional = describe("t", 3, [EGO, CAR], [hazard("reversing")])
+    for how in ("backs_up", "out_of_arm"):
+        found = enumerate_scenarios(functional, where=f"car.reverses == {how}").scenarios
+        assert {s.assignment("car").reverses.value for s in found} == {how}
+    assert not enumerate_scenarios(functional, where="ego.reverses == backs_up").scenarios
