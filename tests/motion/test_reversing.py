@@ -226,3 +226,10 @@ def test_stopping_and_reversing_are_one_stop(scenario):
     stops = [p for p in car.speed_program if p.target_speed_mps == 0.0]
     assert len(stops) == 2
     assert max(p.rate_mps2 for p in car.speed_program) > 5.0
+
+
+def test_who_drives_past_one_that_backs_out_stays_in_its_lane(scenario):
+    shape, arms, (ego, car) = FORMS["right"]
+    drives = [{**ego, "maneuver": "overtake"}, car]
+    concrete = concretize(*scenario(shape, arms, drives, REVERSING))
+    assert not concrete.ego.motion.lane_changes
