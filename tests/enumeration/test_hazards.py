@@ -238,8 +238,10 @@ def test_who_reverses_on_a_plain_road_is_ahead_or_beside_it(describe):
     ways = {("backs_up", True), ("from_right", True), ("from_left", True)}
     assert manners(describe, "straight", 2) == ways
     assert manners(describe, "straight", 2, {"approaches": ["ahead"]}) == {("backs_up", True)}
-    left = {("backs_up", True), ("from_left", True)}
-    assert manners(describe, "straight", 2, {"approaches": ["left"]}) == left
+    left = {"approaches": ["left"]}
+    assert manners(describe, "straight", 2, left) == {("from_left", True)}
+    stops = [hazard("stopping")]
+    assert manners(describe, "straight", 2, left, stops) == {("backs_up", True)}
     for _, car, ego in listed(describe("straight", 2, [EGO, CAR], [hazard("reversing")])):
         assert (car.rank, ego.rank) == (0, 1)
 
