@@ -1,8 +1,8 @@
 """Agreement with the reference player: does esmini show what our simulator predicts?
 
 The file is played in steps of 0.05 s and compared with ``scegen.motion.simulate`` at the same
-step: every participant's position over its whole trace, the time at which every phase of a speed
-program fires, and which bodies touch, and when.
+step: every participant's position and heading over its whole trace, the time at which every phase
+of a speed program fires, and which bodies touch, and when.
 
 In the step that would go beyond the end of its path, an entity in esmini either does not move at
 all (off the road) or takes the whole step (on a road), and then it stops: up to speed times step
@@ -37,6 +37,7 @@ from scegen.scenario.concrete import ConcreteScenario
 CHECKER = "replay"
 P95_M = 0.05
 MAX_M = 0.25
+MAX_RAD = 0.1
 EVENT_STEPS = 2
 GRAZE_M = 0.02
 """Bodies that pass so closely may touch in one program and not in the other."""
@@ -148,6 +149,7 @@ def compare(predicted: Prediction, recording: list[Movement], log: str) -> Agree
         off = position_errors(trace, played[name].point)
         errors.append(off)
         findings += _positions(trace, off)
+        findings += _headings(trace, played[name])
     for name, place in predicted.still.items():
         if name not in played:
             findings.append(error("replay.missing", name, "is not there in the play"))
@@ -201,6 +203,17 @@ def _positions(trace: Trace, off: Array) -> Iterator[Finding]:
     if off[step] > MAX_M:
         place = f"{trace.participant} t = {step * STEP_S:.2f} s"
         yield error("replay.position", place, f"is {off[step]:.2f} m from where it should be")
+
+
+def _headings(trace: Trace, played: Movement) -> Iterator[Finding]:
+    """``replay.heading``: the body points the same way, which tells reversing from driving."""
+    steps = min(len(played.heading_rad), len(trace.heading_rad))
+    off = np.abs(np.angle(np.exp(1j * (played.heading_rad[:steps] - trace.heading_rad[:steps]))))
+    step = int(off.argmax())
+    if off[step] > MAX_RAD:
+        place = f"{trace.participant} t = {step * STEP_S:.2f} s"
+        message = f"heads {np.degrees(off[step]):.1f} degrees away from where it should"
+        yield error("replay.heading", place, message)
 
 
 def _events(predicted: dict[str, float], played: dict[str, float]) -> Iterator[Finding]:

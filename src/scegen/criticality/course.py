@@ -25,7 +25,7 @@ class Course:
     """Time series, one value per step of ``time_s`` (s).
 
     Attributes:
-        speed_mps: of every participant.
+        speed_mps: of every participant, forwards or backwards.
         distance_m: between the bodies of the ego and each other; 0 in contact.
         ttc_s: their two-dimensional time to collision; inf if they would never touch.
         partner: the other that comes nearest to the ego; those who are parked count only where
@@ -75,7 +75,7 @@ def ego_course(
     nearest = min(counting or range(len(others)), key=lambda k: apart[:, k].min(), default=None)
     return Course(
         traces.time_s,
-        {p.id: traces.speed_mps[0, :, n] for n, p in enumerate(people)},
+        {p.id: np.abs(traces.speed_mps[0, :, n]) for n, p in enumerate(people)},
         {people[n].id: apart[:, k] for k, n in enumerate(others)},
         {people[n].id: ttc[:, k] for k, n in enumerate(others)},
         "" if nearest is None else people[others[nearest]].id,

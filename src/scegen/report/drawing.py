@@ -17,6 +17,7 @@ from scegen.report.close_up import draw_close_up
 from scegen.report.drawing_parts import (
     FAINT,
     HALO,
+    MARK,
     TEXT,
     WIDTH_IN,
     Scene,
@@ -33,6 +34,7 @@ from scegen.report.palette import colours
 from scegen.report.words import hazard_words, participant_words, thing_words
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.vocabulary import HazardKind
 
 _LINE_IN, _DPI = 0.215, 100
 _LOWEST_IN, _HIGHEST_IN = 3.2, 5.8
@@ -112,6 +114,9 @@ def _draw_way(axes: Axes, path: Path, trace: Trace, colour: str) -> None:
     axes.plot(path.x_m, path.y_m, color=colour, linewidth=1.4, alpha=0.45, dashes=(3, 3), zorder=3)
     axes.plot(trace.x_m, trace.y_m, color=colour, linewidth=2.4, zorder=3.2)
     travelled = float(trace.s_m[-1])
+    for begins, ends in path.backwards:
+        if travelled > begins:
+            _draw_reversing(axes, path, begins, min(ends, travelled), colour)
     if travelled > 3.0:
         tail, tip = path.pose(travelled - 3.0), path.pose(travelled)
         axes.add_patch(
@@ -126,6 +131,26 @@ def _draw_way(axes: Axes, path: Path, trace: Trace, colour: str) -> None:
                 zorder=3.3,
             )
         )
+
+
+def _draw_reversing(axes: Axes, path: Path, begins: float, ends: float, colour: str) -> None:
+    """The part that is driven backwards: dotted, with an R."""
+    s = np.linspace(begins, ends, max(2, int((ends - begins) / 0.25)))
+    x, y = np.interp(s, path.s_m, path.x_m), np.interp(s, path.s_m, path.y_m)
+    axes.plot(x, y, color=MARK, linewidth=1.3, linestyle=(0, (1, 1.6)), zorder=3.25)
+    axes.annotate(
+        "R",
+        (x[len(x) // 2], y[len(x) // 2]),
+        xytext=(0, 9),
+        textcoords="offset points",
+        ha="center",
+        va="bottom",
+        fontsize=9,
+        fontweight="bold",
+        color=colour,
+        path_effects=HALO,
+        zorder=6,
+    )
 
 
 def _draw_ghost(axes: Axes, trace: Trace, step: int, colour: str) -> None:
@@ -174,7 +199,9 @@ def _draw_scale(axes: Axes) -> None:
 def _notes(concrete: ConcreteScenario, encounter: Encounter | None) -> list[str]:
     notes = []
     if concrete.hazards:
-        notes.append("Hazards: " + "; ".join(hazard_words(h) for h in concrete.hazards))
+        said = "Hazards: " + "; ".join(hazard_words(h) for h in concrete.hazards)
+        kinds = {h.kind for h in concrete.hazards}
+        notes.append(f"{said} (R: backwards)" if HazardKind.REVERSING in kinds else said)
     if encounter is not None:
         if encounter.distance_m > 0:
             how = f"is {encounter.distance_m:.1f} m from {encounter.other}"

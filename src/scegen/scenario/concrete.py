@@ -15,6 +15,7 @@ from scegen.scenario.functional import MAX_ARMS, Environment, Hazard
 from scegen.scenario.logical import LogicalScenario, Side
 from scegen.scenario.model import ArmSet, FrozenModel, Identifier
 from scegen.scenario.objects import StaticObject
+from scegen.scenario.reversing import Reversal
 from scegen.scenario.vocabulary import (
     Control,
     DrivingSide,
@@ -172,7 +173,8 @@ class DriveMotion(FrozenModel):
 
     One lane beyond the outermost is the strip for parking, out of which it then pulls.
     ``turning_starts_m`` and ``turning_ends_m`` are where the junction (or ring) begins and
-    ends on its way; they follow from the road and are checked, not obeyed.
+    ends on its way; they follow from the road and are checked, not obeyed. ``reversal`` is a
+    part of the way that it drives backwards.
     """
 
     type: Literal["drive"] = "drive"
@@ -185,6 +187,7 @@ class DriveMotion(FrozenModel):
     turning_starts_m: float
     turning_ends_m: float
     lane_changes: tuple[LaneChange, ...] = ()
+    reversal: Reversal | None = None
 
 
 class CrossingMotion(FrozenModel):

@@ -61,6 +61,9 @@ def drives_on(view: View, by: str, to: str) -> list[Part]:
     elif way.sets_off:
         # Who sets off from rest does not stop again before it is in the other's way.
         near = (place > place[:, :1] + _SET_OFF_M) & (place < place[:, :1] + _BEFORE_LINE_M)
+    elif way.path.backwards:
+        # One that stops beyond the line, to reverse, has passed it all the same.
+        near = (place > way.turn_start_m - _BEFORE_LINE_M) & (place < way.turn_start_m)
     else:
         # One who comes to the ground that both use has driven on, even if it stops there.
         shared = view.shared_from_m(by, to)

@@ -51,8 +51,8 @@ class View:
         return self.row(name, S)
 
     def speed_mps(self, name: str) -> Floats:
-        """Speeds."""
-        return self.row(name, SPEED)
+        """Speeds, forwards or backwards."""
+        return np.abs(self.row(name, SPEED))
 
     def of_pair(self, field: str, first: str, second: str) -> Floats:
         """A measure of a pair; nan if it is not measured."""

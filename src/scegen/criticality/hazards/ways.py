@@ -22,6 +22,7 @@ from scegen.scenario.concrete import (
 
 _INTO_EXIT_M = 20.0
 _BEHIND_CHANGE_M = 5.0
+_BEHIND_REVERSING_M = 10.0
 _WALKED_M = 0.5
 
 
@@ -101,6 +102,7 @@ def _way(participant: ConcreteParticipant, concrete: ConcreteScenario, network: 
     )
     turn_end = laid.path_s_m(laid.turning_ends_m)
     goal = max([turn_end + _INTO_EXIT_M, *(c.end_m + _BEHIND_CHANGE_M for c in changes)])
+    goal = max([goal, *(ends_m + _BEHIND_REVERSING_M for _, ends_m in laid.path.backwards)])
     at, curvature = _curvature(laid.path)
     return Way(
         participant=participant,

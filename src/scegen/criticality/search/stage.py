@@ -32,6 +32,7 @@ from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.proof import Proof
+from scegen.scenario.reversing import BacksOut
 
 _FOCUS = 3
 """Pairs that are looked at for the target at first; more only where none of them will do."""
@@ -195,10 +196,13 @@ class Stage:
 
 
 def _from_outer_ends(concrete: ConcreteScenario) -> ConcreteScenario:
-    """The scenario with every drive's way from the outer end of its arm."""
+    """The scenario with every drive's way from the outer end of its arm.
+
+    One that backs out has its own place to start.
+    """
     people = tuple(
         p.model_copy(update={"motion": p.motion.model_copy(update={"start_m": 0.0})})
-        if isinstance(p.motion, DriveMotion)
+        if isinstance(p.motion, DriveMotion) and not isinstance(p.motion.reversal, BacksOut)
         else p
         for p in concrete.participants
     )

@@ -205,9 +205,13 @@ def schedule(
     offsets = arrange(scene, meetings)
     first_s = _first_places(scene, meetings)
     ego = scene.ego
-    latest = [APPROACH_S - ego.course.time_at(first_s[ego.id])]
+    latest = [0.0 if ego.backs_out else APPROACH_S - ego.course.time_at(first_s[ego.id])]
     for name, draft in scene.drives.items():
         if draft.stands_at_m is not None:
+            continue
+        if draft.backs_out:
+            # It stands near where it starts until its time has come.
+            latest.append(-offsets[name])
             continue
         lead_in = draft.course.time_at(_latest_start_m(draft, first_s[name])) - LEAD_IN_S
         latest.append(-offsets[name] - max(0.0, lead_in))
@@ -218,6 +222,8 @@ def schedule(
     shifted = {name: offset + shift for name, offset in offsets.items()}
     short, who = 0.0, ""
     for name, draft in scene.drives.items():
+        if draft.backs_out:
+            continue
         start = draft.stands_at_m
         if start is None:
             start = draft.course.s_at(-shifted[name])

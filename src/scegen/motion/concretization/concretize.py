@@ -66,7 +66,6 @@ def concretize(
         MotionInfeasibleError: it cannot be driven, or needs something unsupported.
         RoadInfeasibleError: the junction cannot be built.
     """
-    ordered_rules(functional.hazards)
     try:
         return _on_long_enough_arms(functional, logical, seed, road, obstacles=True)
     except MotionInfeasibleError:
@@ -172,7 +171,8 @@ def _start(scene: Scene, meetings: list[Meeting]) -> None:
         raise NeedsLongerArms(plan_.shortfall_m, plan_.shortest_of)
     reasons = {m.second: f"{m.reason} with {m.first}" for m in reversed(meetings) if m.reason}
     for name, draft in scene.drives.items():
-        draft.start_m = draft.course.s_at(-plan_.offsets_s[name])
+        draft.offset_s = plan_.offsets_s[name]
+        draft.start_m = 0.0 if draft.backs_out else draft.course.s_at(-draft.offset_s)
         if draft.stands_at_m is not None:
             draft.start_m = draft.stands_at_m
         station = draft.laid.station_m(draft.start_m)

@@ -10,6 +10,7 @@ from scegen.errors import MotionInfeasibleError
 from scegen.motion.concretization.limits import (
     COMFORTABLE_ACCELERATION_MPS2,
     COMFORTABLE_BRAKING_MPS2,
+    CREEP_MPS,
     LATERAL_MPS2,
 )
 from scegen.motion.concretization.marks import Mark, Timeline, timeline
@@ -17,7 +18,8 @@ from scegen.motion.concretization.others import Expected, PullDraft, StandDraft,
 from scegen.motion.concretization.turning import turning_marks
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.paths import END_MARGIN_M
-from scegen.motion.polyline import LaidDrive, lay_polyline
+from scegen.motion.polyline import LaidDrive
+from scegen.motion.reversing import lay_way
 from scegen.motion.routing import walk_route
 from scegen.road.model import RoadNetwork
 from scegen.scenario.bodies import BODIES, Body
@@ -31,6 +33,7 @@ from scegen.scenario.concrete import (
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.objects import StaticObject
+from scegen.scenario.reversing import BacksOut, Reversal
 from scegen.scenario.speed_limits import implied_limit_mps
 from scegen.scenario.vocabulary import ParticipantKind
 
@@ -50,7 +53,10 @@ class DriveDraft:
     ``cruise_mps``; ``grip_mps2`` is what the tyres hold on this road. One that stands at first does
     so at ``stands_at_m`` of its path, until ``moves_off``; ``comes_up`` says that it brakes behind
     one who is slower or stands. ``rests_at_m`` is where it is to come to rest if it brakes, because
-    of a thing in its way; ``halts_at_m`` where it stays.
+    of a thing in its way; ``halts_at_m`` where it stays. ``reversal`` is a part driven backwards;
+    one that backs out (of arm ``from_arm``, if not from beside the road) joins its drive at station
+    ``joins_m``. Within ``alone_s_m`` of its path only the marks of dangers count. ``backs_to`` is
+    somebody who crosses behind it. ``offset_s`` is how late it is against its course.
     """
 
     id: str
@@ -73,9 +79,15 @@ class DriveDraft:
     moves_off: SpeedPhase | None = None
     comes_up: bool = False
     start_m: float = 0.0
+    offset_s: float = 0.0
     grip_mps2: float = GRAVITY_MPS2
     rests_at_m: float | None = None
     halts_at_m: float | None = None
+    reversal: Reversal | None = None
+    joins_m: float = 0.0
+    from_arm: int | None = None
+    backs_to: str | None = None
+    alone_s_m: tuple[float, float] | None = None
     laid_: LaidDrive | None = None
     course_: Timeline | None = None
 
@@ -132,6 +144,7 @@ class DriveDraft:
     def motion(self, start_m: float = 0.0) -> DriveMotion:
         """The drive as written to files."""
         laid = self.laid_
+        start_m = self.joins_m if self.backs_out else start_m
         return DriveMotion(
             entry=self.drive.entry,
             entry_lane=self.entry_lane,
@@ -142,13 +155,21 @@ class DriveDraft:
             turning_starts_m=round(laid.turning_starts_m, 3) if laid else 0.0,
             turning_ends_m=round(laid.turning_ends_m, 3) if laid else 0.0,
             lane_changes=tuple(self.lane_changes),
+            reversal=self.reversal,
         )
+
+    @property
+    def backs_out(self) -> bool:
+        """Whether it starts beside the road or on a side arm, to come out backwards."""
+        return isinstance(self.reversal, BacksOut)
 
     def lay(self, network: RoadNetwork) -> None:
         """Lay the drive out anew, after lanes or lane changes have changed."""
         self.lane_changes.sort(key=lambda change: change.position_m)
-        stretches, self.exit_lane = walk_route(network, self.motion(), self.id)
-        self.laid_ = lay_polyline(stretches, 0.0, stretches[-1].end_m - END_MARGIN_M)
+        motion = self.motion()
+        stretches, self.exit_lane = walk_route(network, motion, self.id)
+        end_m = stretches[-1].end_m - END_MARGIN_M
+        self.laid_ = lay_way(network, motion, stretches, end_m, self.id)
         self.course_ = None
 
     def add_mark(self, mark: Mark) -> None:
@@ -177,11 +198,13 @@ class DriveDraft:
     def all_marks(self) -> list[Mark]:
         """All marks in the order of the path; one that stays before the junction does not turn."""
         turning = self.base_marks() if self.halts_at_m is None else []
-        return sorted([*turning, *self.marks], key=lambda mark: mark.s_m)
+        low, high = self.alone_s_m or (1.0, 0.0)
+        ordinary = [mark for mark in turning if not low <= mark.s_m <= high]
+        return sorted([*ordinary, *self.marks], key=lambda mark: mark.s_m)
 
     def first_speed(self) -> float:
-        """The speed at the outer end of the entry arm."""
-        return self.cruise_mps
+        """The speed at the outer end of the entry arm, or where it comes out."""
+        return CREEP_MPS if self.backs_out else self.cruise_mps
 
     def speed_in_force(self, s_m: float) -> float:
         """The target speed at a place, dangers apart."""

@@ -31,6 +31,11 @@ TAILGATING_HEADWAY_S = (0.4, 0.8)  # below the least gap of [ISO15622]
 CLOSE_FOLLOWING_S = 0.8  # followed closely, but not tailgated
 CUT_IN_HEADWAY_S = (0.3, 0.6)
 
+REVERSING_MPS = (1.8, 2.6)  # 6 to 9 km/h
+REVERSING_MPS2 = 1.5
+CREEP_MPS = 0.5
+"""Who is to stand at a place creeps the last bit."""
+
 SPEEDING_FACTOR = (1.2, 1.5)  # of the limit
 SLOW_FACTOR = (0.35, 0.5)
 JITTER = 0.04  # relative spread of ordinary speeds

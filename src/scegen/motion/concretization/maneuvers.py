@@ -68,6 +68,7 @@ def _passed(scene: Scene, draft: DriveDraft) -> DriveDraft | None:
         and same_arm(other, draft)
         and other.drive.rank < draft.drive.rank
         and other.drive.beside is None
+        and other.drive.reverses is None
     ]
     slow = {
         name
@@ -86,11 +87,21 @@ def _goes_round_somebody_standing(scene: Scene, draft: DriveDraft) -> bool:
 
 
 def _drives_past(scene: Scene, draft: DriveDraft) -> bool:
-    """Whether it "overtakes" one who is parked beside its lane, which needs no other lane."""
-    return draft.drive.maneuver is Maneuver.OVERTAKE and any(
+    """Whether it "overtakes" one who is parked beside its lane, which needs no other lane.
+
+    Nor does passing one who reverses into its way: it gets no farther.
+    """
+    beside = any(
         not stand.standing.in_lane and stand.standing.arm in {draft.drive.entry, draft.drive.exit}
         for stand in scene.stands.values()
     )
+    reverses = any(
+        other.drive.reverses is not None
+        and same_arm(other, draft)
+        and other.drive.rank < draft.drive.rank
+        for other in scene.drives.values()
+    )
+    return draft.drive.maneuver is Maneuver.OVERTAKE and (beside or reverses)
 
 
 def _free_change(scene: Scene, draft: DriveDraft) -> list[Meeting]:

@@ -163,8 +163,11 @@ def _rendezvous(draft: DriveDraft, walk: WalkDraft, point: MeetingPoint) -> tupl
     """(place of the driver, way of the walker) to be reached at the same time.
 
     The walker is in the driver's line when its bumper comes; where the driver brakes for it,
-    the walker leaves the kerb just then.
+    the walker leaves the kerb just then. Behind one that reverses it is where the tail will be.
     """
+    if draft.backs_to == walk.id:
+        begins_s, ends_s = draft.laid.path.backwards[0]
+        return (begins_s + ends_s) / 2, point.second_s_m
     for mark in draft.marks:
         if mark.hold_s is not None and mark.s_m < point.first_s_m - draft.body.front_m:
             return mark.s_m, max(0.0, walk.motion.setback_m - _STEPS_OFF_M)

@@ -9,6 +9,7 @@ from scegen.checking.opendrive.locate import OnLane
 from scegen.checking.openscenario.situation import Situation
 from scegen.checking.results import Finding, error
 from scegen.scenario.concrete import ConcreteParticipant, CrossingMotion, DriveMotion
+from scegen.scenario.reversing import BacksOut
 
 RULE = "xosc.start"
 
@@ -37,9 +38,14 @@ def _where_asked(
     participant: ConcreteParticipant, arms: dict[int, Arm], lanes: list[OnLane]
 ) -> Iterator[Finding]:
     motion = participant.motion
+    reversal = motion.reversal if isinstance(motion, DriveMotion) else None
     if isinstance(motion, CrossingMotion):
         return  # starts outside the carriageway: its path is checked instead
     number = motion.entry if isinstance(motion, DriveMotion) else motion.arm
+    if isinstance(reversal, BacksOut):
+        if reversal.arm is None:
+            return  # likewise
+        number = reversal.arm
     arm = arms[number]
     here = [lane for lane in lanes if lane.road == arm.road.id]
     if not here:
@@ -49,6 +55,7 @@ def _where_asked(
         return
     if isinstance(motion, DriveMotion):
         wanted = {lane for lane in (*arm.inward, *arm.strips) if abs(lane) == motion.entry_lane}
+        wanted = set(arm.outward) if isinstance(reversal, BacksOut) else wanted
         if not wanted & {lane.lane for lane in here}:
             message = f"starts on lane {here[0].lane} of {arm.place}, not on {sorted(wanted)}"
             yield error(RULE, participant.id, message)

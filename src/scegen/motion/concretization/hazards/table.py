@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from scegen.errors import MotionInfeasibleError
 from scegen.motion.concretization.hazards.braking import DELAYED_BRAKING, HARD_BRAKING, STOPPING
 from scegen.motion.concretization.hazards.conflict import (
     ARRIVES_TOGETHER,
@@ -12,6 +11,7 @@ from scegen.motion.concretization.hazards.conflict import (
 from scegen.motion.concretization.hazards.cut_in import CUT_IN
 from scegen.motion.concretization.hazards.oncoming_lane import ONCOMING_LANE
 from scegen.motion.concretization.hazards.overtaking import OVERTAKING
+from scegen.motion.concretization.hazards.reversing import REVERSING
 from scegen.motion.concretization.hazards.rule import Rule
 from scegen.motion.concretization.hazards.slow_driving import SLOW_DRIVING
 from scegen.motion.concretization.hazards.speeding import SPEEDING
@@ -23,6 +23,7 @@ from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
 
 RULES: dict[HazardKind, Rule] = {
+    HazardKind.REVERSING: REVERSING,
     HazardKind.SPEEDING: SPEEDING,
     HazardKind.SLOW_DRIVING: SLOW_DRIVING,
     HazardKind.SUDDEN_ACCELERATION: SUDDEN_ACCELERATION,
@@ -48,18 +49,7 @@ RULES: dict[HazardKind, Rule] = {
 
 
 def ordered_rules(hazards: tuple[Hazard, ...]) -> list[tuple[Rule, Hazard]]:
-    """The rules of some hazards, in the order of the table.
-
-    Raises:
-        MotionInfeasibleError: a hazard has no rule.
-    """
-    for hazard in hazards:
-        if hazard.kind not in RULES:
-            raise MotionInfeasibleError(
-                f"{hazard.kind} is not supported yet: paths lead forwards only",
-                where="hazards",
-                hint="Leave this danger out or choose another.",
-            )
+    """The rules of some hazards, in the order of the table."""
     kinds = list(RULES)
     ranked = sorted(hazards, key=lambda hazard: kinds.index(hazard.kind))
     return [(RULES[hazard.kind], hazard) for hazard in ranked]
