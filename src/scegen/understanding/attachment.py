@@ -120,7 +120,7 @@ def _aside(prep: Prep, state: State) -> bool:
     """``a truck, previously behind it, accelerates``: what is put between commas."""
     who = state.candidate
     waits = who is not None and who is state.anchor and not state.candidate_done
-    placed = prep.word.cat == "locus" or prep.value in {"in", "from"}
+    placed = prep.word.cat == "locus" or prep.value in {"in", "from", "into"}
     return waits and placed and "," in state.between and state.between <= {",", "unknown", "inert"}
 
 

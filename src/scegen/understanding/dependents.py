@@ -73,8 +73,14 @@ def nominal(event: Event, state: State) -> None:
         alternative(event, state.events[-1], state)
     elif state.prep is not None and state.events and not event.subject:
         event.subject = state.events[-1].subject
-    elif not event.subject and not state.events and "sub" in state.between:
+    elif not event.subject and not state.events and _before_its_doer(event, state):
         state.pending.append(event)  # "after a right turn, the car …"
+
+
+def _before_its_doer(event: Event, state: State) -> bool:
+    """``after a right turn, the car``, ``halfway through its turn the car``: named later."""
+    its = any(m.cat == "possessive" for m in event.mods)
+    return "sub" in state.between or (state.prep is not None and its)
 
 
 def infinitive(event: Event, state: State) -> None:
@@ -88,8 +94,13 @@ def infinitive(event: Event, state: State) -> None:
     anchor = state.anchor
     if isinstance(anchor, Event):
         parent = anchor
+    aside = isinstance(anchor, Mention) and anchor is state.candidate and not state.candidate_done
+    if aside and "," in state.between and parent is not None and anchor not in parent.subject:
+        parent = None  # "the ego, half in the next lane to get by, …"
     if parent is None:
         event.subject = chain(anchor) if isinstance(anchor, Mention) else []
+        if not event.subject:
+            state.pending.append(event)  # "to get past the bus, the car …"
         return
     depend(event, parent, "inf")
     event.negated = parent.negated and parent.control == "subject"

@@ -14,6 +14,8 @@ _ONLY_VEHICLES = frozenset(
      "cut_in", "pull_out", "park", "swerve", "u_turn", "pull_over", "undertake", "unpark",
      "door"}
 )  # fmt: skip
+_UNDERWAY = frozenset({"use", "enter", "bypass", "pass", "move", "turn", "leave", "approach",
+                       "follow", "speed"})  # fmt: skip
 _CYCLING = frozenset({"cycle", "pedal"})
 _WALKING = frozenset({"walk", "jog", "stroll"})
 _OPERATING = frozenset({"drive", "ride", "operate", "pilot"})
@@ -54,6 +56,8 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     vague = mention.head is not None and "vague" in mention.head.data
     turns = vague or event.name in {"turn", "sharp_turn"}
     turns = turns and any(d.value in {"left", "right"} for d in event.dirs)
+    it = mention.pronoun == "it" and tokens[mention.i].low == "it"
+    turns = turns or (it and event.name in _UNDERWAY and not event.passive)
     mention.drives = mention.drives or failing or alone or turns
     mention.walks = mention.walks or _on_foot(event)
     close = 0 <= event.i - mention.j <= 1 and not event.finite and not event.nominal

@@ -8,6 +8,7 @@ from scegen.understanding import (
     breaches,
     courses,
     dangers,
+    detours,
     encounters,
     implied,
     lane_moves,
@@ -16,6 +17,7 @@ from scegen.understanding import (
     rows,
     screens,
     side_roads,
+    ways,
 )
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
@@ -112,6 +114,7 @@ class Interpreter:
         red_lights.on_red(chunks, events, self._context)
         towards_each_other(chunks, events, self._context)
         screens.come_out(self._context)
+        detours.get_past(chunks, self._scenes, self._context)
         implied.positions(self._scenes, self._context)
         breaches.subsume(self._context)
 
@@ -203,6 +206,8 @@ class Interpreter:
         movement = MOVEMENTS.get(event.name)
         if movement is not None:
             movement(scene, self._context)
+        if event.name == "swerve" and ways.next_lane(event, self._context):
+            lane_moves.lane_change(scene, self._context)
         encounters.onto_the_road(scene, self._context)
         encounters.after_a_thing(scene, self._context)
         danger = dangers.DANGERS.get(event.name)

@@ -12,6 +12,7 @@ from scegen.understanding.phrases import also_from, apposed_to, bracketed, whose
 from scegen.understanding.state import State
 
 _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
+_LEADING = frozenset({"in", "into", "to", "for", "from"})
 _OWNED = frozenset({"side", "lane", "path"})
 
 
@@ -129,7 +130,8 @@ def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) 
     if prep.fronted:
         return
     last = state.events[-1] if state.events else None
-    if last and last.nominal and prep.value in {"by", "of"} and not last.subject:
+    doer = prep.value in {"by", "of"} or (prep.value == "for" and _task_of(mention, last, k, chunks))
+    if last and last.nominal and doer and not last.subject:
         last.subject = [mention]
     named = prep.value in {"with", "due", "against"}
     if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:
@@ -144,6 +146,12 @@ def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) 
     state.anchor = mention
     state.between = set()
     state.last_pp = None
+
+
+def _task_of(mention: Mention, doing: Event | None, k: int, chunks: list[Chunk]) -> bool:
+    """``a left turn for the ego``: the ego has to make it."""
+    ego = any(h.data.get("ego") for h in mention.heads)
+    return ego and k > 1 and chunks[k - 2] is doing
 
 
 def _owns_place(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
@@ -169,7 +177,7 @@ def _side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
 
 def _lane_beside(lane: Place, side: Place, k: int, chunks: list[Chunk]) -> bool:
     """``in the lane to the right of the bus``: no movement to the right."""
-    within = lane.kind == "lane" and lane.prep is not None and lane.prep.value in {"in", "into"}
+    within = lane.kind == "lane" and (lane.prep is None or lane.prep.value in _LEADING)
     if not within or not set(side.dirs) & {"left", "right"}:
         return False
     whose, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
