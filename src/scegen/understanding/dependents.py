@@ -66,8 +66,11 @@ def nominal(event: Event, state: State) -> None:
         event.subject = state.main  # "before its left turn"
     if isinstance(anchor, Event) and not (state.between - {"either", "or"}):
         depend(event, anchor, "noun")
-        if not event.subject and anchor.name not in _ABOUT_OTHERS:
+        during = state.prep is not None  # "can't see during its turn"
+        if not event.subject and (during or anchor.name not in _ABOUT_OTHERS):
             _share_subject(event, anchor, state)
+    elif event.name == "bypass" and any(m.value == "def" for m in event.mods):
+        return  # "and the detour leads …": anybody's
     elif "conj" in state.between and state.events:
         event.subject = event.subject or state.events[-1].subject
         alternative(event, state.events[-1], state)

@@ -8,14 +8,14 @@ other half of the road, and something that makes the ego go there.
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import HazardKind, Maneuver
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
 
 _ROUND = frozenset({"around", "round", "past"})
 _THERE = frozenset({"in", "into", "to", "for"})
-_DOWNWARD = frozenset({"use", "enter", "cross", "unknown", "move", "leave", "try"})
+_TAKEN = frozenset({"use", "enter", "cross", "unknown", "move", "leave", "try"})
 _LEFT_OPEN = frozenset({"leave", "use", "enter"})
 _MOVED = frozenset({"cause", "send", "prevent"})
 _SETTLED = frozenset(
@@ -52,18 +52,19 @@ def _barred(chunks: list[Chunk], scenes: list[Scene], context: Context) -> bool:
     )
     things = any(isinstance(c, Thing) and c.kind in {"object", "obstacle"} for c in chunks)
     passing = any(s.event.name in _PASSING for s in scenes)
-    return slow or things or passing or any(e.parked for e in others)
+    stands = any(e.parked or context.placed(e, Approach.AHEAD) for e in others)
+    return slow or things or passing or stands
 
 
 def _by_verb(ego: Entity, scenes: list[Scene], context: Context) -> Basis | None:
     for scene in scenes:
         event = scene.event
         moves = ego in scene.actors or (ego in scene.targets and event.name in _MOVED)
-        if not moves or event.negated or event.passive and event.name not in _MOVED:
+        if not moves or event.negated or (event.passive and event.name not in _MOVED):
             continue
-        if isinstance(event.object, Place) and _other_half(event.object):
-            if event.name in _DOWNWARD:
-                return Basis(event.i, event.object.j)
+        taken = event.object if event.name in _TAKEN else None
+        if isinstance(taken, Place) and _other_half(taken):
+            return Basis(event.i, taken.j)
         for prep in event.pps:
             if _leads_past(prep, context):
                 return Basis(event.i, _end(prep))

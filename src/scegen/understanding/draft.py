@@ -54,6 +54,7 @@ class Entity:
     heading_basis: Basis | None = None
     bound: bool = False
     by_heading: Basis | None = None
+    stands: bool = False
     counted: Basis | None = None
     moves: Basis | None = None
     on_straight: bool = False

@@ -15,6 +15,7 @@ from scegen.understanding import (
     red_lights,
     roles,
     rows,
+    screen_sides,
     screens,
     side_roads,
     ways,
@@ -113,6 +114,7 @@ class Interpreter:
                 self._share_sides(scene.event.pps, scene.actors, hidden=hidden)
         red_lights.on_red(chunks, events, self._context)
         towards_each_other(chunks, events, self._context)
+        screen_sides.share(chunks, self._scenes, self._context)
         screens.come_out(self._context)
         detours.get_past(chunks, self._scenes, self._context)
         implied.positions(self._scenes, self._context)

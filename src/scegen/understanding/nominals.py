@@ -128,9 +128,12 @@ def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) 
         attach(prep, state)
     mention.landmark = prep.fronted and prep.word.cat == "locus"
     if prep.fronted:
+        state.last_pp = mention  # "behind a van on the right a man …": the van is there
         return
     last = state.events[-1] if state.events else None
-    doer = prep.value in {"by", "of"} or (prep.value == "for" and _task_of(mention, last, k, chunks))
+    doer = prep.value in {"by", "of"} or (
+        prep.value == "for" and _task_of(mention, last, k, chunks)
+    )
     if last and last.nominal and doer and not last.subject:
         last.subject = [mention]
     named = prep.value in {"with", "due", "against"}

@@ -222,6 +222,9 @@ class Placer:
             return
         if prep.outer == "from" and isinstance(target, Mention) and event is not None:
             return
+        turns = event is not None and any(d.value in _SIDES for d in event.dirs)
+        if turns and prep.value == "ahead" and target is not None:
+            return  # "sweeps left in front of the bus": across its way
         approaches = {Approach(prep.value)}
         reference: Entity | None = None
         if isinstance(target, Mention):

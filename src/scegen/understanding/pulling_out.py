@@ -8,7 +8,6 @@ from scegen.understanding.conflicts import lane_change, mentioned
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.ways import into_lane
 
-
 _ASIDE = frozenset({"access", "parking", "shoulder", "sidewalk", "junction", "bus_stop"})
 
 
@@ -50,8 +49,7 @@ def _into_the_next_lane(scene: Scene, context: Context) -> bool:
     named = lane is not None and lane.head is not None and lane.head.j - lane.head.i > 1
     named = named and not context.junction.crossing  # "the overtaking lane"
     beside = lane is not None and lane.kind == "lane" and (named or bool(sides & set(lane.dirs)))
-    out = any(
-        p.kind in _ASIDE for p in scene.places())
+    out = any(p.kind in _ASIDE for p in scene.places())
     kerb = any(context.comes_across(e) for e in scene.drivers) or context.draft.from_kerb
     return beside and not out and not kerb
 

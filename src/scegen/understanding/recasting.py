@@ -77,6 +77,8 @@ def _goes_round(scene: Scene, context: Context) -> bool:
         passed = prep.target
         if context.tokens[prep.word.i].low not in _ROUND:
             continue
+        if isinstance(passed, Event):
+            continue
         thing = isinstance(passed, Thing) and passed.kind in {"object", "obstacle"}
         who = passed.entities if isinstance(passed, Mention) else []
         vehicles = [e for e in who if e.is_vehicle and e not in scene.actors]

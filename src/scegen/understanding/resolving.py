@@ -62,6 +62,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         if p.word.cat == "locus" and isinstance(p.target, Mention)
     } | relative
     owners = {id(c.owner) for c in chunks if isinstance(c, Mention)}
+    standing = {id(m) for e in events if e.name == "park" and e.form == "ed" for m in e.subject}
     waiting: list[Mention] = []
     early: list[Mention] = []
     for chunk in chunks:
@@ -78,6 +79,8 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
             early.append(chunk)
             continue
         _resolve(chunk, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
+        for entity in chunk.entities if id(chunk) in standing else []:
+            entity.stands = True
         if early and id(chunk) in subjects:
             waiting, early = [*waiting, *early], []
         for earlier in waiting:

@@ -33,6 +33,8 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         term = Term("quantity", "other", number.i, term.j, data={"quantity": None})
     if term.cat == "dir" and terms and terms[-1].value == "unprotected" and _bare(tokens, term):
         term = replace(term, cat="verb", value="turn", data={"way": term.value})
+    if tokens[term.i].low in _NEAR_OR_FAR and term.j - term.i == 1 and _kerb(tokens, term.j):
+        term = Term("dir", _NEAR_OR_FAR[tokens[term.i].low], term.i, term.j)
     if _speed(term) and doing(tokens, term.i):
         _as_motion(terms, tokens)
     if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
@@ -40,6 +42,9 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     return term
 
 
+_NEAR_OR_FAR = {"near": "near", "nearer": "near", "far": "far", "farther": "far", "further": "far"}
+_KERBS = frozenset({"kerb", "curb", "pavement", "sidewalk", "verge", "footpath", "footway",
+                    "roadside"})  # fmt: skip
 _DONE = frozenset({"left", "parked", "stopped", "pulled", "turned", "stuck", "dumped", "broken"})
 _AFTER = frozenset({"a", "an", "the", "their", "his", "her", "my", "our", "on", "in", "right", "at",
                     "half", "out", "up", "down", "across", "dead", "over"})  # fmt: skip
@@ -49,6 +54,11 @@ def _has_done(tokens: list[Token], term: Term) -> bool:
     """``someone's left a van there``: has left, nothing of theirs."""
     done, after = (tokens[k].low if k < len(tokens) else "" for k in (term.j, term.j + 1))
     return done in _DONE and after in _AFTER
+
+
+def _kerb(tokens: list[Token], j: int) -> bool:
+    """``the far kerb``: the side across the road."""
+    return j < len(tokens) and tokens[j].low in _KERBS
 
 
 def _does_not(tokens: list[Token], term: Term) -> bool:

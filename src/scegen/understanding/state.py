@@ -29,6 +29,7 @@ class State:
         opening: the same phrases once that mention has come, for its verb.
         last_prep: the phrase read last.
         bracket: anchor and words between, as they were when a bracket opened.
+        relating: whom a relative clause is about that is interrupted ("who, looking down, walks").
         relative: who acts in a relative clause, and on whom ("the van that the ego follows").
     """
 
@@ -49,3 +50,4 @@ class State:
     last_prep: Prep | None = None
     bracket: tuple[Mention | NounPhrase | Event | None, set[str]] | None = None
     relative: tuple[Mention, Mention] | None = None
+    relating: Mention | None = None
