@@ -82,13 +82,24 @@ class ClauseReader:
             if word.cat == "punct" and word.value in "()":
                 self._parenthesis(word.value)
                 return
-            state.between.add(word.value if word.cat in {"punct", "conj"} else word.cat)
-            if word.cat == "conj" and word.value != "either":
-                state.between.add("conj")
-            if word.value == "where":
-                self._where(k)
-            if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
-                state.candidate = None
+            self._joint(word, k)
+
+    def _joint(self, word: Word, k: int) -> None:
+        """A word between phrases or clauses: "and", a comma, "where", "that"."""
+        state = self._state
+        state.between.add(word.value if word.cat in {"punct", "conj"} else word.cat)
+        if word.cat == "conj" and word.value != "either":
+            state.between.add("conj")
+        if word.cat == "conj" and word.value in {"and", "but"}:
+            state.between.discard("aux:be")  # "was tired and did not notice the van"
+        if word.value == "where":
+            self._where(k)
+        if word.cat == "sub" or word.value == ",":
+            state.where = word.value == "where"
+        if word.cat == "rel" and k and _blocks(self._chunks[k - 1]):
+            state.between.add("thing")
+        if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
+            state.candidate = None
 
     def _where(self, k: int) -> None:
         """``the next lane, where a van drives``: the van is in that lane."""
@@ -218,6 +229,7 @@ class ClauseReader:
             before = [m for m in mention.mods[:position] if m.cat in {"dir", "manner"}]
             event = Event(mod.value, mod.i, mod.j, mod.form, subject=[mention], mods=before)
             event.premod_of = mention
+            event.passive = mod.form == "ed" and mod.value in subjects.PASSIVE - {"hide"}
             event.sentence = self._sentence
             self.events.append(event)
 
@@ -259,6 +271,13 @@ class ClauseReader:
         state.anchor = event
         state.between = set()
         state.last_pp = None
+
+
+def _blocks(chunk: Chunk) -> bool:
+    """``a fallen tree that blocks the lane``: the tree does it."""
+    if not isinstance(chunk, Thing) or (chunk.prep is not None and chunk.prep.value == "with"):
+        return False
+    return chunk.kind in {"obstacle", "object"}
 
 
 def _after_a_comma(before: list[Chunk]) -> bool:

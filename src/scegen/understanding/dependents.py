@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.understanding.chunks import Event, Mention
 from scegen.understanding.state import State
 
+_OPENING = frozenset({"against", "in", "with", "of"})
 _ABOUT_OTHERS = frozenset({"cause", "prevent", "block", "hide", "encounter", "overlook"})
 """Verbs whose object is what others do ("blocks the merge")."""
 
@@ -83,7 +84,9 @@ def nominal(event: Event, state: State) -> None:
 def _before_its_doer(event: Event, state: State) -> bool:
     """``after a right turn, the car``, ``halfway through its turn the car``: named later."""
     its = any(m.cat == "possessive" for m in event.mods)
-    return "sub" in state.between or (state.prep is not None and its)
+    word = state.prep.value if state.prep is not None else ""
+    opens = state.candidate is None and not state.mentions and word in _OPENING
+    return "sub" in state.between or opens or (bool(word) and its)
 
 
 def infinitive(event: Event, state: State) -> None:
@@ -114,6 +117,7 @@ def infinitive(event: Event, state: State) -> None:
     elif controlled and isinstance(parent.object, Mention):
         event.subject = chain(parent.object)
         event.modal = True
+        event.name = "inert" if parent.name == "inert" else event.name  # "no time to brake"
     else:
         _share_subject(event, parent, state)
 

@@ -25,7 +25,7 @@ from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.movements import MOVEMENTS
 from scegen.understanding.omissions import not_done
-from scegen.understanding.placing import Placer, thing_sides
+from scegen.understanding.placing import Placer
 from scegen.understanding.reactions import mark_answers, mark_late
 from scegen.understanding.recasting import recast
 from scegen.understanding.reciprocal import towards_each_other
@@ -87,7 +87,7 @@ class Interpreter:
             for e in events
             for p in e.pps
             if p.on_mention is e.object
-            and (self._starts(e, p) or (e.name in _BESIDE and _is_side(p)))
+            and (self._starts(e, p) or (e.name in _BESIDE and _is_side(p)) or _own_lane(e, p))
         }
         set_off(events, self._context)
         handled = {id(e.object) for e in events if e.name in {"inert", "send"}}  # "kicks a ball"
@@ -100,18 +100,11 @@ class Interpreter:
             elif isinstance(chunk, Thing) and id(chunk) not in handled:
                 read_thing(chunk, chunks, self._draft)
                 self._context.screens += [chunk.i] if chunk.kind == "object" else []
-        for chunk in chunks:
-            if isinstance(chunk, Mention):
-                self._share_sides(chunk.pps, chunk.entities, hidden=False)
         mark_answers(events)
         mark_late(events, self._context)
         rows.line_up(chunks, events, self._draft)
         for event in events:
             self._event(event)
-        for scene in self._scenes:
-            if not scene.event.negated:
-                hidden = scene.event.name == "hide"
-                self._share_sides(scene.event.pps, scene.actors, hidden=hidden)
         red_lights.on_red(chunks, events, self._context)
         towards_each_other(chunks, events, self._context)
         screen_sides.share(chunks, self._scenes, self._context)
@@ -182,7 +175,7 @@ class Interpreter:
         courses.move_off(scene, self._context)
         event.name = recast(scene, self._context)
         self._scenes.append(scene)
-        for prep in event.pps:
+        for prep in event.pps if not self._ended(event) else []:
             if from_everywhere(prep):
                 side_roads.spread(prep, scene.actors, self._context)
             elif self._from_behind_somebody(scene, prep):
@@ -219,6 +212,11 @@ class Interpreter:
             dangers.oncoming_lane(scene, self._context)
         screens.from_behind(scene, self._context)
 
+    def _ended(self, event: Event) -> bool:
+        """``ends up in front of the ego``: where it gets to, not where it comes from."""
+        word = self._context.tokens[event.i].forms[-1][0]
+        return event.name == "move" and word in {"end", "finish", "wind", "land"}
+
     def _from_behind_somebody(self, scene: Scene, prep: Prep) -> bool:
         """``hits the van from behind``: behind the van."""
         behind = prep.outer == "from" and prep.value == "behind" and prep.target is None
@@ -251,6 +249,8 @@ class Interpreter:
             elif term.cat == "compass":
                 self._placer.heading(term, scene.actors)
             elif term.cat == "dir" and term.value == "opposite" and event.name in _TRAVEL:
+                if self._ended(event):
+                    continue
                 for entity in scene.drivers:
                     basis = Basis(term.i, term.j)
                     self._draft.place(entity, None, {Approach.OPPOSITE}, basis)
@@ -266,23 +266,13 @@ class Interpreter:
             if term.cat == "manner" and term.value in _BY_MANNER and not slows:
                 self._quality(term, scene.drivers)
 
-    def _share_sides(self, pps: list[Prep], entities: list[Entity], *, hidden: bool) -> None:
-        """Who comes out from behind something stands on its side of the road."""
-        for prep in pps:
-            beside = prep.word.cat == "locus" and prep.value in {"behind", "between"}
-            by = hidden and prep.value == "by"
-            if not (beside or by) or not isinstance(prep.target, Mention):
-                continue
-            basis = Basis(prep.word.i, prep.target.j)
-            for hider in prep.target.entities:
-                sides = thing_sides(hider, self._draft)
-                if sides == {Approach.OPPOSITE}:  # the queue in the oncoming lane
-                    sides = {Approach(self._context.across)}
-                for entity in entities:
-                    on_foot = not entity.is_vehicle or self._context.is_cyclist(entity)
-                    if sides and on_foot:
-                        self._draft.place(entity, None, sides, basis)
-
 
 def _is_side(prep: Prep) -> bool:
     return isinstance(prep.target, Place) and prep.target.kind == "side"
+
+
+def _own_lane(event: Event, prep: Prep) -> bool:
+    """``the ego follows a van in the right lane``: that is the ego's lane, too."""
+    lane = isinstance(prep.target, Place) and prep.target.kind == "lane" and prep.value == "in"
+    ego = any(e.ego for m in event.subject for e in m.entities)
+    return lane and ego and event.name in {"follow", "tailgate"} and not event.passive

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, Maneuver, ParticipantKind
-from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.terms import Term
 
@@ -33,7 +33,9 @@ _STEADY = frozenset(
 )  # fmt: skip
 _PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane",
                      "path", "leg"})  # fmt: skip
+_SIDEWAYS = frozenset({"lane_change", "merge", "cut_in"})
 _AROUND = frozenset({"around", "round", "past"})
+_BY_WAY_OF = frozenset({"via", "through", "across", "over"})
 _OPPOSED = "opposed"
 
 
@@ -79,6 +81,12 @@ def _place_approaches(place: Place, prep: str) -> frozenset[Approach]:
     return next((_BY_DIR[d] for d in dirs if d in _BY_DIR), frozenset())
 
 
+def _between_lanes(approaches: frozenset[Approach], event: Event | None) -> frozenset[Approach]:
+    """``changes into the lane from the other side``: out of another lane."""
+    sideways = event is not None and event.name in _SIDEWAYS
+    return _BY_DIR["adjacent"] if sideways and approaches == _BY_DIR["lateral"] else approaches
+
+
 def _compass(place: Place) -> Term | None:
     return next((m for m in place.mods if m.cat == "compass"), None)
 
@@ -120,7 +128,7 @@ class Placer:
     def adjectives(self, mention: Mention) -> None:
         """``the oncoming car``, ``a northbound truck``."""
         approaches = adjective_approaches(mention.dirs)
-        term = mention.mod("dir")
+        term = mention.mod("dir") or mention.head
         for entity in mention.entities:
             if approaches and term is not None:
                 self._draft.place(entity, None, set(approaches), Basis(term.i, term.j))
@@ -142,7 +150,9 @@ class Placer:
             self._locus(prep, entities, event)
             return
         target = prep.target
-        if isinstance(target, Place):
+        word = self._draft.tokens[prep.word.i].low
+        through = event is None and word in _BY_WAY_OF  # "gets past a bus via the oncoming lane"
+        if isinstance(target, Place) and not through:
             self._at_place(prep, target, entities, event)
 
     def _at_place(
@@ -173,6 +183,7 @@ class Placer:
             return
         word = self._draft.tokens[prep.word.i].low
         approaches = _place_approaches(target, word if word in _AROUND else prep.value)
+        approaches = _between_lanes(approaches, event)
         if not approaches:
             return
         plural = target.head is not None and target.head.form == "s"
@@ -200,6 +211,19 @@ class Placer:
             abreast = entity.moving_vehicle and entity.kind is not ParticipantKind.BICYCLE
             where = {Approach.ADJACENT} if abreast else sides
             self._draft.place(entity, owner, where, basis)
+
+    def beside_a_thing(self, prep: Prep, thing: NounPhrase, entities: list[Entity]) -> None:
+        """``waits behind a bus stop on the right``: who is there is on that side.
+
+        Args:
+            prep: the phrase.
+            thing: what one stands behind.
+            entities: who stands there.
+        """
+        sides = {_SIDES[d] for d in thing.dirs if d in _SIDES}
+        for entity in entities:
+            if not entity.is_vehicle or entity.kind is ParticipantKind.BICYCLE:
+                self._draft.place(entity, None, sides, Basis(prep.word.i, thing.j))
 
     def _apart(self, entities: list[Entity], basis: Basis) -> None:
         """``from different arms``: no two come from the same one."""

@@ -78,9 +78,8 @@ class Pronouns:
             options = others[-1:] or options  # "a rider passes the ego as it turns"
         if not self.draft.entities and word in {"he", "she"}:
             return self._somebody(mention, exclude, subject)
-        if mention.drives and any(e.parked or e.stands for e in options):
-            driving = [e for e in recent if e.moving_vehicle and not e.stands]
-            driving = [e for e in driving if e not in exclude]
+        if mention.drives and any(e.parked for e in options):
+            driving = [e for e in recent if e.moving_vehicle and e not in exclude]
             options = driving[-1:] or options  # "a van is parked in its lane; it has to swerve"
         before = self.roster.before if len(self.roster.before) == 1 else []
         left = [e for e in (*before, *reversed(recent)) if e not in exclude]
@@ -137,6 +136,9 @@ class Pronouns:
         painted = [e for e in self.roster.recent if coloured & e.labels]
         if painted and which == "one":
             return painted[-1:]
+        named = [e for e in self.roster.recent if mention.sides & e.sides and e not in exclude]
+        if named and which == "one" and mention.mods and mention.mods[0].value == "def":
+            return named[-1:]  # "the one from the left"
         claimed = self.roster.claim(count, exclude) if which != "further" else []
         if which in {"others", "further"} and not claimed:
             alike = [e.kind for e in self.roster.recent if e.is_vehicle and which == "further"]
@@ -145,4 +147,7 @@ class Pronouns:
         if claimed or which == "count":
             return claimed
         new = which != "one" or bool(self.roster.recent)
-        return [self.roster.new(ParticipantKind.CAR, basis)] if new else []
+        kinds = {e.kind for e in self.draft.entities if not e.ego}
+        afoot = which == "one" and kinds == {ParticipantKind.PEDESTRIAN}
+        kind = ParticipantKind.PEDESTRIAN if afoot else ParticipantKind.CAR
+        return [self.roster.new(kind, basis)] if new else []

@@ -51,6 +51,8 @@ def recast(scene: Scene, context: Context) -> str:
         return "breach"
     if event.name in _MOVING and motor and _goes_round(scene, context):
         return "bypass"
+    if event.name == "breach" and isinstance(event.object, Place) and event.object.kind == "lane":
+        return "move"  # "drives through the opposite lane"
     if event.name not in _OPEN or (event.name == "breach" and event.object is not None):
         return event.name
     if not scene.drivers:

@@ -40,7 +40,13 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     everywhere = _sides(events, chunks)
     beside = _beside(chunks)
     settled = _settled(events)
-    around = {id(p.target): e for e in events for p in e.pps if _is_it(p.target)}
+    around = {
+        id(m): e
+        for e in events
+        for p in e.pps
+        if isinstance(p.target, Mention) and (_is_it(p.target) or p.value == "between")
+        for m in (p.target, *(c for c in chunks if isinstance(c, Mention) and c.joined is p.target))
+    }  # "drives between the ego and the van ahead": not the van itself
     behind = {
         id(p.target): e
         for e in events
@@ -62,7 +68,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         if p.word.cat == "locus" and isinstance(p.target, Mention)
     } | relative
     owners = {id(c.owner) for c in chunks if isinstance(c, Mention)}
-    standing = {id(m) for e in events if e.name == "park" and e.form == "ed" for m in e.subject}
+    stand = {id(m): e for e in events if e.name == "park" and not e.negated for m in e.subject}
     waiting: list[Mention] = []
     early: list[Mention] = []
     for chunk in chunks:
@@ -79,8 +85,8 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
             early.append(chunk)
             continue
         _resolve(chunk, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
-        for entity in chunk.entities if id(chunk) in standing else []:
-            entity.stands = True
+        if id(chunk) in stand:
+            _parked(chunk, stand[id(chunk)])
         if early and id(chunk) in subjects:
             waiting, early = [*waiting, *early], []
         for earlier in waiting:
@@ -90,6 +96,12 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         waiting = []
     for earlier in (*waiting, *early):
         _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
+
+
+def _parked(mention: Mention, event: Event) -> None:
+    """``vehicle 1 was parked``: from then on, "the parked vehicle" is that one."""
+    for entity in mention.entities if event.form == "ed" else []:
+        entity.parked = entity.parked or (entity.is_vehicle and not entity.ego)
 
 
 def _named_later(pronoun: Mention, chunks: list[Chunk]) -> bool:

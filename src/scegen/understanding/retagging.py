@@ -9,6 +9,9 @@ from scegen.understanding.particles import measured
 from scegen.understanding.terms import Term, longest_match
 from scegen.understanding.tokens import Token
 
+_SHORT = frozenset({"only", "half", "within", "of", "just", "barely", "than", "for", "about",
+                    "under", "in"})  # fmt: skip
+
 
 def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     """The term as the words before it would have it.
@@ -24,8 +27,10 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         term = Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
     if (term.cat, tokens[term.i].low) == ("possessive", "her") and _alone(tokens, term.j):
         term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
-    if term.value == "genitive" and _has_done(tokens, term):
-        term = replace(term, cat="aux", value="have")
+    if _moment(tokens, term):
+        term = Term("inert", "noun", term.i, term.j)
+    if term.value == "genitive":
+        term = _shortened(term, terms, tokens)
     if _does_not(tokens, term):
         term = replace(term, cat="aux", value="do")
     if terms and measured(tokens, terms, term):
@@ -33,8 +38,9 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         term = Term("quantity", "other", number.i, term.j, data={"quantity": None})
     if term.cat == "dir" and terms and terms[-1].value == "unprotected" and _bare(tokens, term):
         term = replace(term, cat="verb", value="turn", data={"way": term.value})
-    if tokens[term.i].low in _NEAR_OR_FAR and term.j - term.i == 1 and _kerb(tokens, term.j):
-        term = Term("dir", _NEAR_OR_FAR[tokens[term.i].low], term.i, term.j)
+    term = _near_or_far(term, tokens)
+    if (term.cat, term.value, term.form) == ("verb", "slow", "base") and doing(tokens, term.i):
+        term = replace(term, cat="manner", data={})  # "going really slow"
     if _speed(term) and doing(tokens, term.i):
         _as_motion(terms, tokens)
     if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
@@ -45,6 +51,17 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
 _NEAR_OR_FAR = {"near": "near", "nearer": "near", "far": "far", "farther": "far", "further": "far"}
 _KERBS = frozenset({"kerb", "curb", "pavement", "sidewalk", "verge", "footpath", "footway",
                     "roadside"})  # fmt: skip
+
+
+def _moment(tokens: list[Token], term: Term) -> bool:
+    """``only a second to stop``, ``half a second later``: a time, nobody."""
+    if [t.low for t in tokens[term.i : term.j]] != ["a", "second"]:
+        return False
+    before = tokens[term.i - 1].low if term.i else ""
+    after = tokens[term.j].low if term.j < len(tokens) else ""
+    return before in _SHORT or after in {"later", "ago", "before", "after"}
+
+
 _DONE = frozenset({"left", "parked", "stopped", "pulled", "turned", "stuck", "dumped", "broken"})
 _AFTER = frozenset({"a", "an", "the", "their", "his", "her", "my", "our", "on", "in", "right", "at",
                     "half", "out", "up", "down", "across", "dead", "over"})  # fmt: skip
@@ -56,9 +73,22 @@ def _has_done(tokens: list[Token], term: Term) -> bool:
     return done in _DONE and after in _AFTER
 
 
-def _kerb(tokens: list[Token], j: int) -> bool:
+def _near_or_far(term: Term, tokens: list[Token]) -> Term:
     """``the far kerb``: the side across the road."""
-    return j < len(tokens) and tokens[j].low in _KERBS
+    value = _NEAR_OR_FAR.get(tokens[term.i].low) if term.j - term.i == 1 else None
+    kerb = term.j < len(tokens) and tokens[term.j].low in _KERBS
+    return Term("dir", value, term.i, term.j) if value is not None and kerb else term
+
+
+def _shortened(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
+    """``someone's left a van there``, ``the ego, who's forced to brake``: has, is."""
+    if _has_done(tokens, term):
+        return replace(term, cat="aux", value="have")
+    word = tokens[terms[-1].i].low if terms else ""
+    short = word in {"it", "he", "she", "there", "here", "what", "that"}
+    if short or (terms and terms[-1].cat == "rel"):
+        return replace(term, cat="aux", value="be")
+    return term
 
 
 def _does_not(tokens: list[Token], term: Term) -> bool:

@@ -28,7 +28,7 @@ def share(chunks: list[Chunk], scenes: list[Scene], context: Context) -> None:
         event = scene.event
         hides = event.name == "hide" and not event.negated
         for prep in event.pps:
-            locus = prep.word.cat == "locus" and prep.value in _HIDING
+            locus = prep.word.cat == "locus" and (prep.value in _HIDING or prep.outer == "from")
             by = hides and event.passive and prep.value == "by"
             if locus or by:
                 _place(prep.target, scene.actors, chunks, context)
