@@ -254,7 +254,7 @@ class ClauseReader:
             event.pps += state.opening
             state.opening = []
         if by_follows(self._chunks, k):
-            subjects.before_by(event)
+            subjects.before_by(event, state)
         negated = any(word.startswith("neg:") for word in state.between)
         event.unable = negated and bool({"neg:unable", "aux:can"} & state.between)
         event.negated = negated or event.negated

@@ -123,7 +123,7 @@ class Discourse:
         basis = Basis(mention.i, mention.j)
         if reading.ego and not reading.plural:
             if mention.prep is None and (mention.joined is not None or not exclude):
-                self._roster.last_is_ego()
+                self._roster.last_is_ego(mention)
             ego = self._ego(reading.kind, basis, told=not reading.generic)
             ego.named_by |= {"speaks"} if tells(mention) else set()
             return [ego]

@@ -257,6 +257,7 @@ MOVEMENTS: dict[str, Callable[[Scene, Context], None]] = {
     "hard_brake": courses.stay,
     "park": courses.park,
     "merge": merge,
+    "swerve": swerve,
     "approach": through_junction,
     "enter": through_junction,
     "speed": move,

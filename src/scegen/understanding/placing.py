@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, Maneuver, ParticipantKind
-from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
+from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.terms import Term
 
@@ -152,7 +152,9 @@ class Placer:
         target = prep.target
         word = self._draft.tokens[prep.word.i].low
         through = event is None and word in _BY_WAY_OF  # "gets past a bus via the oncoming lane"
-        if isinstance(target, Place) and not through:
+        if not isinstance(target, Place) or through:
+            return
+        if not self._on_both_sides(prep, target, entities):
             self._at_place(prep, target, entities, event)
 
     def _at_place(
@@ -203,6 +205,20 @@ class Placer:
             entity.pulls_out = entity.pulls_out or kerb
             self._draft.place(entity, reference, set(approaches), basis)
 
+    def _on_both_sides(self, prep: Prep, side: Place, entities: list[Entity]) -> bool:
+        """``two vans on either side of the bus``: abreast of it."""
+        both = any(m.cat == "quant" for m in side.mods) or (
+            self._draft.tokens[side.i - 1].low == "either"
+        )
+        owner = side.owner.entities[0] if side.owner and side.owner.entities else None
+        if not both or owner is None or side.dirs or prep.value != "in":
+            return False
+        for entity in entities:
+            if entity.moving_vehicle:
+                basis = Basis(prep.word.i, side.j)
+                self._draft.place(entity, owner, {Approach.ADJACENT}, basis)
+        return True
+
     def _beside(self, side: Place, entities: list[Entity], basis: Basis) -> None:
         """``drives to the right of the bus``: abreast; people stand on that side."""
         owner = side.owner.entities[0] if side.owner and side.owner.entities else None
@@ -211,19 +227,6 @@ class Placer:
             abreast = entity.moving_vehicle and entity.kind is not ParticipantKind.BICYCLE
             where = {Approach.ADJACENT} if abreast else sides
             self._draft.place(entity, owner, where, basis)
-
-    def beside_a_thing(self, prep: Prep, thing: NounPhrase, entities: list[Entity]) -> None:
-        """``waits behind a bus stop on the right``: who is there is on that side.
-
-        Args:
-            prep: the phrase.
-            thing: what one stands behind.
-            entities: who stands there.
-        """
-        sides = {_SIDES[d] for d in thing.dirs if d in _SIDES}
-        for entity in entities:
-            if not entity.is_vehicle or entity.kind is ParticipantKind.BICYCLE:
-                self._draft.place(entity, None, sides, Basis(prep.word.i, thing.j))
 
     def _apart(self, entities: list[Entity], basis: Basis) -> None:
         """``from different arms``: no two come from the same one."""

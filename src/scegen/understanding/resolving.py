@@ -67,6 +67,13 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         for p in c.pps
         if p.word.cat == "locus" and isinstance(p.target, Mention)
     } | relative
+    heads |= {
+        id(p.target.owner): c
+        for c in chunks
+        if isinstance(c, Mention)
+        for p in c.pps
+        if isinstance(p.target, Place) and p.target.owner is not None
+    }  # "two vans on either side of it"
     owners = {id(c.owner) for c in chunks if isinstance(c, Mention)}
     stand = {id(m): e for e in events if e.name == "park" and not e.negated for m in e.subject}
     waiting: list[Mention] = []

@@ -19,6 +19,7 @@ PASSIVE = frozenset(
      "enter", "use", "door", "chase", "harm", "send"}
 )  # fmt: skip
 
+_MOVING = frozenset({"enter", "lane_change", "cross", "move", "merge", "swerve", "sharp_turn"})
 _DESCRIBING = PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}
 """Verbs whose participle describes a noun ("a man hidden behind a van")."""
 
@@ -73,14 +74,20 @@ def _link(event: Event, state: State) -> None:
         state.candidate_done = state.candidate_done or not waits
 
 
-def before_by(event: Event) -> None:
+def before_by(event: Event, state: State) -> None:
     """``…, obstructed by a van``: a participle with "by" after it is passive.
 
     Args:
         event: the verb form right before "by".
+        state: what the clause reader remembers.
     """
-    if event.form == "ed" and event.name in PASSIVE and not event.nominal:
-        event.passive = True
+    if event.form != "ed" or event.name not in PASSIVE or event.nominal:
+        return
+    event.passive = True
+    finite = [e for e in state.events if e.finite]
+    thing = bool(finite) and not finite[-1].subject and finite[-1] not in state.pending
+    if thing and "," in state.between:
+        event.subject = []  # "a ball rolls out, followed by a boy"
 
 
 def _said_of_a_thing(event: Event, state: State) -> None:
@@ -212,6 +219,9 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     if last and within and anchor.head and "mass" in anchor.head.data and event.form == "ing":
         event.subject = last.subject  # "is stopped in traffic waiting to turn"
         return
+    if last is not None and last.object is anchor and _by_doing(event, last, anchor):
+        event.subject = last.subject  # "overtakes a bus using the oncoming lane"
+        return
     if last is not None and last.object is anchor and last.name in {"cause", "prevent"}:
         depend(event, last, "ing")
     granted = last is not None and last.object is anchor and last.name in {"leave", "inert"}
@@ -221,6 +231,14 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
         event.subject = last.subject  # "nearly hit me coming from the right"
         return
     event.subject = chain(anchor)
+
+
+def _by_doing(event: Event, last: Event, passed: Mention) -> bool:
+    """Whether a participle says how somebody is passed, and not what the one passed does."""
+    if event.form != "ing" or last.name not in {"overtake", "bypass", "pass", "avoid"}:
+        return False
+    parked = any(m.cat == "state" for m in passed.mods)
+    return event.name == "use" or (parked and event.name in _MOVING)
 
 
 def _pronoun_object(anchor: Mention, verb: Event) -> bool:
