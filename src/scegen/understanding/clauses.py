@@ -85,6 +85,7 @@ class ClauseReader:
             state.between.add(word.value if word.cat in {"punct", "conj"} else word.cat)
             if word.cat == "conj" and word.value != "either":
                 state.between.add("conj")
+                state.between |= {"neg:not"} if word.term.data.get("denies") else set()
             if word.value == "where":
                 self._where(k)
             if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
@@ -223,7 +224,8 @@ class ClauseReader:
 
     def _event(self, event: Event, k: int) -> None:
         state = self._state
-        event.reduced = state.anchor is state.candidate and main_verb_follows(self._chunks, k)
+        state.verb_follows = main_verb_follows(self._chunks, k)
+        event.reduced = state.anchor is state.candidate and state.verb_follows
         if state.prep is not None and state.prep.word.cat == "locus":
             release(self._state)
         event.sentence = self._sentence

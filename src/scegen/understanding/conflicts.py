@@ -7,7 +7,7 @@ from scegen.understanding import encounters, lane_moves, movements
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.ways import across_the_road, into_lane, leads, next_lane, overtaking
+from scegen.understanding.ways import across_the_road, directions, into_lane, leads, next_lane, overtaking
 
 _ACROSS = {"left": Maneuver.LEFT, "right": Maneuver.RIGHT}
 _TURNS = frozenset(_ACROSS.values())
@@ -20,7 +20,7 @@ def turn(scene: Scene, context: Context) -> None:
     if cyclists and cyclists == scene.drivers and across_the_road(event, context):
         encounters.cyclists_cross(scene, context)
         return
-    left = any(t.value == context.across for t in event.dirs)
+    left = _ACROSS[context.across] in directions(event)
     lit = any(m.value == "unprotected" for p in scene.places() for m in p.mods)
     unprotected = scene.how("unprotected") or (scene.words if lit else None)
     if unprotected is not None and left:

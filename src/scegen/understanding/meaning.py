@@ -225,6 +225,7 @@ class Interpreter:
         named = prep.on_mention
         target = named is not None and named not in event.subject
         moved = event.name in _UNDERWAY and (named is event.object or event.object is None)
+        moved = moved and self._context.tokens[event.i].forms[-1][0] != "meet"
         source = prep.value == "from" or (prep.outer == "from" and prep.target is None)
         return source and not (target and not moved)
 

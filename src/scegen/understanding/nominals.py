@@ -13,6 +13,8 @@ from scegen.understanding.state import State
 
 _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
 _OWNED = frozenset({"side", "lane", "path"})
+_TURNS = frozenset({"turn", "u_turn"})
+"""Nouns of doings that somebody has before him ("a left turn for the ego")."""
 
 
 def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
@@ -107,7 +109,7 @@ def _start_clause(mention: Mention, state: State) -> None:
     state.candidate = mention
     state.candidate_done = exists  # "there is a van": that is all of its clause
     for event in state.pending:
-        event.subject = [mention]
+        event.subject = event.subject or [mention]
         inverted = event.finite and (bool(state.fronted) or state.anchor is event)
         event.pps += state.fronted if inverted else []
         state.candidate_done = state.candidate_done or inverted
@@ -129,7 +131,8 @@ def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) 
     if prep.fronted:
         return
     last = state.events[-1] if state.events else None
-    if last and last.nominal and prep.value in {"by", "of"} and not last.subject:
+    done_by = {"by", "of", "for"} if last and last.name in _TURNS else {"by", "of"}
+    if last and last.nominal and prep.value in done_by and not last.subject:
         last.subject = [mention]
     named = prep.value in {"with", "due", "against"}
     if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:

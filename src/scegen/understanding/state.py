@@ -29,7 +29,8 @@ class State:
         opening: the same phrases once that mention has come, for its verb.
         last_prep: the phrase read last.
         bracket: anchor and words between, as they were when a bracket opened.
-        relative: who acts in a relative clause, and on whom ("the van that the ego follows").
+        verb_follows: another verb makes the clause after the participle just read.
+    relative: who acts in a relative clause, and on whom ("the van that the ego follows").
     """
 
     candidate: Mention | None = None
@@ -48,4 +49,5 @@ class State:
     opening: list[Prep] = field(default_factory=list)
     last_prep: Prep | None = None
     bracket: tuple[Mention | NounPhrase | Event | None, set[str]] | None = None
+    verb_follows: bool = False
     relative: tuple[Mention, Mention] | None = None

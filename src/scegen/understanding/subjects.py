@@ -177,7 +177,8 @@ def _main_in_sentence(state: State) -> list[Mention]:
 def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     waiting = state.candidate is not None and not state.candidate_done
     if event.finite and waiting and state.candidate is not None:
-        if event.form == "ed" and anchor is not state.candidate and not auxiliary(state):
+        past = event.form == "ed" and anchor is not state.candidate and not auxiliary(state)
+        if past and not _resumes(event, anchor, state):
             event.finite = False
             event.subject = chain(anchor)
             return
@@ -192,6 +193,16 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
         event.subject = last.subject  # "nearly hit me coming from the right"
         return
     event.subject = chain(anchor)
+
+
+def _resumes(event: Event, anchor: Mention, state: State) -> bool:
+    """``the car coming towards us began …``: the verb of the clause, not said of "us"."""
+    if anchor.pronoun in {"it", "him", "they"} or any("me" in h.data for h in anchor.heads):
+        return True
+    last = state.events[-1] if state.events else None
+    embedded = last is not None and last.object is anchor and last.form == "ing"
+    describing = event.name in _DESCRIBING | _PASSIVE | {"stop"}
+    return embedded and not describing and not state.verb_follows
 
 
 def _pronoun_object(anchor: Mention, verb: Event) -> bool:

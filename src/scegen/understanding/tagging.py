@@ -210,7 +210,8 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     if match and not counted and (number is None or match.j > i + number.length):
         entry, premod = choose(match, tokens, previous)
         form = _own_form(entry, match, token)
-        if token.low == "about" and entry.cat == "verb" and (not previous or previous.cat != "aux"):
+        predicate = token.low == "about" or "predicate" in entry.data
+        if predicate and entry.cat == "verb" and (not previous or previous.cat != "aux"):
             form = "ing"  # "children about to cross": describes them
         return Term(entry.cat, entry.value, i, match.j, form, entry.data, premod)
     if number:
