@@ -10,6 +10,7 @@ these decide who acts in participles ("a car turning left"), infinitives ("tries
 from __future__ import annotations
 
 from scegen.understanding import relatives, subjects
+from scegen.understanding.absolutes import absolute
 from scegen.understanding.attachment import preposition, release
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, Word
 from scegen.understanding.located import placed_last
@@ -194,6 +195,8 @@ class ClauseReader:
             return False
         if isinstance(before, Thing) and before.kind in {"object", "obstacle"}:
             return event.form == "ing" and not self._state.between
+        if absolute(event, k, self._chunks):
+            return True
         view = _view_of(self._chunks[max(0, k - 3) : k])
         if view is not None and event.form == "ed":
             event.passive, event.object = True, view  # "its view blocked by a truck"

@@ -7,7 +7,14 @@ from scegen.understanding import encounters, lane_moves, movements
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.ways import across_the_road, directions, into_lane, leads, next_lane, overtaking
+from scegen.understanding.ways import (
+    across_the_road,
+    directions,
+    into_lane,
+    leads,
+    next_lane,
+    overtaking,
+)
 
 _ACROSS = {"left": Maneuver.LEFT, "right": Maneuver.RIGHT}
 _TURNS = frozenset(_ACROSS.values())
@@ -150,7 +157,10 @@ def cut_in(scene: Scene, context: Context) -> None:
     across = "across" in words and context.junction.crossing
     beside = any(Maneuver.LANE_CHANGE in e.maneuvers for e in scene.drivers)
     if not beside and (turning or across or any(context.comes_across(e) for e in scene.drivers)):
-        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, to)
+        left = _ACROSS[context.across]
+        oncoming = all(left in e.maneuvers and context.oncoming(e) for e in scene.drivers)
+        kind = HazardKind.UNPROTECTED_LEFT_TURN if oncoming else HazardKind.FAILURE_TO_YIELD
+        context.draft.hazard(kind, scene.words, scene.drivers, to)
         return
     basis = scene.words
     context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, to)

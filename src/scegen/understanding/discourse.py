@@ -275,6 +275,7 @@ class Discourse:
         if reading.dirs:
             options = [e for e in options if e.dirs == reading.dirs]
         options = [e for e in options if not (loci and e.loci) or loci & e.loci]
+        options = [e for e in options if not ("behind" in loci and "opposite" in e.dirs)]
         others = [e for e in options if not e.ego]
         others = [e for e in others if e.named_by & reading.called] or others
         placed = mention.pps or mention.elsewhere or mention.narrowed

@@ -197,7 +197,7 @@ class Interpreter:
         if event.negated or failed or event.name == "overlook":
             not_done(scene, self._context)
             return
-        if event.name in _BREACHING or breaches.turns_across(scene, self._context):
+        if event.name in _BREACHING or breaches.may_break(scene, self._context):
             breaches.breach(scene, self._context)
         self._manner(scene)
         movement = MOVEMENTS.get(event.name)

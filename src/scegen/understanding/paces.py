@@ -12,7 +12,8 @@ _ZONE = frozenset({"zone", "limit", "area", "stretch", "road", "street"})
 _OVER = {"over": "fast", "above": "fast", "under": "slow", "below": "slow"}
 _PACING = frozenset({"do", "go", "drive", "travel", "hit", "come", "move", "ride", "roll"})
 _VAGUELY = frozenset({"about", "around", "only", "maybe", "at", "barely", "nearly", "over", "just",
-                      "well", "like", "roughly", "approximately", "easily"})  # fmt: skip
+                      "well", "like", "least", "most", "close", "to", "almost", "up", "some",
+                      "roughly", "approximately", "easily"})  # fmt: skip
 _FEWEST, _MOST = 3, 200
 _LOWEST_LIMIT = 10
 

@@ -220,6 +220,9 @@ class Placer:
             return  # "between the ego and the kerb"
         if event is not None and event.name not in _STEADY and prep.outer != "from":
             return
+        aside = event is not None and event.name == "swerve" and prep.on_mention is None
+        if aside and isinstance(target, Mention) and prep.value == "behind":
+            return  # "swerves behind the ego": where it gets to
         if prep.outer == "from" and isinstance(target, Mention) and event is not None:
             return
         approaches = {Approach(prep.value)}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.understanding.noun_turns import names_a_turn
+from scegen.understanding.other_classes import other_class
 from scegen.understanding.paces import doing
 from scegen.understanding.particles import measured
 from scegen.understanding.terms import Term, longest_match
@@ -19,14 +20,13 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         terms: the terms before it; some are changed in its light.
         tokens: the tokens of the text.
     """
+    term = other_class(term, terms, tokens)
     if (term.cat, term.value, term.form) == ("verb", "stop", "base") and _at_a(terms, tokens):
         term = Term("place", "bus_stop", term.i, term.j)  # "pulls away from the stop"
     if (term.cat, term.value) == ("verb", "yield") and _a_noun(terms, tokens, term):
         term = Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
     if (term.cat, tokens[term.i].low) == ("possessive", "her") and _alone(tokens, term.j):
         term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
-    if term.value == "neither" and _negates_a_verb(term, terms, tokens):
-        term = replace(term, cat="neg", value="not")
     if term.value == "genitive" and _has_done(tokens, term):
         term = replace(term, cat="aux", value="have")
     if _does_not(tokens, term):
@@ -36,29 +36,11 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         term = Term("quantity", "other", number.i, term.j, data={"quantity": None})
     if names_a_turn(term, terms, tokens):
         term = replace(term, cat="verb", value="turn", form="base", data={"way": term.value})
-    if tokens[term.i].low == "facing" and _across_from_somebody(term, terms, tokens):
-        term = Term("locus", "opposite", term.i, term.j)  # "the truck facing the ego"
     if _speed(term) and doing(tokens, term.i):
         _as_motion(terms, tokens)
     if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
         terms[-1] = replace(terms[-1], value="move", data={})  # "carries straight on"
     return term
-
-
-def _negates_a_verb(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
-    """``the van neither brakes nor yields``: its subject stands before it."""
-    after = tokens[term.j].low if term.j < len(tokens) else "of"
-    opens = not terms or terms[-1].cat in {"punct", "conj", "sub", "rel"}
-    return term.j - term.i == 1 and not opens and after != "of"
-
-
-def _across_from_somebody(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
-    """Whether a participant stands right before "facing", and another after it."""
-    after = longest_match(tokens, term.j) if term.j < len(tokens) else None
-    if after is not None and after.has("det", "possessive") and after.j < len(tokens):
-        after = longest_match(tokens, after.j)
-    named = after is not None and after.has("actor", "pronoun")
-    return named and bool(terms) and terms[-1].cat == "actor"
 
 
 _DONE = frozenset({"left", "parked", "stopped", "pulled", "turned", "stuck", "dumped", "broken"})

@@ -19,6 +19,8 @@ _PASSIVE = frozenset(
      "enter", "use", "door", "chase", "harm", "send"}
 )  # fmt: skip
 
+_MOVING = ("move",)
+
 _DESCRIBING = _PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}
 """Verbs whose participle describes a noun ("a man hidden behind a van")."""
 
@@ -150,7 +152,10 @@ def _after_comma(event: Event, state: State) -> None:
     if waiting and state.anchor is state.candidate and state.candidate is not None:
         event.subject = chain(state.candidate)  # "when a van, turning left, fails to yield"
         return
-    if state.candidate is not None and (event.finite or not state.main):
+    seen = None if event.finite else _seen_coming(event, state)
+    if seen is not None:
+        event.subject = chain(seen)
+    elif state.candidate is not None and (event.finite or not state.main):
         event.subject = chain(state.candidate)
     elif state.events:
         event.subject = _main_in_sentence(state)
@@ -160,6 +165,16 @@ def _after_comma(event: Event, state: State) -> None:
         event.subject = chain(state.anchor)
     else:
         state.pending.append(event)
+
+
+def _seen_coming(event: Event, state: State) -> Mention | None:
+    """``finds it in its lane, arriving from the left``: who is seen arrives."""
+    right_before = bool(state.events) and state.events[-1].name == "encounter"
+    if event.form != "ing" or event.name not in {"approach", "appear", *_MOVING[:right_before]}:
+        return None
+    seen = [e.object for e in state.events if e.name == "encounter" and e.finite]
+    last = seen[-1] if seen else None
+    return last if isinstance(last, Mention) else None
 
 
 def _inherit_mood(event: Event, state: State) -> None:

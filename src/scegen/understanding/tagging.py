@@ -14,6 +14,7 @@ from scegen.understanding.particles import (
     in_front,
     just_right,
     lane_then_verb,
+    no_way,
     over_a_place,
     sends_back,
     suffix_form,
@@ -167,8 +168,9 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
         match = longest_match(tokens[: i + 1], i)
     if match and token.low == "right" and match.only("sub") and _turning(previous):
         match = longest_match(tokens[: i + 1], i)  # "turns right when …"
-    if match and match.only("locus") and then_a_side(tokens, match):
-        match = longest_match(tokens[: match.j - 1], i)  # "darts across from the left"
+    if match and (no_way(tokens, i, match) or (match.only("locus") and then_a_side(tokens, match))):
+        j = i + 1 if token.low == "against" else match.j - 1
+        match = longest_match(tokens[:j], i)  # "darts across from the left"
     if match and match.j > i + 1 and (then_a_noun(tokens, match) or over_a_place(tokens, match)):
         match = longest_match(tokens[: match.j - 1], i)
     if match and match.only("verb") and in_front(tokens, match):

@@ -30,8 +30,8 @@ def directions(event: Event) -> dict[Maneuver, Basis]:
     }
     for prep in event.pps:
         target = prep.target
-        goal = prep.value in {"to", "into", "for"} and isinstance(target, Place)
-        if goal and isinstance(target, Place) and target.kind in _GOALS:
+        leads_there = prep.value in {"to", "into", "for"}
+        if leads_there and isinstance(target, Place) and target.kind in _GOALS:
             across = _came_from(event) & {_OTHER.get(d, "") for d in target.dirs}
             if target.owner is not None:
                 continue  # "to the right of the bus": where it is
