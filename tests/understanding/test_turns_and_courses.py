@@ -46,7 +46,7 @@ def test_a_side_is_no_turn():
     [
         ("At a crossroads the van facing the ego turns left.", Approach.OPPOSITE),
         ("At a crossroads the van opposite turns left before the ego.", Approach.OPPOSITE),
-        ("The van to the ego's right creeps across the stop line.", Approach.RIGHT),
+        ("The van to the ego's right creeps into the crossroads.", Approach.RIGHT),
         ("At a crossroads the ego meets a van from the right.", Approach.RIGHT),
     ],
 )

@@ -9,7 +9,7 @@ from scegen.understanding.tokens import Token
 
 _WAYS = frozenset({"left", "right", "straight"})
 _COURSES = frozenset({"way", "path", "course", "trajectory", "route", "line", "journey", "passage",
-                      "progress", "run", "heading", "itinerary", "track"})  # fmt: skip
+                      "progress", "run", "itinerary", "track"})  # fmt: skip
 _ALONG = frozenset({"on", "along", "during", "by", "throughout", "with", "for", "upon"})
 _HOLDING = frozenset({"match", "follow", "use", "move", "light", "unknown", "try"})
 _BETWEEN = frozenset({"manner", "noted", "inert", "unknown"})
