@@ -202,3 +202,21 @@ def test_a_turn_further_ahead_cuts_nobody_off():
 def test_driving_through_is_going_straight_on():
     scenario = read("V1 ignored the stop sign and drove through the crossroads.")
     assert scenario.participant("car_1").maneuvers == {"straight"}
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("D-1 was northbound. D-2 was ahead and stopped. D-1 hit D-2.", ["car", "car"]),
+        ("The motorcyclist came off his bike and was hit by a van.", ["motorcycle", "van"]),
+        ("The pedestrian on the left waits while the one on the right crosses before the ego.",
+         ["car", "pedestrian", "pedestrian"]),
+    ],
+)  # fmt: skip
+def test_one_name_for_each(text, expected):
+    assert kinds(text) == expected
+
+
+def test_its_path_is_that_of_the_only_other_one():
+    (hazard,) = read("V2 was going north. V1 came out of a yard and pulled into its path.").hazards
+    assert (hazard.kind, hazard.by, hazard.to) == ("failure_to_yield", ("car_2",), ("car_1",))

@@ -64,6 +64,11 @@ def attach(prep: Prep, state: State) -> None:
     if prep.fronted:
         state.fronted.append(prep)
         return
+    verb = state.events[-1] if state.events else None
+    left = prep.target is None and prep.value == "behind" and verb is not None
+    if left and verb is not None and verb.name == "leave" and verb.object is prep.on_mention:
+        verb.name = "overtake" if prep.on_mention is not None else verb.name
+        return  # "leaves the slow lorry behind"
     head = _head_of(prep, state)
     whom = prep.on_mention
     if whom is not None and _landmark(whom) and prep.value == "from" and state.events:

@@ -105,8 +105,9 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> b
         return not (match.has(*_NOUNS) and match.form == "s")
     if match.form != "s":
         return False
-    if previous.cat in {"dir", "compass"} and _article(tokens, match.j):
-        return True  # "a car from the opposite direction signals a turn"
+    headed = tokens[previous.j - 1].low in {"way", "direction"}
+    if previous.cat in {"dir", "compass"} and (headed or _article(tokens, match.j)):
+        return True  # "a car coming the other way brakes"
     one = previous.cat == "num" and previous.data.get("number") == 1
     one = one or (previous.cat == "label" and previous.value in ORDINALS)  # "the first brakes"
     sided = previous.cat == "dir" and previous.value in {"left", "right"} and match.has("inert")
@@ -129,7 +130,7 @@ def _way_at(tokens: list[Token], j: int) -> bool:
 
 
 def _article(tokens: list[Token], j: int) -> bool:
-    """Whether an article stands there: no noun is followed by one."""
+    """Whether an article stands there."""
     return j < len(tokens) and tokens[j].low in {"a", "an", "the", "its"}
 
 

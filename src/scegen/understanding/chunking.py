@@ -13,6 +13,7 @@ from scegen.understanding.nominal import (
     OPENERS,
     ORDINALS,
     WAYS,
+    compound_end,
     governed,
     has_dir,
     is_nominal,
@@ -27,6 +28,7 @@ _MODIFIERS = frozenset(
 )
 _OWNED = frozenset({"lane", "path", "side"})
 _MAX_MODS = 10
+_SIDE_WORDS = 2
 _COMING_FROM = frozenset({"opposite", "ahead", "behind", "lateral", "adjacent"})
 _OF_OWNERS = frozenset({"unknown", "det", "label", "possessive"})
 _SIDE_DIRS = frozenset({"left", "right", "opposite", "front", "rear", "adjacent", "straight"})
@@ -61,7 +63,7 @@ class Chunker:
             self._chunks.append(event_of(term, []))
             return k + 1
         if term.cat == "pronoun":
-            self._chunks.append(_pronoun(term))
+            self._chunks.append(Mention(term.i, term.j, [], term, pronoun=term.value))
             return k + 1
         if term.cat == "possessive" and term.value == "genitive":
             if self._chunks and getattr(self._chunks[-1], "cat", "") == "unknown":
@@ -209,12 +211,18 @@ class Chunker:
                 self._chunks.append(mention)
                 return self._one_after(k + 2)
         one = next((m for m, mod in enumerate(mods) if mod.value == "one"), 0)
-        if one > 1 and first.value == "def" and mods[one].cat == "num":
+        side_first = one == _SIDE_WORDS and governed(self._chunks) and self._acts(k + one + 1)
+        if one > 0 and first.value == "def" and mods[one].cat == "num" and not side_first:
             self._chunks.append(Mention(first.i, mods[one].j, mods[:one], None, pronoun="one"))
-            return k + one + 1  # "the red one", "the left one"
+            return k + one + 1  # "the one", "the red one"
         if first.cat == "quant" and first.value in {"both", "all"} and len(mods) == 1:
             return self._stand_alone(first, first.value, k)
         return self._side(mods, k)
+
+    def _acts(self, k: int) -> bool:
+        """``on the left one pulls out``: whether a verb of its own comes here."""
+        term = self._term(k)
+        return term is not None and term.cat == "verb" and term.form == "s"
 
     def _term(self, k: int) -> Term | None:
         return self._terms[k] if k < len(self._terms) else None
@@ -283,9 +291,7 @@ class Chunker:
                 return m + 2
         else:
             kind = head.cat if head.cat == "view" else head.value
-            self._chunks.append(Thing(start, head.j, mods, head, owner, kind=kind))
+            end = compound_end(head, self._term(m + 1))
+            self._chunks.append(Thing(start, end.j, mods, head, owner, kind=kind))
+            return m + 1 + (end is not head)
         return m + 1
-
-
-def _pronoun(term: Term) -> Mention:
-    return Mention(term.i, term.j, [], term, pronoun=term.value)

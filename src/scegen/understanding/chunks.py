@@ -81,6 +81,7 @@ class Mention(NounPhrase):
         narrowed: words after it say which one is meant ("the car towing it").
         goes_by: how somebody moves who is no vehicle ("the claimant was cycling").
         negated: there is none ("no pedestrians").
+        sides: it, or what it does, is said to come from there ("the one from the left").
         denied: it does not do what its verb says ("neither the bus nor the taxi").
         distributed: a plural noun that stands for one ("ego and adversary vehicles").
         seated: somebody who opens the door of the vehicle around them.
@@ -108,6 +109,7 @@ class Mention(NounPhrase):
     goes_by: ParticipantKind | None = None
     negated: bool = False
     denied: bool = False
+    sides: frozenset[str] = frozenset()
     entities: list[Any] = field(default_factory=list)
 
 
@@ -143,6 +145,7 @@ class Event:
         parent: the verb on which it depends ("tries" in "tries to merge").
         drives: only vehicles, or people in them, do it.
         says: it tells what somebody says or thinks ("he said the van had stopped").
+        embedded: it makes a clause that describes a noun ("a spot where two cars stand").
         link: how it hangs on its parent: ``inf``, ``ing`` or ``noun``.
         reduced: it only describes its noun ("a man hidden behind a van runs out").
         unable: it does not take place because it cannot ("could not stop").
@@ -176,6 +179,7 @@ class Event:
     alternative: int | None = None
     drives: bool = False
     says: bool = False
+    embedded: bool = False
     sentence: int = 0
     premod_of: Mention | None = None
 

@@ -18,6 +18,7 @@ from scegen.understanding.lookahead import (
     ADVERBS,
     BOUNDARIES,
     GOVERNING,
+    after_a_comma,
     by_follows,
     event_follows,
     main_verb_follows,
@@ -29,7 +30,6 @@ from scegen.understanding.terms import Term
 
 _OPENERS = frozenset({"conj", "sub", "punct"})
 _VIEW_OF = 3
-_COMMA_REACH = 2
 LANES = frozenset({"lane", "bike_lane", "shoulder", "sidewalk", "side"})
 
 
@@ -83,14 +83,25 @@ class ClauseReader:
             if word.cat == "punct" and word.value in "()":
                 self._parenthesis(word.value)
                 return
-            state.between.add(word.value if word.cat in {"punct", "conj"} else word.cat)
-            if word.cat == "conj" and word.value != "either":
-                state.between.add("conj")
-                state.between |= {"neg:not"} if word.term.data.get("denies") else set()
-            if word.value == "where":
-                self._where(k)
-            if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
-                state.candidate = None
+            self._joint(word, k)
+
+    def _joint(self, word: Word, k: int) -> None:
+        """A word between phrases or clauses: "and", a comma, "where", "that"."""
+        state = self._state
+        state.between.add(word.value if word.cat in {"punct", "conj"} else word.cat)
+        if word.cat == "conj" and word.value != "either":
+            state.between.add("conj")
+            state.between |= {"neg:not"} if word.term.data.get("denies") else set()
+        if word.cat == "conj" and word.value in {"and", "but"}:
+            state.between.discard("aux:be")  # "was tired and did not notice the van"
+        if word.value == "where":
+            self._where(k)
+        if word.cat == "sub" or word.value == ",":
+            state.where = word.value == "where"
+        if word.cat == "rel" and k and _blocks(self._chunks[k - 1]):
+            state.between.add("thing")
+        if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
+            state.candidate = None
 
     def _where(self, k: int) -> None:
         """``the next lane, where a van drives``: the van is in that lane."""
@@ -154,7 +165,7 @@ class ClauseReader:
     def _heading_of_a_noun(self, word: Word, k: int) -> bool:
         """``the path of V2, eastbound on Elm Street``."""
         before = self._chunks[max(0, k - 2) : k]
-        after = "bound" in word.term.data and _after_a_comma(before)
+        after = "bound" in word.term.data and after_a_comma(before)
         if after and isinstance(before[0], Mention):
             release(self._state)
             before[0].mods.append(word.term)
@@ -222,6 +233,7 @@ class ClauseReader:
             before = [m for m in mention.mods[:position] if m.cat in {"dir", "manner"}]
             event = Event(mod.value, mod.i, mod.j, mod.form, subject=[mention], mods=before)
             event.premod_of = mention
+            event.passive = mod.form == "ed" and mod.value in subjects.PASSIVE - {"hide"}
             event.sentence = self._sentence
             self.events.append(event)
 
@@ -247,7 +259,7 @@ class ClauseReader:
             event.pps += state.opening
             state.opening = []
         if by_follows(self._chunks, k):
-            subjects.before_by(event)
+            subjects.before_by(event, state)
         negated = any(word.startswith("neg:") for word in state.between)
         event.unable = negated and bool({"neg:unable", "aux:can"} & state.between)
         event.negated = negated or event.negated
@@ -266,11 +278,11 @@ class ClauseReader:
         state.last_pp = None
 
 
-def _after_a_comma(before: list[Chunk]) -> bool:
-    """Whether a noun and a comma stand before."""
-    if len(before) < _COMMA_REACH or not isinstance(before[0], Mention):
+def _blocks(chunk: Chunk) -> bool:
+    """``a fallen tree that blocks the lane``: the tree does it."""
+    if not isinstance(chunk, Thing) or (chunk.prep is not None and chunk.prep.value == "with"):
         return False
-    return isinstance(before[1], Word) and before[1].value == ","
+    return chunk.kind in {"obstacle", "object"}
 
 
 def _view_of(before: list[Chunk]) -> Thing | None:

@@ -9,6 +9,7 @@ from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.ways import (
     across_the_road,
+    against,
     directions,
     into_lane,
     leads,
@@ -37,8 +38,11 @@ def turn(scene: Scene, context: Context) -> None:
     known = {m for e in scene.drivers for m in e.maneuvers}
     left = left or (not event.dirs and known & _TURNS == {_ACROSS[context.across]})
     settled = event.dirs or known & _TURNS
+    sideways = all(context.from_the_side(e) for e in scene.drivers)
     if settled and scene.drivers and into_way:
-        kind = HazardKind.UNPROTECTED_LEFT_TURN if left else HazardKind.FAILURE_TO_YIELD
+        kind = HazardKind.FAILURE_TO_YIELD
+        if left and not sideways:
+            kind = HazardKind.UNPROTECTED_LEFT_TURN
         context.draft.hazard(kind, scene.words, scene.drivers)
         return
     fronts = (p for p in event.pps if p.word.cat == "locus" and p.value == "ahead")
@@ -93,17 +97,17 @@ def lane_change(scene: Scene, context: Context) -> None:
         )
 
 
-def against(entity: Entity, place: Place) -> bool:
-    """Whether a lane leads the other way than somebody is headed ("the northbound lane").
+def cuts_in(scene: Scene, context: Context) -> bool:
+    """Whether whoever acts is known to cut in on an open road, by whatever verb.
 
     Args:
-        entity: who drives into it.
-        place: the lane.
+        scene: what happens.
+        context: the scenario in the making.
     """
-    ways = {m.value for m in place.mods if m.cat == "compass"}
-    opposed = {"north": "south", "south": "north", "east": "west", "west": "east"}
-    heading = entity.heading or ""
-    return place.kind == "lane" and opposed.get(heading, "") in ways
+    if context.junction.crossing or any(e.maneuvers for e in scene.drivers):
+        return False
+    cut = [e for d in context.draft.dangers if d.kind is HazardKind.CUT_IN for e in d.by]
+    return bool(scene.drivers) and all(e in cut for e in scene.drivers)
 
 
 def _owners(lane: Place | None, scene: Scene, context: Context) -> list[Entity]:
@@ -114,8 +118,9 @@ def _owners(lane: Place | None, scene: Scene, context: Context) -> list[Entity]:
         return list(lane.owner.entities)
     possessed = any(m.cat == "possessive" for m in lane.mods)
     kept = any(m.value == "same" for m in lane.mods)
-    egos = [e for e in context.draft.entities if e.ego and e not in scene.actors]
-    return egos if possessed and not kept else []
+    others = [e for e in context.draft.entities if e.moving_vehicle and e not in scene.actors]
+    its = [e for e in others if e.ego or (lane.kind == "path" and len(others) == 1)]
+    return its if possessed and not kept else []
 
 
 def head_on(scene: Scene, place: Place | None, context: Context) -> bool:
@@ -181,7 +186,7 @@ def _cuts_across_the_road(scene: Scene, context: Context) -> bool:
 def enter(scene: Scene, context: Context) -> None:
     """``enters the lane in front of V1``: a cut-in; from the front, the oncoming lane is used."""
     lane = into_lane(scene.event)
-    others = [e for e in scene.drivers if not e.ego]
+    others = [e for e in scene.drivers if not e.ego and Maneuver.CROSS not in e.maneuvers]
     _enter_in_front(scene, context)
     if lane is None or not others or scene.reaction:
         return

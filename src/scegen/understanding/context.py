@@ -123,6 +123,10 @@ class Context:
         """Whether a vehicle is said to come from the front."""
         return self.placed(entity, Approach.OPPOSITE)
 
+    def from_the_side(self, entity: Entity) -> bool:
+        """Who comes from a road at the side does not turn across oncoming traffic."""
+        return self.placed(entity, Approach.LEFT) or self.placed(entity, Approach.RIGHT)
+
     def in_order(self, earlier: Basis | None, event: Event) -> bool:
         """Whether words of order stand between, or right before, two things that one does."""
         if earlier is None or earlier.i is None or event.i <= earlier.i:

@@ -35,6 +35,13 @@ def coordinate(event: Event, state: State) -> None:
     else:
         wanted = "ing" if event.form == "ing" and not helped else "finite"
     verbs = [e for e in state.events if not e.nominal and _agree(event, e.subject)]
+    main = [e for e in verbs if not any(m in state.trailing for m in e.subject)]
+    if "," in state.between and main:
+        verbs = main  # "A van turns as the ego waits, then stops."
+    verbs = [e for e in verbs if e.subject] or verbs
+    outer = [e for e in verbs if not e.embedded]
+    if "," in state.between and "aux:modal" in state.between:
+        verbs = outer or verbs  # "finds a spot where two cars stand, and has to change lanes"
     alike = [e for e in verbs if _shape(e) == wanted]
     alike = alike or [e for e in verbs if wanted == "finite" and e.finite and e.modal]
     exact = [e for e in alike if wanted == "finite" and e.form == event.form and not e.perfect]

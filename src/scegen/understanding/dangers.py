@@ -5,14 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
-from scegen.understanding import conflicts, encounters, pulling_out, screens
+from scegen.understanding import conflicts, encounters, lane_moves, pulling_out, screens
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
 from scegen.understanding.walking import keep_along
-from scegen.understanding.ways import into_lane
+from scegen.understanding.ways import against, into_lane
 
 _HASTY = frozenset({"early", "soon", "closely", "close", "tightly"})
+_STANDING = frozenset({"stand", "sit", "idle", "unload", "load", "deliver", "linger"})
+_GENTLY = frozenset({"gently", "gentle", "lightly", "light", "softly", "soft", "smoothly", "smooth",
+                     "gradually", "gradual", "moderately", "moderate", "mildly", "mild",
+                     "slightly", "slight", "carefully", "comfortably"})  # fmt: skip
+_BEYOND = frozenset({"past", "beyond", "after"})
 _REGULATED = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_stop", "parking",
                         "shoulder", "sidewalk", "crosswalk"})  # fmt: skip
 
@@ -44,7 +49,7 @@ def brake(scene: Scene, context: Context) -> None:
     answer = answer or (all(e.ego for e in scene.drivers) and bool(context.draft.dangers))
     if sudden is None and answer:
         return
-    if sudden is None and not scene.drivers:
+    if sudden is None and (not scene.drivers or _gentle(scene, context)):
         return
     context.draft.hazard(HazardKind.HARD_BRAKING, sudden or scene.words, scene.drivers)
 
@@ -54,6 +59,11 @@ def hard_brake(scene: Scene, context: Context) -> None:
     if scene.event.modal and not scene.event.nominal and any(e.ego for e in scene.actors):
         return
     context.draft.hazard(HazardKind.HARD_BRAKING, scene.words, scene.drivers)
+
+
+def _gentle(scene: Scene, context: Context) -> bool:
+    """``brakes gently``, ``a gradual deceleration``."""
+    return any(context.tokens[m.j - 1].low in _GENTLY for m in scene.event.mods)
 
 
 def slow(scene: Scene, context: Context) -> None:
@@ -69,7 +79,7 @@ def slow(scene: Scene, context: Context) -> None:
         if leads:
             context.draft.hazard(HazardKind.SLOW_DRIVING, scene.words, scene.drivers)
         return
-    if sudden is not None or (leads and not scene.reaction):
+    if sudden is not None or (leads and not (scene.reaction or _gentle(scene, context))):
         context.draft.hazard(HazardKind.HARD_BRAKING, sudden or scene.words, scene.drivers)
 
 
@@ -79,7 +89,10 @@ def stop(scene: Scene, context: Context) -> None:
     motor = [e for e in scene.drivers if e.kind is not ParticipantKind.BICYCLE]
     if sudden is not None and motor:
         context.draft.hazard(HazardKind.HARD_BRAKING, sudden, motor)
-    if any(p.kind in _REGULATED for p in scene.places()):
+    beyond = {
+        id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low in _BEYOND
+    }  # "stops just past the crosswalk"
+    if any(p.kind in _REGULATED and id(p) not in beyond for p in scene.places()):
         return
     if any(p.value == "for" and isinstance(p.target, Mention) for p in scene.event.pps):
         return  # "stops for her"
@@ -98,7 +111,7 @@ def wait(scene: Scene, context: Context) -> None:
         for p in scene.event.pps
     )
     others = [e for e in scene.drivers if not e.ego]
-    stands = context.tokens[scene.event.i].forms[-1][0] in {"stand", "sit", "idle"}
+    stands = context.tokens[scene.event.i].forms[-1][0] in _STANDING
     if lanes and stands and others:
         context.draft.hazard(HazardKind.STOPPING, scene.words, others)
 
@@ -110,6 +123,8 @@ def move(scene: Scene, context: Context) -> None:
     if lane is not None and lane.kind == "lane":
         if sideways or scene.how("sudden", "emergency", "aggressive") is not None:
             conflicts.lane_change(scene, context)
+            if conflicts.cuts_in(scene, context):
+                lane_moves.lane_change(scene, context)
         elif lane is not scene.event.object:
             conflicts.enter(scene, context)
     encounters.ride(scene, context)
@@ -153,10 +168,10 @@ def oncoming_lane(scene: Scene, context: Context) -> None:
             continue  # "coming from opposite lanes": where one belongs
         lane = place.kind == "lane" and "opposite" in place.dirs and place.owner is None
         lane = lane or conflicts.head_on(scene, place, context)
-        against = [e for e in scene.drivers if conflicts.against(e, place)]
-        if lane or against or place.kind == "centerline":
-            over = place.kind == "centerline" or bool(against) or "opposite" not in place.dirs
-            by = [e for e in against or scene.drivers if over or not context.oncoming(e)]
+        wrong = [e for e in scene.drivers if against(e, place)]
+        if lane or wrong or place.kind == "centerline":
+            over = place.kind == "centerline" or bool(wrong) or "opposite" not in place.dirs
+            by = [e for e in wrong or scene.drivers if over or not context.oncoming(e)]
             meets = scene.event.name == "approach"
             by = [e for e in by if not meets or Maneuver.OVERTAKE in e.maneuvers]
             if by:

@@ -74,14 +74,22 @@ def nominal(event: Event, state: State) -> None:
     elif "conj" in state.between and state.events:
         event.subject = event.subject or state.events[-1].subject
         alternative(event, state.events[-1], state)
-    elif state.prep is not None and not event.subject:
+    elif state.prep is not None and not event.subject and not _opens(state):
         _in_a_phrase(event, state)
-    elif not event.subject and not state.events and "sub" in state.between:
+    elif not event.subject and not state.events and ("sub" in state.between or _opens(state)):
         state.pending.append(event)  # "after a right turn, the car …"
 
 
+def _opens(state: State) -> bool:
+    """``during a left turn, the car …``: who does it comes after."""
+    word = state.prep.value if state.prep is not None else ""
+    return (
+        state.candidate is None and not state.mentions and word in {"against", "in", "with", "of"}
+    )
+
+
 def _in_a_phrase(event: Event, state: State) -> None:
-    """``is in the middle of a left turn``, ``During its left turn, the ego …``: whose it is."""
+    """``is in the middle of a left turn``, ``during its left turn``: whose it is."""
     who = state.candidate if not state.candidate_done else None
     last = state.events[-1] if state.events else None
     own = any(m.cat == "possessive" and m.value == "its" for m in event.mods)
@@ -114,6 +122,8 @@ def infinitive(event: Event, state: State) -> None:
         return
     if parent is None:
         event.subject = chain(anchor) if isinstance(anchor, Mention) else []
+        if not event.subject:
+            state.pending.append(event)  # "in an attempt to turn, the van …"
         return
     depend(event, parent, "inf")
     event.negated = parent.negated and parent.control == "subject"
@@ -124,6 +134,7 @@ def infinitive(event: Event, state: State) -> None:
     elif controlled and isinstance(parent.object, Mention):
         event.subject = chain(parent.object)
         event.modal = True
+        event.name = "inert" if parent.name == "inert" else event.name  # "no time to brake"
     else:
         _share_subject(event, parent, state)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.bystanders import mark_bystanders
-from scegen.understanding.chunks import Chunk, Event, Mention, Place
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
 from scegen.understanding.reference import tells
 from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
@@ -34,6 +34,9 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
     for event in events:
         for mention in event.subject:
             _by_doing(mention, event, tokens)
+    for chunk in chunks:
+        if isinstance(chunk, Mention):
+            chunk.sides |= _sides(chunk.pps)
     _people_in_traffic(chunks, events)
     mark_bystanders(chunks, events)
     _chases(events)
@@ -62,8 +65,16 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     pronoun = isinstance(acted_on, Mention) and acted_on.pronoun in {"it", "him", "they"}
     mention.besides = mention.besides or (close and pronoun)
     _by_word(mention, tokens[event.i])
+    mention.sides |= _sides([p for p in event.pps if p.value == "from"])
     if any(p.value == "from" and isinstance(p.target, Place) for p in event.pps):
         mention.elsewhere = mention.pronoun is None
+
+
+def _sides(pps: list[Prep]) -> frozenset[str]:
+    """``the one from the left``, ``comes from the right``, ``in the left lane``."""
+    places = [p.target for p in pps if p.value in {"from", "in"}]
+    named = [p for p in places if isinstance(p, Place) and p.owner is None]
+    return frozenset(d for p in named for d in p.dirs if d in {"left", "right", "opposite"})
 
 
 def _breaks_a_rule(event: Event) -> bool:

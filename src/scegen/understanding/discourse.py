@@ -83,6 +83,7 @@ class Discourse:
             self._roster.landmark = list(found)
         for entity in found:
             entity.loci |= loci_of(mention)
+            entity.sides |= mention.sides
         self._roster.spoken_of(found, subject=subject, settled=settled)
         return found
 
@@ -122,7 +123,7 @@ class Discourse:
         basis = Basis(mention.i, mention.j)
         if reading.ego and not reading.plural:
             if mention.prep is None and (mention.joined is not None or not exclude):
-                self._roster.last_is_ego()
+                self._roster.last_is_ego(mention)
             ego = self._ego(reading.kind, basis, told=not reading.generic)
             ego.named_by |= {"speaks"} if tells(mention) else set()
             return [ego]
@@ -130,14 +131,17 @@ class Discourse:
             return self._roster.subject  # "we arrive in our cars"
         of_whom = next((p.target for p in mention.pps if p.value == "of"), None)
         if reading.driver and isinstance(of_whom, Mention):
-            return self.resolve(of_whom, subject=False, exclude=[])
+            vehicle = self.resolve(of_whom, subject=False, exclude=[])
+            out = mention.walks and not mention.drives and any(e.parked for e in vehicle)
+            afoot = ParticipantKind.PEDESTRIAN  # "the driver of the stalled van steps out"
+            return [self._roster.new(afoot, basis)] if out else vehicle
         parked = opened(reading, mention, self._draft.entities)
         if parked:
             return parked
         inside = vehicle_around(reading, mention)
         if inside is not None:
             return self.resolve(inside, subject=False, exclude=[])
-        if own_vehicle(reading, mention) and len(self._roster.subject) == 1:
+        if own_vehicle(reading, mention, self._roster.subject) and len(self._roster.subject) == 1:
             owner = self._roster.subject[0]
             if owner.is_vehicle:
                 owner.parked = owner.parked or (reading.parked and not owner.ego)
@@ -197,7 +201,7 @@ class Discourse:
         if reading.plural and det == "other" and mention.mod("num") is not None:
             return self._roster.claim(reading.count, exclude, reading)
         if reading.plural:
-            return self._known_plural(reading)
+            return self._known_plural(reading, mention)
         if det == "def" and not reading.driver:
             told = self._roster.told_what(reading, Basis(mention.i, mention.j))
             if told:
@@ -216,7 +220,12 @@ class Discourse:
             return member or self._roster.from_title(reading, mention)
         return self._definite(reading, mention, exclude)
 
-    def _known_plural(self, reading: Reading) -> list[Entity]:
+    def _known_plural(self, reading: Reading, mention: Mention) -> list[Entity]:
+        quantity = mention.mod("quant")
+        if quantity is not None and quantity.value == "all":
+            everybody = [e for e in self._draft.entities if self._roster.compatible(e, reading)]
+            counted = mention.mod("num") is None or len(everybody) == reading.count
+            return everybody if len(everybody) > 1 and counted else []
         if reading.det != "def" and reading.count != DEFAULT_COUNT:
             return []
         both = not reading.vague and reading.det in {"bare", "def"}
@@ -251,6 +260,8 @@ class Discourse:
                 continue
             if not self._roster.agree(group, reading):
                 continue
+            if group.dirs and not reading.dirs and (mention.narrowed or mention.pps):
+                continue  # "yields to oncoming traffic. A taxi following it …"
             claimed = self._roster.claim(1, exclude, reading)
             if claimed:
                 return claimed
@@ -276,9 +287,13 @@ class Discourse:
             options = [e for e in options if e.dirs == reading.dirs]
         options = [e for e in options if not (loci and e.loci) or loci & e.loci]
         options = [e for e in options if not ("behind" in loci and "opposite" in e.dirs)]
+        elsewise = bool(loci) and not reading.parked  # a parked van is not "the car behind it"
+        options = [e for e in options if not (elsewise and e.parked) or loci & e.loci]
+        options = [e for e in options if not (mention.sides and e.sides) or mention.sides & e.sides]
         others = [e for e in options if not e.ego]
         others = [e for e in others if e.named_by & reading.called] or others
-        placed = mention.pps or mention.elsewhere or mention.narrowed
+        done = any(m.cat == "verb" and m.form == "ed" for m in mention.mods)  # "the overtaken car"
+        placed = mention.pps or mention.elsewhere or mention.narrowed or done
         restricted = reading.dirs or reading.labels or placed
         if others or reading.det == "bare" or restricted:
             return others[:1]

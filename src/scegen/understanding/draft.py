@@ -61,6 +61,7 @@ class Entity:
     waits: Basis | None = None
     claimed: bool = False
     pulls_out: bool = False
+    sides: set[str] = field(default_factory=set)
     opposed: set[int] = field(default_factory=set)
     name: str = ""
 
@@ -195,6 +196,8 @@ class Draft:
             known = known - _OVERRIDABLE - _ON_THE_WAY if entity.turn_alternative is None else known
         if alternative is None and values in (_OVERRIDABLE, _ON_THE_WAY) and known & _TURNS:
             return
+        if alternative is None and entity.turn_alternative is None and values < known <= _TURNS:
+            known = set()  # "both turn: V1 goes left": now it is said which way
         if Maneuver.CROSS in values:
             known = known - {Maneuver.STAY, Maneuver.STRAIGHT}
         entity.maneuvers = set(known | values)

@@ -45,6 +45,8 @@ def _of_one(title: list[Chunk], rest: list[Chunk]) -> bool:
     for before, chunk in pairwise(rest):
         if isinstance(chunk, Event) or (isinstance(chunk, Word) and chunk.value in BOUNDARIES):
             return True
+        if isinstance(before, Event) and before is rest[0] and not before.nominal:
+            return True  # "Truck: follows the ego."
         if isinstance(chunk, Mention):
             return isinstance(before, Word) and before.cat in {"prep", "locus"}
     return True

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
-from scegen.understanding import conflicts
+from scegen.understanding import conflicts, oncoming
 from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.context import Context, Scene
-from scegen.understanding.draft import Basis, Danger, Entity, Placement
+from scegen.understanding.draft import Basis, Danger, Entity
 from scegen.understanding.reactions import into_rear
 from scegen.understanding.terms import Term
 
+_TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
 _CLOSING = frozenset({"approach", "encounter", "collide", "move", "brake", "hard_brake", "slow"})
 _COMING = frozenset({"move", "approach", "enter", "speed", "accelerate", "collide", "overtake"})
 _TOWARDS = frozenset({"to", "into", "in", "for", "with"})
@@ -30,14 +31,15 @@ def positions(scenes: list[Scene], context: Context) -> None:
         if scene.event.name == "bypass" and parked and not scene.event.negated:
             context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
         _owing_to_the_parked(scene, context)
-        _hidden_behind(scene, context)
-        _overtaken(scene, context)
-        _met(scene, context)
+        oncoming.hidden_behind(scene, context)
+        oncoming.overtaken(scene, context)
+        oncoming.met(scene, context)
         _cuts_out(scene, context)
         _revealed(scene, context)
         _across(scene, context)
     for danger in context.draft.dangers:
         if danger.kind is HazardKind.ONCOMING_LANE:
+            _around_something(danger, context)
             _face_to_face(danger, context)
 
 
@@ -54,55 +56,6 @@ def _owing_to_the_parked(scene: Scene, context: Context) -> None:
             context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
 
 
-def _hidden_behind(scene: Scene, context: Context) -> None:
-    """``a motorcycle hidden behind an oncoming bus``: it comes the same way as the bus."""
-    if scene.event.name != "hide" or not scene.event.passive:
-        return
-    for prep in scene.event.pps:
-        if prep.value != "behind" or not isinstance(prep.target, Mention):
-            continue
-        if not any(context.oncoming(e) for e in prep.target.entities):
-            continue
-        basis = Basis(scene.event.i, prep.target.j, "what hides it comes from the front")
-        for entity in scene.drivers:
-            said = [p for p in context.draft.placements if p.entity is entity]
-            if not entity.ego and all(p.reference in prep.target.entities for p in said):
-                context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
-
-
-def _overtaken(scene: Scene, context: Context) -> None:
-    """``an oncoming van overtakes a bus``: the bus comes the same way as the van."""
-    if scene.event.name not in {"overtake", "pass", "bypass"} or scene.event.negated:
-        return
-    if not any(context.oncoming(e) for e in scene.drivers):
-        return
-    basis = Basis(scene.event.i, scene.event.j, "who overtakes it comes from the front")
-    for entity in scene.targets:
-        seen = [p for p in context.draft.placements if p.entity is entity and _by_the_ego(p)]
-        if entity.moving_vehicle and not entity.ego and not seen:
-            context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
-
-
-def _met(scene: Scene, context: Context) -> None:
-    """``uses the oncoming lane once the approaching van has gone by``: the van is met there."""
-    event = scene.event
-    if event.name not in {"approach", "move"} or event.object is not None or event.negated:
-        return
-    meets = context.junction.crossing or context.draft.crossing_implied is not None
-    leaves = any(
-        d.kind is HazardKind.ONCOMING_LANE and any(e.ego for e in d.by)
-        for d in context.draft.dangers
-    )
-    described = event.premod_of is not None and event.name == "approach"
-    if meets or not (leaves or described):
-        return
-    basis = Basis(event.i, event.j, "who approaches on an open road comes from the front")
-    for entity in scene.drivers:
-        seen = [p for p in context.draft.placements if p.entity is entity or p.reference is entity]
-        if not entity.ego and not seen and entity.heading is None and not entity.maneuvers:
-            context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
-
-
 def _cuts_out(scene: Scene, context: Context) -> None:
     """``cuts out``: leaves the lane in which it drove ahead of the ego."""
     words = {t.low for t in context.tokens[scene.event.i : scene.event.j]}
@@ -110,7 +63,9 @@ def _cuts_out(scene: Scene, context: Context) -> None:
         return
     basis = Basis(scene.event.i, scene.event.j, "who cuts out was ahead in the lane")
     for entity in scene.drivers:
-        seen = [p for p in context.draft.placements if p.entity is entity and _by_the_ego(p)]
+        seen = [
+            p for p in context.draft.placements if p.entity is entity and oncoming.by_the_ego(p)
+        ]
         if not entity.ego and not seen:
             context.draft.place(entity, None, {Approach.AHEAD}, basis)
 
@@ -126,27 +81,24 @@ def _revealed(scene: Scene, context: Context) -> None:
             context.draft.place(entity, None, {Approach.AHEAD}, basis)
 
 
-def _by_the_ego(placement: Placement) -> bool:
-    return placement.reference is None or placement.reference.ego
-
-
 def _across(scene: Scene, context: Context) -> None:
     """Who crosses on red, or leaves the side road of a T, comes from the left or the right."""
     event = scene.event
     ego = next((e for e in context.draft.entities if e.ego), None)
-    if ego is None or ego in scene.actors or not context.junction.crossing:
+    implied = context.draft.access is not None and context.junction.straight is None
+    if ego is None or ego in scene.actors or not (context.junction.crossing or implied):
         return
     on_red = event.name == "cross" and any(
         scene.drivers == d.by and d.kind is HazardKind.RED_LIGHT_RUNNING
         for d in context.draft.dangers
     )
     sources = [*event.pps, *(p for m in event.subject for p in m.pps)]
-    stem = [
-        p
-        for p in sources
-        if p.value in {"from", "in"} and isinstance(p.target, Place) and p.target.kind == "access"
-    ]
+    out = event.name in {"pull_out", "reverse", "leave", "appear"}
+    words = {"from", "in", "of"} if out else {"from", "in"}
+    stem = [p.target for p in sources if p.value in words] + ([event.object] if out else [])
+    stem = [p for p in stem if isinstance(p, Place) and p.kind == "access"]
     along = context.junction.kind is JunctionKind.T and ego.maneuvers == {Maneuver.STRAIGHT}
+    along = along or (not context.junction.crossing and not ego.maneuvers & _TURNS)
     if not on_red and not (stem and along):
         return
     basis = Basis(event.i, event.j, "it comes across the way of the ego")
@@ -175,6 +127,8 @@ def _driven_up_to(scene: Scene, context: Context) -> None:
         _comes_towards(scene, driver, context)
         targets = [e for e in targets if not e.ego or _from_the_rear(scene, context)]
     certain = _from_the_rear(scene, context) or _along_the_road(scene, context)
+    late = [d for d in context.draft.dangers if d.kind is HazardKind.DELAYED_BRAKING]
+    certain = certain or any(driver in d.by for d in late)  # "failed to stop and hit the bus"
     for target in targets:
         slower = certain or _slower(target, context)
         if target.moving_vehicle and _on_the_wrong_side(driver, context):
@@ -271,6 +225,17 @@ def _placed(entity: Entity, observer: Entity, context: Context) -> bool:
             return True
     headings = {entity.heading, observer.heading}
     return None not in headings and len(headings) > 1
+
+
+def _around_something(danger: Danger, context: Context) -> None:
+    """``a parked bus blocks the lane; the ego detours through the oncoming lane``: past it."""
+    draft = context.draft
+    blocked = any(e.parked for e in draft.entities) or any(
+        d.kind in _SLOWER | {HazardKind.OBSTACLE} for d in draft.dangers
+    )
+    for entity in danger.by if blocked else []:
+        if entity.ego and not entity.maneuvers:
+            draft.maneuver(entity, {Maneuver.OVERTAKE}, danger.basis)
 
 
 def _face_to_face(danger: Danger, context: Context) -> None:

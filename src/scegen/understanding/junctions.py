@@ -120,7 +120,7 @@ def _out_of_order(terms: list[Term], k: int, tokens: list[Token]) -> bool:
 def _place(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Token]) -> None:
     term = terms[k]
     basis = Basis(term.i, term.j)
-    if term.value == "junction" and (_away_from(terms, k) or _none_named(terms, k)):
+    if term.value == "junction" and (_away_from(terms, k) or _none_named(terms, k, tokens)):
         return
     if term.value == "junction":
         reading.named = reading.named or basis
@@ -151,9 +151,11 @@ def _away_from(terms: list[Term], k: int) -> bool:
     return bool(before) and before[-1].value == "outside"
 
 
-def _none_named(terms: list[Term], k: int) -> bool:
+def _none_named(terms: list[Term], k: int, tokens: list[Token]) -> bool:
     """``no junction``: none right there."""
     before = terms[k - 1] if k else None
+    if before is not None and tokens[before.i].low in {"non", "mid"}:
+        return True  # "at a non-junction location"
     return before is not None and (before.cat, before.value) == ("det", "negative")
 
 

@@ -33,7 +33,19 @@ def lane_change(scene: Scene, context: Context) -> None:
 
 def merge(scene: Scene, context: Context) -> None:
     """Merging on a road without a junction, or into a lane, is a lane change."""
-    if ways.into_lane(scene.event) is not None or not context.junction.crossing:
+    meets = context.junction.crossing or context.draft.access is not None
+    if ways.into_lane(scene.event) is not None or not meets:
+        lane_change(scene, context)
+
+
+def swerve(scene: Scene, context: Context) -> None:
+    """``swerves into the oncoming lane``, ``veers into the left lane``."""
+    lane = ways.into_lane(scene.event)
+    if lane is None or lane.kind != "lane" or lane.owner is not None:
+        return
+    if "opposite" in lane.dirs and not any(context.oncoming(e) for e in scene.drivers):
+        use_oncoming_lane(scene, lane, context)
+    elif ways.next_lane(scene.event, context):
         lane_change(scene, context)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding import (
     afoot,
+    bearing,
     breaches,
     courses,
     dangers,
@@ -84,10 +85,16 @@ class Interpreter:
             for e in events
             for p in e.pps
             if p.on_mention is e.object
-            and (self._starts(e, p) or (e.name in _BESIDE and _is_side(p)))
+            and (
+                self._starts(e, p)
+                or (e.name in _BESIDE and bearing.is_side(p))
+                or bearing.own_lane(e, p)
+            )
         }
         set_off(events, self._context)
-        handled = {id(e.object) for e in events if e.name in {"inert", "send"}}  # "kicks a ball"
+        handled = {
+            id(e.object) for e in events if e.name in {"inert", "send"} and not e.passive
+        }  # "kicks a ball"
         acting = {id(m) for e in events for m in e.subject if e.name != "hide"}
         for chunk in chunks:
             if isinstance(chunk, Mention) and chunk.entities:
@@ -118,10 +125,10 @@ class Interpreter:
     def _mention(self, mention: Mention) -> None:
         self._placer.adjectives(mention)
         afoot.on_the_road(mention, self._context)
-        sides = [p for p in mention.pps if p.value in {"from", "in"} and _is_side(p)]
+        sides = [p for p in mention.pps if p.value in {"from", "in"} and bearing.is_side(p)]
         lane_moves.on_the_wrong_side(mention, self._context)
         for prep in mention.pps:
-            if id(prep) in self._of_verbs:
+            if id(prep) in self._of_verbs or bearing.facing(mention, prep):
                 continue  # "approaches the ego from the left": not the ego comes from there
             shared = len(sides) == len(mention.entities) > 1 and prep in sides
             whom = [mention.entities[sides.index(prep)]] if shared else mention.entities
@@ -177,13 +184,15 @@ class Interpreter:
         courses.move_off(scene, self._context)
         event.name = recast(scene, self._context)
         self._scenes.append(scene)
-        for prep in event.pps:
+        for prep in event.pps if not self._ended(event) else []:
             if from_everywhere(prep):
                 side_roads.spread(prep, scene.actors, self._context)
             elif self._from_behind_somebody(scene, prep):
                 self._context.ahead(
                     scene.targets[:1], scene.actors, Basis(prep.word.i, prep.word.j)
                 )
+            elif event.name == "pass" and event.object is None and bearing.bare_side(prep):
+                continue  # "passes on the right": on which side one gets past
             elif prep.on_mention is None or self._starts(event, prep):
                 turned = event.passive and event.name != "hide"
                 turned = turned and prep.value not in {"behind", "from"}
@@ -211,6 +220,11 @@ class Interpreter:
         if event.name in _ON_THE_MOVE:
             dangers.oncoming_lane(scene, self._context)
         screens.from_behind(scene, self._context)
+
+    def _ended(self, event: Event) -> bool:
+        """``ends up in front of the ego``: where it gets to, not where it comes from."""
+        word = self._context.tokens[event.i].forms[-1][0]
+        return event.name == "move" and word in {"end", "finish", "wind", "land"}
 
     def _from_behind_somebody(self, scene: Scene, prep: Prep) -> bool:
         """``hits the van from behind``: behind the van."""
@@ -245,6 +259,8 @@ class Interpreter:
             elif term.cat == "compass":
                 self._placer.heading(term, scene.actors)
             elif term.cat == "dir" and term.value == "opposite" and event.name in _TRAVEL:
+                if self._ended(event):
+                    continue
                 for entity in scene.drivers:
                     basis = Basis(term.i, term.j)
                     self._draft.place(entity, None, {Approach.OPPOSITE}, basis)
@@ -264,7 +280,10 @@ class Interpreter:
         """Who comes out from behind something stands on its side of the road."""
         for prep in pps:
             beside = prep.word.cat == "locus" and prep.value in {"behind", "between"}
+            beside = beside or (prep.value, prep.outer) == ("ahead", "from")
             by = hidden and prep.value == "by"
+            if beside and isinstance(prep.target, Place | Thing):
+                self._placer.beside_a_thing(prep, prep.target, entities)
             if not (beside or by) or not isinstance(prep.target, Mention):
                 continue
             basis = Basis(prep.word.i, prep.target.j)
@@ -276,7 +295,3 @@ class Interpreter:
                     on_foot = not entity.is_vehicle or self._context.is_cyclist(entity)
                     if sides and on_foot:
                         self._draft.place(entity, None, sides, basis)
-
-
-def _is_side(prep: Prep) -> bool:
-    return isinstance(prep.target, Place) and prep.target.kind == "side"

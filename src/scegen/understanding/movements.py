@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from scegen.scenario.vocabulary import Maneuver
+from scegen.scenario.vocabulary import HazardKind, Maneuver
 from scegen.understanding import courses, ways
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene, span
@@ -14,6 +14,7 @@ from scegen.understanding.lane_moves import (
     forced,
     lane_change,
     merge,
+    swerve,
     use_oncoming_lane,
 )
 
@@ -126,6 +127,16 @@ def overtake(scene: Scene, context: Context) -> None:
         context.ahead(scene.targets, scene.actors, basis)
 
 
+def pull_around(scene: Scene, context: Context) -> None:
+    """``pulls out around a parked van``: past it."""
+    for prep in scene.event.pps:
+        around = context.tokens[prep.word.i].low in {"around", "round", "past"}
+        passed = prep.target.entities if isinstance(prep.target, Mention) else []
+        if around and passed:
+            overtake(Scene(scene.event, scene.actors, list(passed)), context)
+            return
+
+
 def undertake(scene: Scene, context: Context) -> None:
     """Overtaking on the near side, if it is done to somebody."""
     if scene.targets:
@@ -179,6 +190,10 @@ def leave(scene: Scene, context: Context) -> None:
         return
     if target.kind == "side":
         sides = {ways.DIRECTIONS[d] for d in target.dirs if d in {"left", "right"}}
+        if sides and scene.event.name == "leave" and target.head is not None:
+            drivers = [e for e in scene.drivers if not scene.reaction]
+            context.draft.hazard(HazardKind.LOSS_OF_CONTROL, scene.words, drivers)
+            return  # "departs the right edge of the road"
         if sides:
             basis = span(scene.event, target.i, target.j)
             context.crossing_implied(basis, "vehicles turn")
@@ -208,6 +223,9 @@ def through_junction(scene: Scene, context: Context) -> None:
         entity.moves = entity.moves or Basis(event.i, event.j)
     if event.name == "enter" and ways.next_lane(event, context):
         lane_change(scene, context)
+    onward = next((d for d in event.dirs if d.value == "straight"), None)
+    if onward is not None:
+        apply(scene, context, {Maneuver.STRAIGHT}, Basis(onward.i, onward.j))
     if isinstance(event.object, Mention) and event.name == "approach":
         targets = [e for e in scene.targets if e.parked]
         context.ahead(targets, scene.actors, Basis(event.i, event.j))
@@ -224,6 +242,7 @@ MOVEMENTS: dict[str, Callable[[Scene, Context], None]] = {
     "crawl": move,
     "bypass": overtake,
     "pass": overtake,
+    "pull_out": pull_around,
     "cross": cross,
     "leave": leave,
     "try": leave,
@@ -232,6 +251,7 @@ MOVEMENTS: dict[str, Callable[[Scene, Context], None]] = {
     "match": courses.hold,
     "cause": forced,
     "send": forced,
+    "swerve": swerve,
     "follow": courses.follow,
     "tailgate": courses.follow,
     "precede": courses.precede,

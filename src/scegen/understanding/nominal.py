@@ -88,6 +88,18 @@ def has_dir(mods: list[Term]) -> bool:
     return any(m.cat == "dir" for m in mods)
 
 
+def compound_end(head: Term, following: Term | None) -> Term:
+    """``a construction area``: the last noun of a compound, the head itself if it is none.
+
+    Args:
+        head: a noun for a thing.
+        following: the term after it.
+    """
+    if head.value != "obstacle" or following is None:
+        return head
+    return following if (following.cat, following.value) == ("inert", "noun") else head
+
+
 def governed(chunks: list[Chunk]) -> bool:
     """Whether a side named next belongs to a preposition ("from left and right").
 

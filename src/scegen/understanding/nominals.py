@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding import relatives
 from scegen.understanding.attachment import attach, place_in_front
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing, Word
 from scegen.understanding.joining import joins
 from scegen.understanding.lookahead import copula_follows, finite_follows
 from scegen.understanding.partitives import further_ones, partitive_before
@@ -15,6 +15,7 @@ _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
 _OWNED = frozenset({"side", "lane", "path"})
 _TURNS = frozenset({"turn", "u_turn"})
 """Nouns of doings that somebody has before him ("a left turn for the ego")."""
+_INTRANSITIVE = frozenset({"pass", "cross", "move", "walk", "merge", "enter", "turn", "leave"})
 
 
 def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
@@ -49,7 +50,7 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
     if state.fronted or (direct and any(e is anchor and e.finite for e in state.pending)):
         _start_clause(mention, state)
     elif isinstance(anchor, Event) and direct and _takes(anchor, k, chunks):
-        anchor.object = mention
+        _undergo(anchor, mention)
     elif (described := _described(mention, k, chunks, state)) is not None:
         mention.same_as = described
         if described is state.candidate or bracketed(chunks, k):
@@ -61,6 +62,17 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
     state.anchor = mention
     state.between = set()
     state.last_pp = None
+
+
+def _undergo(verb: Event, mention: Mention) -> None:
+    """The object of a verb; ``lets pass three cyclists``: they pass, nobody passes them."""
+    parent = verb.parent
+    let = parent is not None and parent.control == "object" and parent.object is None
+    let = let and verb.form == "base" and verb.link == "ing" and verb.name in _INTRANSITIVE
+    if let and parent is not None:
+        verb.subject, parent.object = [mention], mention
+    else:
+        verb.object = mention
 
 
 def _emphasises(mention: Mention, state: State) -> bool:
@@ -103,13 +115,20 @@ def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -
     return not finite_follows(chunks, k)
 
 
+def _ego(mention: Mention) -> bool:
+    return any(h.data.get("ego") for h in mention.heads)
+
+
 def _start_clause(mention: Mention, state: State) -> None:
     mention.denied = "neg:not" in state.between
     exists = "copy" in state.between or ("aux:be" in state.between and bool(state.fronted))
+    others = any(e.finite and e.subject and not _ego(e.subject[-1]) for e in state.events)
+    if "sub" in state.between and others and _ego(mention):
+        state.trailing.append(mention)
     state.candidate = mention
     state.candidate_done = exists  # "there is a van": that is all of its clause
     for event in state.pending:
-        event.subject = event.subject or [mention]
+        event.subject = event.subject if event.nominal and event.subject else [mention]
         inverted = event.finite and (bool(state.fronted) or state.anchor is event)
         event.pps += state.fronted if inverted else []
         state.candidate_done = state.candidate_done or inverted
@@ -161,7 +180,13 @@ def _owns_place(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
 def _side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
     """``a driveway on the right``, ``the lane to its right``: the side at which it lies."""
     place = chunks[k - 2] if k > 1 else None
-    if not isinstance(place, Place) or not isinstance(noun, Place) or noun.kind != "side":
+    if not isinstance(noun, Place) or noun.kind != "side":
+        return False
+    behind = isinstance(place, Thing) and place.prep is not None and place.prep.cat == "locus"
+    if isinstance(place, Thing) and behind and set(noun.dirs) & {"left", "right"}:
+        place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
+        return True  # "from behind a hedge on the right"
+    if not isinstance(place, Place):
         return False
     if place.kind not in _BESIDE_THE_ROAD and not _lane_beside(place, noun, k, chunks):
         return False
@@ -172,7 +197,8 @@ def _side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
 
 def _lane_beside(lane: Place, side: Place, k: int, chunks: list[Chunk]) -> bool:
     """``in the lane to the right of the bus``: no movement to the right."""
-    within = lane.kind == "lane" and lane.prep is not None and lane.prep.value in {"in", "into"}
+    along = lane.kind in {"lane", "bike_lane", "sidewalk", "shoulder"}
+    within = along and lane.prep is not None and lane.prep.value in {"in", "into"}
     if not within or not set(side.dirs) & {"left", "right"}:
         return False
     whose, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
@@ -180,6 +206,21 @@ def _lane_beside(lane: Place, side: Place, k: int, chunks: list[Chunk]) -> bool:
     if owned and isinstance(who, Mention):
         lane.beside = who
     return owned or any(m.cat == "possessive" for m in side.mods)
+
+
+def _left_to(noun: NounPhrase, state: State) -> bool:
+    """``leaving the ego little time to brake``: nobody leaves, and it does not brake."""
+    verb = state.events[-1] if state.events else None
+    if verb is None or verb.name not in {"leave", "cause", "inert"} or not isinstance(noun, Thing):
+        return False
+    whom = verb.object
+    granted = isinstance(whom, Mention) and (
+        whom is state.anchor or any(p.target is state.anchor for p in whom.pps)
+    )
+    if not granted or noun.kind != "noun":
+        return False
+    verb.name, verb.control = "inert", "object"
+    return True
 
 
 def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> None:
@@ -204,7 +245,7 @@ def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> No
             attach(state.prep, state)
         state.prep = None
         return
-    if also_from(noun, state):
+    if also_from(noun, state) or _left_to(noun, state):
         return
     anchor = state.anchor
     direct = isinstance(anchor, Event) and anchor.object is None

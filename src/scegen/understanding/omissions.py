@@ -16,7 +16,11 @@ _STOPPING = frozenset({"stop", "brake", "wait", "slow"})
 _TO_BRAKE_FOR = frozenset({HazardKind.HARD_BRAKING, HazardKind.STOPPING, HazardKind.OBSTACLE,
                           HazardKind.SLOW_DRIVING, HazardKind.CROSSING_PEDESTRIAN,
                           HazardKind.CROSSING_CYCLIST, HazardKind.CUT_IN})  # fmt: skip
+_CROSSING = frozenset({HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_CYCLIST})
+"""What concerns those who come from the front, too."""
 _NEAR = 12
+_PHRASE = 5
+_LEEWAY = frozenset({"time", "chance", "room", "space", "distance", "hope"})
 _HARMLESS = frozenset({"light", "inert", "return", "move", "encounter", "try"})
 
 
@@ -48,7 +52,7 @@ def not_done(scene: Scene, context: Context) -> None:
     elif (event.name in _SEEING and scene.drivers and _ahead(scene, context)) or (
         event.name in _BRAKING | {"react"}
         and scene.drivers
-        and (event.name != "slow" or _due(scene, context))
+        and ((event.name != "slow" and not _oncoming(scene, context)) or _due(scene, context))
     ):
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name == "encounter" and any(0 < event.i - i < _NEAR for i in context.screens):
@@ -62,11 +66,18 @@ def _unable(scene: Scene, context: Context) -> None:
     event = scene.event
     basis = Basis(event.i, event.j)
     if event.name in {"brake", "stop", "slow"} and scene.drivers:
-        context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
+        if not _too_near(event.i, context):
+            context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name == "encounter":
         context.draft.hazard(HazardKind.OCCLUSION, basis, _in_the_way(scene, context))
     elif event.name not in _HARMLESS:
         context.draft.note(event.i, event.j, "said not to happen; left out")
+
+
+def _too_near(i: int, context: Context) -> bool:
+    """``has no chance to stop``, ``with no time left to brake``: nobody's fault but the other's."""
+    before = {t.low for t in context.tokens[max(0, i - _PHRASE) : i]}
+    return bool(before & _LEEWAY) and bool(before & {"no", "not", "little", "without"})
 
 
 def _in_the_way(scene: Scene, context: Context) -> list[Entity]:
@@ -98,10 +109,15 @@ def _rear(scene: Scene, context: Context) -> bool:
 
 def _due(scene: Scene, context: Context) -> bool:
     """``does not slow down``: whether there is something to slow down for."""
+    oncoming = _oncoming(scene, context)
+    owed = _TO_BRAKE_FOR & _CROSSING if oncoming else _TO_BRAKE_FOR
     return any(
-        d.kind in _TO_BRAKE_FOR and not any(e in scene.drivers for e in d.by)
-        for d in context.draft.dangers
-    ) or _ahead(scene, context)
+        d.kind in owed and not any(e in scene.drivers for e in d.by) for d in context.draft.dangers
+    ) or (not oncoming and _ahead(scene, context))
+
+
+def _oncoming(scene: Scene, context: Context) -> bool:
+    return bool(scene.drivers) and all(context.oncoming(e) for e in scene.drivers)
 
 
 def _ahead(scene: Scene, context: Context) -> bool:

@@ -52,3 +52,21 @@ def abreast(draft: Draft, ego: Entity) -> None:
         reason = "on a straight road, who is at one's side drives in the next lane"
         entity.approaches = {Approach.ADJACENT}
         entity.approach_basis = Basis(basis.i, basis.j, reason)
+
+
+def both_change_lanes(draft: Draft, ego: Entity) -> None:
+    """Who changes lanes at the same time as the ego comes from another lane.
+
+    Args:
+        draft: the scenario in the making, positions settled.
+        ego: its ego.
+    """
+    placed = {p.entity.index for p in draft.placements}
+    for entity in draft.entities if Maneuver.LANE_CHANGE in ego.maneuvers else []:
+        if entity is ego or entity.approaches or entity.index in placed:
+            continue
+        if Maneuver.LANE_CHANGE in entity.maneuvers:
+            entity.approaches = {Approach.ADJACENT}
+            basis = entity.maneuver_basis or entity.basis
+            reason = "who changes lanes beside the ego comes from another lane"
+            entity.approach_basis = Basis(basis.i, basis.j, reason)

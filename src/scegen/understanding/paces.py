@@ -13,7 +13,18 @@ _OVER = {"over": "fast", "above": "fast", "under": "slow", "below": "slow"}
 _PACING = frozenset({"do", "go", "drive", "travel", "hit", "come", "move", "ride", "roll"})
 _VAGUELY = frozenset({"about", "around", "only", "maybe", "at", "barely", "nearly", "over", "just",
                       "well", "like", "least", "most", "close", "to", "almost", "up", "some",
-                      "roughly", "approximately", "easily"})  # fmt: skip
+                      "roughly", "approximately", "easily", "really", "very", "so",
+                      "too", "rather", "quite", "pretty", "awfully", "extremely", "fairly",
+                      "unusually", "terribly", "far", "way", "much"})  # fmt: skip
+_RATES = frozenset({"speed", "speeds", "velocity", "velocities", "pace"})
+_DEGREES = {
+    **dict.fromkeys(("low", "lower", "slow", "slower", "reduced", "crawling"), "slow"),
+    **dict.fromkeys(("high", "higher", "excessive", "great", "greater", "unsafe", "dangerous",
+                     "inappropriate", "illegal", "faster", "reckless"), "fast"),
+}  # fmt: skip
+_WITHIN = frozenset({"a", "an", "the", "much", "far", "very", "constant", "steady", "fixed", "way",
+                     "quite", "rather", "such", "even", "still", "too", "uniform"})  # fmt: skip
+_PHRASE = 8
 _FEWEST, _MOST = 3, 200
 _LOWEST_LIMIT = 10
 
@@ -46,6 +57,26 @@ def pace_at(tokens: list[Token], i: int) -> Term | None:
             end += 1
         ends = end >= len(tokens) or tokens[end].kind == "punct" or end > j + 1
         return Term("manner", _OVER[tokens[j].low], i, end, data={"pace": True}) if ends else None
+    return None
+
+
+def speed_at(tokens: list[Token], i: int) -> Term | None:
+    """``at a much lower constant speed``, ``with considerably higher velocity``.
+
+    Args:
+        tokens: the tokens of the text.
+        i: index of the token where it begins.
+    """
+    if tokens[i].low not in {"at", "with"}:
+        return None
+    value = None
+    for k in range(i + 1, min(i + _PHRASE, len(tokens))):
+        low = tokens[k].low
+        value = value or _DEGREES.get(low)
+        if low in _RATES:
+            return Term("manner", value, i, k + 1) if value is not None else None
+        if low not in _DEGREES and low not in _WITHIN and not low.endswith("ly"):
+            return None
     return None
 
 

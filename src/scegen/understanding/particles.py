@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
 
@@ -43,6 +45,8 @@ def then_a_side(tokens: list[Token], match: Match) -> bool:
         match: the phrase.
     """
     if tokens[match.j - 1].low != "from" or match.j + 1 >= len(tokens):
+        return False
+    if not match.only("locus"):
         return False
     side = longest_match(tokens, match.j + 1)
     return tokens[match.j].low == "the" and side is not None and side.has("dir")
@@ -198,10 +202,38 @@ def lane_then_verb(tokens: list[Token], match: Match, previous: Term | None) -> 
         previous: the term before it.
     """
     sided = previous is not None and previous.cat in {"dir", "det", "compass"}
-    if not sided or match.form != "s" or match.get("verb").value != "lane_change":
+    if not sided or not match.has("verb") or match.get("verb").value != "lane_change":
         return False
+    if match.form != "s":
+        return _in_the_lane(tokens, match)
     after = tokens[match.j].low if match.j < len(tokens) else ""
     return tokens[match.j - 1].low == "changes" and after in {"lane", "lanes", "to", "into", "onto"}
+
+
+_MEASURING = frozenset({"between", "of", "from", "up", "ranging", "around", "about", "below",
+                        "under", "above", "over"})  # fmt: skip
+
+
+def of_so_much(tokens: list[Token], match: Match) -> bool:
+    """``at speeds of 10 to 80 km/h``: how fast is said by the number alone.
+
+    Args:
+        tokens: the tokens of the text.
+        match: a phrase of manner.
+    """
+    words = [t.low for t in tokens[match.j - 2 : match.j]]
+    after = tokens[match.j].low if match.j < len(tokens) else ""
+    bare = match.j >= 2 and words[0] == "at" and words[1] in {"speed", "speeds"}
+    return bare and after in _MEASURING
+
+
+def _in_the_lane(tokens: list[Token], match: Match) -> bool:
+    """``two cars in the next lane change into mine``: in that lane, not in a change of lane."""
+    after = tokens[match.j].low if match.j < len(tokens) else ""
+    if tokens[match.j - 1].low != "change" or after not in {"to", "into", "onto", "lanes"}:
+        return False
+    before = [t.low for t in tokens[max(0, match.j - 6) : match.j - 2]]
+    return any(pair in {("in", "the"), ("from", "the")} for pair in pairwise(before))
 
 
 def suffix_form(token: Token) -> str | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, Maneuver, ParticipantKind
-from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.terms import Term
 
@@ -33,7 +33,9 @@ _STEADY = frozenset(
 )  # fmt: skip
 _PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane",
                      "path", "leg"})  # fmt: skip
+_SIDEWAYS = frozenset({"lane_change", "merge", "cut_in"})
 _AROUND = frozenset({"around", "round", "past"})
+_BY_WAY_OF = frozenset({"via", "through", "across", "over"})
 _OPPOSED = "opposed"
 
 
@@ -79,6 +81,12 @@ def _place_approaches(place: Place, prep: str) -> frozenset[Approach]:
     return next((_BY_DIR[d] for d in dirs if d in _BY_DIR), frozenset())
 
 
+def _between_lanes(approaches: frozenset[Approach], event: Event | None) -> frozenset[Approach]:
+    """``changes into the lane from the other side``: out of another lane."""
+    sideways = event is not None and event.name in _SIDEWAYS
+    return _BY_DIR["adjacent"] if sideways and approaches == _BY_DIR["lateral"] else approaches
+
+
 def _compass(place: Place) -> Term | None:
     return next((m for m in place.mods if m.cat == "compass"), None)
 
@@ -120,7 +128,7 @@ class Placer:
     def adjectives(self, mention: Mention) -> None:
         """``the oncoming car``, ``a northbound truck``."""
         approaches = adjective_approaches(mention.dirs)
-        term = mention.mod("dir")
+        term = mention.mod("dir") or mention.head
         for entity in mention.entities:
             if approaches and term is not None:
                 self._draft.place(entity, None, set(approaches), Basis(term.i, term.j))
@@ -142,7 +150,11 @@ class Placer:
             self._locus(prep, entities, event)
             return
         target = prep.target
-        if isinstance(target, Place):
+        word = self._draft.tokens[prep.word.i].low
+        through = event is None and word in _BY_WAY_OF  # "gets past a bus via the oncoming lane"
+        if not isinstance(target, Place) or through:
+            return
+        if not self._on_both_sides(prep, target, entities):
             self._at_place(prep, target, entities, event)
 
     def _at_place(
@@ -173,6 +185,7 @@ class Placer:
             return
         word = self._draft.tokens[prep.word.i].low
         approaches = _place_approaches(target, word if word in _AROUND else prep.value)
+        approaches = _between_lanes(approaches, event)
         if not approaches:
             return
         plural = target.head is not None and target.head.form == "s"
@@ -192,6 +205,20 @@ class Placer:
             entity.pulls_out = entity.pulls_out or kerb
             self._draft.place(entity, reference, set(approaches), basis)
 
+    def _on_both_sides(self, prep: Prep, side: Place, entities: list[Entity]) -> bool:
+        """``two vans on either side of the bus``: abreast of it."""
+        both = any(m.cat == "quant" for m in side.mods) or (
+            self._draft.tokens[side.i - 1].low == "either"
+        )
+        owner = side.owner.entities[0] if side.owner and side.owner.entities else None
+        if not both or owner is None or side.dirs or prep.value != "in":
+            return False
+        for entity in entities:
+            if entity.moving_vehicle:
+                basis = Basis(prep.word.i, side.j)
+                self._draft.place(entity, owner, {Approach.ADJACENT}, basis)
+        return True
+
     def _beside(self, side: Place, entities: list[Entity], basis: Basis) -> None:
         """``drives to the right of the bus``: abreast; people stand on that side."""
         owner = side.owner.entities[0] if side.owner and side.owner.entities else None
@@ -200,6 +227,19 @@ class Placer:
             abreast = entity.moving_vehicle and entity.kind is not ParticipantKind.BICYCLE
             where = {Approach.ADJACENT} if abreast else sides
             self._draft.place(entity, owner, where, basis)
+
+    def beside_a_thing(self, prep: Prep, thing: NounPhrase, entities: list[Entity]) -> None:
+        """``waits behind a bus stop on the right``: who is there is on that side.
+
+        Args:
+            prep: the phrase.
+            thing: what one stands behind.
+            entities: who stands there.
+        """
+        sides = {_SIDES[d] for d in thing.dirs if d in _SIDES}
+        for entity in entities:
+            if not entity.is_vehicle or entity.kind is ParticipantKind.BICYCLE:
+                self._draft.place(entity, None, sides, Basis(prep.word.i, thing.j))
 
     def _apart(self, entities: list[Entity], basis: Basis) -> None:
         """``from different arms``: no two come from the same one."""
@@ -220,8 +260,7 @@ class Placer:
             return  # "between the ego and the kerb"
         if event is not None and event.name not in _STEADY and prep.outer != "from":
             return
-        aside = event is not None and event.name == "swerve" and prep.on_mention is None
-        if aside and isinstance(target, Mention) and prep.value == "behind":
+        if event is not None and (event.name, prep.value) == ("swerve", "behind") and target:
             return  # "swerves behind the ego": where it gets to
         if prep.outer == "from" and isinstance(target, Mention) and event is not None:
             return

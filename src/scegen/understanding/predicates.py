@@ -6,6 +6,7 @@ from scegen.understanding.chunks import Chunk, Event, Mention, Word
 from scegen.understanding.course_phrases import courses_said
 from scegen.understanding.lookahead import BOUNDARIES
 from scegen.understanding.terms import Term
+from scegen.understanding.titles import entitle
 from scegen.understanding.tokens import Token
 
 _WAYS = frozenset({"left", "right", "straight"})
@@ -29,6 +30,7 @@ def complete(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> l
     found = [*events, *courses_said(chunks, events, tokens)]
     _titled(chunks, events)
     _by_the_other(chunks, events)
+    entitle(chunks, events)
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Event) and chunk.nominal and not chunk.subject:
             chunk.subject = _whose(chunks, k, found)
@@ -108,7 +110,7 @@ def _whose(chunks: list[Chunk], k: int, events: list[Event]) -> list[Mention]:
     while m >= 0 and isinstance(chunks[m], Word) and getattr(chunks[m], "cat", "") == "manner":
         m -= 1
     before = chunks[m] if m >= 0 else None
-    acting = {id(who) for e in events for who in e.subject}
+    acting = {id(who) for e in events for who in e.subject if e.i < chunks[k].i}
     if isinstance(before, Mention):
         free = id(before) not in acting and _opens(chunks, m) and before.prep is None
         return [before] if free and not before.negated else []

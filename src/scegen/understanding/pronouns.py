@@ -136,6 +136,9 @@ class Pronouns:
         painted = [e for e in self.roster.recent if coloured & e.labels]
         if painted and which == "one":
             return painted[-1:]
+        named = [e for e in self.roster.recent if mention.sides & e.sides and e not in exclude]
+        if named and which == "one" and mention.mods and mention.mods[0].value == "def":
+            return named[-1:]  # "the one from the left"
         claimed = self.roster.claim(count, exclude) if which != "further" else []
         if which in {"others", "further"} and not claimed:
             alike = [e.kind for e in self.roster.recent if e.is_vehicle and which == "further"]
@@ -144,4 +147,7 @@ class Pronouns:
         if claimed or which == "count":
             return claimed
         new = which != "one" or bool(self.roster.recent)
-        return [self.roster.new(ParticipantKind.CAR, basis)] if new else []
+        kinds = {e.kind for e in self.draft.entities if not e.ego}
+        afoot = which == "one" and kinds == {ParticipantKind.PEDESTRIAN}
+        kind = ParticipantKind.PEDESTRIAN if afoot else ParticipantKind.CAR
+        return [self.roster.new(kind, basis)] if new else []

@@ -45,6 +45,8 @@ def recast(scene: Scene, context: Context) -> str:
         return "cut_in"
     if event.name in {"move", "dash", "speed"} and scene.drivers and _ignores_it(scene, context):
         return "breach"
+    if event.name == "breach" and isinstance(event.object, Place) and event.object.kind == "lane":
+        return "move"  # "drives through the opposite lane"
     if event.name not in _OPEN or (event.name == "breach" and event.object is not None):
         return event.name
     if not scene.drivers:

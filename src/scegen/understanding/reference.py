@@ -7,12 +7,15 @@ from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Entity
 from scegen.understanding.mention_words import Reading
 
+_RIDDEN = frozenset({ParticipantKind.MOTORCYCLE, ParticipantKind.BICYCLE})
 
-def own_vehicle(reading: Reading, mention: Mention) -> bool:
+
+def own_vehicle(reading: Reading, mention: Mention, owners: list[Entity]) -> bool:
     """``the driver opens the door of his vehicle``: what the driver stands for."""
     possessed = bool(mention.mods) and mention.mods[0].cat == "possessive"
     whose = possessed and mention.mods[0].value == "its"
-    return whose and reading.generic and not reading.plural and not reading.dirs
+    riding = reading.kind in _RIDDEN and any(e.kind in _RIDDEN for e in owners)
+    return whose and (reading.generic or riding) and not reading.plural and not reading.dirs
 
 
 def is_pronoun(target: object) -> bool:
@@ -26,6 +29,10 @@ def refers_to_nobody(mention: Mention) -> bool:
     mass = bool(mention.head and mention.head.data.get("mass")) and not mention.mods
     if mass and prep in {"in", "of", "for"}:
         return True
+    gathered = bool(mention.mods) and mention.mods[0].cat in {"det", "quant"}
+    gathered = gathered and mention.mods[0].j - mention.mods[0].i > 1
+    if gathered and prep == "with" and mention.head and "mass" in mention.head.data:
+        return True  # "travels with the flow of traffic"
     place = mention.pronoun == "ordinal" and prep == "in"  # "at the first junction …, the second"
     return place or mention.negated or mention.pronoun == "reflexive"
 

@@ -40,7 +40,13 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     everywhere = _sides(events, chunks)
     beside = _beside(chunks)
     settled = _settled(events)
-    around = {id(p.target): e for e in events for p in e.pps if _is_it(p.target)}
+    around = {
+        id(m): e
+        for e in events
+        for p in e.pps
+        if isinstance(p.target, Mention) and (_is_it(p.target) or p.value == "between")
+        for m in (p.target, *(c for c in chunks if isinstance(c, Mention) and c.joined is p.target))
+    }  # "drives between the ego and the van ahead": not the van itself
     behind = {
         id(p.target): e
         for e in events
@@ -61,7 +67,15 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         for p in c.pps
         if p.word.cat == "locus" and isinstance(p.target, Mention)
     } | relative
+    heads |= {
+        id(p.target.owner): c
+        for c in chunks
+        if isinstance(c, Mention)
+        for p in c.pps
+        if isinstance(p.target, Place) and p.target.owner is not None
+    }  # "two vans on either side of it"
     owners = {id(c.owner) for c in chunks if isinstance(c, Mention)}
+    stand = {id(m): e for e in events if e.name == "park" and not e.negated for m in e.subject}
     waiting: list[Mention] = []
     early: list[Mention] = []
     for chunk in chunks:
@@ -78,6 +92,8 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
             early.append(chunk)
             continue
         _resolve(chunk, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
+        if id(chunk) in stand:
+            _parked(chunk, stand[id(chunk)])
         if early and id(chunk) in subjects:
             waiting, early = [*waiting, *early], []
         for earlier in waiting:
@@ -87,6 +103,12 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         waiting = []
     for earlier in (*waiting, *early):
         _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
+
+
+def _parked(mention: Mention, event: Event) -> None:
+    """``vehicle 1 was parked``: from then on, "the parked vehicle" is that one."""
+    for entity in mention.entities if event.form == "ed" else []:
+        entity.parked = entity.parked or (entity.is_vehicle and not entity.ego)
 
 
 def _named_later(pronoun: Mention, chunks: list[Chunk]) -> bool:

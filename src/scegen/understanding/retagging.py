@@ -11,6 +11,9 @@ from scegen.understanding.particles import measured
 from scegen.understanding.terms import Term, longest_match
 from scegen.understanding.tokens import Token
 
+_SHORT = frozenset({"only", "half", "within", "of", "just", "barely", "than", "for", "about",
+                    "under", "in"})  # fmt: skip
+
 
 def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     """The term as the words before it would have it.
@@ -27,8 +30,10 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         term = Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
     if (term.cat, tokens[term.i].low) == ("possessive", "her") and _alone(tokens, term.j):
         term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
-    if term.value == "genitive" and _has_done(tokens, term):
-        term = replace(term, cat="aux", value="have")
+    if _moment(tokens, term):
+        term = Term("inert", "noun", term.i, term.j)
+    if term.value == "genitive":
+        term = _shortened(term, terms, tokens)
     if _does_not(tokens, term):
         term = replace(term, cat="aux", value="do")
     if terms and measured(tokens, terms, term):
@@ -36,11 +41,22 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         term = Term("quantity", "other", number.i, term.j, data={"quantity": None})
     if names_a_turn(term, terms, tokens):
         term = replace(term, cat="verb", value="turn", form="base", data={"way": term.value})
+    if (term.cat, term.value, term.form) == ("verb", "slow", "base") and doing(tokens, term.i):
+        term = replace(term, cat="manner", data={})  # "going really slow"
     if _speed(term) and doing(tokens, term.i):
         _as_motion(terms, tokens)
     if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
         terms[-1] = replace(terms[-1], value="move", data={})  # "carries straight on"
     return term
+
+
+def _moment(tokens: list[Token], term: Term) -> bool:
+    """``only a second to stop``, ``half a second later``: a time, nobody."""
+    if [t.low for t in tokens[term.i : term.j]] != ["a", "second"]:
+        return False
+    before = tokens[term.i - 1].low if term.i else ""
+    after = tokens[term.j].low if term.j < len(tokens) else ""
+    return before in _SHORT or after in {"later", "ago", "before", "after"}
 
 
 _DONE = frozenset({"left", "parked", "stopped", "pulled", "turned", "stuck", "dumped", "broken"})
@@ -52,6 +68,17 @@ def _has_done(tokens: list[Token], term: Term) -> bool:
     """``someone's left a van there``: has left, nothing of theirs."""
     done, after = (tokens[k].low if k < len(tokens) else "" for k in (term.j, term.j + 1))
     return done in _DONE and after in _AFTER
+
+
+def _shortened(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
+    """``someone's left a van there``, ``the ego, who's forced to brake``: has, is."""
+    if _has_done(tokens, term):
+        return replace(term, cat="aux", value="have")
+    word = tokens[terms[-1].i].low if terms else ""
+    short = word in {"it", "he", "she", "there", "here", "what", "that"}
+    if short or (terms and terms[-1].cat == "rel"):
+        return replace(term, cat="aux", value="be")
+    return term
 
 
 def _does_not(tokens: list[Token], term: Term) -> bool:

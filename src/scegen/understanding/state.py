@@ -30,7 +30,9 @@ class State:
         last_prep: the phrase read last.
         bracket: anchor and words between, as they were when a bracket opened.
         verb_follows: another verb makes the clause after the participle just read.
-    relative: who acts in a relative clause, and on whom ("the van that the ego follows").
+        where: a clause has been opened that says what takes place somewhere.
+        trailing: the ego where it opens a clause after that of another ("…, as the ego turns").
+        relative: who acts in a relative clause, and on whom ("the van that the ego follows").
     """
 
     candidate: Mention | None = None
@@ -50,4 +52,6 @@ class State:
     last_prep: Prep | None = None
     bracket: tuple[Mention | NounPhrase | Event | None, set[str]] | None = None
     verb_follows: bool = False
-    relative: tuple[Mention, Mention] | None = None
+    where: bool = False
+    trailing: list[Mention] = field(default_factory=list)
+    relative: tuple[Mention, NounPhrase] | None = None

@@ -13,15 +13,14 @@ from scegen.understanding.dependents import (
 )
 from scegen.understanding.state import State
 
-_PASSIVE = frozenset(
+PASSIVE = frozenset(
     {"collide", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate", "cause",
      "prevent", "precede", "encounter", "pass", "cut_in", "cut", "avoid", "approach", "undertake",
      "enter", "use", "door", "chase", "harm", "send"}
 )  # fmt: skip
 
-_MOVING = ("move",)
-
-_DESCRIBING = _PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}
+_MOVING = frozenset({"enter", "lane_change", "cross", "move", "merge", "swerve", "sharp_turn"})
+_DESCRIBING = PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}
 """Verbs whose participle describes a noun ("a man hidden behind a van")."""
 
 
@@ -52,13 +51,13 @@ def link(event: Event, state: State) -> None:
         event.finite = event.finite and helped  # "lets them cross": no clause of its own
     if _blocked(event, state):
         return
-    if event.form == "base" and "aux:be" in state.between and event.name in _PASSIVE:
+    if event.form == "base" and "aux:be" in state.between and event.name in PASSIVE:
         event.form = "ed"  # "is cut off", "was hit": the participle looks like the base form
     if event.reduced and event.form == "ed" and not helped:
         event.finite = False
-        event.passive = event.name in _DESCRIBING & _PASSIVE
+        event.passive = event.name in _DESCRIBING & PASSIVE
         return
-    if event.form == "ed" and event.name in _PASSIVE:
+    if event.form == "ed" and event.name in PASSIVE:
         reduced = isinstance(state.anchor, Mention) and "aux:have" not in state.between
         event.passive = "aux:be" in state.between or (reduced and _bare_participle(event, state))
     if event.finite and event.subject:
@@ -67,28 +66,34 @@ def link(event: Event, state: State) -> None:
         state.candidate_done = state.candidate_done or not waits
 
 
-def before_by(event: Event) -> None:
+def before_by(event: Event, state: State) -> None:
     """``…, obstructed by a van``: a participle with "by" after it is passive.
 
     Args:
         event: the verb form right before "by".
+        state: what the clause reader remembers.
     """
-    if event.form == "ed" and event.name in _PASSIVE and not event.nominal:
-        event.passive = True
+    if event.form != "ed" or event.name not in PASSIVE or event.nominal:
+        return
+    event.passive = True
+    finite = [e for e in state.events if e.finite]
+    thing = bool(finite) and not finite[-1].subject and finite[-1] not in state.pending
+    if thing and "," in state.between:
+        event.subject = []  # "a ball rolls out, followed by a boy"
 
 
 def _said_of_a_thing(event: Event, state: State) -> None:
     """``the view is blocked by a van``: nobody acts but who stands after "by"."""
-    passive = event.form == "ed" or (event.form == "base" and event.name in _PASSIVE)
+    passive = event.form == "ed" or (event.form == "base" and event.name in PASSIVE)
     if passive and "aux:be" in state.between:
-        event.passive, event.object = event.name in _PASSIVE, state.topic
+        event.passive, event.object = event.name in PASSIVE, state.topic
     state.topic = None
 
 
 def _blocked(event: Event, state: State) -> bool:
     """``finds its lane blocked by a van``: the place suffers it, not the finder."""
     anchor = state.anchor
-    if event.form != "ed" or event.name not in _PASSIVE or state.between:
+    if event.form != "ed" or event.name not in PASSIVE or state.between:
         return False
     if isinstance(anchor, Mention) or not isinstance(anchor, NounPhrase):
         return False
@@ -105,6 +110,9 @@ def _bare_participle(event: Event, state: State) -> bool:
 def _clause(event: Event, state: State) -> None:
     anchor = state.anchor
     between = state.between
+    event.embedded = "rel" in between or state.where
+    if "thing" in between:
+        return  # "a fallen tree that blocks the lane"
     if "rel" in between and state.mentions:
         which = _antecedent(state)
         singular = event.form == "s" and (which.head is None or which.head.form != "s")
@@ -117,12 +125,19 @@ def _clause(event: Event, state: State) -> None:
         _after_comma(event, state)
     elif isinstance(anchor, Mention):
         _after_mention(event, anchor, state)
+    elif isinstance(anchor, Event) and event.finite and _waits(state):
+        event.subject = chain(state.candidate) if state.candidate else []
     elif isinstance(anchor, Event):
         depend(event, anchor, "ing")
         event.subject = anchor.subject
         event.negated = anchor.name == "prevent"  # "oncoming cars prevent overtaking"
     else:
         _subjectless(event, state)
+
+
+def _waits(state: State) -> bool:
+    """``a man with a walking frame crosses``: whether a noun still has no verb of its own."""
+    return state.candidate is not None and not state.candidate_done
 
 
 def _antecedent(state: State) -> Mention:
@@ -149,7 +164,9 @@ def _subjectless(event: Event, state: State) -> None:
 
 def _after_comma(event: Event, state: State) -> None:
     waiting = state.candidate is not None and not state.candidate_done
-    if waiting and state.anchor is state.candidate and state.candidate is not None:
+    who = state.candidate
+    placed = who is not None and any(p.target is state.anchor for p in who.pps)
+    if waiting and (state.anchor is who or placed) and state.candidate is not None:
         event.subject = chain(state.candidate)  # "when a van, turning left, fails to yield"
         return
     seen = None if event.finite else _seen_coming(event, state)
@@ -170,7 +187,11 @@ def _after_comma(event: Event, state: State) -> None:
 def _seen_coming(event: Event, state: State) -> Mention | None:
     """``finds it in its lane, arriving from the left``: who is seen arrives."""
     right_before = bool(state.events) and state.events[-1].name == "encounter"
-    if event.form != "ing" or event.name not in {"approach", "appear", *_MOVING[:right_before]}:
+    if event.form != "ing" or event.name not in {
+        "approach",
+        "appear",
+        *(["move"] if right_before else []),
+    }:
         return None
     seen = [e.object for e in state.events if e.name == "encounter" and e.finite]
     last = seen[-1] if seen else None
@@ -202,12 +223,30 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     if anchor is not state.candidate:
         event.finite = event.finite and event.form != "ed"
     last = state.events[-1] if state.events else None
+    within = anchor.prep is not None and anchor.prep.value == "in" and anchor.head is not None
+    if last and within and anchor.head and "mass" in anchor.head.data and event.form == "ing":
+        event.subject = last.subject  # "is stopped in traffic waiting to turn"
+        return
+    if last is not None and last.object is anchor and _by_doing(event, last, anchor):
+        event.subject = last.subject  # "overtakes a bus using the oncoming lane"
+        return
     if last is not None and last.object is anchor and last.name in {"cause", "prevent"}:
         depend(event, last, "ing")
+    granted = last is not None and last.object is anchor and last.name in {"leave", "inert"}
+    if granted and "neg:unable" in state.between:
+        event.name = "inert"  # "leaving the ego no time to brake"
     if last is not None and _pronoun_object(anchor, last) and not event.finite:
         event.subject = last.subject  # "nearly hit me coming from the right"
         return
     event.subject = chain(anchor)
+
+
+def _by_doing(event: Event, last: Event, passed: Mention) -> bool:
+    """Whether a participle says how somebody is passed, and not what the one passed does."""
+    if event.form != "ing" or last.name not in {"overtake", "bypass", "pass", "avoid"}:
+        return False
+    parked = any(m.cat == "state" for m in passed.mods)
+    return event.name == "use" or (parked and event.name in _MOVING)
 
 
 def _resumes(event: Event, anchor: Mention, state: State) -> bool:
@@ -216,7 +255,7 @@ def _resumes(event: Event, anchor: Mention, state: State) -> bool:
         return True
     last = state.events[-1] if state.events else None
     embedded = last is not None and last.object is anchor and last.form == "ing"
-    describing = event.name in _DESCRIBING | _PASSIVE | {"stop"}
+    describing = event.name in _DESCRIBING | PASSIVE | {"stop"}
     return embedded and not describing and not state.verb_follows
 
 

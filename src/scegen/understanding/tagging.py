@@ -5,16 +5,18 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.understanding.choosing import choose, is_adverb
+from scegen.understanding.collectives import gather
 from scegen.understanding.labels import named_at
 from scegen.understanding.lexicon import Entry
 from scegen.understanding.numbers import number_at
-from scegen.understanding.paces import pace_at
+from scegen.understanding.paces import pace_at, speed_at
 from scegen.understanding.particles import (
     after_a_phrase,
     in_front,
     just_right,
     lane_then_verb,
     no_way,
+    of_so_much,
     over_a_place,
     sends_back,
     suffix_form,
@@ -56,7 +58,8 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
     if infinitive or previous.cat in {"aux", "neg"}:
         return suffix_form(token) or "base"
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
-    if previous.cat in {"actor", "pronoun", "rel"} or adverb:
+    one = previous.cat == "num" and previous.value == "one" and token.low.endswith("es")
+    if previous.cat in {"actor", "pronoun", "rel"} or adverb or one:
         return suffix_form(token)
     if after_a_phrase(token, previous, tokens):
         return "s"
@@ -91,7 +94,7 @@ def tag(tokens: list[Token]) -> list[Term]:
         term = retag(term, terms, tokens)
         terms.append(term)
         i = terms[-1].j
-    return _crossings(from_side_to_side(terms), tokens)
+    return _crossings(gather(from_side_to_side(terms), tokens), tokens)
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:
@@ -110,6 +113,9 @@ def _list_of_doings(terms: list[Term], tokens: list[Token], term: Term) -> bool:
     """``a van turning left and a pedestrian crossing``: not the place of that name."""
     if term.j - term.i != 2 or not tokens[term.j - 1].low.endswith("ing"):
         return False
+    walker = longest_match(tokens[: term.i + 1], term.i)
+    if walker is None or not walker.has("actor"):
+        return False  # "the zebra crossing that …"
     if _crossed(tokens, term.j):
         return True
     if len(terms) < 3:
@@ -156,6 +162,15 @@ def _needs_infinitive(tokens: list[Token], match: Match) -> bool:
     return following is None or not following.has("verb", "neg", "manner")
 
 
+def _cut(match: Match, tokens: list[Token], i: int) -> int | None:
+    """Where a phrase ends that has a word too many; None if it has not."""
+    if no_way(tokens, i, match):
+        return i + 1
+    if then_a_side(tokens, match) or of_so_much(tokens, match):
+        return match.j - 1  # "darts across from the left"
+    return None
+
+
 def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | None:
     """The phrase at a token, cut down where its words are no phrase here."""
     token = tokens[i]
@@ -168,9 +183,9 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
         match = longest_match(tokens[: i + 1], i)
     if match and token.low == "right" and match.only("sub") and _turning(previous):
         match = longest_match(tokens[: i + 1], i)  # "turns right when …"
-    if match and (no_way(tokens, i, match) or (match.only("locus") and then_a_side(tokens, match))):
-        j = i + 1 if token.low == "against" else match.j - 1
-        match = longest_match(tokens[:j], i)  # "darts across from the left"
+    cut_at = _cut(match, tokens, i) if match else None
+    if cut_at is not None:
+        match = longest_match(tokens[:cut_at], i)
     if match and match.j > i + 1 and (then_a_noun(tokens, match) or over_a_place(tokens, match)):
         match = longest_match(tokens[: match.j - 1], i)
     if match and match.only("verb") and in_front(tokens, match):
@@ -197,7 +212,7 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
         return named
     if just_right(tokens, i, previous):
         return Term("manner", "mild", i, i + 1)
-    pace = pace_at(tokens, i)
+    pace = pace_at(tokens, i) or speed_at(tokens, i)
     if pace is not None:
         return pace
     quantity = quantity_at(tokens, i)

@@ -6,6 +6,8 @@ from scegen.scenario.functional import Junction
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Basis, Draft, Entity
 
+_OUT_OF_THE_ACCESS = frozenset({HazardKind.FAILURE_TO_YIELD, HazardKind.REVERSING})
+
 
 def maneuvers_of(entity: Entity, junction: Junction, draft: Draft) -> set[Maneuver]:
     """The maneuvers that the text says, or what follows from what it says besides.
@@ -70,7 +72,7 @@ def _has_the_way(entity: Entity, draft: Draft) -> Basis | None:
         alone = entity.ego or met == [entity]
         suffers = entity in danger.to or (not danger.to and alone)
         along = suffers and entity not in danger.by
-        if danger.kind is HazardKind.FAILURE_TO_YIELD and along:
+        if danger.kind in _OUT_OF_THE_ACCESS and along:
             return danger.basis
     return None
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
 from scegen.understanding.draft import Basis, Danger, Draft, Entity, Placement
+from scegen.understanding.mutual import allow, face_each_other, in_file
 from scegen.understanding.placing import INVERSE
 
 _COMPASS = ("north", "east", "south", "west")
@@ -45,6 +46,8 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     led = any(_placed(draft, e, Approach.AHEAD) for e in candidates)
     still = {e.index for d in draft.dangers if d.kind is HazardKind.STOPPING for e in d.by}
     sides = _SIDEWAYS if alone else _ALONG
+    behind = walkers and len(candidates) == 1 and _placed(draft, candidates[0], Approach.BEHIND)
+    sides = frozenset() if behind else sides  # "a car comes from behind": behind the jogger
     if all(_seen(draft, e, sides) or (led and e.index in still) for e in candidates):
         reason = "positions are given as seen from a vehicle that is not named; a car is added"
         return _added(draft, reason)
@@ -160,10 +163,11 @@ def settle_positions(
         if reference is ego:
             if own is not None and placement.reference is None:
                 approaches = _reframed(own, approaches)
-            _allow(entity, approaches, placement.basis)
+            allow(entity, approaches, placement.basis)
         elif not any(r[0] is entity and r[1] is reference for r in relations):
             relations.append((entity, reference, set(approaches), placement.basis))
-    _opposed(draft, ego, relations)
+    in_file(relations)
+    face_each_other(draft, ego, relations)
     _against_the_ego(draft, ego)
     if ego.heading is not None:
         for entity in draft.entities:
@@ -176,8 +180,23 @@ def settle_positions(
             seen = ego.heading_basis or Basis()
             entity.by_heading = Basis(seen.i, seen.j, f"the ego is headed {ego.heading}")
     _beside(draft, ego)
+    _in_file(relations)
     ego.approaches = set()
     return relations
+
+
+def _in_file(relations: list[tuple[Entity, Entity, set[Approach], Basis]]) -> None:
+    """``a van from the left, and a bus behind it``: both come from there."""
+    turned = [(b, a, {INVERSE[x] for x in s}, basis) for a, b, s, basis in relations]
+    for entity, leader, approaches, basis in (*relations, *turned):
+        seen = leader.approaches
+        across = len(seen) == 1 and seen <= {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
+        farther = len(seen) == 1 and seen == approaches
+        along = approaches <= {Approach.AHEAD, Approach.BEHIND} and len(approaches) == 1
+        free = not entity.approaches and entity.heading is None and not entity.entries
+        if along and (across or farther) and free and not entity.parked:
+            entity.approaches = set(seen)
+            entity.approach_basis = Basis(basis.i, basis.j, "it is in one file with another")
 
 
 def _against_the_ego(draft: Draft, ego: Entity) -> None:
@@ -189,7 +208,7 @@ def _against_the_ego(draft: Draft, ego: Entity) -> None:
     ]
     others = [e for e in draft.entities if e.moving_vehicle and e is not ego]
     if said and len(others) == 1 and not others[0].approaches and others[0].heading is None:
-        _allow(others[0], {INVERSE[a] for a in said[0].approaches}, said[0].basis)
+        allow(others[0], {INVERSE[a] for a in said[0].approaches}, said[0].basis)
 
 
 def _beside(draft: Draft, ego: Entity) -> None:
@@ -228,29 +247,3 @@ def _oriented(placement: Placement, ego: Entity) -> tuple[Entity, Entity, set[Ap
     if placement.entity is ego and reference is not ego:
         return reference, ego, {INVERSE[a] for a in placement.approaches}
     return placement.entity, reference, set(placement.approaches)
-
-
-def _allow(entity: Entity, approaches: set[Approach], basis: Basis) -> None:
-    """Two statements narrow each other down; where they differ, both are allowed."""
-    if not approaches or (approaches == {Approach.AHEAD} and entity.approaches - approaches):
-        return  # "… from the left and stops in front of the ego": where it gets to
-    common = entity.approaches & approaches
-    entity.approaches = common or (entity.approaches | approaches)
-    if entity.approach_basis is None or common:
-        entity.approach_basis = basis
-
-
-def _opposed(
-    draft: Draft, ego: Entity, relations: list[tuple[Entity, Entity, set[Approach], Basis]]
-) -> None:
-    for entity in draft.entities:
-        if entity is ego or not entity.opposed:
-            continue
-        basis = entity.approach_basis or entity.basis
-        if ego.index in entity.opposed:
-            _allow(entity, {Approach.OPPOSITE}, basis)
-            continue
-        first = min(entity.opposed)
-        if first < entity.index:
-            reference = draft.entities[first]
-            relations.append((entity, reference, {Approach.OPPOSITE}, basis))

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
-from scegen.understanding.chunks import Event, Place, Prep
+from scegen.understanding.chunks import Event, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene, span
-from scegen.understanding.draft import Basis
+from scegen.understanding.draft import Basis, Entity
 
 DIRECTIONS = {
     "left": Maneuver.LEFT,
@@ -82,9 +82,18 @@ def next_lane(event: Event, context: Context) -> bool:
         context: the scenario in the making.
     """
     lane = into_lane(event)
-    beside = lane is not None and lane.kind == "lane" and bool(BESIDE & set(lane.dirs))
+    ranked = lane is not None and lane.head is not None and "ranked" in lane.head.data
+    beside = ranked or (lane is not None and lane.kind == "lane" and bool(BESIDE & set(lane.dirs)))
+    beside = beside or _into_a_gap(event)
     keeps = context.tokens[event.i].forms[-1][0] in _KEEPING
     return beside and not keeps and not context.junction.crossing
+
+
+def _into_a_gap(event: Event) -> bool:
+    """``steers into the same gap``: between the vehicles of another lane."""
+    goals = [p.target for p in event.pps if p.value == "into"]
+    goals += [event.object] if event.name == "enter" else []
+    return any(isinstance(g, Thing) and g.head is not None and "gap" in g.head.data for g in goals)
 
 
 def through(event: Event, context: Context) -> Basis | None:
@@ -160,3 +169,16 @@ def leads(prep: Prep, context: Context) -> bool:
         context: the scenario in the making.
     """
     return any(t.low == "ahead" for t in context.tokens[prep.word.i : prep.word.j])
+
+
+def against(entity: Entity, place: Place) -> bool:
+    """Whether a lane leads the other way than somebody is headed ("the northbound lane").
+
+    Args:
+        entity: who drives into it.
+        place: the lane.
+    """
+    ways = {m.value for m in place.mods if m.cat == "compass"}
+    opposed = {"north": "south", "south": "north", "east": "west", "west": "east"}
+    heading = entity.heading or ""
+    return place.kind == "lane" and opposed.get(heading, "") in ways

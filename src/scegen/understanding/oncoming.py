@@ -1,0 +1,89 @@
+"""Who comes from the front, by what they have to do with others that do."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Approach, HazardKind
+from scegen.understanding.chunks import Mention
+from scegen.understanding.context import Context, Scene
+from scegen.understanding.draft import Basis, Placement
+
+
+def hidden_behind(scene: Scene, context: Context) -> None:
+    """``a motorcycle hidden behind an oncoming bus``: it comes the same way as the bus.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    if scene.event.name != "hide" or not scene.event.passive:
+        return
+    for prep in scene.event.pps:
+        if prep.value != "behind" or not isinstance(prep.target, Mention):
+            continue
+        if any("opposite" in e.dirs for e in scene.drivers):
+            basis = Basis(scene.event.i, prep.target.j, "what it hides comes from the front")
+            for entity in prep.target.entities:
+                told = any(p.entity is entity for p in context.draft.placements)
+                if entity.moving_vehicle and not (entity.ego or told):
+                    context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
+        if not any(context.oncoming(e) for e in prep.target.entities):
+            continue
+        basis = Basis(scene.event.i, prep.target.j, "what hides it comes from the front")
+        for entity in scene.drivers:
+            said = [p for p in context.draft.placements if p.entity is entity]
+            if not entity.ego and all(p.reference in prep.target.entities for p in said):
+                context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
+
+
+def overtaken(scene: Scene, context: Context) -> None:
+    """``an oncoming van overtakes a bus``: both come the same way.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    if scene.event.name not in {"overtake", "pass", "bypass"} or scene.event.negated:
+        return
+    called = [e for e in scene.targets if "opposite" in e.dirs]
+    for known, others in ((scene.drivers, scene.targets), (called, scene.drivers)):
+        if not any(context.oncoming(e) for e in known):
+            continue
+        basis = Basis(scene.event.i, scene.event.j, "one that comes from the front passes another")
+        for entity in others:
+            seen = [p for p in context.draft.placements if p.entity is entity and by_the_ego(p)]
+            if entity.moving_vehicle and not entity.ego and not seen:
+                context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
+
+
+def met(scene: Scene, context: Context) -> None:
+    """``uses the oncoming lane once the approaching van has gone by``: the van is met there.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    event = scene.event
+    if event.name not in {"approach", "move"} or event.object is not None or event.negated:
+        return
+    meets = context.junction.crossing or context.draft.crossing_implied is not None
+    leaves = any(
+        d.kind is HazardKind.ONCOMING_LANE and any(e.ego for e in d.by)
+        for d in context.draft.dangers
+    )
+    described = event.premod_of is not None and event.name == "approach"
+    if meets or not (leaves or described):
+        return
+    basis = Basis(event.i, event.j, "who approaches on an open road comes from the front")
+    for entity in scene.drivers:
+        seen = [p for p in context.draft.placements if p.entity is entity or p.reference is entity]
+        if not entity.ego and not seen and entity.heading is None and not entity.maneuvers:
+            context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
+
+
+def by_the_ego(placement: Placement) -> bool:
+    """Whether it says where somebody is as the ego sees it.
+
+    Args:
+        placement: a position.
+    """
+    return placement.reference is None or placement.reference.ego
