@@ -286,6 +286,7 @@ class Discourse:
         if reading.dirs:
             options = [e for e in options if e.dirs == reading.dirs]
         options = [e for e in options if not (loci and e.loci) or loci & e.loci]
+        options = [e for e in options if not ("behind" in loci and "opposite" in e.dirs)]
         elsewise = bool(loci) and not reading.parked  # a parked van is not "the car behind it"
         options = [e for e in options if not (elsewise and e.parked) or loci & e.loci]
         options = [e for e in options if not (mention.sides and e.sides) or mention.sides & e.sides]

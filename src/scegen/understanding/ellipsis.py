@@ -42,7 +42,7 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
         copy = _copy(verb, chunk, chunks, k + 1)
         if copy is not None:
             found.append(copy)
-    return complete(chunks, found)
+    return complete(chunks, found, tokens)
 
 
 def _likewise(events: list[Event], tokens: list[Token]) -> None:

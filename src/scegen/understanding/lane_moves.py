@@ -49,12 +49,6 @@ def swerve(scene: Scene, context: Context) -> None:
         lane_change(scene, context)
 
 
-def swerve(scene: Scene, context: Context) -> None:
-    """``veers into the left lane``: abrupt, but a change of lane all the same."""
-    if ways.next_lane(scene.event, context):
-        lane_change(scene, context)
-
-
 def forced(scene: Scene, context: Context) -> None:
     """``is forced into the opposite lane``, ``pushes the ego into the left lane``."""
     lane = ways.into_lane(scene.event)

@@ -14,6 +14,8 @@ from scegen.understanding.state import State
 _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
 _LEADING = frozenset({"in", "into", "to", "for"})
 _OWNED = frozenset({"side", "lane", "path"})
+_TURNS = frozenset({"turn", "u_turn"})
+"""Nouns of doings that somebody has before him ("a left turn for the ego")."""
 _INTRANSITIVE = frozenset({"pass", "cross", "move", "walk", "merge", "enter", "turn", "leave"})
 
 
@@ -150,10 +152,8 @@ def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) 
         state.last_pp = mention  # "behind a van on the right a man …": the van is there
         return
     last = state.events[-1] if state.events else None
-    doer = prep.value in {"by", "of"} or (
-        prep.value == "for" and _task_of(mention, last, k, chunks)
-    )
-    if last and last.nominal and doer and not last.subject:
+    done_by = {"by", "of", "for"} if last and last.name in _TURNS else {"by", "of"}
+    if last and last.nominal and prep.value in done_by and not last.subject:
         last.subject = [mention]
     named = prep.value in {"with", "due", "against"}
     if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:
@@ -168,12 +168,6 @@ def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) 
     state.anchor = mention
     state.between = set()
     state.last_pp = None
-
-
-def _task_of(mention: Mention, doing: Event | None, k: int, chunks: list[Chunk]) -> bool:
-    """``a left turn for the ego``: the ego has to make it."""
-    ego = any(h.data.get("ego") for h in mention.heads)
-    return ego and k > 1 and chunks[k - 2] is doing
 
 
 def _owns_place(mention: Mention, k: int, chunks: list[Chunk]) -> bool:

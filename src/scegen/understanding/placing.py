@@ -106,6 +106,12 @@ def _at_its_side(prep: Prep, event: Event | None) -> bool:
     return prep.value == "to" and sided and owned and steady
 
 
+def _ends_there(event: Event, prep: Prep) -> bool:
+    """``swerves behind the ego``, ``sweeps left in front of the bus``: where it gets to."""
+    turns = any(d.value in _SIDES for d in event.dirs)
+    return (event.name, prep.value) == ("swerve", "behind") or (turns and prep.value == "ahead")
+
+
 def _same_way(prep: Prep) -> bool:
     """``in the same direction as the ego``."""
     place = prep.target
@@ -247,11 +253,10 @@ class Placer:
             return  # "between the ego and the kerb"
         if event is not None and event.name not in _STEADY and prep.outer != "from":
             return
+        if event is not None and target and _ends_there(event, prep):
+            return
         if prep.outer == "from" and isinstance(target, Mention) and event is not None:
             return
-        turns = event is not None and any(d.value in _SIDES for d in event.dirs)
-        if turns and prep.value == "ahead" and target is not None:
-            return  # "sweeps left in front of the bus": across its way
         approaches = {Approach(prep.value)}
         reference: Entity | None = None
         if isinstance(target, Mention):
