@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from scegen.understanding.ordinals import role_alone
 from scegen.understanding.paces import doing
 from scegen.understanding.particles import measured
 from scegen.understanding.terms import Term, longest_match
@@ -31,6 +32,7 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         term = Term("inert", "noun", term.i, term.j)
     if term.value == "genitive":
         term = _shortened(term, terms, tokens)
+    term = role_alone(term, terms, tokens)
     if _does_not(tokens, term):
         term = replace(term, cat="aux", value="do")
     if terms and measured(tokens, terms, term):
