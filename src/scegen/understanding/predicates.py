@@ -26,8 +26,8 @@ def complete(chunks: list[Chunk], events: list[Event]) -> list[Event]:
     """
     found = list(events)
     _titled(chunks, events)
-    _by_the_other(chunks, events)
     entitle(chunks, events)
+    _by_the_other(chunks, events)
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Event) and chunk.nominal and not chunk.subject:
             chunk.subject = _whose(chunks, k, found)

@@ -8,6 +8,7 @@ from scegen.understanding.choosing import choose, is_adverb
 from scegen.understanding.collectives import gather
 from scegen.understanding.labels import named_at
 from scegen.understanding.lexicon import Entry
+from scegen.understanding.nominal import ORDINALS
 from scegen.understanding.numbers import number_at
 from scegen.understanding.ordinals import with_articles
 from scegen.understanding.paces import pace_at, speed_at
@@ -72,6 +73,7 @@ def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term | None)
         return False
     alone = longest_match(tokens[: i + 1], i)
     singular = previous is not None and previous.cat in {"det", "dir", "label"}
+    singular = singular or (i > 0 and tokens[i - 1].low in ORDINALS)
     rest = longest_match(tokens, i + 1)
     verbal = rest is not None and rest.has("verb")
     return singular and verbal and alone is not None and alone.has("actor")
