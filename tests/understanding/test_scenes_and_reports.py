@@ -109,3 +109,36 @@ def test_people_leave_their_vehicle_on_foot():
 
 def test_no_junction_where_none_is():
     assert read("A cyclist crosses the road at a non-junction location.").junction.arms == 2
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("The ego gets past a bin lorry using the oncoming lane.", {"oncoming_lane"}),
+        ("A parked taxi's door is flung open by a passenger as the ego passes.", {"obstacle"}),
+        ("A ball rolls onto the street, followed by a boy.", {"obstacle", "crossing_pedestrian"}),
+        ("The leading truck's cargo falls onto the carriageway.", {"obstacle"}),
+        ("Vehicle 1 was waiting at a red light. Vehicle 2 failed to brake and struck Vehicle 1.",
+         {"delayed_braking"}),
+        ("A delivery van is unloading in the ego's lane.", {"stopping"}),
+    ],
+)  # fmt: skip
+def test_dangers_of_things_and_of_those_who_stand(text, expected):
+    assert dangers(text) == expected
+
+
+def test_a_list_after_a_colon_holds_the_ego():
+    text = (
+        "Three vehicles meet at a junction: the ego turns left, a taxi goes straight, a van waits."
+    )
+    assert len(read(text).participants) == 3
+
+
+def test_who_drives_up_behind_a_walker_is_the_ego():
+    text = "A hiker walks along the road in the same direction as a van, which comes from behind."
+    assert [p.kind.value for p in read(text).participants if p.role == "ego"] == ["van"]
+
+
+def test_both_sides_of_the_ego_are_the_lanes_beside():
+    text = "Two vans on either side of the ego drift towards its lane."
+    assert seen(text) == [("van", {"adjacent"})] * 2

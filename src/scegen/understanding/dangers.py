@@ -13,6 +13,7 @@ from scegen.understanding.walking import keep_along
 from scegen.understanding.ways import against, into_lane
 
 _HASTY = frozenset({"early", "soon", "closely", "close", "tightly"})
+_STANDING = frozenset({"stand", "sit", "idle", "unload", "load", "deliver", "linger"})
 _GENTLY = frozenset({"gently", "gentle", "lightly", "light", "softly", "soft", "smoothly", "smooth",
                      "gradually", "gradual", "moderately", "moderate", "mildly", "mild",
                      "slightly", "slight", "carefully", "comfortably"})  # fmt: skip
@@ -111,7 +112,7 @@ def wait(scene: Scene, context: Context) -> None:
         for p in scene.event.pps
     )
     others = [e for e in scene.drivers if not e.ego]
-    stands = context.tokens[scene.event.i].forms[-1][0] in {"stand", "sit", "idle"}
+    stands = context.tokens[scene.event.i].forms[-1][0] in _STANDING
     if lanes and stands and others:
         context.draft.hazard(HazardKind.STOPPING, scene.words, others)
 

@@ -111,7 +111,7 @@ class Discourse:
         basis = Basis(mention.i, mention.j)
         if reading.ego and not reading.plural:
             if mention.prep is None and (mention.joined is not None or not exclude):
-                self._roster.last_is_ego()
+                self._roster.last_is_ego(mention)
             ego = self._ego(reading.kind, basis, told=not reading.generic)
             ego.named_by |= {"speaks"} if tells(mention) else set()
             return [ego]
@@ -274,6 +274,7 @@ class Discourse:
         if reading.dirs:
             options = [e for e in options if e.dirs == reading.dirs]
         options = [e for e in options if not (loci and e.loci) or loci & e.loci]
+        options = [e for e in options if not ("behind" in loci and "opposite" in e.dirs)]
         elsewise = bool(loci) and not reading.parked  # a parked van is not "the car behind it"
         options = [e for e in options if not (elsewise and e.parked) or loci & e.loci]
         options = [e for e in options if not (mention.sides and e.sides) or mention.sides & e.sides]

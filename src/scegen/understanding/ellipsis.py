@@ -43,7 +43,7 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
         copy = _copy(verb, chunk, chunks, k + 1)
         if copy is not None:
             found.append(copy)
-    return complete(chunks, late_braking(chunks, found, tokens))
+    return complete(chunks, late_braking(chunks, found, tokens), tokens)
 
 
 def _likewise(events: list[Event], tokens: list[Token]) -> None:

@@ -8,6 +8,7 @@ from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Entity
 from scegen.understanding.mention_words import KINDS, Reading
+from scegen.understanding.tokens import Token
 
 _MOTOR = frozenset(ParticipantKind) - {ParticipantKind.PEDESTRIAN}
 
@@ -56,3 +57,19 @@ def vehicle_around(reading: Reading, mention: Mention) -> Mention | None:
             if any(kind in _MOTOR for kind in kinds if kind is not None):
                 return target
     return None
+
+
+def in_list(groups: list[Group], tokens: list[Token], mention: Mention) -> bool:
+    """Whether a colon after a group opens the list in which somebody is named.
+
+    Args:
+        groups: the groups so far.
+        tokens: the tokens of the text.
+        mention: somebody.
+    """
+    if not groups or groups[-1].vague:
+        return False
+    said = groups[-1].members[-1].basis.j or 0
+    colons = [k for k, t in enumerate(tokens[: mention.i]) if t.low == ":" and k >= said]
+    stops = [k for k, t in enumerate(tokens[: mention.i]) if t.low == "."]
+    return bool(colons) and not any(k > colons[0] for k in stops)

@@ -127,6 +127,8 @@ def _driven_up_to(scene: Scene, context: Context) -> None:
         _comes_towards(scene, driver, context)
         targets = [e for e in targets if not e.ego or _from_the_rear(scene, context)]
     certain = _from_the_rear(scene, context) or _along_the_road(scene, context)
+    late = [d for d in context.draft.dangers if d.kind is HazardKind.DELAYED_BRAKING]
+    certain = certain or any(driver in d.by for d in late)  # "failed to stop and hit the bus"
     for target in targets:
         slower = certain or _slower(target, context)
         if target.moving_vehicle and _on_the_wrong_side(driver, context):

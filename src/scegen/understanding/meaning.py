@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding import (
     afoot,
+    bearing,
     breaches,
     courses,
     dangers,
@@ -84,10 +85,16 @@ class Interpreter:
             for e in events
             for p in e.pps
             if p.on_mention is e.object
-            and (self._starts(e, p) or (e.name in _BESIDE and _is_side(p)) or _own_lane(e, p))
+            and (
+                self._starts(e, p)
+                or (e.name in _BESIDE and bearing.is_side(p))
+                or bearing.own_lane(e, p)
+            )
         }
         set_off(events, self._context)
-        handled = {id(e.object) for e in events if e.name in {"inert", "send"}}  # "kicks a ball"
+        handled = {
+            id(e.object) for e in events if e.name in {"inert", "send"} and not e.passive
+        }  # "kicks a ball"
         acting = {id(m) for e in events for m in e.subject if e.name != "hide"}
         for chunk in chunks:
             if isinstance(chunk, Mention) and chunk.entities:
@@ -118,10 +125,10 @@ class Interpreter:
     def _mention(self, mention: Mention) -> None:
         self._placer.adjectives(mention)
         afoot.on_the_road(mention, self._context)
-        sides = [p for p in mention.pps if p.value in {"from", "in"} and _is_side(p)]
+        sides = [p for p in mention.pps if p.value in {"from", "in"} and bearing.is_side(p)]
         lane_moves.on_the_wrong_side(mention, self._context)
         for prep in mention.pps:
-            if id(prep) in self._of_verbs:
+            if id(prep) in self._of_verbs or bearing.facing(mention, prep):
                 continue  # "approaches the ego from the left": not the ego comes from there
             shared = len(sides) == len(mention.entities) > 1 and prep in sides
             whom = [mention.entities[sides.index(prep)]] if shared else mention.entities
@@ -184,6 +191,8 @@ class Interpreter:
                 self._context.ahead(
                     scene.targets[:1], scene.actors, Basis(prep.word.i, prep.word.j)
                 )
+            elif event.name == "pass" and event.object is None and bearing.bare_side(prep):
+                continue  # "passes on the right": on which side one gets past
             elif prep.on_mention is None or self._starts(event, prep):
                 turned = event.passive and event.name != "hide"
                 turned = turned and prep.value not in {"behind", "from"}
@@ -197,7 +206,7 @@ class Interpreter:
         if event.negated or failed or event.name == "overlook":
             not_done(scene, self._context)
             return
-        if event.name in _BREACHING or breaches.turns_across(scene, self._context):
+        if event.name in _BREACHING or breaches.may_break(scene, self._context):
             breaches.breach(scene, self._context)
         self._manner(scene)
         movement = MOVEMENTS.get(event.name)
@@ -230,6 +239,7 @@ class Interpreter:
         named = prep.on_mention
         target = named is not None and named not in event.subject
         moved = event.name in _UNDERWAY and (named is event.object or event.object is None)
+        moved = moved and self._context.tokens[event.i].forms[-1][0] != "meet"
         source = prep.value == "from" or (prep.outer == "from" and prep.target is None)
         return source and not (target and not moved)
 
@@ -285,14 +295,3 @@ class Interpreter:
                     on_foot = not entity.is_vehicle or self._context.is_cyclist(entity)
                     if sides and on_foot:
                         self._draft.place(entity, None, sides, basis)
-
-
-def _own_lane(event: Event, prep: Prep) -> bool:
-    """``the ego follows a van in the right lane``: that is the ego's lane, too."""
-    lane = isinstance(prep.target, Place) and prep.target.kind == "lane" and prep.value == "in"
-    ego = any(e.ego for m in event.subject for e in m.entities)
-    return lane and ego and event.name in {"follow", "tailgate"} and not event.passive
-
-
-def _is_side(prep: Prep) -> bool:
-    return isinstance(prep.target, Place) and prep.target.kind == "side"

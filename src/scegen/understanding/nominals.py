@@ -13,6 +13,8 @@ from scegen.understanding.state import State
 
 _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
 _OWNED = frozenset({"side", "lane", "path"})
+_TURNS = frozenset({"turn", "u_turn"})
+"""Nouns of doings that somebody has before him ("a left turn for the ego")."""
 _INTRANSITIVE = frozenset({"pass", "cross", "move", "walk", "merge", "enter", "turn", "leave"})
 
 
@@ -156,7 +158,8 @@ def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) 
     if prep.fronted:
         return
     last = state.events[-1] if state.events else None
-    if last and last.nominal and prep.value in {"by", "of"} and not last.subject:
+    done_by = {"by", "of", "for"} if last and last.name in _TURNS else {"by", "of"}
+    if last and last.nominal and prep.value in done_by and not last.subject:
         last.subject = [mention]
     named = prep.value in {"with", "due", "against"}
     if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:

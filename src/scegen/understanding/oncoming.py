@@ -20,6 +20,12 @@ def hidden_behind(scene: Scene, context: Context) -> None:
     for prep in scene.event.pps:
         if prep.value != "behind" or not isinstance(prep.target, Mention):
             continue
+        if any("opposite" in e.dirs for e in scene.drivers):
+            basis = Basis(scene.event.i, prep.target.j, "what it hides comes from the front")
+            for entity in prep.target.entities:
+                told = any(p.entity is entity for p in context.draft.placements)
+                if entity.moving_vehicle and not (entity.ego or told):
+                    context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
         if not any(context.oncoming(e) for e in prep.target.entities):
             continue
         basis = Basis(scene.event.i, prep.target.j, "what hides it comes from the front")

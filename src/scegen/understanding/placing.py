@@ -152,7 +152,9 @@ class Placer:
         target = prep.target
         word = self._draft.tokens[prep.word.i].low
         through = event is None and word in _BY_WAY_OF  # "gets past a bus via the oncoming lane"
-        if isinstance(target, Place) and not through:
+        if not isinstance(target, Place) or through:
+            return
+        if not self._on_both_sides(prep, target, entities):
             self._at_place(prep, target, entities, event)
 
     def _at_place(
@@ -203,6 +205,20 @@ class Placer:
             entity.pulls_out = entity.pulls_out or kerb
             self._draft.place(entity, reference, set(approaches), basis)
 
+    def _on_both_sides(self, prep: Prep, side: Place, entities: list[Entity]) -> bool:
+        """``two vans on either side of the bus``: abreast of it."""
+        both = any(m.cat == "quant" for m in side.mods) or (
+            self._draft.tokens[side.i - 1].low == "either"
+        )
+        owner = side.owner.entities[0] if side.owner and side.owner.entities else None
+        if not both or owner is None or side.dirs or prep.value != "in":
+            return False
+        for entity in entities:
+            if entity.moving_vehicle:
+                basis = Basis(prep.word.i, side.j)
+                self._draft.place(entity, owner, {Approach.ADJACENT}, basis)
+        return True
+
     def _beside(self, side: Place, entities: list[Entity], basis: Basis) -> None:
         """``drives to the right of the bus``: abreast; people stand on that side."""
         owner = side.owner.entities[0] if side.owner and side.owner.entities else None
@@ -244,6 +260,8 @@ class Placer:
             return  # "between the ego and the kerb"
         if event is not None and event.name not in _STEADY and prep.outer != "from":
             return
+        if event is not None and (event.name, prep.value) == ("swerve", "behind") and target:
+            return  # "swerves behind the ego": where it gets to
         if prep.outer == "from" and isinstance(target, Mention) and event is not None:
             return
         approaches = {Approach(prep.value)}

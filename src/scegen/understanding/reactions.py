@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Place
+from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context
 
 _BRAKING = frozenset({"brake", "slow", "stop"})
@@ -28,10 +28,20 @@ def mark_late(events: list[Event], context: Context) -> None:
         events: the events of a text.
         context: the scenario in the making.
     """
-    rear_ends = [e for e in events if e.name == "collide" and into_rear(e, context)]
+    standing = {
+        e.index
+        for event in events
+        if event.name in {"stop", "wait", "park"} and not event.negated and event.finite
+        for m in event.subject
+        for e in m.entities
+    }
+    hits = [e for e in events if e.name == "collide"]
+    rear_ends = [e for e in hits if into_rear(e, context)]
+    stood = [e for e in hits if _into_one_of(e, standing)]
     for event in events:
         if event.name in _BRAKING and not event.nominal:
-            event.late = any(_together(event, e) for e in rear_ends)
+            failed = event.link != "ing"  # unlike "rode on without stopping and hit it"
+            event.late = any(_together(event, e) for e in (*rear_ends, *(stood if failed else ())))
 
 
 def into_rear(event: Event, context: Context) -> bool:
@@ -46,6 +56,12 @@ def into_rear(event: Event, context: Context) -> bool:
     words = {t.low for t in context.tokens[event.i : event.j]}
     behind = any(p.value == "behind" and p.outer == "from" for p in event.pps)
     return rear or behind or bool(words & _REAR)
+
+
+def _into_one_of(event: Event, standing: set[int]) -> bool:
+    """Whether somebody is hit who stands."""
+    hit = event.object.entities if isinstance(event.object, Mention) else []
+    return not event.passive and any(e.index in standing for e in hit)
 
 
 def _together(one: Event, other: Event) -> bool:

@@ -6,8 +6,11 @@ from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding.chunks import Chunk, Mention, Thing
 from scegen.understanding.draft import Basis, Draft, Entity
 
-_REACH = 3
-_FLUNG = frozenset({"flung", "swung", "swings"})
+_OPENED_REACH = 11
+_FLUNG = frozenset({"flung", "swung", "swings", "ajar"})
+_FALLING = frozenset({"fall", "drop", "spill", "tumble", "roll", "fly", "slide", "detach",
+                      "scatter", "blow", "shed"})  # fmt: skip
+_REACH = 4
 
 
 def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
@@ -20,7 +23,8 @@ def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
     """
     basis = Basis(thing.i, thing.j)
     possessed = thing.owner is not None or any(m.cat == "possessive" for m in thing.mods)
-    if thing.kind == "obstacle" and (possessed or _carried(thing, chunks)):
+    lost = possessed and _comes_off(thing, draft)
+    if thing.kind == "obstacle" and not lost and (possessed or _carried(thing, chunks)):
         return  # "its tyre bursts", "a man with a dog": a part of somebody
     if thing.kind == "obstacle":
         draft.hazard(HazardKind.OBSTACLE, basis, [])
@@ -38,8 +42,16 @@ def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
 
 def _open(thing: Thing, draft: Draft) -> bool:
     """``an opening door``, ``a door opens``; "hit the driver's door" is a place on a car."""
-    around = draft.tokens[max(0, thing.i - 2) : thing.j + _REACH]
+    around = draft.tokens[max(0, thing.i - 2) : thing.j + _OPENED_REACH]
+    ends = next((k for k, t in enumerate(around) if k > 2 and t.kind == "punct"), len(around))
+    around = around[:ends]
     return any(t.low.startswith("open") or t.low in _FLUNG for t in around)
+
+
+def _comes_off(thing: Thing, draft: Draft) -> bool:
+    """``the truck's cargo falls onto the road``: no longer a part of it."""
+    words = [t.forms[-1][0] for t in draft.tokens[thing.j : thing.j + _REACH]]
+    return bool(_FALLING & set(words))
 
 
 def _carried(thing: Thing, chunks: list[Chunk]) -> bool:

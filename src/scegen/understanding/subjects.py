@@ -19,6 +19,7 @@ PASSIVE = frozenset(
      "enter", "use", "door", "chase", "harm", "send"}
 )  # fmt: skip
 
+_MOVING = frozenset({"enter", "lane_change", "cross", "move", "merge", "swerve", "sharp_turn"})
 _DESCRIBING = PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}
 """Verbs whose participle describes a noun ("a man hidden behind a van")."""
 
@@ -70,14 +71,20 @@ def _without_ability(state: State) -> bool:
     return state.prep is not None and state.prep.value == "without" and "aux:can" in state.between
 
 
-def before_by(event: Event) -> None:
+def before_by(event: Event, state: State) -> None:
     """``…, obstructed by a van``: a participle with "by" after it is passive.
 
     Args:
         event: the verb form right before "by".
+        state: what the clause reader remembers.
     """
-    if event.form == "ed" and event.name in PASSIVE and not event.nominal:
-        event.passive = True
+    if event.form != "ed" or event.name not in PASSIVE or event.nominal:
+        return
+    event.passive = True
+    finite = [e for e in state.events if e.finite]
+    thing = bool(finite) and not finite[-1].subject and finite[-1] not in state.pending
+    if thing and "," in state.between:
+        event.subject = []  # "a ball rolls out, followed by a boy"
 
 
 def _said_of_a_thing(event: Event, state: State) -> None:
@@ -167,7 +174,10 @@ def _after_comma(event: Event, state: State) -> None:
     if waiting and (state.anchor is who or placed) and state.candidate is not None:
         event.subject = chain(state.candidate)  # "when a van, turning left, fails to yield"
         return
-    if state.candidate is not None and (event.finite or not state.main):
+    seen = None if event.finite else _seen_coming(event, state)
+    if seen is not None:
+        event.subject = chain(seen)
+    elif state.candidate is not None and (event.finite or not state.main):
         event.subject = chain(state.candidate)
     elif state.events:
         event.subject = _main_in_sentence(state)
@@ -177,6 +187,20 @@ def _after_comma(event: Event, state: State) -> None:
         event.subject = chain(state.anchor)
     else:
         state.pending.append(event)
+
+
+def _seen_coming(event: Event, state: State) -> Mention | None:
+    """``finds it in its lane, arriving from the left``: who is seen arrives."""
+    right_before = bool(state.events) and state.events[-1].name == "encounter"
+    if event.form != "ing" or event.name not in {
+        "approach",
+        "appear",
+        *(["move"] if right_before else []),
+    }:
+        return None
+    seen = [e.object for e in state.events if e.name == "encounter" and e.finite]
+    last = seen[-1] if seen else None
+    return last if isinstance(last, Mention) else None
 
 
 def _inherit_mood(event: Event, state: State) -> None:
@@ -194,7 +218,8 @@ def _main_in_sentence(state: State) -> list[Mention]:
 def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     waiting = state.candidate is not None and not state.candidate_done
     if event.finite and waiting and state.candidate is not None:
-        if event.form == "ed" and anchor is not state.candidate and not auxiliary(state):
+        past = event.form == "ed" and anchor is not state.candidate and not auxiliary(state)
+        if past and not _resumes(event, anchor, state):
             event.finite = False
             event.subject = chain(anchor)
             return
@@ -207,6 +232,9 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     if last and within and anchor.head and "mass" in anchor.head.data and event.form == "ing":
         event.subject = last.subject  # "is stopped in traffic waiting to turn"
         return
+    if last is not None and last.object is anchor and _by_doing(event, last, anchor):
+        event.subject = last.subject  # "overtakes a bus using the oncoming lane"
+        return
     if last is not None and last.object is anchor and last.name in {"cause", "prevent"}:
         depend(event, last, "ing")
     granted = last is not None and last.object is anchor and last.name in {"leave", "inert"}
@@ -216,6 +244,24 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
         event.subject = last.subject  # "nearly hit me coming from the right"
         return
     event.subject = chain(anchor)
+
+
+def _by_doing(event: Event, last: Event, passed: Mention) -> bool:
+    """Whether a participle says how somebody is passed, and not what the one passed does."""
+    if event.form != "ing" or last.name not in {"overtake", "bypass", "pass", "avoid"}:
+        return False
+    parked = any(m.cat == "state" for m in passed.mods)
+    return event.name == "use" or (parked and event.name in _MOVING)
+
+
+def _resumes(event: Event, anchor: Mention, state: State) -> bool:
+    """``the car coming towards us began …``: the verb of the clause, not said of "us"."""
+    if anchor.pronoun in {"it", "him", "they"} or any("me" in h.data for h in anchor.heads):
+        return True
+    last = state.events[-1] if state.events else None
+    embedded = last is not None and last.object is anchor and last.form == "ing"
+    describing = event.name in _DESCRIBING | PASSIVE | {"stop"}
+    return embedded and not describing and not state.verb_follows
 
 
 def _pronoun_object(anchor: Mention, verb: Event) -> bool:

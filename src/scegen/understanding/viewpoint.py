@@ -46,6 +46,8 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     led = any(_placed(draft, e, Approach.AHEAD) for e in candidates)
     still = {e.index for d in draft.dangers if d.kind is HazardKind.STOPPING for e in d.by}
     sides = _SIDEWAYS if alone else _ALONG
+    behind = walkers and len(candidates) == 1 and _placed(draft, candidates[0], Approach.BEHIND)
+    sides = frozenset() if behind else sides  # "a car comes from behind": behind the jogger
     if all(_seen(draft, e, sides) or (led and e.index in still) for e in candidates):
         reason = "positions are given as seen from a vehicle that is not named; a car is added"
         return _added(draft, reason)
@@ -185,7 +187,8 @@ def settle_positions(
 
 def _in_file(relations: list[tuple[Entity, Entity, set[Approach], Basis]]) -> None:
     """``a van from the left, and a bus behind it``: both come from there."""
-    for entity, leader, approaches, basis in relations:
+    turned = [(b, a, {INVERSE[x] for x in s}, basis) for a, b, s, basis in relations]
+    for entity, leader, approaches, basis in (*relations, *turned):
         seen = leader.approaches
         across = len(seen) == 1 and seen <= {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
         farther = len(seen) == 1 and seen == approaches

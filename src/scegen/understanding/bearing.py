@@ -1,0 +1,49 @@
+"""Phrases of place that do not say where a noun is, although they stand beside it."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Event, Mention, Place, Prep
+
+
+def facing(mention: Mention, prep: Prep) -> bool:
+    """``oncoming traffic in the target lane``: it comes from the front, whatever the lane.
+
+    Args:
+        mention: a noun.
+        prep: a phrase after it.
+    """
+    lane = isinstance(prep.target, Place) and prep.target.kind == "lane"
+    return lane and "opposite" in mention.dirs
+
+
+def own_lane(event: Event, prep: Prep) -> bool:
+    """``the ego follows a van in the right lane``: that is the ego's lane, too.
+
+    Args:
+        event: what happens.
+        prep: a phrase after its object.
+    """
+    lane = isinstance(prep.target, Place) and prep.target.kind == "lane" and prep.value == "in"
+    ego = any(e.ego for m in event.subject for e in m.entities)
+    return lane and ego and event.name in {"follow", "tailgate"} and not event.passive
+
+
+def bare_side(prep: Prep) -> bool:
+    """``on the right``, unlike "on its right".
+
+    Args:
+        prep: a phrase of place.
+    """
+    side = prep.target
+    bare = isinstance(side, Place) and side.owner is None
+    bare = bare and not any(m.cat == "possessive" for m in getattr(side, "mods", []))
+    return bare and prep.value == "in" and is_side(prep)
+
+
+def is_side(prep: Prep) -> bool:
+    """Whether a phrase names a side.
+
+    Args:
+        prep: a phrase of place.
+    """
+    return isinstance(prep.target, Place) and prep.target.kind == "side"
