@@ -86,9 +86,17 @@ def _emphasises(mention: Mention, state: State) -> bool:
 
 def _takes(verb: Event, k: int, chunks: list[Chunk]) -> bool:
     """Whether a noun after a verb is its object; "he said the van stopped" tells of the van."""
+    if _waits_for_subject(verb, k, chunks):
+        return False
     tells = verb.says or (verb.control == "subject" and isinstance(chunks[k], Mention))
     reported = tells and (finite_follows(chunks, k) or copula_follows(chunks, k))
     return verb.object is None and not reported
+
+
+def _waits_for_subject(verb: Event, k: int, chunks: list[Chunk]) -> bool:
+    """``while passing into the left lane the ego sees a van``: the ego passes and sees."""
+    placed = verb.form == "ing" and not verb.subject and bool(verb.pps)
+    return placed and verb.i < chunks[k - 1].i and finite_follows(chunks, k)
 
 
 def _described(mention: Mention, k: int, chunks: list[Chunk], state: State) -> Mention | None:

@@ -10,6 +10,7 @@ from scegen.understanding.paces import doing
 from scegen.understanding.particles import measured
 from scegen.understanding.terms import Term, longest_match
 from scegen.understanding.tokens import Token
+from scegen.understanding.unnamed_roles import role_alone
 
 _SHORT = frozenset({"only", "half", "within", "of", "just", "barely", "than", "for", "about",
                     "under", "in"})  # fmt: skip
@@ -34,6 +35,7 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         term = Term("inert", "noun", term.i, term.j)
     if term.value == "genitive":
         term = _shortened(term, terms, tokens)
+    term = role_alone(term, terms, tokens)
     if _does_not(tokens, term):
         term = replace(term, cat="aux", value="do")
     if terms and measured(tokens, terms, term):

@@ -46,7 +46,7 @@ def _link(event: Event, state: State) -> None:
     helped = auxiliary(state)
     if to:
         infinitive(event, state)
-    elif state.prep is not None and event.form == "ing":
+    elif state.prep is not None and (event.form == "ing" or _without_ability(state)):
         gerund(event, state)
     else:
         event.finite = event.form in {"s", "ed", "base"} or helped
@@ -72,6 +72,11 @@ def _link(event: Event, state: State) -> None:
         state.main = event.subject
         waits = "rel" in state.between and event.subject[-1] is state.candidate
         state.candidate_done = state.candidate_done or not waits
+
+
+def _without_ability(state: State) -> bool:
+    """``without being able to stop``."""
+    return state.prep is not None and state.prep.value == "without" and "aux:can" in state.between
 
 
 def before_by(event: Event, state: State) -> None:

@@ -8,6 +8,7 @@ from scegen.understanding.choosing import choose, is_adverb
 from scegen.understanding.collectives import gather
 from scegen.understanding.labels import named_at
 from scegen.understanding.lexicon import Entry
+from scegen.understanding.nominal import ORDINALS
 from scegen.understanding.numbers import number_at
 from scegen.understanding.paces import pace_at, speed_at
 from scegen.understanding.particles import (
@@ -29,6 +30,7 @@ from scegen.understanding.quantities import quantity_at
 from scegen.understanding.retagging import retag
 from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
+from scegen.understanding.unnamed_roles import with_articles
 
 _NOUNS = ("actor", "place", "thing", "inert")
 _CROSSED = frozenset({"road", "lane", "path", "highway", "crosswalk"})
@@ -75,6 +77,7 @@ def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term | None)
         return False
     alone = longest_match(tokens[: i + 1], i)
     singular = previous is not None and previous.cat in {"det", "dir", "label"}
+    singular = singular or (i > 0 and tokens[i - 1].low in ORDINALS)
     rest = longest_match(tokens, i + 1)
     verbal = rest is not None and rest.has("verb")
     return singular and verbal and alone is not None and alone.has("actor")
@@ -97,7 +100,7 @@ def tag(tokens: list[Token]) -> list[Term]:
         term = retag(term, terms, tokens)
         terms.append(term)
         i = terms[-1].j
-    return _crossings(gather(from_side_to_side(terms), tokens), tokens)
+    return with_articles(_crossings(gather(from_side_to_side(terms), tokens), tokens), tokens)
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:
