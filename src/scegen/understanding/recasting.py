@@ -43,23 +43,35 @@ def recast(scene: Scene, context: Context) -> str:
         return "lane_change"
     if event.name in _OUT and scene.actors and not any(e.is_vehicle for e in scene.actors):
         return "cross" if not _around(scene, context) else "walk"
-    riders = scene.drivers and all(context.is_cyclist(e) and not e.ego for e in scene.drivers)
-    motor = [e for e in scene.drivers if not context.is_cyclist(e)]
-    if event.name == "cross" and motor and not riders and "out" in _own(scene, context):
-        return "pull_out"
-    if event.name == "pull_out" and motor and _between_lanes(scene, context):
-        return "cut_in"
-    if event.name in {"move", "dash", "speed"} and scene.drivers and _ignores_it(scene, context):
-        return "breach"
-    if event.name in _MOVING and motor and _goes_round(scene, context):
-        return "bypass"
-    if event.name == "breach" and isinstance(event.object, Place) and event.object.kind == "lane":
-        return "move"  # "drives through the opposite lane"
+    driven = _driven(scene, context) if scene.drivers else None
+    if driven is not None:
+        return driven
     if event.name not in _OPEN or (event.name == "breach" and event.object is not None):
         return event.name
     if not scene.drivers:
         return event.name
-    return _by_path(scene, context, riding=bool(riders))
+    return _by_path(scene, context, riding=_riding(scene, context))
+
+
+def _riding(scene: Scene, context: Context) -> bool:
+    return all(context.is_cyclist(e) and not e.ego for e in scene.drivers)
+
+
+def _driven(scene: Scene, context: Context) -> str | None:
+    """The name of an event in which a vehicle moves; None if it keeps its own."""
+    event = scene.event
+    motor = [e for e in scene.drivers if not context.is_cyclist(e)]
+    out = "out" in _own(scene, context) and not _riding(scene, context)
+    if event.name == "cross" and motor and out:
+        return "pull_out"
+    if event.name == "pull_out" and motor and _between_lanes(scene, context):
+        return "cut_in"
+    if event.name in {"move", "dash", "speed"} and _ignores_it(scene, context):
+        return "breach"
+    if event.name in _MOVING and motor and _goes_round(scene, context):
+        return "bypass"
+    lane = isinstance(event.object, Place) and event.object.kind == "lane"
+    return "move" if event.name == "breach" and lane else None  # "through the opposite lane"
 
 
 def _into_next_lane(event: Event) -> bool:
