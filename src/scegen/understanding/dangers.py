@@ -217,7 +217,8 @@ def pull_back(scene: Scene, context: Context) -> None:
     last = context.tokens[scene.event.j - 1].low
     in_front = any(p.word.cat == "locus" and p.value == "ahead" for p in scene.event.pps)
     hasty = any(context.tokens[m.j - 1].low in _HASTY for m in scene.event.mods)
-    if others and (in_front or (last == "in" and hasty) or scene.sudden is not None):
+    lane = any(p.kind == "lane" for p in scene.places())  # "returned to its lane too soon"
+    if others and (in_front or ((last == "in" or lane) and hasty) or scene.sudden is not None):
         context.draft.hazard(HazardKind.CUT_IN, scene.words, others)
 
 

@@ -37,6 +37,9 @@ def recast(scene: Scene, context: Context) -> str:
         return "cross"
     if event.name in _OUT and scene.actors and not any(e.is_vehicle for e in scene.actors):
         return "cross" if not _around(scene, context) else "walk"
+    afoot = bool(scene.walkers) and not scene.drivers
+    if event.name == "lose_control" and afoot and any(p.kind == "sidewalk" for p in scene.places()):
+        return "cross"  # "a skateboarder rolls off the kerb"
     riders = scene.drivers and all(context.is_cyclist(e) and not e.ego for e in scene.drivers)
     motor = [e for e in scene.drivers if not context.is_cyclist(e)]
     if event.name == "cross" and motor and not riders and "out" in _own(scene, context):

@@ -38,8 +38,10 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         term = Term("quantity", "other", number.i, term.j, data={"quantity": None})
     if term.cat == "dir" and terms and terms[-1].value == "unprotected" and _bare(tokens, term):
         term = replace(term, cat="verb", value="turn", data={"way": term.value})
-    if (term.cat, term.value, term.form) == ("verb", "slow", "base") and doing(tokens, term.i):
-        term = replace(term, cat="manner", data={})  # "going really slow"
+    slow = (term.cat, term.value, term.form) == ("verb", "slow", "base")
+    opened = bool(terms) and terms[-1].cat in {"det", "possessive"}
+    if slow and (opened or doing(tokens, term.i)):
+        term = replace(term, cat="manner", data={})  # "a slow convoy", "going really slow"
     if _speed(term) and doing(tokens, term.i):
         _as_motion(terms, tokens)
     if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
