@@ -60,6 +60,26 @@ def turns_across(scene: Scene, context: Context) -> bool:
     }
 
 
+def may_break(scene: Scene, context: Context) -> bool:
+    """Whether a movement is one that a red light forbids, or is said to go against it.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    return turns_across(scene, context) or _defies(scene, context)
+
+
+def _defies(scene: Scene, context: Context) -> bool:
+    """``creeps over the line against the red``: whatever it does there, it may not."""
+    return any(
+        context.tokens[p.word.i].low in {"against", "despite"}
+        and isinstance(p.target, Place)
+        and p.target.kind == "signal"
+        for p in scene.event.pps
+    )
+
+
 def _regulated(context: Context) -> bool:
     return context.junction.crossing or context.junction.control is not None
 

@@ -68,7 +68,8 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     verb = match.get("verb")
     participle = match.form in {"ing", "ed"}
     infinitive = previous is not None and previous.value == "to" and match.form == "base"
-    if match.has("actor") and not (participle or infinitive) and before not in _VERBAL_BEFORE:
+    named = match.has("actor") and not _creeps(match, tokens, previous)
+    if named and not (participle or infinitive) and before not in _VERBAL_BEFORE:
         return match.get("actor"), False  # "a cycle", not "they cycle"
     attributive = _attributive(match, tokens, previous)
     if participle and before in {"conj", "sub"} and match.has("dir"):
@@ -111,7 +112,22 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> b
     one = previous.cat == "num" and previous.data.get("number") == 1
     one = one or (previous.cat == "label" and previous.value in ORDINALS)  # "the first brakes"
     sided = previous.cat == "dir" and previous.value in {"left", "right"} and match.has("inert")
+    if previous.cat == "dir" and match.get("verb").value == "inert" and _way_at(tokens, match.j):
+        return True  # "a car from the front signals right"
     return one or sided
+
+
+def _creeps(match: Match, tokens: list[Token], side: Term | None) -> bool:
+    """``the one to the ego's right creeps forward``: what it does, not what somebody is."""
+    if side is None:
+        return False
+    named = side.cat == "dir" and side.i > 0 and tokens[side.i - 1].kind == "clitic"
+    return named and match.has("actor") and match.form == "s"
+
+
+def _way_at(tokens: list[Token], j: int) -> bool:
+    """Whether a side is named there."""
+    return j < len(tokens) and tokens[j].low in {"left", "right"}
 
 
 def _article(tokens: list[Token], j: int) -> bool:

@@ -10,6 +10,7 @@ from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.ways import (
     across_the_road,
     against,
+    directions,
     into_lane,
     leads,
     next_lane,
@@ -27,7 +28,7 @@ def turn(scene: Scene, context: Context) -> None:
     if cyclists and cyclists == scene.drivers and across_the_road(event, context):
         encounters.cyclists_cross(scene, context)
         return
-    left = any(t.value == context.across for t in event.dirs)
+    left = _ACROSS[context.across] in directions(event)
     lit = any(m.value == "unprotected" for p in scene.places() for m in p.mods)
     unprotected = scene.how("unprotected") or (scene.words if lit else None)
     if unprotected is not None and left:
@@ -161,7 +162,10 @@ def cut_in(scene: Scene, context: Context) -> None:
     across = "across" in words and context.junction.crossing
     beside = any(Maneuver.LANE_CHANGE in e.maneuvers for e in scene.drivers)
     if not beside and (turning or across or any(context.comes_across(e) for e in scene.drivers)):
-        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, to)
+        left = _ACROSS[context.across]
+        oncoming = all(left in e.maneuvers and context.oncoming(e) for e in scene.drivers)
+        kind = HazardKind.UNPROTECTED_LEFT_TURN if oncoming else HazardKind.FAILURE_TO_YIELD
+        context.draft.hazard(kind, scene.words, scene.drivers, to)
         return
     basis = scene.words
     context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, to)

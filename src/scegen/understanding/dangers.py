@@ -89,6 +89,7 @@ def stop(scene: Scene, context: Context) -> None:
     motor = [e for e in scene.drivers if e.kind is not ParticipantKind.BICYCLE]
     if sudden is not None and motor:
         context.draft.hazard(HazardKind.HARD_BRAKING, sudden, motor)
+    too_late(scene, context)
     beyond = {
         id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low in _BEYOND
     }  # "stops just past the crosswalk"

@@ -8,6 +8,9 @@ from scegen.understanding.state import State
 _ABOUT_OTHERS = frozenset({"cause", "prevent", "block", "hide", "encounter", "overlook"})
 """Verbs whose object is what others do ("blocks the merge")."""
 
+_MANEUVERS = frozenset({"turn", "u_turn", "lane_change", "overtake", "merge", "cross", "move"})
+"""Nouns of what a vehicle itself does, so that the clause after them says who."""
+
 
 def chain(mention: Mention) -> list[Mention]:
     """A mention with those that it is joined to ("a car and a truck"), in order."""
@@ -71,8 +74,8 @@ def nominal(event: Event, state: State) -> None:
     elif "conj" in state.between and state.events:
         event.subject = event.subject or state.events[-1].subject
         alternative(event, state.events[-1], state)
-    elif state.prep is not None and state.events and not event.subject:
-        event.subject = state.events[-1].subject
+    elif state.prep is not None and not event.subject and not _opens(state):
+        _in_a_phrase(event, state)
     elif not event.subject and not state.events and ("sub" in state.between or _opens(state)):
         state.pending.append(event)  # "after a right turn, the car …"
 
@@ -83,6 +86,22 @@ def _opens(state: State) -> bool:
     return (
         state.candidate is None and not state.mentions and word in {"against", "in", "with", "of"}
     )
+
+
+def _in_a_phrase(event: Event, state: State) -> None:
+    """``is in the middle of a left turn``, ``during its left turn``: whose it is."""
+    who = state.candidate if not state.candidate_done else None
+    last = state.events[-1] if state.events else None
+    own = any(m.cat == "possessive" and m.value == "its" for m in event.mods)
+    agent = state.anchor if isinstance(state.anchor, Mention) and own else None
+    if agent is not None and agent.prep is not None and agent.prep.value == "by":
+        event.subject = chain(agent)  # "is hit by a van during its left turn"
+    elif who is not None and (last is None or last.j <= who.i):
+        event.subject = chain(who)
+    elif last is not None:
+        event.subject = last.subject
+    elif event.name in _MANEUVERS:
+        state.pending.append(event)
 
 
 def infinitive(event: Event, state: State) -> None:
@@ -96,6 +115,11 @@ def infinitive(event: Event, state: State) -> None:
     anchor = state.anchor
     if isinstance(anchor, Event):
         parent = anchor
+    who = state.candidate if not state.candidate_done else None
+    if who is not None and parent is not None and parent.j <= who.i and anchor is not parent:
+        event.subject = chain(who)  # "a van passes and the ego has a second to brake"
+        event.modal = "aux:have" in state.between
+        return
     if parent is None:
         event.subject = chain(anchor) if isinstance(anchor, Mention) else []
         if not event.subject:

@@ -9,6 +9,7 @@ from scegen.understanding.lookahead import BOUNDARIES
 
 _SPECIFIC = frozenset({"pedestrian", "bicycle", "motorcycle", "truck", "bus"})
 _QUALITIES = frozenset({("manner", "slow"), ("manner", "fast"), ("manner", "wrong_way")})
+_ASIDES = frozenset({"punct", "unknown", "dir", "label", "manner", "state", "quantity"})
 _FIRST_WORDS = frozenset({"det", "num", "quant", "possessive"})
 
 
@@ -39,7 +40,7 @@ def silence(chunks: list[Chunk]) -> list[Chunk]:
 
 def _of_one(title: list[Chunk], rest: list[Chunk]) -> bool:
     """``Ego: left turn.``, ``Adversary: from the right, goes straight.``."""
-    who = title[0] if len(title) == 1 else None
+    who = title[0] if title and (len(title) == 1 or _goes_on(title, rest)) else None
     if not isinstance(who, Mention) or not who.heads or not rest or isinstance(rest[0], Mention):
         return False
     for before, chunk in pairwise(rest):
@@ -50,6 +51,13 @@ def _of_one(title: list[Chunk], rest: list[Chunk]) -> bool:
         if isinstance(chunk, Mention):
             return isinstance(before, Word) and before.cat in {"prep", "locus"}
     return True
+
+
+def _goes_on(title: list[Chunk], rest: list[Chunk]) -> bool:
+    """``Cyclist, lengthwise: rides ahead of the ego.``: the title is the subject."""
+    first = rest[0] if rest else None
+    finite = isinstance(first, Event) and not first.nominal and first.form == "s"
+    return finite and all(isinstance(c, Word) and c.cat in _ASIDES for c in title[1:])
 
 
 def _is_title(title: list[Chunk], rest: list[Chunk]) -> bool:

@@ -94,7 +94,7 @@ def _across(scene: Scene, context: Context) -> None:
     )
     sources = [*event.pps, *(p for m in event.subject for p in m.pps)]
     out = event.name in {"pull_out", "reverse", "leave", "appear"}
-    words = {"from", "in", "of"} if out else {"from", "in"}
+    words = {"from", "in", "of"} if out or event.name == "wait" else {"from", "in"}
     stem = [p.target for p in sources if p.value in words] + ([event.object] if out else [])
     stem = [p for p in stem if isinstance(p, Place) and p.kind == "access"]
     along = context.junction.kind is JunctionKind.T and ego.maneuvers == {Maneuver.STRAIGHT}

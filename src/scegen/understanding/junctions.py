@@ -77,7 +77,7 @@ def read_junction(terms: list[Term], tokens: list[Token]) -> JunctionReading:
     for k, term in enumerate(terms):
         if term.cat == "place":
             _place(reading, terms, k, tokens)
-        elif term.cat == "actor" and "control" in term.data:
+        elif term.cat in {"actor", "manner"} and "control" in term.data:
             _set_control(reading, Control(term.data["control"]), Basis(term.i, term.j))
         elif term.cat == "shape":
             _shape(reading, terms, k, tokens)

@@ -206,7 +206,7 @@ class Interpreter:
         if event.negated or failed or event.name == "overlook":
             not_done(scene, self._context)
             return
-        if event.name in _BREACHING or breaches.turns_across(scene, self._context):
+        if event.name in _BREACHING or breaches.may_break(scene, self._context):
             breaches.breach(scene, self._context)
         self._manner(scene)
         movement = MOVEMENTS.get(event.name)
@@ -239,6 +239,7 @@ class Interpreter:
         named = prep.on_mention
         target = named is not None and named not in event.subject
         moved = event.name in _UNDERWAY and (named is event.object or event.object is None)
+        moved = moved and self._context.tokens[event.i].forms[-1][0] != "meet"
         source = prep.value == "from" or (prep.outer == "from" and prep.target is None)
         return source and not (target and not moved)
 

@@ -20,6 +20,8 @@ from scegen.understanding.lane_moves import (
 
 _ASIDE = frozenset({"move", "shift", "steer", "edge", "ease"})
 """Verbs that on an open road mean a shift to the side, not a turn."""
+_OFF = frozenset({"access", "road", "leg", "junction"})
+"""Places that one turns into."""
 _ORDINALS = {
     "first": Maneuver.EXIT_1,
     "second": Maneuver.EXIT_2,
@@ -58,6 +60,10 @@ def move(scene: Scene, context: Context) -> None:
     directions = ways.directions(event)
     straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in scene.places())
     aside = context.tokens[event.i].forms[-1][0] in _ASIDE and not context.junction.crossing
+    aside = aside and not any(
+        p.value in {"into", "to"} and isinstance(p.target, Place) and p.target.kind in _OFF
+        for p in event.pps
+    )
     sideways = set(directions) & {Maneuver.LEFT, Maneuver.RIGHT}
     lane = ways.into_lane(event)
     if ways.next_lane(event, context) or (

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
@@ -34,6 +34,8 @@ def is_nominal(
     """
     if head.cat != "verb" or head.form == "ed":
         return False
+    if head.form == "s" and [m.cat for m in mods] == ["possessive", "dir"]:
+        return False  # "the van to the ego's right creeps forward"
     if mods and mods[-1].cat == "quant" and mods[-1].value in {"both", "all"}:
         return False  # "both go"
     if not any(m.cat in {*OPENERS, "dir", "manner"} for m in mods):
@@ -43,6 +45,8 @@ def is_nominal(
         return False
     if mods[0].cat == "dir" and isinstance(previous, Word) and previous.cat == "aux":
         return False
+    if mods[0].value == "opposite" and len(mods) == 1 and isinstance(previous, Mention):
+        return False  # "the car opposite turns left"
     after_prep = isinstance(previous, Word) and previous.cat in VERBAL_LINKS
     placed = has_dir(mods) or mods[-1].cat == "compass"
     turned = head.value == "turn" and _way(following)

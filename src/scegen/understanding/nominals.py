@@ -13,6 +13,8 @@ from scegen.understanding.state import State
 
 _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
 _OWNED = frozenset({"side", "lane", "path"})
+_TURNS = frozenset({"turn", "u_turn"})
+"""Nouns of doings that somebody has before him ("a left turn for the ego")."""
 _INTRANSITIVE = frozenset({"pass", "cross", "move", "walk", "merge", "enter", "turn", "leave"})
 
 
@@ -83,9 +85,17 @@ def _emphasises(mention: Mention, state: State) -> bool:
 
 def _takes(verb: Event, k: int, chunks: list[Chunk]) -> bool:
     """Whether a noun after a verb is its object; "he said the van stopped" tells of the van."""
+    if _waits_for_subject(verb, k, chunks):
+        return False
     tells = verb.says or (verb.control == "subject" and isinstance(chunks[k], Mention))
     reported = tells and (finite_follows(chunks, k) or copula_follows(chunks, k))
     return verb.object is None and not reported
+
+
+def _waits_for_subject(verb: Event, k: int, chunks: list[Chunk]) -> bool:
+    """``while passing into the left lane the ego sees a van``: the ego passes and sees."""
+    placed = verb.form == "ing" and not verb.subject and bool(verb.pps)
+    return placed and verb.i < chunks[k - 1].i and finite_follows(chunks, k)
 
 
 def _described(mention: Mention, k: int, chunks: list[Chunk], state: State) -> Mention | None:
@@ -148,7 +158,8 @@ def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) 
     if prep.fronted:
         return
     last = state.events[-1] if state.events else None
-    if last and last.nominal and prep.value in {"by", "of"} and not last.subject:
+    done_by = {"by", "of", "for"} if last and last.name in _TURNS else {"by", "of"}
+    if last and last.nominal and prep.value in done_by and not last.subject:
         last.subject = [mention]
     named = prep.value in {"with", "due", "against"}
     if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:

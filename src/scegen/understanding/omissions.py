@@ -71,7 +71,12 @@ def _unable(scene: Scene, context: Context) -> None:
     event = scene.event
     basis = Basis(event.i, event.j)
     if event.name in {"brake", "stop", "slow"} and scene.drivers:
-        if not _too_near(event.i, context):
+        skids = any(
+            d.kind is HazardKind.LOSS_OF_CONTROL and e in d.by
+            for d in context.draft.dangers
+            for e in scene.drivers
+        )
+        if not (skids or _too_near(event.i, context)):
             context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name == "encounter":
         context.draft.hazard(HazardKind.OCCLUSION, basis, _in_the_way(scene, context))

@@ -12,7 +12,8 @@ _ZONE = frozenset({"zone", "limit", "area", "stretch", "road", "street"})
 _OVER = {"over": "fast", "above": "fast", "under": "slow", "below": "slow"}
 _PACING = frozenset({"do", "go", "drive", "travel", "hit", "come", "move", "ride", "roll"})
 _VAGUELY = frozenset({"about", "around", "only", "maybe", "at", "barely", "nearly", "over", "just",
-                      "well", "like", "roughly", "approximately", "easily", "really", "very", "so",
+                      "well", "like", "least", "most", "close", "to", "almost", "up", "some",
+                      "roughly", "approximately", "easily", "really", "very", "so",
                       "too", "rather", "quite", "pretty", "awfully", "extremely", "fairly",
                       "unusually", "terribly", "far", "way", "much"})  # fmt: skip
 _RATES = frozenset({"speed", "speeds", "velocity", "velocities", "pace"})

@@ -9,6 +9,9 @@ from scegen.understanding.tokens import Token
 
 _LETTING = frozenset({"let", "make", "help", "see", "watch", "have"})
 _PARTICLES = frozenset({"through", "past", "over", "up", "by", "off", "out", "around", "round"})
+_RULES = frozenset({"rule", "rules", "law", "laws", "light", "lights", "signal", "signals", "code",
+                    "regulation", "regulations", "sign", "signs"})  # fmt: skip
+_TURN_REACH = 6
 _GIVES = frozenset({"dir", "verb"})
 _OPENS_A_NOUN = ("det", "possessive", "actor", "compass", "place")
 
@@ -169,6 +172,25 @@ def after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
     after = tokens[k + 1].low if k + 1 < len(tokens) else ""
     governs = after in {"the", "a", "an", "its", "their", "his", "her", "to", "into", "and"}
     return sided or (previous.cat in {"place", "locus", "compass"} and governs)
+
+
+def no_way(tokens: list[Token], i: int, match: Match) -> bool:
+    """``against the traffic rules``, ``turns left against oncoming traffic``: on no wrong side.
+
+    Args:
+        tokens: the tokens of the text.
+        i: index of the first word.
+        match: the phrase.
+    """
+    if tokens[i].low != "against" or not match.only("manner"):
+        return False
+    j = match.j
+    rules = j < len(tokens) and tokens[j].low in _RULES
+    begin = max((k for k in range(i) if tokens[k].kind == "punct"), default=-1)
+    near = tokens[max(begin + 1, i - _TURN_REACH) : i]
+    words = {w for t in near for w in (t.low, t.forms[-1][0])}
+    turns = "turn" in words and bool(words & {"left", "right"})
+    return rules or turns
 
 
 def lane_then_verb(tokens: list[Token], match: Match, previous: Term | None) -> bool:

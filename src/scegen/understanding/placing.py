@@ -260,6 +260,8 @@ class Placer:
             return  # "between the ego and the kerb"
         if event is not None and event.name not in _STEADY and prep.outer != "from":
             return
+        if event is not None and (event.name, prep.value) == ("swerve", "behind") and target:
+            return  # "swerves behind the ego": where it gets to
         if prep.outer == "from" and isinstance(target, Mention) and event is not None:
             return
         approaches = {Approach(prep.value)}

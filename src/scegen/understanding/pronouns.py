@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
-from scegen.understanding.roster import POSITIONS, Roster
+from scegen.understanding.ordinals import POSITIONS
+from scegen.understanding.roster import Roster
 from scegen.understanding.tokens import Token
 
 _PERSONS = ("ist", "rider", "biker", "driver", "courier")
@@ -117,7 +118,9 @@ class Pronouns:
         everybody = vehicles or self.draft.entities
         group = self.roster.groups[-1].members if self.roster.groups else everybody
         if position < 0 or mention.label == "former":
-            group = (group if len(group) > 1 else self.draft.entities)[-2:]
+            two = self.roster.recent if len(self.roster.recent) > 1 else group
+            group = list(two[-2:]) if position == 0 or not self.roster.pair else self.roster.pair
+            self.roster.pair = group if position == 0 else []
             position %= max(len(group), 1)
         if position >= len(group):
             return []

@@ -14,6 +14,7 @@ from scegen.understanding.coverage import unattached
 from scegen.understanding.discourse import Discourse
 from scegen.understanding.draft import Draft
 from scegen.understanding.each_arm import count_arms, share_arms
+from scegen.understanding.each_side import both_sides
 from scegen.understanding.ellipsis import fill_in
 from scegen.understanding.headings import silence
 from scegen.understanding.junctions import JunctionReading, read_junction
@@ -67,7 +68,7 @@ def read(text: str) -> FunctionalScenario:
     junction = read_junction(terms, tokens)
     surroundings = read_surroundings(terms, tokens)
     terms = settle_sides(terms, surroundings.side)
-    chunks = spell_out(Chunker(terms, tokens).run())
+    chunks = spell_out(both_sides(Chunker(terms, tokens).run(), tokens))
     chunks = repeat(silence(chunks), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     draft = Draft(text, tokens)

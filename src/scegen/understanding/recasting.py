@@ -35,6 +35,8 @@ def recast(scene: Scene, context: Context) -> str:
         return "breach"
     if event.name == "move" and scene.walkers and "across" in _own(scene, context):
         return "cross"
+    if event.name == "pass" and not scene.targets and _into_next_lane(event):
+        return "lane_change"
     if event.name in _OUT and scene.actors and not any(e.is_vehicle for e in scene.actors):
         return "cross" if not _around(scene, context) else "walk"
     afoot = bool(scene.walkers) and not scene.drivers
@@ -55,6 +57,14 @@ def recast(scene: Scene, context: Context) -> str:
     if not scene.drivers:
         return event.name
     return _by_path(scene, context, riding=bool(riders))
+
+
+def _into_next_lane(event: Event) -> bool:
+    """``passes into the left lane``: changes to it."""
+    return any(
+        p.value == "into" and isinstance(p.target, Place) and p.target.kind == "lane"
+        for p in event.pps
+    )
 
 
 def _into_a_turn(event: Event) -> bool:

@@ -146,7 +146,8 @@ def _generic(chunks: list[Chunk], events: list[Event]) -> None:
         several = chunk.head.form == "s" and chunk.mod("det", "num", "quant") is None
         lit = any(isinstance(c, Place) and c.kind == "signal" for c in chunks[max(0, k - 4) : k])
         anybody = "mass" in chunk.head.data or (several and lit)
-        purpose = chunk.prep.value in {"for", "against"} or (
+        met_head_on = "opposite" in chunk.dirs and chunk.prep.value == "against"
+        purpose = (chunk.prep.value in {"for", "against"} and not met_head_on) or (
             chunk.prep.value == "of" and any(_is_view(c) for c in chunks[max(0, k - 2) : k])
         )
         chunk.negated = chunk.negated or (anybody and purpose and id(chunk) not in met)

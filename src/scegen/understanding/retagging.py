@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from scegen.understanding.noun_turns import names_a_turn
+from scegen.understanding.other_classes import other_class
 from scegen.understanding.paces import doing
 from scegen.understanding.particles import measured
 from scegen.understanding.terms import Term, longest_match
 from scegen.understanding.tokens import Token
+from scegen.understanding.unnamed_roles import role_alone
 
 _SHORT = frozenset({"only", "half", "within", "of", "just", "barely", "than", "for", "about",
                     "under", "in"})  # fmt: skip
@@ -21,6 +24,7 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         terms: the terms before it; some are changed in its light.
         tokens: the tokens of the text.
     """
+    term = other_class(term, terms, tokens)
     if (term.cat, term.value, term.form) == ("verb", "stop", "base") and _at_a(terms, tokens):
         term = Term("place", "bus_stop", term.i, term.j)  # "pulls away from the stop"
     if (term.cat, term.value) == ("verb", "yield") and _a_noun(terms, tokens, term):
@@ -31,13 +35,14 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         term = Term("inert", "noun", term.i, term.j)
     if term.value == "genitive":
         term = _shortened(term, terms, tokens)
+    term = role_alone(term, terms, tokens)
     if _does_not(tokens, term):
         term = replace(term, cat="aux", value="do")
     if terms and measured(tokens, terms, term):
         number = terms.pop()  # "the car two vehicles ahead"
         term = Term("quantity", "other", number.i, term.j, data={"quantity": None})
-    if term.cat == "dir" and terms and terms[-1].value == "unprotected" and _bare(tokens, term):
-        term = replace(term, cat="verb", value="turn", data={"way": term.value})
+    if names_a_turn(term, terms, tokens):
+        term = replace(term, cat="verb", value="turn", form="base", data={"way": term.value})
     slow = (term.cat, term.value, term.form) == ("verb", "slow", "base")
     opened = bool(terms) and terms[-1].cat in {"det", "possessive"}
     if slow and (opened or doing(tokens, term.i)):
@@ -85,12 +90,6 @@ def _does_not(tokens: list[Token], term: Term) -> bool:
     after = tokens[term.j] if term.j < len(tokens) else None
     denied = after is not None and (after.kind == "neg" or after.low == "not")
     return term.cat == "verb" and tokens[term.i].forms[-1][0] == "do" and denied
-
-
-def _bare(tokens: list[Token], term: Term) -> bool:
-    """``an unprotected left``: a turn, although nobody says so."""
-    following = longest_match(tokens, term.j) if term.j < len(tokens) else None
-    return following is None or not following.has("verb", "place", "actor")
 
 
 def _as_motion(terms: list[Term], tokens: list[Token]) -> None:

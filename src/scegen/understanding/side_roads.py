@@ -42,7 +42,7 @@ def access(scene: Scene, context: Context) -> None:
         p.target
         for m in scene.event.subject
         for p in m.pps
-        if p.value == "from" and isinstance(p.target, Place) and p.target.kind == "access"
+        if p.value in {"from", "in"} and isinstance(p.target, Place) and p.target.kind == "access"
     ]  # "a van from a side road nudges out"
     for place in (*scene.places(), *described):
         if place.kind == "lane" and "adjacent" in place.dirs:

@@ -38,7 +38,7 @@ def link(event: Event, state: State) -> None:
     helped = auxiliary(state)
     if to:
         infinitive(event, state)
-    elif state.prep is not None and event.form == "ing":
+    elif state.prep is not None and (event.form == "ing" or _without_ability(state)):
         gerund(event, state)
     else:
         event.finite = event.form in {"s", "ed", "base"} or helped
@@ -64,6 +64,11 @@ def link(event: Event, state: State) -> None:
         state.main = event.subject
         waits = "rel" in state.between and event.subject[-1] is state.candidate
         state.candidate_done = state.candidate_done or not waits
+
+
+def _without_ability(state: State) -> bool:
+    """``without being able to stop``."""
+    return state.prep is not None and state.prep.value == "without" and "aux:can" in state.between
 
 
 def before_by(event: Event, state: State) -> None:
@@ -175,7 +180,10 @@ def _after_comma(event: Event, state: State) -> None:
     if waiting and (state.anchor is who or placed) and state.candidate is not None:
         event.subject = chain(state.candidate)  # "when a van, turning left, fails to yield"
         return
-    if state.candidate is not None and (event.finite or not state.main):
+    seen = None if event.finite else _seen_coming(event, state)
+    if seen is not None:
+        event.subject = chain(seen)
+    elif state.candidate is not None and (event.finite or not state.main):
         event.subject = chain(state.candidate)
     elif state.events:
         event.subject = _main_in_sentence(state)
@@ -185,6 +193,20 @@ def _after_comma(event: Event, state: State) -> None:
         event.subject = chain(state.anchor)
     else:
         state.pending.append(event)
+
+
+def _seen_coming(event: Event, state: State) -> Mention | None:
+    """``finds it in its lane, arriving from the left``: who is seen arrives."""
+    right_before = bool(state.events) and state.events[-1].name == "encounter"
+    if event.form != "ing" or event.name not in {
+        "approach",
+        "appear",
+        *(["move"] if right_before else []),
+    }:
+        return None
+    seen = [e.object for e in state.events if e.name == "encounter" and e.finite]
+    last = seen[-1] if seen else None
+    return last if isinstance(last, Mention) else None
 
 
 def _inherit_mood(event: Event, state: State) -> None:
@@ -202,7 +224,8 @@ def _main_in_sentence(state: State) -> list[Mention]:
 def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     waiting = state.candidate is not None and not state.candidate_done
     if event.finite and waiting and state.candidate is not None:
-        if event.form == "ed" and anchor is not state.candidate and not auxiliary(state):
+        past = event.form == "ed" and anchor is not state.candidate and not auxiliary(state)
+        if past and not _resumes(event, anchor, state):
             event.finite = False
             event.subject = chain(anchor)
             return
@@ -235,6 +258,16 @@ def _by_doing(event: Event, last: Event, passed: Mention) -> bool:
         return False
     parked = any(m.cat == "state" for m in passed.mods)
     return event.name == "use" or (parked and event.name in _MOVING)
+
+
+def _resumes(event: Event, anchor: Mention, state: State) -> bool:
+    """``the car coming towards us began …``: the verb of the clause, not said of "us"."""
+    if anchor.pronoun in {"it", "him", "they"} or any("me" in h.data for h in anchor.heads):
+        return True
+    last = state.events[-1] if state.events else None
+    embedded = last is not None and last.object is anchor and last.form == "ing"
+    describing = event.name in _DESCRIBING | PASSIVE | {"stop"}
+    return embedded and not describing and not state.verb_follows
 
 
 def _pronoun_object(anchor: Mention, verb: Event) -> bool:

@@ -14,6 +14,8 @@ DIRECTIONS = {
 }
 BESIDE = frozenset({"adjacent", "left", "right"})
 """Which lane it is, seen from the one that somebody drives in."""
+_GOALS = frozenset({"side", "leg", "access"})
+"""What lies at one side of a junction, so that whoever goes there turns."""
 _OTHER = {"left": "right", "right": "left"}
 _KEEPING = frozenset({"keep", "stay", "remain", "stick", "hold", "continue"})
 _WAY = frozenset({"road", "lane", "path", "highway"})
@@ -28,7 +30,8 @@ def directions(event: Event) -> dict[Maneuver, Basis]:
     }
     for prep in event.pps:
         target = prep.target
-        if prep.value in {"to", "into"} and isinstance(target, Place) and target.kind == "side":
+        leads_there = prep.value in {"to", "into", "for"}
+        if leads_there and isinstance(target, Place) and target.kind in _GOALS:
             across = _came_from(event) & {_OTHER.get(d, "") for d in target.dirs}
             if target.owner is not None:
                 continue  # "to the right of the bus": where it is
@@ -36,6 +39,11 @@ def directions(event: Event) -> dict[Maneuver, Basis]:
                 if value in {"left", "right"}:
                     way = Maneuver.STRAIGHT if across else DIRECTIONS[value]
                     found[way] = span(event, target.i, target.j)
+    goal = event.object
+    if isinstance(goal, Place) and goal.kind in _GOALS and event.name == "move":
+        found |= {
+            DIRECTIONS[d]: span(event, goal.i, goal.j) for d in goal.dirs if d in {"left", "right"}
+        }
     return found
 
 
