@@ -33,15 +33,11 @@ def recast(scene: Scene, context: Context) -> str:
         return "turn"
     if event.name == "walk" and scene.drivers and _runs_it(scene, context):
         return "breach"
-    if event.name == "move" and scene.walkers and "across" in _own(scene, context):
-        return "cross"
     if event.name == "pass" and not scene.targets and _into_next_lane(event):
         return "lane_change"
-    if event.name in _OUT and scene.actors and not any(e.is_vehicle for e in scene.actors):
-        return "cross" if not _around(scene, context) else "walk"
-    afoot = bool(scene.walkers) and not scene.drivers
-    if event.name == "lose_control" and afoot and any(p.kind == "sidewalk" for p in scene.places()):
-        return "cross"  # "a skateboarder rolls off the kerb"
+    afoot = _on_foot(scene, context)
+    if afoot is not None:
+        return afoot
     riders = scene.drivers and all(context.is_cyclist(e) and not e.ego for e in scene.drivers)
     motor = [e for e in scene.drivers if not context.is_cyclist(e)]
     if event.name == "cross" and motor and not riders and "out" in _own(scene, context):
@@ -57,6 +53,19 @@ def recast(scene: Scene, context: Context) -> str:
     if not scene.drivers:
         return event.name
     return _by_path(scene, context, riding=bool(riders))
+
+
+def _on_foot(scene: Scene, context: Context) -> str | None:
+    """What people on foot do who move, jump out, or roll off the kerb; None for all else."""
+    name = scene.event.name
+    if name == "move" and scene.walkers and "across" in _own(scene, context):
+        return "cross"
+    if not scene.actors or any(e.is_vehicle for e in scene.actors):
+        return None
+    if name in _OUT:
+        return "cross" if not _around(scene, context) else "walk"
+    off = name == "lose_control" and any(p.kind == "sidewalk" for p in scene.places())
+    return "cross" if off else None
 
 
 def _into_next_lane(event: Event) -> bool:
