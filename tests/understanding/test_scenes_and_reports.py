@@ -175,3 +175,18 @@ def test_a_text_without_articles_is_about_its_first_vehicle():
 )  # fmt: skip
 def test_more_dangers(text, expected):
     assert dangers(text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("The ego reacts to a cut-in by a van from the left lane.", {"straight"}),
+        ("The ego waits at the light; when it turns green, a bus from the left is still crossing.",
+         {"straight"}),
+        ("A parked bus blocks the lane of the ego; the ego turns on its hazard lights.",
+         {"straight"}),
+        ("The ego reverses in a car park behind a van.", {"straight"}),
+    ],
+)  # fmt: skip
+def test_what_the_ego_does_not_do(text, expected):
+    assert does(text) == expected
