@@ -12,7 +12,7 @@ from scegen.understanding.phrases import also_from, apposed_to, bracketed, whose
 from scegen.understanding.state import State
 
 _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
-_OWNED = frozenset({"side", "lane", "path"})
+_OWNED = frozenset({"side", "lane", "path", "right_of_way"})
 _TURNS = frozenset({"turn", "u_turn"})
 """Nouns of doings that somebody has before him ("a left turn for the ego")."""
 _INTRANSITIVE = frozenset({"pass", "cross", "move", "walk", "merge", "enter", "turn", "leave"})

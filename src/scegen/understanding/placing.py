@@ -259,6 +259,7 @@ class Placer:
                 self._draft.place(entity, None, {Approach.ADJACENT}, basis)
             return  # "between the ego and the kerb"
         if event is not None and event.name not in _STEADY and prep.outer != "from":
+            self._behind_the_ego(prep, entities, basis)
             return
         if event is not None and (event.name, prep.value) == ("swerve", "behind") and target:
             return  # "swerves behind the ego": where it gets to
@@ -277,6 +278,14 @@ class Placer:
         further = target.entities[1:] if isinstance(target, Mention) else []
         for other in further if len(entities) == 1 else []:
             self._draft.place(other, entities[0], {INVERSE[a] for a in approaches}, basis)
+
+    def _behind_the_ego(self, prep: Prep, entities: list[Entity], basis: Basis) -> None:
+        """``crosses behind the ego``: on foot, that is where they are."""
+        ego = prep.target if prep.value == "behind" else None
+        seen = isinstance(ego, Mention) and any(e.ego for e in ego.entities)
+        for entity in entities if seen else []:
+            if not entity.is_vehicle:
+                self._draft.place(entity, None, {Approach.BEHIND}, basis)
 
     def _head(self, entities: list[Entity], heading: str, basis: Basis) -> None:
         for entity in entities:
