@@ -199,6 +199,8 @@ def _relates(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     """``a bus that turns``, ``a bus from the right that turns``."""
     if previous is None:
         return False
+    if match.j < len(tokens) and tokens[match.j].low == ",":
+        return True  # "a taxi that, looking for a fare, brakes"
     after = longest_match(tokens, match.j) if match.j < len(tokens) else None
     verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
     verbal = verbal and after is not None and not after.has("actor", "place")

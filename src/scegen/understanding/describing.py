@@ -14,6 +14,8 @@ _ONLY_VEHICLES = frozenset(
      "cut_in", "pull_out", "park", "swerve", "u_turn", "pull_over", "undertake", "unpark",
      "door"}
 )  # fmt: skip
+_UNDERWAY = frozenset({"use", "enter", "bypass", "pass", "move", "turn", "leave", "approach",
+                       "follow", "speed"})  # fmt: skip
 _CYCLING = frozenset({"cycle", "pedal"})
 _WALKING = frozenset({"walk", "jog", "stroll"})
 _OPERATING = frozenset({"drive", "ride", "operate", "pilot"})
@@ -56,13 +58,18 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     mention.seated = mention.seated or event.name == "door"
     failing = event.negated and event.name in {"stop", "yield"}
     across = event.name == "cut_in" and tokens[event.j - 1].low == "across"
+    across = across or (event.name == "swerve" and _over_the_road(event, tokens))
     alone = event.drives or (event.name in _ONLY_VEHICLES and not across) or _takes_a_turn(event)
     alone = alone or _breaks_a_rule(event) or any("pace" in m.data for m in event.mods)
     vague = mention.head is not None and "vague" in mention.head.data
     turns = vague or event.name in {"turn", "sharp_turn"}
     turns = turns and any(d.value in {"left", "right"} for d in event.dirs)
+    it = mention.pronoun == "it" and tokens[mention.i].low == "it"
+    turns = turns or (it and event.name in _UNDERWAY and not event.passive)
     mention.drives = mention.drives or failing or alone or turns
     mention.walks = mention.walks or _on_foot(event)
+    if event.name == "swerve" and _person(mention) and _over_the_road(event, tokens):
+        event.name, mention.drives, mention.walks = "cross", False, True
     close = 0 <= event.i - mention.j <= 1 and not event.finite and not event.nominal
     mention.narrowed = mention.narrowed or (close and event.premod_of is None)
     acted_on = event.object
@@ -72,6 +79,21 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     mention.sides |= _sides([p for p in event.pps if p.value == "from"])
     if any(p.value == "from" and isinstance(p.target, Place) for p in event.pps):
         mention.elsewhere = mention.pronoun is None
+
+
+def _person(mention: Mention) -> bool:
+    return bool(mention.heads) and all(
+        h.value == "pedestrian" and "vague" not in h.data for h in mention.heads
+    )
+
+
+def _over_the_road(event: Event, tokens: list[Token]) -> bool:
+    """``two tourists drift over the road``: on foot, although vehicles drift more often."""
+    return any(
+        tokens[p.word.i].low in {"over", "across", "between"}
+        and not (isinstance(p.target, Place) and p.target.kind in {"centerline", "lane"})
+        for p in event.pps
+    )
 
 
 def _sides(pps: list[Prep]) -> frozenset[str]:
