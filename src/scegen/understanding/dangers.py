@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
-from scegen.understanding import conflicts, encounters, lane_moves, pulling_out, screens
+from scegen.understanding import breaches, conflicts, encounters, lane_moves, pulling_out, screens
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
@@ -290,6 +290,7 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "bypass": swerve_around,
     "undertake": undertake,
     "return": pull_back,
+    "use": breaches.take_priority,
     "reverse": reverse,
     "lose_control": lose_control,
     "delay": delay,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 from scegen.understanding import conflicts, oncoming
-from scegen.understanding.chunks import Event, Mention, Place, Prep
+from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Danger, Entity
 from scegen.understanding.reactions import into_rear
@@ -28,7 +28,8 @@ def positions(scenes: list[Scene], context: Context) -> None:
     for scene in scenes:
         _driven_up_to(scene, context)
         parked = [e for e in scene.targets if e.parked]
-        if scene.event.name == "bypass" and parked and not scene.event.negated:
+        thing = isinstance(scene.event.object, Thing) and scene.event.object.kind == "object"
+        if scene.event.name == "bypass" and (parked or thing) and not scene.event.negated:
             context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
         _owing_to_the_parked(scene, context)
         oncoming.hidden_behind(scene, context)

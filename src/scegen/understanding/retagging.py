@@ -43,6 +43,7 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         term = Term("quantity", "other", number.i, term.j, data={"quantity": None})
     if names_a_turn(term, terms, tokens):
         term = replace(term, cat="verb", value="turn", form="base", data={"way": term.value})
+    term = _near_or_far(term, tokens)
     slow = (term.cat, term.value, term.form) == ("verb", "slow", "base")
     opened = bool(terms) and terms[-1].cat in {"det", "possessive"} and _word_at(tokens, term.j)
     if slow and (opened or doing(tokens, term.i)):
@@ -52,6 +53,11 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
         terms[-1] = replace(terms[-1], value="move", data={})  # "carries straight on"
     return term
+
+
+_NEAR_OR_FAR = {"near": "near", "nearer": "near", "far": "far", "farther": "far", "further": "far"}
+_KERBS = frozenset({"kerb", "curb", "pavement", "sidewalk", "verge", "footpath", "footway",
+                    "roadside"})  # fmt: skip
 
 
 def _of_lights_and_times(term: Term, tokens: list[Token]) -> Term:
@@ -92,6 +98,13 @@ def _has_done(tokens: list[Token], term: Term) -> bool:
     """``someone's left a van there``: has left, nothing of theirs."""
     done, after = (tokens[k].low if k < len(tokens) else "" for k in (term.j, term.j + 1))
     return done in _DONE and after in _AFTER
+
+
+def _near_or_far(term: Term, tokens: list[Token]) -> Term:
+    """``the far kerb``: the side across the road."""
+    value = _NEAR_OR_FAR.get(tokens[term.i].low) if term.j - term.i == 1 else None
+    kerb = term.j < len(tokens) and tokens[term.j].low in _KERBS
+    return Term("dir", value, term.i, term.j) if value is not None and kerb else term
 
 
 def _shortened(term: Term, terms: list[Term], tokens: list[Token]) -> Term:

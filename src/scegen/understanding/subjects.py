@@ -31,6 +31,14 @@ def link(event: Event, state: State) -> None:
         event: the event just read.
         state: what the clause reader remembers.
     """
+    interrupts = {"rel", ","} <= state.between and bool(state.mentions) and event.form == "ing"
+    state.relating = _antecedent(state) if interrupts else state.relating
+    _link(event, state)
+    if interrupts and state.relating is not None:  # "a man who, looking down, walks on"
+        event.subject = [state.relating]
+
+
+def _link(event: Event, state: State) -> None:
     if event.nominal:
         nominal(event, state)
         return
@@ -124,7 +132,9 @@ def _clause(event: Event, state: State) -> None:
     event.embedded = "rel" in between or state.where
     if "thing" in between:
         return  # "a fallen tree that blocks the lane"
-    if "rel" in between and state.mentions:
+    if state.relating is not None and event.finite and between == {","}:
+        event.subject, state.relating = [state.relating], None
+    elif "rel" in between and state.mentions:
         which = _antecedent(state)
         singular = event.form == "s" and (which.head is None or which.head.form != "s")
         event.subject = [which] if singular else chain(which)

@@ -13,6 +13,7 @@ from scegen.understanding.numbers import number_at
 from scegen.understanding.paces import pace_at, speed_at
 from scegen.understanding.particles import (
     after_a_phrase,
+    and_moves,
     in_front,
     just_right,
     lane_then_verb,
@@ -65,6 +66,8 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
         return suffix_form(token)
     if after_a_phrase(token, previous, tokens):
         return "s"
+    if and_moves(token, previous, tokens):
+        return suffix_form(token)
     return None
 
 
