@@ -145,6 +145,8 @@ class Interpreter:
         basis = Basis(term.i, term.j)
         drivers = [e for e in entities if e.moving_vehicle]
         kind = _BY_MANNER.get(term.value) if term.cat == "manner" else None
+        if kind is HazardKind.SLOW_DRIVING:  # the ego under test may drive as slowly as it likes
+            drivers = [e for e in drivers if "ego" not in e.named_by or "speaks" in e.named_by]
         if kind is not None and drivers:
             self._draft.hazard(kind, basis, drivers)
             if "quantity" in term.data:

@@ -43,7 +43,7 @@ def names_a_turn(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
     if before.low in {"to", "on"} and _of_a_lane(terms, k - 2):
         return False  # "in the lane to its left"
     if before.low in _DURING:
-        own = terms[k].cat == "possessive" or not definite
+        own = (terms[k].cat == "possessive" and before.low != "to") or not definite
         return own if before.low in _INTO else before.low != "after" or own
     return before.forms[-1][0] in _BEGINNING and not (definite and terms[k].cat == "det")
 

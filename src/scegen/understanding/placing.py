@@ -87,10 +87,6 @@ def _between_lanes(approaches: frozenset[Approach], event: Event | None) -> froz
     return _BY_DIR["adjacent"] if sideways and approaches == _BY_DIR["lateral"] else approaches
 
 
-def _compass(place: Place) -> Term | None:
-    return next((m for m in place.mods if m.cat == "compass"), None)
-
-
 def _differ(place: Place) -> bool:
     """``different arms``, ``each from a different direction``."""
     apart = any(m.value in {"different", "another"} for m in place.mods)
@@ -167,7 +163,7 @@ class Placer:
         self, prep: Prep, target: Place, entities: list[Entity], event: Event | None
     ) -> None:
         basis = Basis(prep.word.i, target.j)
-        compass = _compass(target)
+        compass = target.mod("compass")
         if compass is not None and prep.value in {"from", "to", "in"}:
             bound = "bound" in compass.data  # "from southbound Elm Street"
             back = prep.value == "from" and not bound
@@ -252,6 +248,7 @@ class Placer:
                 self._draft.place(entity, None, {Approach.ADJACENT}, basis)
             return  # "between the ego and the kerb"
         if event is not None and event.name not in _STEADY and prep.outer != "from":
+            self._behind_the_ego(prep, entities, basis)
             return
         if event is not None and target and _ends_there(event, prep):
             return
@@ -270,6 +267,14 @@ class Placer:
         further = target.entities[1:] if isinstance(target, Mention) else []
         for other in further if len(entities) == 1 else []:
             self._draft.place(other, entities[0], {INVERSE[a] for a in approaches}, basis)
+
+    def _behind_the_ego(self, prep: Prep, entities: list[Entity], basis: Basis) -> None:
+        """``crosses behind the ego``: on foot, that is where they are."""
+        ego = prep.target if prep.value == "behind" else None
+        seen = isinstance(ego, Mention) and any(e.ego for e in ego.entities)
+        for entity in entities if seen else []:
+            if not entity.is_vehicle:
+                self._draft.place(entity, None, {Approach.BEHIND}, basis)
 
     def _head(self, entities: list[Entity], heading: str, basis: Basis) -> None:
         for entity in entities:
