@@ -53,8 +53,8 @@ class Chunker:
         k = 0
         while k < len(self._terms):
             k = self._chunk_at(k)
-        chunks = count_lanes(with_particles(self._chunks, self._tokens), self._tokens)
-        return between_lanes(chunks, self._tokens)
+        chunks = between_lanes(with_particles(self._chunks, self._tokens), self._tokens)
+        return count_lanes(chunks, self._tokens)
 
     def _chunk_at(self, k: int) -> int:
         term = self._terms[k]

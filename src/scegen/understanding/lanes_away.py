@@ -43,7 +43,8 @@ def count_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             found.append(chunk)
             continue
         skipped |= {id(after)} if tokens[getattr(after, "i", 0)].low in _OVER else set()
-        if isinstance(before, Word) and before.cat == "prep":
+        changed = isinstance(before, Event) and before.name == "lane_change"
+        if changed or (isinstance(before, Word) and before.cat == "prep"):
             found.append(chunk)
             continue
         side = _side_after(chunks, k)
