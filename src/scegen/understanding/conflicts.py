@@ -72,6 +72,10 @@ def lane_change(scene: Scene, context: Context) -> None:
     if not scene.drivers:
         return
     sudden = scene.how("sudden", "emergency", "aggressive")
+    met = scene.event.object
+    if isinstance(met, Mention) and "opposite" in met.dirs:
+        context.draft.hazard(HazardKind.ONCOMING_LANE, scene.words, scene.drivers)
+        return  # "crosses into oncoming traffic"
     lane = into_lane(scene.event)
     owners = _owners(lane, scene, context)
     in_front = [p for p in scene.event.pps if p.word.cat == "locus" and p.value == "ahead"]
