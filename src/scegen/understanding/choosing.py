@@ -68,6 +68,8 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     verb = match.get("verb")
     participle = match.form in {"ing", "ed"}
     infinitive = previous is not None and previous.value == "to" and match.form == "base"
+    if match.form == "base" and before in {"det", "possessive"} and _of_a_doing(match, tokens):
+        return match.get("manner"), False
     named = match.has("actor") and not _creeps(match, tokens, previous)
     if named and not (participle or infinitive) and before not in _VERBAL_BEFORE:
         return match.get("actor"), False  # "a cycle", not "they cycle"
@@ -114,6 +116,12 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> b
     if previous.cat == "dir" and match.get("verb").value == "inert" and _way_at(tokens, match.j):
         return True  # "a car from the front signals right"
     return one or sided
+
+
+def _of_a_doing(match: Match, tokens: list[Token]) -> bool:
+    """``its slow turn``: how it is done, although "slow" is a verb, too."""
+    doing = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    return match.has("manner") and doing is not None and doing.has("verb") and doing.form == "base"
 
 
 def _creeps(match: Match, tokens: list[Token], side: Term | None) -> bool:

@@ -239,7 +239,8 @@ class Discourse:
                 return list(group.members)
         fitting = [e for e in self._draft.entities if self._roster.compatible(e, reading)]
         if reading.det == "bare" and not reading.vague:
-            return fitting if len(fitting) == reading.count else []
+            told = any("speaks" in e.named_by for e in fitting)  # "two cars" are not me and a van
+            return fitting if len(fitting) == reading.count and not told else []
         return fitting if len(fitting) > 1 else []
 
     def _another(self, reading: Reading, exclude: list[Entity]) -> list[Entity]:

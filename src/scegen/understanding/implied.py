@@ -124,7 +124,8 @@ def _driven_up_to(scene: Scene, context: Context) -> None:
     targets += [e for m in owners for e in m.entities if e not in (*scene.actors, *targets)]
     driver = scene.drivers[0]
     if any(e.ego for e in targets):
-        _comes_towards(scene, driver, context)
+        for other in scene.drivers:
+            _comes_towards(scene, other, context)
         targets = [e for e in targets if not e.ego or _from_the_rear(scene, context)]
     certain = _from_the_rear(scene, context) or _along_the_road(scene, context)
     late = [d for d in context.draft.dangers if d.kind is HazardKind.DELAYED_BRAKING]

@@ -168,13 +168,21 @@ def _shape(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Tok
         (t for t in terms[k + 1 : k + 4] if t.cat == "place" and t.value == "junction"), None
     )
     letter = term.j - term.i == 1 and term.value in {"t", "y"}
-    if following is None and (letter or term.value == "four_way"):
+    named = letter and tokens[term.i].text == "T" and _named_by_letter(terms, k)
+    if following is None and (letter or term.value == "four_way") and not named:
         return
     end = following.j if following is not None else term.j
     kind = JunctionKind(term.value)
     if kind is JunctionKind.SKEWED and following is None and reading.named is None:
         return
     _set_kind(reading, kind, Basis(term.i, end), override=True)
+
+
+def _named_by_letter(terms: list[Term], k: int) -> bool:
+    """``at the T``, ``reaches a T``: the junction itself."""
+    before = [t.cat for t in terms[max(0, k - 2) : k]]
+    placed = before[-1:] == ["det"] and before[:1] in (["prep"], ["verb"])
+    return placed and (k + 1 >= len(terms) or terms[k + 1].cat not in {"actor", "place", "num"})
 
 
 _ARMS_SAID = {JunctionKind.T: 3, JunctionKind.FOUR_WAY: 4}

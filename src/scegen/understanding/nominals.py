@@ -49,7 +49,7 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         mention.pronoun = "further"
     if state.fronted or (direct and any(e is anchor and e.finite for e in state.pending)):
         _start_clause(mention, state)
-    elif isinstance(anchor, Event) and direct and _takes(anchor, k, chunks):
+    elif isinstance(anchor, Event) and direct and _takes(anchor, k, chunks, state):
         _undergo(anchor, mention)
     elif (described := _described(mention, k, chunks, state)) is not None:
         mention.same_as = described
@@ -83,8 +83,11 @@ def _emphasises(mention: Mention, state: State) -> bool:
     return mention.same_as is not None
 
 
-def _takes(verb: Event, k: int, chunks: list[Chunk]) -> bool:
+def _takes(verb: Event, k: int, chunks: list[Chunk], state: State) -> bool:
     """Whether a noun after a verb is its object; "he said the van stopped" tells of the van."""
+    opens = verb.form == "ing" and any(e is verb for e in state.pending)
+    if opens and (finite_follows(chunks, k) or copula_follows(chunks, k)):
+        return False  # "upon turning right the ego must …"
     tells = verb.says or (verb.control == "subject" and isinstance(chunks[k], Mention))
     reported = tells and (finite_follows(chunks, k) or copula_follows(chunks, k))
     return verb.object is None and not reported

@@ -41,6 +41,8 @@ def not_done(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name == "yield":
         breaches.fail_to_yield(scene, context)
+    elif event.name in _STOPPING and _for_people(scene):
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers, _for_people(scene))
     elif event.name == "obey":
         breaches.breach(scene, context)
     elif event.name in _STOPPING and _at_signals(scene, context) and not _rear(scene, context):
@@ -91,6 +93,13 @@ def _in_the_way(scene: Scene, context: Context) -> list[Entity]:
     ]
     parked = [e for e in context.draft.entities if e.parked and e not in scene.targets]
     return named or (parked if len(parked) == 1 else [])
+
+
+def _for_people(scene: Scene) -> list[Entity]:
+    """``does not stop for him``: people on foot who have to be let across."""
+    waited = [p.target for p in scene.event.pps if p.value in {"for", "to"}]
+    people = [e for t in waited if isinstance(t, Mention) for e in t.entities if not e.is_vehicle]
+    return people if scene.drivers else []
 
 
 def _at_signals(scene: Scene, context: Context) -> bool:

@@ -120,6 +120,19 @@ def only_signalled(event: Event, context: Context) -> bool:
     return signalled and after[:1] != [] and after[0] in {"but", "yet", "however", "though"}
 
 
+def without_arrow(context: Context) -> bool:
+    """``a plain green, no arrow``: nothing holds the oncoming traffic back.
+
+    Args:
+        context: the scenario in the making.
+    """
+    words = [t.low for t in context.tokens]
+    return any(
+        word in {"arrow", "arrows"} and {"no", "without", "nor"} & set(words[max(0, k - 3) : k])
+        for k, word in enumerate(words)
+    )
+
+
 def overtaking(scene: Scene, context: Context) -> bool:
     """Whether passing is overtaking: somebody is passed, or who passes was behind somebody.
 
