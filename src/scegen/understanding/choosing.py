@@ -22,6 +22,9 @@ _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
 
 def _attributive(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     """Whether a participle stands before the noun that it describes."""
+    owned = previous is not None and previous.cat in {"det", "possessive"}
+    if owned and match.form == "base" and _of_a_doing(match, tokens):
+        return True
     if not (_may_describe(previous) and noun_follows(tokens, match.j)):
         return False
     following = longest_match(tokens, match.j)
@@ -68,8 +71,6 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     verb = match.get("verb")
     participle = match.form in {"ing", "ed"}
     infinitive = previous is not None and previous.value == "to" and match.form == "base"
-    if match.form == "base" and before in {"det", "possessive"} and _of_a_doing(match, tokens):
-        return match.get("manner"), False
     named = match.has("actor") and not _creeps(match, tokens, previous)
     if named and not (participle or infinitive) and before not in _VERBAL_BEFORE:
         return match.get("actor"), False  # "a cycle", not "they cycle"

@@ -28,15 +28,19 @@ def positions(scenes: list[Scene], context: Context) -> None:
     for scene in scenes:
         _driven_up_to(scene, context)
         parked = [e for e in scene.targets if e.parked]
+        if scene.event.name == "bypass" and not scene.targets and scene.drivers:
+            parked = [e for e in context.draft.entities if e.parked and _in_front(e, context)]
         if scene.event.name == "bypass" and parked and not scene.event.negated:
             context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
         _owing_to_the_parked(scene, context)
         oncoming.hidden_behind(scene, context)
         oncoming.overtaken(scene, context)
+        oncoming.from_behind(scene, context)
         oncoming.met(scene, context)
         _cuts_out(scene, context)
         _revealed(scene, context)
         _across(scene, context)
+    oncoming.unseen(context)
     for danger in context.draft.dangers:
         if danger.kind is HazardKind.ONCOMING_LANE:
             _around_something(danger, context)
@@ -140,6 +144,13 @@ def _driven_up_to(scene: Scene, context: Context) -> None:
         if target.is_vehicle and slower and not crosses and not _placed(target, driver, context):
             reason = "who is driven up to is ahead"
             context.ahead([target], [driver], Basis(event.i, event.j, reason))
+
+
+def _in_front(entity: Entity, context: Context) -> bool:
+    return any(
+        p.entity is entity and p.reference is None and p.approaches == {Approach.AHEAD}
+        for p in context.draft.placements
+    )
 
 
 def _queue(target: object) -> bool:

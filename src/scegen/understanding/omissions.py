@@ -39,10 +39,8 @@ def not_done(scene: Scene, context: Context) -> None:
         return
     elif event.name in _SEEING and scene.how("late") is not None and scene.drivers:
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
-    elif event.name == "yield":
+    elif event.name == "yield" or (event.name in _STOPPING and _for_people(scene)):
         breaches.fail_to_yield(scene, context)
-    elif event.name in _STOPPING and _for_people(scene):
-        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers, _for_people(scene))
     elif event.name == "obey":
         breaches.breach(scene, context)
     elif event.name in _STOPPING and _at_signals(scene, context) and not _rear(scene, context):
@@ -95,11 +93,11 @@ def _in_the_way(scene: Scene, context: Context) -> list[Entity]:
     return named or (parked if len(parked) == 1 else [])
 
 
-def _for_people(scene: Scene) -> list[Entity]:
+def _for_people(scene: Scene) -> bool:
     """``does not stop for him``: people on foot who have to be let across."""
     waited = [p.target for p in scene.event.pps if p.value in {"for", "to"}]
     people = [e for t in waited if isinstance(t, Mention) for e in t.entities if not e.is_vehicle]
-    return people if scene.drivers else []
+    return bool(people and scene.drivers)
 
 
 def _at_signals(scene: Scene, context: Context) -> bool:

@@ -10,7 +10,7 @@ from scegen.understanding.draft import Basis, Entity
 _GOING = frozenset({"move", "turn", "enter", "cross", "pull_out", "cut_in", "accelerate", "leave",
                     "sharp_turn", "speed", "breach", "dash"})  # fmt: skip
 _STILL = frozenset({"but", "yet", "however", "though", "although", "anyway", "anyhow", "still",
-                    "nevertheless", "nonetheless", "regardless", "nonetheless"})  # fmt: skip
+                    "nevertheless", "nonetheless", "regardless"})  # fmt: skip
 _FIRST = frozenset({"first", "earlier", "turn"})
 
 

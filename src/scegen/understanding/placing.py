@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, Maneuver, ParticipantKind
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.located import landmark
 from scegen.understanding.terms import Term
 
 _BY_DIR: dict[str, frozenset[Approach]] = {
@@ -249,7 +250,7 @@ class Placer:
                 self._draft.place(entity, other, elsewhere, basis)
 
     def _locus(self, prep: Prep, entities: list[Entity], event: Event | None) -> None:
-        target = prep.target
+        target = landmark(prep.target)
         basis = Basis(prep.word.i, target.j if isinstance(target, Mention) else prep.word.j)
         if isinstance(target, Thing | Place):
             return
@@ -258,9 +259,9 @@ class Placer:
             for entity in entities if len(by) == 1 and by[0].ego else []:
                 self._draft.place(entity, None, {Approach.ADJACENT}, basis)
             return  # "between the ego and the kerb"
-        if event is not None and event.name not in _STEADY and prep.outer != "from":
-            return
-        if event is not None and (event.name, prep.value) == ("swerve", "behind") and target:
+        moves = event is not None and event.name not in _STEADY
+        moves = moves or (event is not None and event.name == "swerve" and prep.value == "behind")
+        if moves and prep.outer != "from":
             return  # "swerves behind the ego": where it gets to
         if prep.outer == "from" and isinstance(target, Mention) and event is not None:
             return
@@ -292,9 +293,5 @@ class Placer:
 
 def thing_sides(entity: Entity, draft: Draft) -> set[Approach]:
     """The sides at which a participant stands, as far as said."""
-    return {
-        a
-        for p in draft.placements
-        if p.entity is entity and p.reference is None
-        for a in p.approaches
-    }
+    seen = [p for p in draft.placements if p.entity is entity and p.reference is None]
+    return {a for p in seen for a in p.approaches}
