@@ -11,12 +11,14 @@ from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
 
 _NOMINAL_BEFORE = frozenset(
-    {"det", "possessive", "dir", "manner", "num", "quant", "label", "noted", "shape"}
+    {"det", "possessive", "dir", "manner", "num", "quant", "label", "noted", "shape", "quantity"}
 )
 _NO_PREMODIFIER = frozenset({"aux", "actor", "pronoun", "neg", "rel"})
 _VERBAL_BEFORE = frozenset({"actor", "pronoun", "aux", "rel", "neg"})
+_ENTERED = frozenset({"enter", "merge", "leave", "block", "encounter", "avoid", "approach"})
+_OPENING = 10
 _DOINGS = frozenset({"cut_in", "lane_change", "merge", "overtake", "u_turn"})
-_NOUNS = ("place", "inert", "thing", "view", "env")
+_NOUNS = ("place", "inert", "thing", "view", "env", "limit")
 _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
 
 
@@ -28,9 +30,21 @@ def _attributive(match: Match, tokens: list[Token], previous: Term | None) -> bo
     if not (_may_describe(previous) and noun_follows(tokens, match.j)):
         return False
     following = longest_match(tokens, match.j)
+    if previous is None and following is not None and _does_it_to(match, following, tokens):
+        return False
     adverb = previous is not None and previous.cat in {"conj", "manner", "sub"}
     singular = following is not None and following.has("actor") and following.form == "base"
     return not (adverb and singular and match.form == "ed")  # "brakes and struck pedestrian"
+
+
+def _does_it_to(match: Match, noun: Match, tokens: list[Token]) -> bool:
+    """``Entering traffic from a side road, a van …``: what the van does, no kind of traffic."""
+    transitive = any(e.value in _ENTERED for e in match.entries)
+    if not transitive or not any("mass" in e.data for e in noun.entries):
+        return False
+    rest = [t.low for t in tokens[noun.j : noun.j + _OPENING]]
+    comma = rest.index(",") if "," in rest else len(rest)
+    return comma + 1 < len(rest) and rest[comma + 1] in {"a", "an", "the", "one", "another"}
 
 
 def _clause_follows(tokens: list[Token], j: int) -> bool:
@@ -94,7 +108,8 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     if names_a_measure(match, tokens, previous):
         return match.get("inert"), False
     if match.has(*_NOUNS) and match.form in {"base", "s"} and _noun_slot(match, tokens, previous):
-        return match.get(*_NOUNS), False
+        part = match.has("dir") and match.get("dir").value == "rear" and before != "manner"
+        return match.get("dir") if part else match.get(*_NOUNS), False  # "hit the back of it"
     if match.has("dir") and match.form == "base" and not _second_verb(match, tokens, previous):
         return match.get("dir"), False
     return verb, False
@@ -194,6 +209,8 @@ def _relates(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     """``a bus that turns``, ``a bus from the right that turns``."""
     if previous is None:
         return False
+    if match.j < len(tokens) and tokens[match.j].low == ",":
+        return True  # "a taxi that, looking for a fare, brakes"
     after = longest_match(tokens, match.j) if match.j < len(tokens) else None
     verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
     verbal = verbal and after is not None and not after.has("actor", "place")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
-from scegen.understanding import conflicts, encounters, lane_moves, pulling_out, screens
+from scegen.understanding import breaches, conflicts, encounters, lane_moves, pulling_out, screens
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
@@ -89,6 +89,7 @@ def stop(scene: Scene, context: Context) -> None:
     motor = [e for e in scene.drivers if e.kind is not ParticipantKind.BICYCLE]
     if sudden is not None and motor:
         context.draft.hazard(HazardKind.HARD_BRAKING, sudden, motor)
+    too_late(scene, context)
     beyond = {
         id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low in _BEYOND
     }  # "stops just past the crosswalk"
@@ -217,7 +218,8 @@ def pull_back(scene: Scene, context: Context) -> None:
     last = context.tokens[scene.event.j - 1].low
     in_front = any(p.word.cat == "locus" and p.value == "ahead" for p in scene.event.pps)
     hasty = any(context.tokens[m.j - 1].low in _HASTY for m in scene.event.mods)
-    if others and (in_front or (last == "in" and hasty) or scene.sudden is not None):
+    lane = any(p.kind == "lane" for p in scene.places())  # "returned to its lane too soon"
+    if others and (in_front or ((last == "in" or lane) and hasty) or scene.sudden is not None):
         context.draft.hazard(HazardKind.CUT_IN, scene.words, others)
 
 
@@ -288,6 +290,7 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "bypass": swerve_around,
     "undertake": undertake,
     "return": pull_back,
+    "use": breaches.take_priority,
     "reverse": reverse,
     "lose_control": lose_control,
     "delay": delay,

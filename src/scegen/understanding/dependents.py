@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.understanding.chunks import Event, Mention
 from scegen.understanding.state import State
 
+_OPENING = frozenset({"against", "in", "with", "of"})
 _ABOUT_OTHERS = frozenset({"cause", "prevent", "block", "hide", "encounter", "overlook"})
 """Verbs whose object is what others do ("blocks the merge")."""
 
@@ -69,8 +70,11 @@ def nominal(event: Event, state: State) -> None:
         event.subject = state.main  # "before its left turn"
     if isinstance(anchor, Event) and not (state.between - {"either", "or"}):
         depend(event, anchor, "noun")
-        if not event.subject and anchor.name not in _ABOUT_OTHERS:
+        during = state.prep is not None  # "can't see during its turn"
+        if not event.subject and (during or anchor.name not in _ABOUT_OTHERS):
             _share_subject(event, anchor, state)
+    elif event.name == "bypass" and any(m.value == "def" for m in event.mods):
+        return  # "and the detour leads …": anybody's
     elif "conj" in state.between and state.events:
         event.subject = event.subject or state.events[-1].subject
         alternative(event, state.events[-1], state)
@@ -83,9 +87,7 @@ def nominal(event: Event, state: State) -> None:
 def _opens(state: State) -> bool:
     """``during a left turn, the car …``: who does it comes after."""
     word = state.prep.value if state.prep is not None else ""
-    return (
-        state.candidate is None and not state.mentions and word in {"against", "in", "with", "of"}
-    )
+    return state.candidate is None and not state.mentions and word in _OPENING
 
 
 def _in_a_phrase(event: Event, state: State) -> None:
@@ -123,7 +125,7 @@ def infinitive(event: Event, state: State) -> None:
     if parent is None:
         event.subject = chain(anchor) if isinstance(anchor, Mention) else []
         if not event.subject:
-            state.pending.append(event)  # "in an attempt to turn, the van …"
+            state.pending.append(event)  # "to get past the bus, the car …"
         return
     depend(event, parent, "inf")
     event.negated = parent.negated and parent.control == "subject"

@@ -15,12 +15,12 @@ from scegen.understanding.reference import (
     kin,
     own_vehicle,
     refers_to_nobody,
+    refine,
     tells,
 )
 from scegen.understanding.roster import Roster
 from scegen.understanding.tokens import Token
 
-_MOTOR = frozenset(ParticipantKind) - {ParticipantKind.PEDESTRIAN}
 _MOST = 20
 
 
@@ -63,7 +63,7 @@ class Discourse:
         if mention.same_as is not None:
             same = mention.same_as  # "riding a moped, I …": whom comes later
             mention.entities = list(same.entities or self.resolve(same, subject=True, exclude=[]))
-            self._refine(mention)
+            refine(mention, self._draft)
             return mention.entities
         if refers_to_nobody(mention) or self._their_own_queue(mention):
             return []
@@ -92,18 +92,6 @@ class Discourse:
         mass = bool(mention.head and mention.head.data.get("mass"))
         within = mention.prep is not None and mention.prep.value == "in"
         return mass and within and len(self._roster.subject) > 1
-
-    def _refine(self, mention: Mention) -> None:
-        """``vehicle 1, a pickup truck, …``: the apposition says what kind it is."""
-        if not mention.heads:
-            return
-        reading = read_mention(mention, self.tokens, None)
-        for entity in mention.entities:
-            afoot = any("afoot" in h.data for h in mention.heads)
-            if not reading.generic and (reading.kind in _MOTOR or afoot):
-                entity.kind, entity.basis = reading.kind, Basis(mention.i, mention.j)
-            entity.labels |= reading.labels
-            entity.named_by |= reading.called
 
     def _we(self, mention: Mention) -> list[Entity]:
         """``three of us``: the ego and two more."""

@@ -40,8 +40,9 @@ def is_nominal(
         return False  # "the van to the ego's right creeps forward"
     if mods and mods[-1].cat == "quant" and mods[-1].value in {"both", "all"}:
         return False  # "both go"
-    if not any(m.cat in {*OPENERS, "dir", "manner"} for m in mods):
-        return False
+    named = any(m.cat == "label" for m in mods) and head.form == "base"
+    if not any(m.cat in {*OPENERS, "dir", "manner"} for m in mods) and not named:
+        return False  # "evasive lane change" is one as well
     previous = chunks[-1] if chunks else None
     if mods[0].cat == "dir" and isinstance(previous, Event) and previous.control is None:
         return False

@@ -42,7 +42,7 @@ def names_a_turn(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
         before = tokens[terms[k].i - 1]
         return qualified
     if before.low in _DURING:
-        own = terms[k].cat == "possessive" or not definite
+        own = (terms[k].cat == "possessive" and before.low != "to") or not definite
         return own if before.low in _INTO else before.low != "after" or own
     return before.forms[-1][0] in _BEGINNING and not (definite and terms[k].cat == "det")
 

@@ -37,7 +37,7 @@ def not_done(scene: Scene, context: Context) -> None:
         _unable(scene, context)
     elif event.name in _SEEING and breaches.breach(scene, context):
         return
-    elif event.name in _SEEING and scene.how("late") is not None and scene.drivers:
+    elif event.name in _SEEING and _late(scene) and scene.drivers:
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name == "yield" or (event.name in _STOPPING and _for_people(scene)):
         breaches.fail_to_yield(scene, context)
@@ -61,12 +61,22 @@ def not_done(scene: Scene, context: Context) -> None:
         context.draft.note(event.i, event.j, "said not to happen; left out")
 
 
+def _late(scene: Scene) -> bool:
+    """``did not notice it in time``, ``did not see it and struck its rear``."""
+    return scene.event.late or scene.how("late") is not None
+
+
 def _unable(scene: Scene, context: Context) -> None:
     """``cannot stop in time``, ``could not see the car because of the van``."""
     event = scene.event
     basis = Basis(event.i, event.j)
     if event.name in {"brake", "stop", "slow"} and scene.drivers:
-        if not _too_near(event.i, context):
+        skids = any(
+            d.kind is HazardKind.LOSS_OF_CONTROL and e in d.by
+            for d in context.draft.dangers
+            for e in scene.drivers
+        )
+        if not (skids or _too_near(event.i, context)):
             context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name == "encounter":
         context.draft.hazard(HazardKind.OCCLUSION, basis, _in_the_way(scene, context))

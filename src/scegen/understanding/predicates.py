@@ -29,8 +29,8 @@ def complete(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> l
     """
     found = [*events, *courses_said(chunks, events, tokens)]
     _titled(chunks, events)
-    _by_the_other(chunks, events)
     entitle(chunks, events)
+    _by_the_other(chunks, events)
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Event) and chunk.nominal and not chunk.subject:
             chunk.subject = _whose(chunks, k, found)

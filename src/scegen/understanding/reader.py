@@ -17,6 +17,7 @@ from scegen.understanding.each_arm import count_arms, share_arms
 from scegen.understanding.each_side import both_sides
 from scegen.understanding.ellipsis import fill_in
 from scegen.understanding.headings import silence
+from scegen.understanding.hiders import name_hiders
 from scegen.understanding.junctions import JunctionReading, read_junction
 from scegen.understanding.leftovers import report
 from scegen.understanding.meaning import Interpreter
@@ -69,7 +70,7 @@ def read(text: str) -> FunctionalScenario:
     junction = read_junction(terms, tokens)
     surroundings = read_surroundings(terms, tokens)
     terms = settle_sides(terms, surroundings.side)
-    chunks = spell_out(both_sides(Chunker(terms, tokens).run(), tokens))
+    chunks = spell_out(both_sides(name_hiders(Chunker(terms, tokens).run()), tokens))
     chunks = repeat(silence(chunks), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     draft = Draft(text, tokens)

@@ -136,10 +136,13 @@ def _generic(chunks: list[Chunk], events: list[Event]) -> None:
 
     Traffic that somebody waits for, or gives way to, is there.
     """
+    entered = {id(e.object) for e in events if e.name in {"enter", "merge"}}
     met = {id(p.target) for e in events if e.name in _LETTING_BY for p in e.pps}
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Mention) or chunk.head is None:
             continue
+        if id(chunk) in entered and "mass" in chunk.head.data and not chunk.mods:
+            chunk.negated = True  # "entering traffic from a driveway, a van …"
         if chunk.prep is None:
             chunk.negated = chunk.negated or _only_the_scene(chunk, k, chunks)
             continue

@@ -10,7 +10,9 @@ from scegen.understanding.paces import doing
 from scegen.understanding.particles import measured
 from scegen.understanding.terms import Term, longest_match
 from scegen.understanding.tokens import Token
+from scegen.understanding.unnamed_roles import role_alone
 
+_COLOURS = frozenset({"green", "red", "yellow", "amber"})
 _SHORT = frozenset({"only", "half", "within", "of", "just", "barely", "than", "for", "about",
                     "under", "in"})  # fmt: skip
 
@@ -30,10 +32,10 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         term = Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
     if (term.cat, tokens[term.i].low) == ("possessive", "her") and _alone(tokens, term.j):
         term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
-    if _moment(tokens, term):
-        term = Term("inert", "noun", term.i, term.j)
+    term = _of_lights_and_times(term, tokens)
     if term.value == "genitive":
         term = _shortened(term, terms, tokens)
+    term = role_alone(term, terms, tokens)
     if _does_not(tokens, term):
         term = replace(term, cat="aux", value="do")
     if terms and measured(tokens, terms, term):
@@ -41,13 +43,41 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         term = Term("quantity", "other", number.i, term.j, data={"quantity": None})
     if names_a_turn(term, terms, tokens):
         term = replace(term, cat="verb", value="turn", form="base", data={"way": term.value})
-    if (term.cat, term.value, term.form) == ("verb", "slow", "base") and doing(tokens, term.i):
-        term = replace(term, cat="manner", data={})  # "going really slow"
+    term = _near_or_far(term, tokens)
+    slow = (term.cat, term.value, term.form) == ("verb", "slow", "base")
+    opened = bool(terms) and terms[-1].cat in {"det", "possessive"} and _word_at(tokens, term.j)
+    if slow and (opened or doing(tokens, term.i)):
+        term = replace(term, cat="manner", data={})  # "a slow convoy", "going really slow"
     if _speed(term) and doing(tokens, term.i):
         _as_motion(terms, tokens)
     if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
         terms[-1] = replace(terms[-1], value="move", data={})  # "carries straight on"
     return term
+
+
+_NEAR_OR_FAR = {"near": "near", "nearer": "near", "far": "far", "farther": "far", "further": "far"}
+_KERBS = frozenset({"kerb", "curb", "pavement", "sidewalk", "verge", "footpath", "footway",
+                    "roadside"})  # fmt: skip
+
+
+def _of_lights_and_times(term: Term, tokens: list[Token]) -> Term:
+    if _changes_colour(tokens, term):
+        return replace(term, value="inert", data={})
+    return Term("inert", "noun", term.i, term.j) if _moment(tokens, term) else term
+
+
+def _changes_colour(tokens: list[Token], term: Term) -> bool:
+    """``when it turns green``: the light does."""
+    lit = (term.cat, term.value) == ("verb", "turn") and term.j < len(tokens)
+    return lit and tokens[term.j].low in _COLOURS
+
+
+def _word_at(tokens: list[Token], j: int) -> bool:
+    """Whether a word that may be a noun stands there."""
+    if j >= len(tokens) or tokens[j].kind != "word":
+        return False
+    found = longest_match(tokens, j)
+    return found is None or not found.has("prep", "conj", "aux", "sub", "locus")
 
 
 def _moment(tokens: list[Token], term: Term) -> bool:
@@ -68,6 +98,13 @@ def _has_done(tokens: list[Token], term: Term) -> bool:
     """``someone's left a van there``: has left, nothing of theirs."""
     done, after = (tokens[k].low if k < len(tokens) else "" for k in (term.j, term.j + 1))
     return done in _DONE and after in _AFTER
+
+
+def _near_or_far(term: Term, tokens: list[Token]) -> Term:
+    """``the far kerb``: the side across the road."""
+    value = _NEAR_OR_FAR.get(tokens[term.i].low) if term.j - term.i == 1 else None
+    kerb = term.j < len(tokens) and tokens[term.j].low in _KERBS
+    return Term("dir", value, term.i, term.j) if value is not None and kerb else term
 
 
 def _shortened(term: Term, terms: list[Term], tokens: list[Token]) -> Term:

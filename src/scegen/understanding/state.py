@@ -29,6 +29,7 @@ class State:
         opening: the same phrases once that mention has come, for its verb.
         last_prep: the phrase read last.
         bracket: anchor and words between, as they were when a bracket opened.
+        relating: whom a relative clause is about that is interrupted ("who, looking down, walks").
         verb_follows: another verb makes the clause after the participle just read.
         where: a clause has been opened that says what takes place somewhere.
         trailing: the ego where it opens a clause after that of another ("…, as the ego turns").
@@ -55,3 +56,4 @@ class State:
     where: bool = False
     trailing: list[Mention] = field(default_factory=list)
     relative: tuple[Mention, NounPhrase] | None = None
+    relating: Mention | None = None

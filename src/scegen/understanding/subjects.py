@@ -31,6 +31,14 @@ def link(event: Event, state: State) -> None:
         event: the event just read.
         state: what the clause reader remembers.
     """
+    interrupts = {"rel", ","} <= state.between and bool(state.mentions) and event.form == "ing"
+    state.relating = _antecedent(state) if interrupts else state.relating
+    _link(event, state)
+    if interrupts and state.relating is not None:  # "a man who, looking down, walks on"
+        event.subject = [state.relating]
+
+
+def _link(event: Event, state: State) -> None:
     if event.nominal:
         nominal(event, state)
         return
@@ -38,7 +46,7 @@ def link(event: Event, state: State) -> None:
     helped = auxiliary(state)
     if to:
         infinitive(event, state)
-    elif state.prep is not None and event.form == "ing":
+    elif state.prep is not None and (event.form == "ing" or _without_ability(state)):
         gerund(event, state)
     else:
         event.finite = event.form in {"s", "ed", "base"} or helped
@@ -66,6 +74,11 @@ def link(event: Event, state: State) -> None:
         state.candidate_done = state.candidate_done or not waits
 
 
+def _without_ability(state: State) -> bool:
+    """``without being able to stop``."""
+    return state.prep is not None and state.prep.value == "without" and "aux:can" in state.between
+
+
 def before_by(event: Event, state: State) -> None:
     """``…, obstructed by a van``: a participle with "by" after it is passive.
 
@@ -84,6 +97,12 @@ def before_by(event: Event, state: State) -> None:
 
 def _said_of_a_thing(event: Event, state: State) -> None:
     """``the view is blocked by a van``: nobody acts but who stands after "by"."""
+    parts = state.topic if isinstance(state.topic, NounPhrase) else None
+    if parts is not None and event.name == "collide" and "aux:be" not in state.between:
+        own = any(m.cat == "possessive" and m.value == "its" for m in parts.mods)
+        event.subject = [parts.owner] if parts.owner is not None else state.main if own else []
+        state.topic = None
+        return  # "the front of the van struck …", "its front struck …"
     passive = event.form == "ed" or (event.form == "base" and event.name in PASSIVE)
     if passive and "aux:be" in state.between:
         event.passive, event.object = event.name in PASSIVE, state.topic
@@ -113,7 +132,9 @@ def _clause(event: Event, state: State) -> None:
     event.embedded = "rel" in between or state.where
     if "thing" in between:
         return  # "a fallen tree that blocks the lane"
-    if "rel" in between and state.mentions:
+    if state.relating is not None and event.finite and between == {","}:
+        event.subject, state.relating = [state.relating], None
+    elif "rel" in between and state.mentions:
         which = _antecedent(state)
         singular = event.form == "s" and (which.head is None or which.head.form != "s")
         event.subject = [which] if singular else chain(which)

@@ -8,10 +8,12 @@ from scegen.understanding.choosing import choose, is_adverb
 from scegen.understanding.collectives import gather
 from scegen.understanding.labels import named_at
 from scegen.understanding.lexicon import Entry
+from scegen.understanding.nominal import ORDINALS
 from scegen.understanding.numbers import number_at
 from scegen.understanding.paces import pace_at, speed_at
 from scegen.understanding.particles import (
     after_a_phrase,
+    and_moves,
     in_front,
     just_right,
     lane_then_verb,
@@ -28,9 +30,10 @@ from scegen.understanding.quantities import quantity_at
 from scegen.understanding.retagging import retag
 from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
+from scegen.understanding.unnamed_roles import with_articles
 
 _NOUNS = ("actor", "place", "thing", "inert")
-_CROSSED = frozenset({"road", "lane", "path", "highway", "crosswalk"})
+_CROSSED = frozenset({"access", "road", "lane", "path", "highway", "crosswalk"})
 _STEERED = frozenset({"driven", "ridden"})
 _UNIT_WORDS = frozenset({"unit", "veh", "v"})
 
@@ -63,6 +66,8 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
         return suffix_form(token)
     if after_a_phrase(token, previous, tokens):
         return "s"
+    if and_moves(token, previous, tokens):
+        return suffix_form(token)
     return None
 
 
@@ -74,6 +79,7 @@ def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term | None)
     singular = previous is not None and previous.cat in {"det", "dir", "label"}
     known = any(t.low == tokens[i].low for t in tokens[:i])  # "ego follows a bus; bus stops"
     singular = singular or (known and (previous is None or previous.cat in {"punct", "conj"}))
+    singular = singular or (i > 0 and tokens[i - 1].low in ORDINALS)
     rest = longest_match(tokens, i + 1)
     verbal = rest is not None and rest.has("verb")
     return singular and verbal and alone is not None and alone.has("actor")
@@ -96,7 +102,7 @@ def tag(tokens: list[Token]) -> list[Term]:
         term = retag(term, terms, tokens)
         terms.append(term)
         i = terms[-1].j
-    return _crossings(gather(from_side_to_side(terms), tokens), tokens)
+    return with_articles(_crossings(gather(from_side_to_side(terms), tokens), tokens), tokens)
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:

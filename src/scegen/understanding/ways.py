@@ -69,7 +69,7 @@ def into_lane(event: Event) -> Place | None:
     """The lane or path that a movement ends in ("into the ego's path")."""
     for prep in event.pps:
         target = prep.target
-        goal = prep.value in {"into", "to"} and isinstance(target, Place)
+        goal = prep.value in {"into", "to", "for"} and isinstance(target, Place)
         if goal and isinstance(target, Place) and target.kind in {"lane", "path"}:
             return target
     direct = event.object
