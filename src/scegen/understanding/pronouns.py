@@ -150,7 +150,7 @@ class Pronouns:
         if claimed or which == "count":
             return claimed
         definite = which == "one" and any(m.value == "def" for m in mention.mods)
-        if definite and any(isinstance(p.target, Place) for p in mention.pps):
+        if definite and not mention.sides and _placed(mention):
             others = [e for e in self.roster.recent if not e.ego and e not in exclude]
             if others:
                 return others[-1:]  # "another waits in the stem; the one in the stem …"
@@ -159,3 +159,7 @@ class Pronouns:
         afoot = which == "one" and kinds == {ParticipantKind.PEDESTRIAN}
         kind = ParticipantKind.PEDESTRIAN if afoot else ParticipantKind.CAR
         return [self.roster.new(kind, basis)] if new else []
+
+
+def _placed(mention: Mention) -> bool:
+    return any(isinstance(p.target, Place) for p in mention.pps)
