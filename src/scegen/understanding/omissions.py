@@ -39,7 +39,7 @@ def not_done(scene: Scene, context: Context) -> None:
         return
     elif event.name in _SEEING and _late(scene) and scene.drivers:
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
-    elif event.name == "yield" or (event.name in _STOPPING and _for_people(scene)):
+    elif event.name == "yield" or (event.name in {"stop", "wait"} and _for_people(scene)):
         breaches.fail_to_yield(scene, context)
     elif event.name == "obey":
         breaches.breach(scene, context)
