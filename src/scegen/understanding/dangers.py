@@ -5,14 +5,21 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
-from scegen.understanding import breaches, conflicts, encounters, lane_moves, pulling_out, screens
+from scegen.understanding import (
+    breaches,
+    conflicts,
+    encounters,
+    lane_moves,
+    pulling_out,
+    returning,
+    screens,
+)
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
 from scegen.understanding.walking import keep_along
 from scegen.understanding.ways import against, into_lane
 
-_HASTY = frozenset({"early", "soon", "closely", "close", "tightly"})
 _STANDING = frozenset({"stand", "sit", "idle", "unload", "load", "deliver", "linger"})
 _GENTLY = frozenset({"gently", "gentle", "lightly", "light", "softly", "soft", "smoothly", "smooth",
                      "gradually", "gradual", "moderately", "moderate", "mildly", "mild",
@@ -68,7 +75,8 @@ def _gentle(scene: Scene, context: Context) -> bool:
 
 def slow(scene: Scene, context: Context) -> None:
     """Slowing down is hard braking when sudden, or when the vehicle ahead does it."""
-    if not scene.drivers:
+    lets = any(c.name == "cause" for c in scene.event.children)  # "slows down to let her cross"
+    if not scene.drivers or (lets and scene.sudden is None):
         return
     sudden = scene.sudden
     leads = any(
@@ -212,17 +220,6 @@ def swerve_around(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.SWERVING, scene.words, others, scene.targets)
 
 
-def pull_back(scene: Scene, context: Context) -> None:
-    """``overtakes the ego and moves back in too early``: a cut-in."""
-    others = [e for e in scene.drivers if not e.ego and Maneuver.OVERTAKE in e.maneuvers]
-    last = context.tokens[scene.event.j - 1].low
-    in_front = any(p.word.cat == "locus" and p.value == "ahead" for p in scene.event.pps)
-    hasty = any(context.tokens[m.j - 1].low in _HASTY for m in scene.event.mods)
-    lane = any(p.kind == "lane" for p in scene.places())  # "returned to its lane too soon"
-    if others and (in_front or ((last == "in" or lane) and hasty) or scene.sudden is not None):
-        context.draft.hazard(HazardKind.CUT_IN, scene.words, others)
-
-
 def reverse(scene: Scene, context: Context) -> None:
     """Driving backwards."""
     context.draft.hazard(HazardKind.REVERSING, scene.words, scene.drivers)
@@ -289,7 +286,7 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "crawl": crawl,
     "bypass": swerve_around,
     "undertake": undertake,
-    "return": pull_back,
+    "return": returning.pull_back,
     "use": breaches.take_priority,
     "reverse": reverse,
     "lose_control": lose_control,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, Control, HazardKind
+from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver
 from scegen.understanding import breaches
 from scegen.understanding.chunks import Mention
 from scegen.understanding.context import Context, Scene
@@ -149,7 +149,9 @@ def _behind_or_late(scene: Scene, context: Context) -> bool:
         return False
     late = any(context.tokens[m.j - 1].low == "time" for m in scene.event.mods)
     late = late or scene.event.late
-    return late or all(context.placed(e, Approach.BEHIND) for e in scene.drivers)
+    crosses = any(Maneuver.CROSS in e.maneuvers or context.crosses(e) for e in scene.drivers)
+    behind = all(context.placed(e, Approach.BEHIND) for e in scene.drivers)
+    return late or (behind and not crosses)
 
 
 def _has_to_wait(scene: Scene, context: Context) -> bool:
