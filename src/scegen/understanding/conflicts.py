@@ -15,6 +15,7 @@ from scegen.understanding.ways import (
     leads,
     next_lane,
     overtaking,
+    without_arrow,
 )
 
 _ACROSS = {"left": Maneuver.LEFT, "right": Maneuver.RIGHT}
@@ -30,6 +31,7 @@ def turn(scene: Scene, context: Context) -> None:
         return
     left = _ACROSS[context.across] in directions(event)
     lit = any(m.value == "unprotected" for p in scene.places() for m in p.mods)
+    lit = lit or without_arrow(context)
     unprotected = scene.how("unprotected") or (scene.words if lit else None)
     if unprotected is not None and left:
         context.draft.hazard(HazardKind.UNPROTECTED_LEFT_TURN, scene.words, scene.drivers)

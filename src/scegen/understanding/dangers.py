@@ -238,7 +238,7 @@ def lose_control(scene: Scene, context: Context) -> None:
 def park(scene: Scene, context: Context) -> None:
     """``parked in its lane``: whoever drives there has to get past it."""
     lanes = [p for p in scene.places() if p.kind == "lane"]
-    driven = any(p.owner is not None or any(m.cat == "possessive" for m in p.mods) for p in lanes)
+    driven = any(not {"adjacent", "opposite", "lateral"} & set(p.dirs) for p in lanes)
     parked = [e for e in scene.actors if e.parked]
     if driven and parked:
         context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
