@@ -22,7 +22,7 @@ def loose_modifier(terms: list[Term], m: int, opened: bool) -> bool:
         return opened and term.value == "adjective" and nounlike
     if term.cat == "env":
         return follows in {"place", "actor"}
-    return opened and term.cat == "unknown" and follows in {"actor", "place", "unknown"}
+    return opened and term.cat == "unknown" and follows in {"actor", "place", "unknown", "thing"}
 
 
 def listed(terms: list[Term], m: int, mods: list[Term]) -> bool:

@@ -2,7 +2,16 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Word
+from scegen.understanding.chunks import (
+    Chunk,
+    Event,
+    Mention,
+    NounPhrase,
+    Place,
+    Prep,
+    Thing,
+    Word,
+)
 from scegen.understanding.lookahead import GOVERNING, finite_follows
 from scegen.understanding.state import State
 
@@ -125,7 +134,7 @@ def _aside(prep: Prep, state: State) -> bool:
     """``a truck, previously behind it, accelerates``: what is put between commas."""
     who = state.candidate
     waits = who is not None and who is state.anchor and not state.candidate_done
-    placed = prep.word.cat == "locus" or prep.value in {"in", "from"}
+    placed = prep.word.cat == "locus" or prep.value in {"in", "from", "into"}
     return waits and placed and "," in state.between and state.between <= {",", "unknown", "inert"}
 
 
@@ -135,6 +144,7 @@ def _opens_clause(k: int, chunks: list[Chunk], state: State) -> bool:
     "Behind the ego is a truck", "from the left comes a bus, and from the right a van".
     """
     begins = not state.events and state.candidate is None and not state.mentions
+    begins = begins and state.anchor is None  # "a kiosk on the left hides a child"
     joins = {"conj", "sub", ","} & state.between and "or" not in state.between
     if not begins and not (joins and (state.candidate_done or state.events)):
         return False
@@ -190,16 +200,27 @@ def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
     placed = isinstance(target, Place) and (
         target.kind in _SIDES or any(t.cat == "compass" for t in target.mods)
     )
-    if not placed and not (locus and isinstance(target, Mention)):
+    if not placed and not (locus and isinstance(target, Mention | Thing)):
         return None
     m += 1
+    owned = chunks[m] if m < len(chunks) else None
+    if isinstance(target, Mention) and target.possessor and isinstance(owned, NounPhrase):
+        m += 1  # "behind the ego's bumper"
     aside = isinstance(target, Place) and target.kind == "access" and _is(chunks, m, "in")
     side = chunks[m + 1] if aside and m + 1 < len(chunks) else None
     if isinstance(side, Place) and side.kind == "side":
         m += 2  # "from a driveway on the left a van …"
+    if _side_after(chunks, m):
+        m += 2  # "behind a van on the right a man …"
     while _is(chunks, m, "of") and isinstance(next(iter(chunks[m + 1 :]), None), Mention | Place):
         m += 2
     return m
+
+
+def _side_after(chunks: list[Chunk], m: int) -> bool:
+    side = chunks[m + 1] if m + 1 < len(chunks) else None
+    sided = isinstance(side, Place) and side.kind in {"side", "sidewalk", "shoulder"}
+    return _is(chunks, m, "in") and sided
 
 
 def place_in_front(mention: Mention, state: State) -> None:

@@ -17,6 +17,20 @@ def fail_to_yield(scene: Scene, context: Context) -> None:
     _from_the_side(scene, context)
 
 
+def take_priority(scene: Scene, context: Context) -> None:
+    """``takes priority illegally``, ``takes the ego's right of way``: it belongs to others.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    taken = [p for p in scene.places() if p.kind == "right_of_way"]
+    others = [e for e in scene.drivers if not e.ego]
+    owned = any(p.owner is not None and p.owner.entities for p in taken)
+    if taken and others and (owned or scene.how("aggressive", "sudden") is not None):
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, others)
+
+
 def _from_the_side(scene: Scene, context: Context) -> None:
     """Who has to give way and comes from the side comes from another road."""
     sides = (Approach.LEFT, Approach.RIGHT)
@@ -58,6 +72,26 @@ def turns_across(scene: Scene, context: Context) -> bool:
         *(t.value for t in event.dirs),
         *side,
     }
+
+
+def may_break(scene: Scene, context: Context) -> bool:
+    """Whether a movement is one that a red light forbids, or is said to go against it.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    return turns_across(scene, context) or _defies(scene, context)
+
+
+def _defies(scene: Scene, context: Context) -> bool:
+    """``creeps over the line against the red``: whatever it does there, it may not."""
+    return any(
+        context.tokens[p.word.i].low in {"against", "despite"}
+        and isinstance(p.target, Place)
+        and p.target.kind == "signal"
+        for p in scene.event.pps
+    )
 
 
 def _regulated(context: Context) -> bool:

@@ -11,23 +11,40 @@ from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
 
 _NOMINAL_BEFORE = frozenset(
-    {"det", "possessive", "dir", "manner", "num", "quant", "label", "noted", "shape"}
+    {"det", "possessive", "dir", "manner", "num", "quant", "label", "noted", "shape", "quantity"}
 )
 _NO_PREMODIFIER = frozenset({"aux", "actor", "pronoun", "neg", "rel"})
 _VERBAL_BEFORE = frozenset({"actor", "pronoun", "aux", "rel", "neg"})
+_ENTERED = frozenset({"enter", "merge", "leave", "block", "encounter", "avoid", "approach"})
+_OPENING = 10
 _DOINGS = frozenset({"cut_in", "lane_change", "merge", "overtake", "u_turn"})
-_NOUNS = ("place", "inert", "thing", "view", "env")
+_NOUNS = ("place", "inert", "thing", "view", "env", "limit")
 _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
 
 
 def _attributive(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     """Whether a participle stands before the noun that it describes."""
+    owned = previous is not None and previous.cat in {"det", "possessive"}
+    if owned and match.form == "base" and _of_a_doing(match, tokens):
+        return True
     if not (_may_describe(previous) and noun_follows(tokens, match.j)):
         return False
     following = longest_match(tokens, match.j)
+    if previous is None and following is not None and _does_it_to(match, following, tokens):
+        return False
     adverb = previous is not None and previous.cat in {"conj", "manner", "sub"}
     singular = following is not None and following.has("actor") and following.form == "base"
     return not (adverb and singular and match.form == "ed")  # "brakes and struck pedestrian"
+
+
+def _does_it_to(match: Match, noun: Match, tokens: list[Token]) -> bool:
+    """``Entering traffic from a side road, a van …``: what the van does, no kind of traffic."""
+    transitive = any(e.value in _ENTERED for e in match.entries)
+    if not transitive or not any("mass" in e.data for e in noun.entries):
+        return False
+    rest = [t.low for t in tokens[noun.j : noun.j + _OPENING]]
+    comma = rest.index(",") if "," in rest else len(rest)
+    return comma + 1 < len(rest) and rest[comma + 1] in {"a", "an", "the", "one", "another"}
 
 
 def _clause_follows(tokens: list[Token], j: int) -> bool:
@@ -68,7 +85,8 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     verb = match.get("verb")
     participle = match.form in {"ing", "ed"}
     infinitive = previous is not None and previous.value == "to" and match.form == "base"
-    if match.has("actor") and not (participle or infinitive) and before not in _VERBAL_BEFORE:
+    named = match.has("actor") and not _creeps(match, tokens, previous)
+    if named and not (participle or infinitive) and before not in _VERBAL_BEFORE:
         return match.get("actor"), False  # "a cycle", not "they cycle"
     attributive = _attributive(match, tokens, previous)
     if participle and before in {"conj", "sub"} and match.has("dir"):
@@ -90,7 +108,8 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     if names_a_measure(match, tokens, previous):
         return match.get("inert"), False
     if match.has(*_NOUNS) and match.form in {"base", "s"} and _noun_slot(match, tokens, previous):
-        return match.get(*_NOUNS), False
+        part = match.has("dir") and match.get("dir").value == "rear" and before != "manner"
+        return match.get("dir") if part else match.get(*_NOUNS), False  # "hit the back of it"
     if match.has("dir") and match.form == "base" and not _second_verb(match, tokens, previous):
         return match.get("dir"), False
     return verb, False
@@ -110,7 +129,36 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> b
     one = previous.cat == "num" and previous.data.get("number") == 1
     one = one or (previous.cat == "label" and previous.value in ORDINALS)  # "the first brakes"
     sided = previous.cat == "dir" and previous.value in {"left", "right"} and match.has("inert")
+    if previous.cat == "dir" and match.get("verb").value == "inert" and _way_at(tokens, match.j):
+        return True  # "a car from the front signals right"
     return one or sided
+
+
+def _of_a_doing(match: Match, tokens: list[Token]) -> bool:
+    """``its slow turn``: how it is done, although "slow" is a verb, too."""
+    doing = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    return match.has("manner") and doing is not None and doing.has("verb") and doing.form == "base"
+
+
+def _creeps(match: Match, tokens: list[Token], side: Term | None) -> bool:
+    """``the one to the ego's right creeps forward``: what it does, not what somebody is."""
+    if side is None:
+        return False
+    named = side.cat == "dir" and side.i > 0 and tokens[side.i - 1].kind == "clitic"
+    return named and match.has("actor") and match.form == "s"
+
+
+def _way_at(tokens: list[Token], j: int) -> bool:
+    """Whether a side is named there."""
+    return j < len(tokens) and tokens[j].low in {"left", "right"}
+
+
+def _listed_quality(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """``…, slow leader in the same lane``: what somebody is like, no verb."""
+    listed = previous is not None and previous.value in {",", ":", ";"}
+    following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    actor = following is not None and following.has("actor") and following.form == "base"
+    return listed and actor and match.form == "base" and match.has("manner") and match.has("verb")
 
 
 def _article(tokens: list[Token], j: int) -> bool:
@@ -169,6 +217,8 @@ def _relates(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     """``a bus that turns``, ``a bus from the right that turns``."""
     if previous is None:
         return False
+    if match.j < len(tokens) and tokens[match.j].low == ",":
+        return True  # "a taxi that, looking for a fare, brakes"
     after = longest_match(tokens, match.j) if match.j < len(tokens) else None
     verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
     verbal = verbal and after is not None and not after.has("actor", "place")
@@ -236,7 +286,9 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
     if len(match.entries) == 1:
         return match.entries[0], _describes_a_noun(match, tokens, previous)
     if match.has("verb"):
-        return _verb_or_other(match, tokens, previous)
+        listed = _listed_quality(match, tokens, previous)
+        other = _verb_or_other(match, tokens, previous)
+        return (match.get("manner"), False) if listed else other
     if match.has("rel") and match.has("det"):
         return match.get("rel" if _relates(match, tokens, previous) else "det"), False
     if match.has("label") and match.has("place"):

@@ -8,12 +8,14 @@ from itertools import pairwise
 from scegen.understanding.adjectives import listed, loose_modifier
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, event_of
 from scegen.understanding.lanes import between_lanes
+from scegen.understanding.lanes_away import count_lanes
 from scegen.understanding.naming import Namer
 from scegen.understanding.nominal import (
     OPENERS,
     ORDINALS,
     WAYS,
     compound_end,
+    ego_owns,
     governed,
     has_dir,
     is_nominal,
@@ -26,7 +28,6 @@ from scegen.understanding.tokens import Token
 _MODIFIERS = frozenset(
     {"dir", "state", "label", "noted", "shape", "control", "compass", "roadmod", "cue", "quantity"}
 )
-_OWNED = frozenset({"lane", "path", "side"})
 _MAX_MODS = 10
 _SIDE_WORDS = 2
 _COMING_FROM = frozenset({"opposite", "ahead", "behind", "lateral", "adjacent"})
@@ -52,7 +53,8 @@ class Chunker:
         k = 0
         while k < len(self._terms):
             k = self._chunk_at(k)
-        return between_lanes(with_particles(self._chunks, self._tokens), self._tokens)
+        chunks = between_lanes(with_particles(self._chunks, self._tokens), self._tokens)
+        return count_lanes(chunks, self._tokens)
 
     def _chunk_at(self, k: int) -> int:
         term = self._terms[k]
@@ -274,8 +276,7 @@ class Chunker:
         named = Namer(self._terms, self._tokens)
         m = named.single(mention, m)
         following = self._terms[m] if m < len(self._terms) else None
-        owns = following is not None and following.cat == "place" and following.value in _OWNED
-        mention.possessor = owns and any(h.data.get("ego") for h in heads)  # "the ego lane"
+        mention.possessor = ego_owns(heads, following)
         self._chunks.append(mention)
         further, m = named.further(mention, m)
         self._chunks += further

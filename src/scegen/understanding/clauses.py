@@ -10,6 +10,7 @@ these decide who acts in participles ("a car turning left"), infinitives ("tries
 from __future__ import annotations
 
 from scegen.understanding import relatives, subjects
+from scegen.understanding.absolutes import absolute
 from scegen.understanding.attachment import preposition, release
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, Word
 from scegen.understanding.located import placed_last
@@ -17,10 +18,12 @@ from scegen.understanding.lookahead import (
     ADVERBS,
     BOUNDARIES,
     GOVERNING,
+    after_a_comma,
     by_follows,
     event_follows,
     main_verb_follows,
     only_a_noun_follows,
+    phrase_follows,
 )
 from scegen.understanding.nominals import read_mention, read_noun
 from scegen.understanding.state import State
@@ -28,7 +31,6 @@ from scegen.understanding.terms import Term
 
 _OPENERS = frozenset({"conj", "sub", "punct"})
 _VIEW_OF = 3
-_COMMA_REACH = 2
 LANES = frozenset({"lane", "bike_lane", "shoulder", "sidewalk", "side"})
 
 
@@ -90,7 +92,9 @@ class ClauseReader:
         state.between.add(word.value if word.cat in {"punct", "conj"} else word.cat)
         if word.cat == "conj" and word.value != "either":
             state.between.add("conj")
-        if word.cat == "conj" and word.value in {"and", "but"}:
+            state.between |= {"neg:not"} if word.term.data.get("denies") else set()
+        placed = phrase_follows(k, self._chunks)  # "is half here and half in the next lane"
+        if word.cat == "conj" and word.value in {"and", "but"} and not placed:
             state.between.discard("aux:be")  # "was tired and did not notice the van"
         if word.value == "where":
             self._where(k)
@@ -163,7 +167,7 @@ class ClauseReader:
     def _heading_of_a_noun(self, word: Word, k: int) -> bool:
         """``the path of V2, eastbound on Elm Street``."""
         before = self._chunks[max(0, k - 2) : k]
-        after = "bound" in word.term.data and _after_a_comma(before)
+        after = "bound" in word.term.data and after_a_comma(before)
         if after and isinstance(before[0], Mention):
             release(self._state)
             before[0].mods.append(word.term)
@@ -204,6 +208,8 @@ class ClauseReader:
             return False
         if isinstance(before, Thing) and before.kind in {"object", "obstacle"}:
             return event.form == "ing" and not self._state.between
+        if absolute(event, k, self._chunks):
+            return True
         view = _view_of(self._chunks[max(0, k - 3) : k])
         if view is not None and event.form == "ed":
             event.passive, event.object = True, view  # "its view blocked by a truck"
@@ -235,7 +241,8 @@ class ClauseReader:
 
     def _event(self, event: Event, k: int) -> None:
         state = self._state
-        event.reduced = state.anchor is state.candidate and main_verb_follows(self._chunks, k)
+        state.verb_follows = main_verb_follows(self._chunks, k)
+        event.reduced = state.anchor is state.candidate and state.verb_follows
         if state.prep is not None and state.prep.word.cat == "locus":
             release(self._state)
         event.sentence = self._sentence
@@ -256,8 +263,8 @@ class ClauseReader:
         if by_follows(self._chunks, k):
             subjects.before_by(event, state)
         negated = any(word.startswith("neg:") for word in state.between)
-        event.unable = negated and bool({"neg:unable", "aux:can"} & state.between)
         event.negated = negated or event.negated
+        event.unable = event.negated and bool({"neg:unable", "aux:can"} & state.between)
         denied = any(m.denied or m.pronoun == "neither" for m in event.subject)
         event.unable = event.unable or (denied and "aux:can" in state.between)
         event.negated = event.negated or denied
@@ -278,13 +285,6 @@ def _blocks(chunk: Chunk) -> bool:
     if not isinstance(chunk, Thing) or (chunk.prep is not None and chunk.prep.value == "with"):
         return False
     return chunk.kind in {"obstacle", "object"}
-
-
-def _after_a_comma(before: list[Chunk]) -> bool:
-    """Whether a noun and a comma stand before."""
-    if len(before) < _COMMA_REACH or not isinstance(before[0], Mention):
-        return False
-    return isinstance(before[1], Word) and before[1].value == ","
 
 
 def _view_of(before: list[Chunk]) -> Thing | None:

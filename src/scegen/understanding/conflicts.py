@@ -10,10 +10,12 @@ from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.ways import (
     across_the_road,
     against,
+    directions,
     into_lane,
     leads,
     next_lane,
     overtaking,
+    without_arrow,
 )
 
 _ACROSS = {"left": Maneuver.LEFT, "right": Maneuver.RIGHT}
@@ -27,8 +29,9 @@ def turn(scene: Scene, context: Context) -> None:
     if cyclists and cyclists == scene.drivers and across_the_road(event, context):
         encounters.cyclists_cross(scene, context)
         return
-    left = any(t.value == context.across for t in event.dirs)
+    left = _ACROSS[context.across] in directions(event)
     lit = any(m.value == "unprotected" for p in scene.places() for m in p.mods)
+    lit = lit or without_arrow(context)
     unprotected = scene.how("unprotected") or (scene.words if lit else None)
     if unprotected is not None and left:
         context.draft.hazard(HazardKind.UNPROTECTED_LEFT_TURN, scene.words, scene.drivers)
@@ -71,6 +74,10 @@ def lane_change(scene: Scene, context: Context) -> None:
     if not scene.drivers:
         return
     sudden = scene.how("sudden", "emergency", "aggressive")
+    met = scene.event.object
+    if isinstance(met, Mention) and "opposite" in met.dirs:
+        context.draft.hazard(HazardKind.ONCOMING_LANE, scene.words, scene.drivers)
+        return  # "crosses into oncoming traffic"
     lane = into_lane(scene.event)
     owners = _owners(lane, scene, context)
     in_front = [p for p in scene.event.pps if p.word.cat == "locus" and p.value == "ahead"]
@@ -161,7 +168,10 @@ def cut_in(scene: Scene, context: Context) -> None:
     across = "across" in words and context.junction.crossing
     beside = any(Maneuver.LANE_CHANGE in e.maneuvers for e in scene.drivers)
     if not beside and (turning or across or any(context.comes_across(e) for e in scene.drivers)):
-        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, to)
+        left = _ACROSS[context.across]
+        oncoming = all(left in e.maneuvers and context.oncoming(e) for e in scene.drivers)
+        kind = HazardKind.UNPROTECTED_LEFT_TURN if oncoming else HazardKind.FAILURE_TO_YIELD
+        context.draft.hazard(kind, scene.words, scene.drivers, to)
         return
     basis = scene.words
     context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, to)

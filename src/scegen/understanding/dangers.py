@@ -5,14 +5,21 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
-from scegen.understanding import conflicts, encounters, lane_moves, pulling_out, screens
+from scegen.understanding import (
+    breaches,
+    conflicts,
+    encounters,
+    lane_moves,
+    pulling_out,
+    returning,
+    screens,
+)
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
 from scegen.understanding.walking import keep_along
 from scegen.understanding.ways import against, into_lane
 
-_HASTY = frozenset({"early", "soon", "closely", "close", "tightly"})
 _STANDING = frozenset({"stand", "sit", "idle", "unload", "load", "deliver", "linger"})
 _GENTLY = frozenset({"gently", "gentle", "lightly", "light", "softly", "soft", "smoothly", "smooth",
                      "gradually", "gradual", "moderately", "moderate", "mildly", "mild",
@@ -24,7 +31,11 @@ _REGULATED = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_s
 
 def accelerate(scene: Scene, context: Context) -> None:
     """Speeding up is a danger unless it is an answer to one."""
-    if not scene.reaction and scene.drivers and scene.how("slow") is None:
+    starts = any(p.kind == "signal" for p in scene.places()) and scene.sudden is None
+    starts = starts and any(
+        p.value in {"from", "outside"} for p in scene.event.pps
+    )  # "away from a light"
+    if not (scene.reaction or starts) and scene.drivers and scene.how("slow") is None:
         basis = scene.sudden or scene.words
         context.draft.hazard(HazardKind.SUDDEN_ACCELERATION, basis, scene.drivers)
 
@@ -68,7 +79,8 @@ def _gentle(scene: Scene, context: Context) -> bool:
 
 def slow(scene: Scene, context: Context) -> None:
     """Slowing down is hard braking when sudden, or when the vehicle ahead does it."""
-    if not scene.drivers:
+    lets = any(c.name == "cause" for c in scene.event.children)  # "slows down to let her cross"
+    if not scene.drivers or (lets and scene.sudden is None):
         return
     sudden = scene.sudden
     leads = any(
@@ -89,6 +101,7 @@ def stop(scene: Scene, context: Context) -> None:
     motor = [e for e in scene.drivers if e.kind is not ParticipantKind.BICYCLE]
     if sudden is not None and motor:
         context.draft.hazard(HazardKind.HARD_BRAKING, sudden, motor)
+    too_late(scene, context)
     beyond = {
         id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low in _BEYOND
     }  # "stops just past the crosswalk"
@@ -211,16 +224,6 @@ def swerve_around(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.SWERVING, scene.words, others, scene.targets)
 
 
-def pull_back(scene: Scene, context: Context) -> None:
-    """``overtakes the ego and moves back in too early``: a cut-in."""
-    others = [e for e in scene.drivers if not e.ego and Maneuver.OVERTAKE in e.maneuvers]
-    last = context.tokens[scene.event.j - 1].low
-    in_front = any(p.word.cat == "locus" and p.value == "ahead" for p in scene.event.pps)
-    hasty = any(context.tokens[m.j - 1].low in _HASTY for m in scene.event.mods)
-    if others and (in_front or (last == "in" and hasty) or scene.sudden is not None):
-        context.draft.hazard(HazardKind.CUT_IN, scene.words, others)
-
-
 def reverse(scene: Scene, context: Context) -> None:
     """Driving backwards."""
     context.draft.hazard(HazardKind.REVERSING, scene.words, scene.drivers)
@@ -235,7 +238,7 @@ def lose_control(scene: Scene, context: Context) -> None:
 def park(scene: Scene, context: Context) -> None:
     """``parked in its lane``: whoever drives there has to get past it."""
     lanes = [p for p in scene.places() if p.kind == "lane"]
-    driven = any(p.owner is not None or any(m.cat == "possessive" for m in p.mods) for p in lanes)
+    driven = any(not {"adjacent", "opposite", "lateral"} & set(p.dirs) for p in lanes)
     parked = [e for e in scene.actors if e.parked]
     if driven and parked:
         context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
@@ -287,7 +290,8 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "crawl": crawl,
     "bypass": swerve_around,
     "undertake": undertake,
-    "return": pull_back,
+    "return": returning.pull_back,
+    "use": breaches.take_priority,
     "reverse": reverse,
     "lose_control": lose_control,
     "delay": delay,

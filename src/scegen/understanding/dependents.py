@@ -5,8 +5,12 @@ from __future__ import annotations
 from scegen.understanding.chunks import Event, Mention
 from scegen.understanding.state import State
 
+_OPENING = frozenset({"against", "in", "with", "of"})
 _ABOUT_OTHERS = frozenset({"cause", "prevent", "block", "hide", "encounter", "overlook"})
 """Verbs whose object is what others do ("blocks the merge")."""
+
+_MANEUVERS = frozenset({"turn", "u_turn", "lane_change", "overtake", "merge", "cross", "move"})
+"""Nouns of what a vehicle itself does, so that the clause after them says who."""
 
 
 def chain(mention: Mention) -> list[Mention]:
@@ -66,13 +70,16 @@ def nominal(event: Event, state: State) -> None:
         event.subject = state.main  # "before its left turn"
     if isinstance(anchor, Event) and not (state.between - {"either", "or"}):
         depend(event, anchor, "noun")
-        if not event.subject and anchor.name not in _ABOUT_OTHERS:
+        during = state.prep is not None  # "can't see during its turn"
+        if not event.subject and (during or anchor.name not in _ABOUT_OTHERS):
             _share_subject(event, anchor, state)
+    elif event.name == "bypass" and any(m.value == "def" for m in event.mods):
+        return  # "and the detour leads …": anybody's
     elif "conj" in state.between and state.events:
         event.subject = event.subject or state.events[-1].subject
         alternative(event, state.events[-1], state)
-    elif state.prep is not None and state.events and not event.subject:
-        event.subject = state.events[-1].subject
+    elif state.prep is not None and not event.subject and not _opens(state):
+        _in_a_phrase(event, state)
     elif not event.subject and not state.events and ("sub" in state.between or _opens(state)):
         state.pending.append(event)  # "after a right turn, the car …"
 
@@ -80,9 +87,23 @@ def nominal(event: Event, state: State) -> None:
 def _opens(state: State) -> bool:
     """``during a left turn, the car …``: who does it comes after."""
     word = state.prep.value if state.prep is not None else ""
-    return (
-        state.candidate is None and not state.mentions and word in {"against", "in", "with", "of"}
-    )
+    return state.candidate is None and not state.mentions and word in _OPENING
+
+
+def _in_a_phrase(event: Event, state: State) -> None:
+    """``is in the middle of a left turn``, ``during its left turn``: whose it is."""
+    who = state.candidate if not state.candidate_done else None
+    last = state.events[-1] if state.events else None
+    own = any(m.cat == "possessive" and m.value == "its" for m in event.mods)
+    agent = state.anchor if isinstance(state.anchor, Mention) and own else None
+    if agent is not None and agent.prep is not None and agent.prep.value == "by":
+        event.subject = chain(agent)  # "is hit by a van during its left turn"
+    elif who is not None and (last is None or last.j <= who.i):
+        event.subject = chain(who)
+    elif last is not None:
+        event.subject = last.subject
+    elif event.name in _MANEUVERS:
+        state.pending.append(event)
 
 
 def infinitive(event: Event, state: State) -> None:
@@ -96,10 +117,15 @@ def infinitive(event: Event, state: State) -> None:
     anchor = state.anchor
     if isinstance(anchor, Event):
         parent = anchor
+    who = state.candidate if not state.candidate_done else None
+    if who is not None and parent is not None and parent.j <= who.i and anchor is not parent:
+        event.subject = chain(who)  # "a van passes and the ego has a second to brake"
+        event.modal = "aux:have" in state.between
+        return
     if parent is None:
         event.subject = chain(anchor) if isinstance(anchor, Mention) else []
         if not event.subject:
-            state.pending.append(event)  # "in an attempt to turn, the van …"
+            state.pending.append(event)  # "to get past the bus, the car …"
         return
     depend(event, parent, "inf")
     event.negated = parent.negated and parent.control == "subject"

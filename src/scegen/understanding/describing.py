@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.bystanders import mark_bystanders
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, Word
 from scegen.understanding.reference import tells
 from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
@@ -14,11 +14,16 @@ _ONLY_VEHICLES = frozenset(
      "cut_in", "pull_out", "park", "swerve", "u_turn", "pull_over", "undertake", "unpark",
      "door"}
 )  # fmt: skip
+_UNDERWAY = frozenset({"use", "enter", "bypass", "pass", "move", "turn", "leave", "approach",
+                       "follow", "speed"})  # fmt: skip
 _CYCLING = frozenset({"cycle", "pedal"})
 _WALKING = frozenset({"walk", "jog", "stroll"})
 _OPERATING = frozenset({"drive", "ride", "operate", "pilot"})
-_DRIVEN = _ONLY_VEHICLES | {"reverse", "move", "turn", "stop", "speed"}
+_DRIVEN = _ONLY_VEHICLES | {"reverse", "move", "turn", "stop", "speed", "lose_control"}
 _ALONG = frozenset({"behind", "ahead", "adjacent", "opposite"})
+_PUT = frozenset({"left", "placed", "put", "dumped", "erected", "abandoned", "forgotten", "dropped",
+                  "lost", "set", "installed"})  # fmt: skip
+_PUT_REACH = 3
 _ABOARD = frozenset({"in", "on", "aboard", "inside"})
 _BY_TRADE = frozenset({"bus", "truck", "van", "car", "emergency_vehicle", "motorcycle", "bicycle"})
 
@@ -46,19 +51,25 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
     _ridden(chunks, events, tokens)
     _towed(events)
     _left_standing(events, tokens)
+    _put_there(chunks, tokens)
 
 
 def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     mention.seated = mention.seated or event.name == "door"
     failing = event.negated and event.name in {"stop", "yield"}
     across = event.name == "cut_in" and tokens[event.j - 1].low == "across"
+    across = across or (event.name == "swerve" and _over_the_road(event, tokens))
     alone = event.drives or (event.name in _ONLY_VEHICLES and not across) or _takes_a_turn(event)
     alone = alone or _breaks_a_rule(event) or any("pace" in m.data for m in event.mods)
     vague = mention.head is not None and "vague" in mention.head.data
     turns = vague or event.name in {"turn", "sharp_turn"}
     turns = turns and any(d.value in {"left", "right"} for d in event.dirs)
+    it = mention.pronoun == "it" and tokens[mention.i].low == "it"
+    turns = turns or (it and event.name in _UNDERWAY and not event.passive)
     mention.drives = mention.drives or failing or alone or turns
     mention.walks = mention.walks or _on_foot(event)
+    if event.name == "swerve" and _person(mention) and _over_the_road(event, tokens):
+        event.name, mention.drives, mention.walks = "cross", False, True
     close = 0 <= event.i - mention.j <= 1 and not event.finite and not event.nominal
     mention.narrowed = mention.narrowed or (close and event.premod_of is None)
     acted_on = event.object
@@ -68,6 +79,21 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     mention.sides |= _sides([p for p in event.pps if p.value == "from"])
     if any(p.value == "from" and isinstance(p.target, Place) for p in event.pps):
         mention.elsewhere = mention.pronoun is None
+
+
+def _person(mention: Mention) -> bool:
+    return bool(mention.heads) and all(
+        h.value == "pedestrian" and "vague" not in h.data for h in mention.heads
+    )
+
+
+def _over_the_road(event: Event, tokens: list[Token]) -> bool:
+    """``two tourists drift over the road``: on foot, although vehicles drift more often."""
+    return any(
+        tokens[p.word.i].low in {"over", "across", "between"}
+        and not (isinstance(p.target, Place) and p.target.kind in {"centerline", "lane"})
+        for p in event.pps
+    )
 
 
 def _sides(pps: list[Prep]) -> frozenset[str]:
@@ -100,6 +126,9 @@ def _own_vehicles(events: list[Event], tokens: list[Token]) -> None:
     """``a woman backs her van out``, ``a man riding a moped``: they stand for what they drive."""
     for event in events:
         what = event.object
+        if event.name == "lose_control":
+            of_what = [p.target for p in event.pps if p.value == "of"]
+            what = next((t for t in of_what if isinstance(t, Mention)), None)
         if not isinstance(what, Mention) or not event.subject or event.name not in _DRIVEN:
             continue
         who = event.subject[-1]
@@ -180,6 +209,17 @@ def _left_standing(events: list[Event], tokens: list[Token]) -> None:
             who.negated = True
             what.same_as = None
             what.mods = [*what.mods, Term("state", "parked", event.i, event.j)]
+
+
+def _put_there(chunks: list[Chunk], tokens: list[Token]) -> None:
+    """``a cone left behind by workers``: they are not about any more."""
+    for k, chunk in enumerate(chunks):
+        by, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
+        put = any(t.low in _PUT for t in tokens[max(0, chunk.i - _PUT_REACH) : chunk.j])
+        before = any(isinstance(c, Thing) for c in chunks[max(0, k - _PUT_REACH) : k])
+        agent = isinstance(by, Word) and by.value == "by" and isinstance(who, Mention)
+        if agent and isinstance(who, Mention) and put and before and _is_person(who):
+            who.negated = True
 
 
 def _stands_for(who: Mention, what: object) -> None:

@@ -15,12 +15,12 @@ from scegen.understanding.reference import (
     kin,
     own_vehicle,
     refers_to_nobody,
+    refine,
     tells,
 )
 from scegen.understanding.roster import Roster
 from scegen.understanding.tokens import Token
 
-_MOTOR = frozenset(ParticipantKind) - {ParticipantKind.PEDESTRIAN}
 _MOST = 20
 
 
@@ -63,7 +63,7 @@ class Discourse:
         if mention.same_as is not None:
             same = mention.same_as  # "riding a moped, I …": whom comes later
             mention.entities = list(same.entities or self.resolve(same, subject=True, exclude=[]))
-            self._refine(mention)
+            refine(mention, self._draft)
             return mention.entities
         if refers_to_nobody(mention) or self._their_own_queue(mention):
             return []
@@ -93,18 +93,6 @@ class Discourse:
         within = mention.prep is not None and mention.prep.value == "in"
         return mass and within and len(self._roster.subject) > 1
 
-    def _refine(self, mention: Mention) -> None:
-        """``vehicle 1, a pickup truck, …``: the apposition says what kind it is."""
-        if not mention.heads:
-            return
-        reading = read_mention(mention, self.tokens, None)
-        for entity in mention.entities:
-            afoot = any("afoot" in h.data for h in mention.heads)
-            if not reading.generic and (reading.kind in _MOTOR or afoot):
-                entity.kind, entity.basis = reading.kind, Basis(mention.i, mention.j)
-            entity.labels |= reading.labels
-            entity.named_by |= reading.called
-
     def _we(self, mention: Mention) -> list[Entity]:
         """``three of us``: the ego and two more."""
         whole = mention.whole
@@ -112,9 +100,8 @@ class Discourse:
             return []
         count, basis = int(mention.mods[0].data["number"]), Basis(mention.i, whole.j)
         ego = self._ego(ParticipantKind.CAR, basis)
-        others = [
-            self._roster.new(ParticipantKind.CAR, basis) for _ in range(min(count, _MOST) - 1)
-        ]
+        further = range(min(count, _MOST) - 1)
+        others = [self._roster.new(ParticipantKind.CAR, basis) for _ in further]
         if others:
             self._roster.groups.append(Group(others, vague=False, unnamed=True))
         return [ego, *others]
@@ -239,7 +226,8 @@ class Discourse:
                 return list(group.members)
         fitting = [e for e in self._draft.entities if self._roster.compatible(e, reading)]
         if reading.det == "bare" and not reading.vague:
-            return fitting if len(fitting) == reading.count else []
+            counted = len(fitting) == reading.count
+            return fitting if counted and not any("speaks" in e.named_by for e in fitting) else []
         return fitting if len(fitting) > 1 else []
 
     def _another(self, reading: Reading, exclude: list[Entity]) -> list[Entity]:
@@ -286,6 +274,7 @@ class Discourse:
         if reading.dirs:
             options = [e for e in options if e.dirs == reading.dirs]
         options = [e for e in options if not (loci and e.loci) or loci & e.loci]
+        options = [e for e in options if not ("behind" in loci and "opposite" in e.dirs)]
         elsewise = bool(loci) and not reading.parked  # a parked van is not "the car behind it"
         options = [e for e in options if not (elsewise and e.parked) or loci & e.loci]
         options = [e for e in options if not (mention.sides and e.sides) or mention.sides & e.sides]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
+from scegen.understanding.late_braking import late_braking
 from scegen.understanding.lookahead import BOUNDARIES
 from scegen.understanding.predicates import complete
 from scegen.understanding.tokens import Token
@@ -42,7 +43,7 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
         copy = _copy(verb, chunk, chunks, k + 1)
         if copy is not None:
             found.append(copy)
-    return complete(chunks, found)
+    return complete(chunks, late_braking(chunks, found, tokens), tokens)
 
 
 def _likewise(events: list[Event], tokens: list[Token]) -> None:
@@ -76,6 +77,9 @@ def _denied(chunks: list[Chunk], events: list[Event]) -> list[Event]:
         before = [e for e in events if e.j <= helper.i and e.subject and not e.nominal]
         if does and denies and ends and before:
             again = replace(before[-1], i=helper.i, j=chunk.j, negated=True, modal=False, pps=[])
+            who = chunks[k - 2] if k > 1 else None
+            fresh = isinstance(who, Mention) and who.prep is None
+            again.subject = [who] if isinstance(who, Mention) and fresh else again.subject
             found.append(replace(again, mods=[], parent=None, children=[], alternative=None))
     return found
 

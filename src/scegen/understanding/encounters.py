@@ -12,6 +12,9 @@ _HIDING = frozenset({"behind", "between"})
 _CARRIAGEWAY = frozenset({"road", "crosswalk", "highway"})
 _WAY = frozenset({"crosswalk", "road", "lane", "path", "highway"})
 _OVER = frozenset({"over", "across"})
+_CROSSED = _WAY | {"exit", "leg", "junction"}
+_ALONG_IT = frozenset({"turn", "sharp_turn", "u_turn", "hide", "block", "park", "locate", "look",
+                       "inert", "see", "encounter", "lane_change", "wait"})  # fmt: skip
 _TAKING = frozenset({"use", "block", "enter"})
 _REMAINING = frozenset({"stop", "wait", "locate", "inert", "unknown", "slow"})
 
@@ -50,10 +53,33 @@ def onto_the_road(scene: Scene, context: Context) -> None:
         for p in scene.event.pps
     )
     onto = onto or _stays_on_the_road(scene, context)
+    if _across_by_any_verb(scene, context):
+        cyclists_cross(scene, context)
+        onto = True
     if onto and scene.walkers:
         for entity in scene.walkers:
             context.draft.maneuver(entity, {Maneuver.CROSS}, scene.words)
         context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, scene.words, scene.walkers)
+
+
+def _across_by_any_verb(scene: Scene, context: Context) -> bool:
+    """``pedals straight across the road``, ``files across``: over it, whatever the verb."""
+    event = scene.event
+    if event.name in _ALONG_IT or event.nominal:
+        return False
+    own = {t.low for t in context.tokens[event.i : event.j]}
+    own |= {context.tokens[m.j - 1].low for m in event.mods if m.cat in {"dir", "manner"}}
+    direct = event.object
+    if own & _OVER and isinstance(direct, Place) and direct.kind in _CROSSED:
+        return True
+    if own & _OVER and direct is None and scene.walkers:
+        return not any(m.value == "halfway" for m in event.mods)
+    return any(
+        context.tokens[p.word.i].low in _OVER
+        and isinstance(p.target, Place)
+        and p.target.kind in _CROSSED
+        for p in event.pps
+    )
 
 
 def _stays_on_the_road(scene: Scene, context: Context) -> bool:

@@ -9,6 +9,7 @@ from scegen.understanding.lookahead import BOUNDARIES
 
 _SPECIFIC = frozenset({"pedestrian", "bicycle", "motorcycle", "truck", "bus"})
 _QUALITIES = frozenset({("manner", "slow"), ("manner", "fast"), ("manner", "wrong_way")})
+_ASIDES = frozenset({"punct", "unknown", "dir", "label", "manner", "state", "quantity"})
 _FIRST_WORDS = frozenset({"det", "num", "quant", "possessive"})
 
 
@@ -33,13 +34,15 @@ def silence(chunks: list[Chunk]) -> list[Chunk]:
             joints.add(id(chunk))
         elif _is_heading(title, rest) and (chunk.value == ":" or _is_title(title, rest)):
             _silence(title, rest)
+        elif not begin:
+            _resume(title, rest, colon=chunk.value == ":")
         begin = k + 1
     return [c for c in chunks if id(c) not in joints]
 
 
 def _of_one(title: list[Chunk], rest: list[Chunk]) -> bool:
     """``Ego: left turn.``, ``Adversary: from the right, goes straight.``."""
-    who = title[0] if len(title) == 1 else None
+    who = title[0] if title and (len(title) == 1 or _goes_on(title, rest)) else None
     if not isinstance(who, Mention) or not who.heads or not rest or isinstance(rest[0], Mention):
         return False
     for before, chunk in pairwise(rest):
@@ -52,10 +55,19 @@ def _of_one(title: list[Chunk], rest: list[Chunk]) -> bool:
     return True
 
 
+def _goes_on(title: list[Chunk], rest: list[Chunk]) -> bool:
+    """``Cyclist, lengthwise: rides ahead of the ego.``: the title is the subject."""
+    first = rest[0] if rest else None
+    finite = isinstance(first, Event) and not first.nominal and first.form == "s"
+    return finite and all(isinstance(c, Word) and c.cat in _ASIDES for c in title[1:])
+
+
 def _is_title(title: list[Chunk], rest: list[Chunk]) -> bool:
     """``Car-to-cyclist, crossing from the near side. The cyclist …``: all come up again."""
     mentions = [c for c in title if isinstance(c, Mention)]
     named = [c for c in rest if isinstance(c, Mention) and c.pronoun is None]
+    if mentions and all(_in_general(m, title) for m in mentions):
+        return any(_telling(n) for n in rest if isinstance(n, Mention))
     if len(mentions) == 1 and _type_of(mentions[0], title, named):
         return True
     if not mentions or any(isinstance(c, Event) for c in title):
@@ -63,6 +75,44 @@ def _is_title(title: list[Chunk], rest: list[Chunk]) -> bool:
     pair = len(mentions) > 1 and any(isinstance(c, Word) and c.value == "to" for c in title)
     again = all(any(_stands_for(n, m) for n in named) for m in mentions)
     return pair and again and len(named) >= len(mentions)
+
+
+def _in_general(mention: Mention, title: list[Chunk]) -> bool:
+    """``Control loss without prior vehicle action``, ``Vehicle failure``: no vehicle of its own."""
+    bare = mention.head is not None and mention.head.value == "car" and not mention.label
+    after = title[title.index(mention) + 1 :][:1]
+    compound = bool(after) and (
+        isinstance(after[0], Thing) or (isinstance(after[0], Event) and after[0].form == "base")
+    )
+    governed = mention.prep is not None or any(
+        isinstance(c, Word) and c.cat == "prep" for c in title[: title.index(mention)]
+    )
+    return bare and compound and (governed or mention is title[0])
+
+
+def _telling(mention: Mention) -> bool:
+    """Whether a noun after the title names a vehicle."""
+    return any(h.value != "pedestrian" for h in mention.heads)
+
+
+def _resume(title: list[Chunk], rest: list[Chunk], *, colon: bool) -> None:
+    """``A drifting vehicle. The adversary …``, ``End of a queue: three cars …``: the same ones."""
+    mentions = [c for c in title if isinstance(c, Mention)]
+    spoken = any(_finite(c) for c in title) or any(
+        isinstance(c, Word) and c.cat in {"aux", "copy"} for c in title
+    )
+    first = next((c for c in rest if isinstance(c, Mention)), None)
+    if spoken or len(mentions) != 1 or first is None or first.head is None:
+        return
+    named = mentions[0]
+    mass = named.head is not None and "mass" in named.head.data
+    counted = first.mod("num", "quant") is not None and rest[0] is first
+    generic = named.head is not None and named.head.value == "car" and not named.label
+    role = any(h.data.get("label") == "adversary" for h in first.heads)
+    if mass and colon and counted:
+        named.negated = True
+    elif generic and role and not any(h.data.get("ego") for h in named.heads):
+        first.same_as = named
 
 
 def _type_of(mention: Mention, title: list[Chunk], named: list[Mention]) -> bool:

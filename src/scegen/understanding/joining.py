@@ -19,6 +19,7 @@ def joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
         state: what the clause reader remembers.
     """
     anchor = state.anchor
+    _doing_the_same(mention, k, chunks, state)
     listed = "and" in state.between or "or" in state.between or state.between == {","}
     if not (isinstance(anchor, Mention) and listed) or "sub" in state.between:
         return False
@@ -48,6 +49,17 @@ def joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     state.anchor = mention
     state.between = set()
     return True
+
+
+def _doing_the_same(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
+    """``waits for a van coming from the left and a bus coming from the right``: for both."""
+    last = state.events[-1] if state.events else None
+    following = chunks[k + 1] if k + 1 < len(chunks) else None
+    if last is None or last.form != "ing" or last.finite or "and" not in state.between:
+        return
+    alike = isinstance(following, Event) and following.form == "ing"
+    if alike and last.subject and last.subject[-1].prep is not None and mention.heads:
+        mention.prep = last.subject[-1].prep
 
 
 def _list_goes_on(k: int, chunks: list[Chunk]) -> bool:

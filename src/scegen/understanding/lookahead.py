@@ -9,6 +9,7 @@ ADVERBS = frozenset(
     {"manner", "dir", "compass", "noted", "quantity", "locus", "neg", "aux", "control", "cue"}
 )
 GOVERNING = frozenset({"prep", "locus"})
+_COMMA_REACH = 2
 
 
 def event_follows(chunks: list[Chunk], k: int) -> bool:
@@ -111,6 +112,22 @@ def only_a_noun_follows(word: Word, k: int, chunks: list[Chunk]) -> bool:
     return True
 
 
+def phrase_follows(k: int, chunks: list[Chunk]) -> bool:
+    """``is half in its lane and half in the next``: nothing but a phrase of place comes.
+
+    Args:
+        k: index of the joint.
+        chunks: the chunks of the text.
+    """
+    m = k + 1
+    while m < len(chunks) and getattr(chunks[m], "cat", "") == "manner":
+        m += 1
+    preposed = m < len(chunks) and getattr(chunks[m], "cat", "") == "prep"
+    place, after = (chunks[n] if n < len(chunks) else None for n in (m + 1, m + 2))
+    ends = after is None or (isinstance(after, Word) and after.cat in {"punct", "sub", "conj"})
+    return preposed and isinstance(place, Place) and ends
+
+
 def by_follows(chunks: list[Chunk], k: int) -> bool:
     """``struck from behind by a van``: who does it stands after "by".
 
@@ -126,3 +143,14 @@ def by_follows(chunks: list[Chunk], k: int) -> bool:
         if isinstance(chunk, Word) and chunk.cat not in {"prep", "locus", "manner", "dir"}:
             return False
     return False
+
+
+def after_a_comma(before: list[Chunk]) -> bool:
+    """Whether a noun and a comma stand before.
+
+    Args:
+        before: the last two chunks.
+    """
+    if len(before) < _COMMA_REACH or not isinstance(before[0], Mention):
+        return False
+    return isinstance(before[1], Word) and before[1].value == ","

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding import (
     afoot,
@@ -9,21 +11,24 @@ from scegen.understanding import (
     breaches,
     courses,
     dangers,
+    detours,
     encounters,
     implied,
     lane_moves,
     red_lights,
     roles,
     rows,
+    screen_sides,
     screens,
     side_roads,
 )
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
+from scegen.understanding.chunks import Chunk, Event, Mention, Prep, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.movements import MOVEMENTS
 from scegen.understanding.omissions import not_done
-from scegen.understanding.placing import Placer, thing_sides
+from scegen.understanding.out_of_turn import out_of_turn
+from scegen.understanding.placing import Placer
 from scegen.understanding.reactions import mark_answers, mark_late
 from scegen.understanding.recasting import recast
 from scegen.understanding.reciprocal import towards_each_other
@@ -104,21 +109,17 @@ class Interpreter:
             elif isinstance(chunk, Thing) and id(chunk) not in handled:
                 read_thing(chunk, chunks, self._draft)
                 self._context.screens += [chunk.i] if chunk.kind == "object" else []
-        for chunk in chunks:
-            if isinstance(chunk, Mention):
-                self._share_sides(chunk.pps, chunk.entities, hidden=False)
         mark_answers(events)
         mark_late(events, self._context)
         rows.line_up(chunks, events, self._draft)
         for event in events:
             self._event(event)
-        for scene in self._scenes:
-            if not scene.event.negated:
-                hidden = scene.event.name == "hide"
-                self._share_sides(scene.event.pps, scene.actors, hidden=hidden)
         red_lights.on_red(chunks, events, self._context)
+        out_of_turn(chunks, events, self._context)
         towards_each_other(chunks, events, self._context)
+        screen_sides.share(chunks, self._scenes, self._context)
         screens.come_out(self._context)
+        detours.get_past(chunks, self._scenes, self._context)
         implied.positions(self._scenes, self._context)
         breaches.subsume(self._context)
 
@@ -127,6 +128,7 @@ class Interpreter:
         afoot.on_the_road(mention, self._context)
         sides = [p for p in mention.pps if p.value in {"from", "in"} and bearing.is_side(p)]
         lane_moves.on_the_wrong_side(mention, self._context)
+        lane_moves.between_lanes(mention, self._context)
         for prep in mention.pps:
             if id(prep) in self._of_verbs or bearing.facing(mention, prep):
                 continue  # "approaches the ego from the left": not the ego comes from there
@@ -145,8 +147,12 @@ class Interpreter:
         basis = Basis(term.i, term.j)
         drivers = [e for e in entities if e.moving_vehicle]
         kind = _BY_MANNER.get(term.value) if term.cat == "manner" else None
+        if kind is HazardKind.SLOW_DRIVING:  # the ego under test may drive as slowly as it likes
+            drivers = [e for e in drivers if "ego" not in e.named_by or "speaks" in e.named_by]
         if kind is not None and drivers:
             self._draft.hazard(kind, basis, drivers)
+            if "quantity" in term.data:
+                self._quantity(replace(term, cat="quantity", value="speed"), drivers)
         elif term.cat == "manner" and term.value == "close":
             follows = [e for e in drivers if self._context.placed(e, Approach.BEHIND)]
             if follows:
@@ -206,7 +212,7 @@ class Interpreter:
         if event.negated or failed or event.name == "overlook":
             not_done(scene, self._context)
             return
-        if event.name in _BREACHING or breaches.turns_across(scene, self._context):
+        if event.name in _BREACHING or breaches.may_break(scene, self._context):
             breaches.breach(scene, self._context)
         self._manner(scene)
         movement = MOVEMENTS.get(event.name)
@@ -239,6 +245,7 @@ class Interpreter:
         named = prep.on_mention
         target = named is not None and named not in event.subject
         moved = event.name in _UNDERWAY and (named is event.object or event.object is None)
+        moved = moved and self._context.tokens[event.i].forms[-1][0] != "meet"
         source = prep.value == "from" or (prep.outer == "from" and prep.target is None)
         return source and not (target and not moved)
 
@@ -274,23 +281,3 @@ class Interpreter:
             slows = term.value == "slow" and not travels  # "brakes slowly"
             if term.cat == "manner" and term.value in _BY_MANNER and not slows:
                 self._quality(term, scene.drivers)
-
-    def _share_sides(self, pps: list[Prep], entities: list[Entity], *, hidden: bool) -> None:
-        """Who comes out from behind something stands on its side of the road."""
-        for prep in pps:
-            beside = prep.word.cat == "locus" and prep.value in {"behind", "between"}
-            beside = beside or (prep.value, prep.outer) == ("ahead", "from")
-            by = hidden and prep.value == "by"
-            if beside and isinstance(prep.target, Place | Thing):
-                self._placer.beside_a_thing(prep, prep.target, entities)
-            if not (beside or by) or not isinstance(prep.target, Mention):
-                continue
-            basis = Basis(prep.word.i, prep.target.j)
-            for hider in prep.target.entities:
-                sides = thing_sides(hider, self._draft)
-                if sides == {Approach.OPPOSITE}:  # the queue in the oncoming lane
-                    sides = {Approach(self._context.across)}
-                for entity in entities:
-                    on_foot = not entity.is_vehicle or self._context.is_cyclist(entity)
-                    if sides and on_foot:
-                        self._draft.place(entity, None, sides, basis)

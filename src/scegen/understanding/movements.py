@@ -20,6 +20,9 @@ from scegen.understanding.lane_moves import (
 
 _ASIDE = frozenset({"move", "shift", "steer", "edge", "ease"})
 """Verbs that on an open road mean a shift to the side, not a turn."""
+_OFF = frozenset({"access", "road", "leg", "junction"})
+"""Places that one turns into."""
+_REACH = 3
 _ORDINALS = {
     "first": Maneuver.EXIT_1,
     "second": Maneuver.EXIT_2,
@@ -43,7 +46,10 @@ def turn(scene: Scene, context: Context) -> None:
     if cyclists and cyclists == scene.drivers and ways.across_the_road(event, context):
         return  # they cross the road, see the dangers
     values = set(directions) or {Maneuver.LEFT, Maneuver.RIGHT}
-    if not directions:
+    alike = _as_others_do(scene, context) if not directions else set()
+    if alike:
+        values = alike
+    elif not directions:
         made = event.parent is not None and event.parent.name in {"light", "try"}
         if any(entity.maneuvers for entity in scene.actors) or (event.nominal and not made):
             return
@@ -52,12 +58,28 @@ def turn(scene: Scene, context: Context) -> None:
     apply(scene, context, values, basis)
 
 
+def _as_others_do(scene: Scene, context: Context) -> set[Maneuver]:
+    """``the car ahead, which is turning as well``: the same way as the one before."""
+    event = scene.event
+    near = [t.low for t in context.tokens[max(0, event.i - _REACH) : event.j + _REACH]]
+    if not {"too", "also", "likewise"} & set(near) and "as well" not in " ".join(near):
+        return set()
+    turns = {Maneuver.LEFT, Maneuver.RIGHT}
+    ways = [e.maneuvers & turns for e in context.draft.entities if e not in scene.actors]
+    told = [way for way in ways if len(way) == 1]
+    return set(told[-1]) if told else set()
+
+
 def move(scene: Scene, context: Context) -> None:
     """``goes straight``, ``drives``, ``continues to the left``."""
     event = scene.event
     directions = ways.directions(event)
     straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in scene.places())
     aside = context.tokens[event.i].forms[-1][0] in _ASIDE and not context.junction.crossing
+    aside = aside and not any(
+        p.value in {"into", "to"} and isinstance(p.target, Place) and p.target.kind in _OFF
+        for p in event.pps
+    )
     sideways = set(directions) & {Maneuver.LEFT, Maneuver.RIGHT}
     lane = ways.into_lane(event)
     if ways.next_lane(event, context) or (
@@ -170,7 +192,7 @@ def _onto_road(event: Event) -> bool:
     """The road itself, a crosswalk or somebody's way is crossed, not a junction."""
     places = [event.object, *(p.target for p in event.pps)]
     kinds = {p.kind for p in places if isinstance(p, Place)}
-    return bool(kinds & {"road", "crosswalk", "lane", "path", "highway"}) or (
+    return bool(kinds & {"road", "crosswalk", "lane", "path", "highway", "centerline"}) or (
         not kinds and event.object is None
     )
 

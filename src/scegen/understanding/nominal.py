@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
@@ -11,6 +11,8 @@ WAYS = frozenset({"left", "right", "straight"})
 _SIDE_ONLY = 2
 _NAMED_BY_SIDE = frozenset({"turn", "u_turn", "lane_change", "sharp_turn", "merge", "leave"})
 """Actions that a side tells apart: "the left turn"."""
+_OWNED = frozenset({"lane", "path", "side"})
+_HAD = frozenset({"dir", "place", "inert"})
 VERBAL_LINKS = frozenset({"prep", "locus"})
 ORDINALS = frozenset({"first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth",
                       "former", "latter"})  # fmt: skip
@@ -34,15 +36,20 @@ def is_nominal(
     """
     if head.cat != "verb" or head.form == "ed":
         return False
+    if head.form == "s" and [m.cat for m in mods] == ["possessive", "dir"]:
+        return False  # "the van to the ego's right creeps forward"
     if mods and mods[-1].cat == "quant" and mods[-1].value in {"both", "all"}:
         return False  # "both go"
-    if not any(m.cat in {*OPENERS, "dir", "manner"} for m in mods):
-        return False
+    named = any(m.cat == "label" for m in mods) and head.form == "base"
+    if not any(m.cat in {*OPENERS, "dir", "manner"} for m in mods) and not named:
+        return False  # "evasive lane change" is one as well
     previous = chunks[-1] if chunks else None
     if mods[0].cat == "dir" and isinstance(previous, Event) and previous.control is None:
         return False
     if mods[0].cat == "dir" and isinstance(previous, Word) and previous.cat == "aux":
         return False
+    if mods[0].value == "opposite" and len(mods) == 1 and isinstance(previous, Mention):
+        return False  # "the car opposite turns left"
     after_prep = isinstance(previous, Word) and previous.cat in VERBAL_LINKS
     placed = has_dir(mods) or mods[-1].cat == "compass"
     turned = head.value == "turn" and _way(following)
@@ -94,6 +101,19 @@ def compound_end(head: Term, following: Term | None) -> Term:
     if head.value != "obstacle" or following is None:
         return head
     return following if (following.cat, following.value) == ("inert", "noun") else head
+
+
+def ego_owns(heads: list[Term], following: Term | None) -> bool:
+    """``the ego lane``, ``the egos left turn``: what follows is the ego's.
+
+    Args:
+        heads: the nouns of a participant.
+        following: the term after them.
+    """
+    if following is None or not any(h.data.get("ego") for h in heads):
+        return False
+    misspelt = heads[-1].form == "s" and following.cat in _HAD
+    return misspelt or (following.cat == "place" and following.value in _OWNED)
 
 
 def governed(chunks: list[Chunk]) -> bool:

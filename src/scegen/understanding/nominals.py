@@ -12,7 +12,10 @@ from scegen.understanding.phrases import also_from, apposed_to, bracketed, whose
 from scegen.understanding.state import State
 
 _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
-_OWNED = frozenset({"side", "lane", "path"})
+_LEADING = frozenset({"in", "into", "to", "for"})
+_OWNED = frozenset({"side", "lane", "path", "right_of_way"})
+_TURNS = frozenset({"turn", "u_turn"})
+"""Nouns of doings that somebody has before him ("a left turn for the ego")."""
 _INTRANSITIVE = frozenset({"pass", "cross", "move", "walk", "merge", "enter", "turn", "leave"})
 
 
@@ -83,9 +86,18 @@ def _emphasises(mention: Mention, state: State) -> bool:
 
 def _takes(verb: Event, k: int, chunks: list[Chunk]) -> bool:
     """Whether a noun after a verb is its object; "he said the van stopped" tells of the van."""
+    if _waits_for_subject(verb, k, chunks):
+        return False
     tells = verb.says or (verb.control == "subject" and isinstance(chunks[k], Mention))
     reported = tells and (finite_follows(chunks, k) or copula_follows(chunks, k))
     return verb.object is None and not reported
+
+
+def _waits_for_subject(verb: Event, k: int, chunks: list[Chunk]) -> bool:
+    """``while passing into the left lane the ego sees a van``: the ego passes and sees."""
+    placed = verb.form == "ing" and not verb.subject and bool(verb.pps or verb.dirs)
+    follows = finite_follows(chunks, k) or copula_follows(chunks, k)
+    return placed and verb.i < chunks[k - 1].i and follows
 
 
 def _described(mention: Mention, k: int, chunks: list[Chunk], state: State) -> Mention | None:
@@ -146,9 +158,13 @@ def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) 
         attach(prep, state)
     mention.landmark = prep.fronted and prep.word.cat == "locus"
     if prep.fronted:
+        state.last_pp = mention  # "behind a van on the right a man …": the van is there
         return
     last = state.events[-1] if state.events else None
-    if last and last.nominal and prep.value in {"by", "of"} and not last.subject:
+    done_by = {"by", "of", "for"} if last and last.name in _TURNS else {"by", "of"}
+    undergone = any(e.passive for e in state.events[-2:-1])  # "is forced into a stop by a van"
+    doer = prep.value == "by" and state.anchor is last and not undergone
+    if last and last.nominal and prep.value in done_by and (doer or not last.subject):
         last.subject = [mention]
     named = prep.value in {"with", "due", "against"}
     if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:
@@ -195,7 +211,7 @@ def _side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
 def _lane_beside(lane: Place, side: Place, k: int, chunks: list[Chunk]) -> bool:
     """``in the lane to the right of the bus``: no movement to the right."""
     along = lane.kind in {"lane", "bike_lane", "sidewalk", "shoulder"}
-    within = along and lane.prep is not None and lane.prep.value in {"in", "into"}
+    within = along and (lane.prep is None or lane.prep.value in _LEADING)
     if not within or not set(side.dirs) & {"left", "right"}:
         return False
     whose, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, Control, HazardKind
+from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver
 from scegen.understanding import breaches
 from scegen.understanding.chunks import Mention
 from scegen.understanding.context import Context, Scene
@@ -37,9 +37,9 @@ def not_done(scene: Scene, context: Context) -> None:
         _unable(scene, context)
     elif event.name in _SEEING and breaches.breach(scene, context):
         return
-    elif event.name in _SEEING and scene.how("late") is not None and scene.drivers:
+    elif event.name in _SEEING and _late(scene) and scene.drivers:
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
-    elif event.name == "yield":
+    elif event.name == "yield" or (event.name in {"stop", "wait"} and _for_people(scene)):
         breaches.fail_to_yield(scene, context)
     elif event.name == "obey":
         breaches.breach(scene, context)
@@ -61,12 +61,22 @@ def not_done(scene: Scene, context: Context) -> None:
         context.draft.note(event.i, event.j, "said not to happen; left out")
 
 
+def _late(scene: Scene) -> bool:
+    """``did not notice it in time``, ``did not see it and struck its rear``."""
+    return scene.event.late or scene.how("late") is not None
+
+
 def _unable(scene: Scene, context: Context) -> None:
     """``cannot stop in time``, ``could not see the car because of the van``."""
     event = scene.event
     basis = Basis(event.i, event.j)
     if event.name in {"brake", "stop", "slow"} and scene.drivers:
-        if not _too_near(event.i, context):
+        skids = any(
+            d.kind is HazardKind.LOSS_OF_CONTROL and e in d.by
+            for d in context.draft.dangers
+            for e in scene.drivers
+        )
+        if not (skids or _too_near(event.i, context)):
             context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name == "encounter":
         context.draft.hazard(HazardKind.OCCLUSION, basis, _in_the_way(scene, context))
@@ -91,6 +101,13 @@ def _in_the_way(scene: Scene, context: Context) -> list[Entity]:
     ]
     parked = [e for e in context.draft.entities if e.parked and e not in scene.targets]
     return named or (parked if len(parked) == 1 else [])
+
+
+def _for_people(scene: Scene) -> bool:
+    """``does not stop for him``: people on foot who have to be let across."""
+    waited = [p.target for p in scene.event.pps if p.value in {"for", "to"}]
+    people = [e for t in waited if isinstance(t, Mention) for e in t.entities if not e.is_vehicle]
+    return bool(people and scene.drivers)
 
 
 def _at_signals(scene: Scene, context: Context) -> bool:
@@ -132,7 +149,9 @@ def _behind_or_late(scene: Scene, context: Context) -> bool:
         return False
     late = any(context.tokens[m.j - 1].low == "time" for m in scene.event.mods)
     late = late or scene.event.late
-    return late or all(context.placed(e, Approach.BEHIND) for e in scene.drivers)
+    crosses = any(Maneuver.CROSS in e.maneuvers or context.crosses(e) for e in scene.drivers)
+    behind = all(context.placed(e, Approach.BEHIND) for e in scene.drivers)
+    return late or (behind and not crosses)
 
 
 def _has_to_wait(scene: Scene, context: Context) -> bool:

@@ -47,6 +47,9 @@ def abreast(draft: Draft, ego: Entity) -> None:
             continue  # headings across each other: the roads meet somewhere
         basis = entity.approach_basis or entity.basis
         rides = entity.kind is ParticipantKind.BICYCLE and basis.i is not None
+        words = {t.low for t in draft.tokens[basis.i or 0 : basis.j]}
+        if rides and "front" in words:
+            continue  # "a cyclist on the right front": beside the lane, not in the next one
         if rides and draft.tokens[basis.i or 0].low == "from":
             continue  # a cyclist comes from the right: off the pavement
         reason = "on a straight road, who is at one's side drives in the next lane"
@@ -55,15 +58,17 @@ def abreast(draft: Draft, ego: Entity) -> None:
 
 
 def both_change_lanes(draft: Draft, ego: Entity) -> None:
-    """Who changes lanes at the same time as the ego comes from another lane.
+    """Who changes lanes as the ego does, or along the same road, comes from another lane.
 
     Args:
         draft: the scenario in the making, positions settled.
         ego: its ego.
     """
     placed = {p.entity.index for p in draft.placements}
-    for entity in draft.entities if Maneuver.LANE_CHANGE in ego.maneuvers else []:
-        if entity is ego or entity.approaches or entity.index in placed:
+    both = Maneuver.LANE_CHANGE in ego.maneuvers
+    for entity in draft.entities:
+        along = entity.heading is not None and entity.heading == ego.heading
+        if entity is ego or entity.approaches or entity.index in placed or not (both or along):
             continue
         if Maneuver.LANE_CHANGE in entity.maneuvers:
             entity.approaches = {Approach.ADJACENT}

@@ -9,6 +9,11 @@ from scegen.understanding.tokens import Token
 
 _LETTING = frozenset({"let", "make", "help", "see", "watch", "have"})
 _PARTICLES = frozenset({"through", "past", "over", "up", "by", "off", "out", "around", "round"})
+_ACROSS = frozenset({"across", "over", "into", "onto", "out", "off", "towards", "toward"})
+_RULES = frozenset({"rule", "rules", "law", "laws", "light", "lights", "signal", "signals", "code",
+                    "regulation", "regulations", "sign", "signs"})  # fmt: skip
+_TURN_REACH = 6
+_ITS = frozenset({"the", "its", "his", "her", "their", "my", "our", "your"})
 _GIVES = frozenset({"dir", "verb"})
 _OPENS_A_NOUN = ("det", "possessive", "actor", "compass", "place")
 
@@ -46,7 +51,7 @@ def then_a_side(tokens: list[Token], match: Match) -> bool:
     if not match.only("locus"):
         return False
     side = longest_match(tokens, match.j + 1)
-    return tokens[match.j].low == "the" and side is not None and side.has("dir")
+    return tokens[match.j].low in _ITS and side is not None and side.has("dir")
 
 
 def then_a_noun(tokens: list[Token], match: Match) -> bool:
@@ -65,6 +70,9 @@ def then_a_noun(tokens: list[Token], match: Match) -> bool:
     if not all(e.cat in _GIVES and e.value in {"straight", "move", "inert"} for e in match.entries):
         return False
     noun = longest_match(tokens, match.j)
+    lamps = noun is not None and noun.has("possessive") and match.only("verb")
+    if lamps and all(e.value == "inert" for e in match.entries):
+        return False  # "turns on its lights"
     return noun is not None and noun.has(*_OPENS_A_NOUN)
 
 
@@ -167,8 +175,43 @@ def after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
     before = tokens[k - 2].low if k > 1 else ""
     sided = previous.cat == "dir" and previous.value in {"left", "right"} and before == "the"
     after = tokens[k + 1].low if k + 1 < len(tokens) else ""
-    governs = after in {"the", "a", "an", "its", "their", "his", "her", "to", "into", "and"}
+    governs = after in {"the", "a", "an", "its", "their", "his", "her", "to", "and"} | _ACROSS
     return sided or (previous.cat in {"place", "locus", "compass"} and governs)
+
+
+def and_moves(token: Token, previous: Term, tokens: list[Token]) -> bool:
+    """``…, strides over the road``, ``and vaults onto it``: a verb of motion in no lexicon.
+
+    Args:
+        token: a word that no phrase of the lexicon holds.
+        previous: the term before it.
+        tokens: the tokens of the text.
+    """
+    if not token.low.endswith(("s", "ed")) or token.low.endswith(("ss", "us", "ings")):
+        return False
+    k = tokens.index(token)
+    after = tokens[k + 1].low if k + 1 < len(tokens) else ""
+    joined = previous.cat in {"conj", "rel", "manner"} or previous.value == ","
+    return joined and after in _ACROSS
+
+
+def no_way(tokens: list[Token], i: int, match: Match) -> bool:
+    """``against the traffic rules``, ``turns left against oncoming traffic``: on no wrong side.
+
+    Args:
+        tokens: the tokens of the text.
+        i: index of the first word.
+        match: the phrase.
+    """
+    if tokens[i].low != "against" or not match.only("manner"):
+        return False
+    j = match.j
+    rules = j < len(tokens) and tokens[j].low in _RULES
+    begin = max((k for k in range(i) if tokens[k].kind == "punct"), default=-1)
+    near = tokens[max(begin + 1, i - _TURN_REACH) : i]
+    words = {w for t in near for w in (t.low, t.forms[-1][0])}
+    turns = "turn" in words and bool(words & {"left", "right"})
+    return rules or turns
 
 
 def lane_then_verb(tokens: list[Token], match: Match, previous: Term | None) -> bool:

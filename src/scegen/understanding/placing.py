@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, Maneuver, ParticipantKind
-from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
+from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.located import landmark
 from scegen.understanding.terms import Term
 
 _BY_DIR: dict[str, frozenset[Approach]] = {
@@ -87,10 +88,6 @@ def _between_lanes(approaches: frozenset[Approach], event: Event | None) -> froz
     return _BY_DIR["adjacent"] if sideways and approaches == _BY_DIR["lateral"] else approaches
 
 
-def _compass(place: Place) -> Term | None:
-    return next((m for m in place.mods if m.cat == "compass"), None)
-
-
 def _differ(place: Place) -> bool:
     """``different arms``, ``each from a different direction``."""
     apart = any(m.value in {"different", "another"} for m in place.mods)
@@ -104,6 +101,12 @@ def _at_its_side(prep: Prep, event: Event | None) -> bool:
     owned = side is not None and not isinstance(side, Event) and side.owner is not None
     steady = event is not None and event.name in _STEADY
     return prep.value == "to" and sided and owned and steady
+
+
+def _ends_there(event: Event, prep: Prep) -> bool:
+    """``swerves behind the ego``, ``sweeps left in front of the bus``: where it gets to."""
+    turns = any(d.value in _SIDES for d in event.dirs)
+    return (event.name, prep.value) == ("swerve", "behind") or (turns and prep.value == "ahead")
 
 
 def _same_way(prep: Prep) -> bool:
@@ -161,7 +164,7 @@ class Placer:
         self, prep: Prep, target: Place, entities: list[Entity], event: Event | None
     ) -> None:
         basis = Basis(prep.word.i, target.j)
-        compass = _compass(target)
+        compass = target.mod("compass")
         if compass is not None and prep.value in {"from", "to", "in"}:
             bound = "bound" in compass.data  # "from southbound Elm Street"
             back = prep.value == "from" and not bound
@@ -228,19 +231,6 @@ class Placer:
             where = {Approach.ADJACENT} if abreast else sides
             self._draft.place(entity, owner, where, basis)
 
-    def beside_a_thing(self, prep: Prep, thing: NounPhrase, entities: list[Entity]) -> None:
-        """``waits behind a bus stop on the right``: who is there is on that side.
-
-        Args:
-            prep: the phrase.
-            thing: what one stands behind.
-            entities: who stands there.
-        """
-        sides = {_SIDES[d] for d in thing.dirs if d in _SIDES}
-        for entity in entities:
-            if not entity.is_vehicle or entity.kind is ParticipantKind.BICYCLE:
-                self._draft.place(entity, None, sides, Basis(prep.word.i, thing.j))
-
     def _apart(self, entities: list[Entity], basis: Basis) -> None:
         """``from different arms``: no two come from the same one."""
         elsewhere = {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
@@ -249,7 +239,7 @@ class Placer:
                 self._draft.place(entity, other, elsewhere, basis)
 
     def _locus(self, prep: Prep, entities: list[Entity], event: Event | None) -> None:
-        target = prep.target
+        target = landmark(prep.target)
         basis = Basis(prep.word.i, target.j if isinstance(target, Mention) else prep.word.j)
         if isinstance(target, Thing | Place):
             return
@@ -259,6 +249,9 @@ class Placer:
                 self._draft.place(entity, None, {Approach.ADJACENT}, basis)
             return  # "between the ego and the kerb"
         if event is not None and event.name not in _STEADY and prep.outer != "from":
+            self._behind_the_ego(prep, entities, basis)
+            return
+        if event is not None and target and _ends_there(event, prep):
             return
         if prep.outer == "from" and isinstance(target, Mention) and event is not None:
             return
@@ -276,6 +269,14 @@ class Placer:
         for other in further if len(entities) == 1 else []:
             self._draft.place(other, entities[0], {INVERSE[a] for a in approaches}, basis)
 
+    def _behind_the_ego(self, prep: Prep, entities: list[Entity], basis: Basis) -> None:
+        """``crosses behind the ego``: on foot, that is where they are."""
+        ego = prep.target if prep.value == "behind" else None
+        seen = isinstance(ego, Mention) and any(e.ego for e in ego.entities)
+        for entity in entities if seen else []:
+            if not entity.is_vehicle:
+                self._draft.place(entity, None, {Approach.BEHIND}, basis)
+
     def _head(self, entities: list[Entity], heading: str, basis: Basis) -> None:
         for entity in entities:
             if entity.heading is None:
@@ -290,9 +291,5 @@ class Placer:
 
 def thing_sides(entity: Entity, draft: Draft) -> set[Approach]:
     """The sides at which a participant stands, as far as said."""
-    return {
-        a
-        for p in draft.placements
-        if p.entity is entity and p.reference is None
-        for a in p.approaches
-    }
+    seen = [p for p in draft.placements if p.entity is entity and p.reference is None]
+    return {a for p in seen for a in p.approaches}

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Word
+from scegen.understanding.course_phrases import courses_said
 from scegen.understanding.lookahead import BOUNDARIES
 from scegen.understanding.terms import Term
 from scegen.understanding.titles import entitle
+from scegen.understanding.tokens import Token
 
 _WAYS = frozenset({"left", "right", "straight"})
 _OPENERS = frozenset({",", "and", "but", "while", "when", "(", ":"})
@@ -17,17 +19,18 @@ _ITS_OWN = frozenset({"move", "turn", "u_turn", "sharp_turn", "light", "cross", 
 """Verbs that a direction after a comma belongs to."""
 
 
-def complete(chunks: list[Chunk], events: list[Event]) -> list[Event]:
+def complete(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> list[Event]:
     """The events, with one for each direction that is all that is said of what somebody does.
 
     Args:
         chunks: the chunks of the text.
         events: its events, left-out verbs filled in; nouns of doings get their subject.
+        tokens: the tokens of the text.
     """
-    found = list(events)
+    found = [*events, *courses_said(chunks, events, tokens)]
     _titled(chunks, events)
-    _by_the_other(chunks, events)
     entitle(chunks, events)
+    _by_the_other(chunks, events)
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Event) and chunk.nominal and not chunk.subject:
             chunk.subject = _whose(chunks, k, found)
@@ -44,7 +47,8 @@ def _titled(chunks: list[Chunk], events: list[Event]) -> None:
         (k for k, c in enumerate(chunks) if isinstance(c, Word) and c.value in {":", "."}), 0
     )
     title, rest = chunks[:end], chunks[end + 1 :]
-    doings = [c for c in title if isinstance(c, Event)]
+    doings = [c for c in title if isinstance(c, Event) and (c.dirs or not c.nominal)]
+    doings = [c for c in doings if c.dirs] or doings
     if len(doings) != 1 or any(isinstance(c, Mention) for c in title):
         return
     doing = doings[0]
@@ -68,9 +72,22 @@ def _by_the_other(chunks: list[Chunk], events: list[Event]) -> None:
         opens = before is None or (isinstance(before, Word) and before.value in BOUNDARIES)
         told = any(e.name == event.name and e is not event for e in events)
         others = [c for c in chunks if isinstance(c, Mention) and c.heads and c.i > event.i]
-        others = [c for c in others if not any(h.data.get("ego") for h in c.heads)]
+        egos = [c for c in others if any(h.data.get("ego") for h in c.heads)]
+        others = [c for c in others if c not in egos]
+        if (
+            event.name in {"lane_change", "merge"}
+            and opens
+            and egos
+            and all(map(_has_place, others))
+        ):
+            event.subject = egos[:1]  # the others keep where they are
+            continue
         if opens and others and not (told and any(c.mods for c in others if _premod(c, event))):
             event.subject = others[:1]
+
+
+def _has_place(mention: Mention) -> bool:
+    return bool(mention.pps) or bool(mention.dirs) or any(m.value == "def" for m in mention.mods)
 
 
 def _premod(mention: Mention, event: Event) -> bool:

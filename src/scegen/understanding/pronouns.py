@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from scegen.scenario.vocabulary import ParticipantKind
-from scegen.understanding.chunks import Mention
+from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis, Draft, Entity
-from scegen.understanding.roster import POSITIONS, Roster
+from scegen.understanding.ordinals import POSITIONS
+from scegen.understanding.roster import Roster
 from scegen.understanding.tokens import Token
 
 _PERSONS = ("ist", "rider", "biker", "driver", "courier")
@@ -78,6 +79,9 @@ class Pronouns:
             options = others[-1:] or options  # "a rider passes the ego as it turns"
         if not self.draft.entities and word in {"he", "she"}:
             return self._somebody(mention, exclude, subject)
+        if mention.drives and any(e.parked for e in options):
+            driving = [e for e in recent if e.moving_vehicle and e not in exclude]
+            options = driving[-1:] or options  # "a van is parked in its lane; it has to swerve"
         before = self.roster.before if len(self.roster.before) == 1 else []
         left = [e for e in (*before, *reversed(recent)) if e not in exclude]
         return [e for e in options if e not in exclude] or left[:1]
@@ -117,7 +121,9 @@ class Pronouns:
         everybody = vehicles or self.draft.entities
         group = self.roster.groups[-1].members if self.roster.groups else everybody
         if position < 0 or mention.label == "former":
-            group = (group if len(group) > 1 else self.draft.entities)[-2:]
+            two = self.roster.recent if len(self.roster.recent) > 1 else group
+            group = list(two[-2:]) if position == 0 or not self.roster.pair else self.roster.pair
+            self.roster.pair = group if position == 0 else []
             position %= max(len(group), 1)
         if position >= len(group):
             return []
@@ -143,8 +149,17 @@ class Pronouns:
             return [self.roster.new(kind, basis) for _ in range(min(count, _MOST))]
         if claimed or which == "count":
             return claimed
+        definite = which == "one" and any(m.value == "def" for m in mention.mods)
+        if definite and not mention.sides and _placed(mention):
+            others = [e for e in self.roster.recent if not e.ego and e not in exclude]
+            if others:
+                return others[-1:]  # "another waits in the stem; the one in the stem …"
         new = which != "one" or bool(self.roster.recent)
         kinds = {e.kind for e in self.draft.entities if not e.ego}
         afoot = which == "one" and kinds == {ParticipantKind.PEDESTRIAN}
         kind = ParticipantKind.PEDESTRIAN if afoot else ParticipantKind.CAR
         return [self.roster.new(kind, basis)] if new else []
+
+
+def _placed(mention: Mention) -> bool:
+    return any(isinstance(p.target, Place) for p in mention.pps)

@@ -8,6 +8,8 @@ from scegen.understanding.conflicts import lane_change, mentioned
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.ways import into_lane
 
+_ASIDE = frozenset({"access", "parking", "shoulder", "sidewalk", "junction", "bus_stop"})
+
 
 def pull_out(scene: Scene, context: Context) -> None:
     """Leaving a side road or a parking space without giving way."""
@@ -18,6 +20,7 @@ def pull_out(scene: Scene, context: Context) -> None:
     if front and any(context.placed(e, Approach.AHEAD) for e in drivers):
         context.draft.hazard(HazardKind.CUT_IN, scene.words, drivers, front)
         return  # out of the queue that is being overtaken
+    _out_of_the_row(scene, context)
     along = any(context.placed(e, a) for e in drivers for a in (Approach.BEHIND, Approach.AHEAD))
     if drivers and _into_the_next_lane(scene, context):
         lane_moves.lane_change(scene, context)
@@ -30,6 +33,15 @@ def pull_out(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, drivers, to)
 
 
+def _out_of_the_row(scene: Scene, context: Context) -> None:
+    """``the slow van ahead pulls out as well``: it leaves its lane, and no side road."""
+    aside = any(p.kind in _ASIDE for p in scene.places()) or context.junction.crossing
+    for entity in [] if aside else scene.drivers:
+        if context.placed(entity, Approach.AHEAD) and not (entity.ego or entity.maneuvers):
+            context.lanes_implied(scene.words, "pulling out needs a second lane")
+            context.draft.maneuver(entity, {Maneuver.LANE_CHANGE}, scene.words)
+
+
 def _into_the_next_lane(scene: Scene, context: Context) -> bool:
     """``pulls out into the left lane``: from lane to lane, unless it comes out of somewhere."""
     lane = into_lane(scene.event)
@@ -37,10 +49,7 @@ def _into_the_next_lane(scene: Scene, context: Context) -> bool:
     named = lane is not None and lane.head is not None and lane.head.j - lane.head.i > 1
     named = named and not context.junction.crossing  # "the overtaking lane"
     beside = lane is not None and lane.kind == "lane" and (named or bool(sides & set(lane.dirs)))
-    out = any(
-        p.kind in {"access", "parking", "shoulder", "sidewalk", "junction", "bus_stop"}
-        for p in scene.places()
-    )
+    out = any(p.kind in _ASIDE for p in scene.places())
     kerb = any(context.comes_across(e) for e in scene.drivers) or context.draft.from_kerb
     return beside and not out and not kerb
 

@@ -14,8 +14,10 @@ from scegen.understanding.coverage import unattached
 from scegen.understanding.discourse import Discourse
 from scegen.understanding.draft import Draft
 from scegen.understanding.each_arm import count_arms, share_arms
+from scegen.understanding.each_side import both_sides
 from scegen.understanding.ellipsis import fill_in
 from scegen.understanding.headings import silence
+from scegen.understanding.hiders import name_hiders
 from scegen.understanding.junctions import JunctionReading, read_junction
 from scegen.understanding.leftovers import report
 from scegen.understanding.meaning import Interpreter
@@ -28,6 +30,7 @@ from scegen.understanding.surroundings import read_surroundings
 from scegen.understanding.tagging import tag
 from scegen.understanding.telegrams import spell_out
 from scegen.understanding.tokens import tokenize
+from scegen.understanding.too_fast import too_fast
 
 MAX_CHARACTERS = 20_000
 """Longer texts are no descriptions of one situation."""
@@ -67,7 +70,7 @@ def read(text: str) -> FunctionalScenario:
     junction = read_junction(terms, tokens)
     surroundings = read_surroundings(terms, tokens)
     terms = settle_sides(terms, surroundings.side)
-    chunks = spell_out(Chunker(terms, tokens).run())
+    chunks = spell_out(both_sides(name_hiders(Chunker(terms, tokens).run()), tokens))
     chunks = repeat(silence(chunks), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     draft = Draft(text, tokens)
@@ -78,6 +81,7 @@ def read(text: str) -> FunctionalScenario:
     events = share_out(events, terms)
     context = Context(draft, junction, tokens, across)
     Interpreter(context, surroundings.limit_term).run(chunks, events)
+    too_fast(draft, surroundings.speed_limit_mps)
     report(draft, terms, chunks, events)
     scenario = Builder(draft, junction, surroundings, tokens).build()
     return unattached(scenario, terms, tokens)

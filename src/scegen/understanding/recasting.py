@@ -8,14 +8,19 @@ is to pull out. On foot, whoever jumps out crosses.
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, Control
-from scegen.understanding.chunks import Event, Mention, Place, Prep
+from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
+from scegen.understanding.ways import into_lane
 
 _OPEN = frozenset({"dash", "breach"})
 """Verbs that say nothing without a phrase of place."""
 _MAKING = frozenset({"light", "use"})
 _OUT = frozenset({"pull_out", "cut_in", "dash"})
 _PAST = frozenset({"past", "by", "around", "round"})
+_ROUND = frozenset({"around", "round", "past"})
+_MOVING = frozenset({"move", "try", "crawl", "leave", "speed", "accelerate", "swerve",
+                     "sharp_turn", "unknown"})  # fmt: skip
+"""Verbs that with "round the van" mean to get past it."""
 _ACROSS = frozenset({"across", "over"})
 _ASIDE = frozenset({"access", "parking", "bus_stop", "sidewalk", "junction"})
 _ROADS = frozenset({"road", "junction", "crosswalk", "highway", "path"})
@@ -33,25 +38,63 @@ def recast(scene: Scene, context: Context) -> str:
         return "turn"
     if event.name == "walk" and scene.drivers and _runs_it(scene, context):
         return "breach"
-    if event.name == "move" and scene.walkers and "across" in _own(scene, context):
-        return "cross"
-    if event.name in _OUT and scene.actors and not any(e.is_vehicle for e in scene.actors):
-        return "cross" if not _around(scene, context) else "walk"
-    riders = scene.drivers and all(context.is_cyclist(e) and not e.ego for e in scene.drivers)
-    motor = [e for e in scene.drivers if not context.is_cyclist(e)]
-    if event.name == "cross" and motor and not riders and "out" in _own(scene, context):
-        return "pull_out"
-    if event.name == "pull_out" and motor and _between_lanes(scene, context):
-        return "cut_in"
-    if event.name in {"move", "dash", "speed"} and scene.drivers and _ignores_it(scene, context):
-        return "breach"
-    if event.name == "breach" and isinstance(event.object, Place) and event.object.kind == "lane":
-        return "move"  # "drives through the opposite lane"
+    if event.name == "pass" and not scene.targets and _into_next_lane(event):
+        return "lane_change"
+    afoot = _on_foot(scene, context)
+    if afoot is not None:
+        return afoot
+    driven = _driven(scene, context) if scene.drivers else None
+    if driven is not None:
+        return driven
     if event.name not in _OPEN or (event.name == "breach" and event.object is not None):
         return event.name
     if not scene.drivers:
         return event.name
-    return _by_path(scene, context, riding=bool(riders))
+    return _by_path(scene, context, riding=_riding(scene, context))
+
+
+def _riding(scene: Scene, context: Context) -> bool:
+    return all(context.is_cyclist(e) and not e.ego for e in scene.drivers)
+
+
+def _driven(scene: Scene, context: Context) -> str | None:
+    """The name of an event in which a vehicle moves; None if it keeps its own."""
+    event = scene.event
+    motor = [e for e in scene.drivers if not context.is_cyclist(e)]
+    out = "out" in _own(scene, context) and not _riding(scene, context)
+    if event.name == "cross" and motor and out:
+        return "pull_out"
+    if event.name == "pull_out" and motor and _between_lanes(scene, context):
+        return "cut_in"
+    if event.name in {"move", "dash", "speed"} and _ignores_it(scene, context):
+        return "breach"
+    if event.name == "cross" and motor and _into_a_lane(event):
+        return "lane_change"
+    if event.name in _MOVING and motor and _goes_round(scene, context):
+        return "bypass"
+    lane = isinstance(event.object, Place) and event.object.kind == "lane"
+    return "move" if event.name == "breach" and lane else None  # "through the opposite lane"
+
+
+def _on_foot(scene: Scene, context: Context) -> str | None:
+    """What people on foot do who move, jump out, or roll off the kerb; None for all else."""
+    name = scene.event.name
+    if name == "move" and scene.walkers and "across" in _own(scene, context):
+        return "cross"
+    if not scene.actors or any(e.is_vehicle for e in scene.actors):
+        return None
+    if name in _OUT:
+        return "cross" if not _around(scene, context) else "walk"
+    off = name == "lose_control" and any(p.kind == "sidewalk" for p in scene.places())
+    return "cross" if off else None
+
+
+def _into_next_lane(event: Event) -> bool:
+    """``passes into the left lane``: changes to it."""
+    return any(
+        p.value == "into" and isinstance(p.target, Place) and p.target.kind == "lane"
+        for p in event.pps
+    )
 
 
 def _into_a_turn(event: Event) -> bool:
@@ -62,8 +105,35 @@ def _into_a_turn(event: Event) -> bool:
     ways = [m for m in side.mods if m.cat == "dir" and m.value in {"left", "right"}]
     if not ways or any(d in side.dirs for d in ("front", "rear", "opposite")):
         return False
-    event.mods, event.object = [*event.mods, *ways], None
+    turned = [m for m in event.mods if m.value != "straight"]  # "hangs a right, straight across"
+    event.mods, event.object = [*turned, *ways], None
     return True
+
+
+def _into_a_lane(event: Event) -> bool:
+    """``jumps into the ego's lane``: said of a vehicle, from the next lane."""
+    lane = event.object if event.object is not None else into_lane(event)
+    named = isinstance(lane, Place) and lane.kind == "lane" and "opposite" not in lane.dirs
+    return named and isinstance(lane, Place) and (lane.owner is not None or bool(lane.dirs))
+
+
+def _goes_round(scene: Scene, context: Context) -> bool:
+    """``edges round the parked van``: what is passed becomes the object of the verb."""
+    event = scene.event
+    for prep in event.pps if event.object is None else []:
+        passed = prep.target
+        if context.tokens[prep.word.i].low not in _ROUND:
+            continue
+        if isinstance(passed, Event):
+            continue
+        thing = isinstance(passed, Thing) and passed.kind in {"object", "obstacle"}
+        who = passed.entities if isinstance(passed, Mention) else []
+        vehicles = [e for e in who if e.is_vehicle and e not in scene.actors]
+        if thing or vehicles:
+            event.object, scene.targets = passed, vehicles
+            event.pps = [p for p in event.pps if p is not prep]
+            return True
+    return False
 
 
 def _runs_it(scene: Scene, context: Context) -> bool:
@@ -97,7 +167,8 @@ def _by_path(scene: Scene, context: Context, *, riding: bool) -> str:
     places = {p.kind for p in scene.places()}
     if "through" in words and places & {"signal", "stop_sign", "yield_sign", "right_of_way"}:
         return "breach"
-    if words & _PAST and (scene.targets or any(_who(p) for p in event.pps if p not in ahead)):
+    passed = scene.targets or any(_who(p) for p in event.pps if p not in ahead)
+    if words & _PAST and passed and not isinstance(event.object, Place):
         return "overtake"
     if "lane" in places and words & (_ACROSS | {"into", "onto"}):
         return "lane_change"

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
-from scegen.understanding.draft import Entity
-from scegen.understanding.mention_words import Reading
+from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.mention_words import Reading, read_mention
 
+_MOTOR = frozenset(ParticipantKind) - {ParticipantKind.PEDESTRIAN}
 _RIDDEN = frozenset({ParticipantKind.MOTORCYCLE, ParticipantKind.BICYCLE})
 
 
@@ -69,9 +70,29 @@ def elsewhere(reading: Reading, mention: Mention, entity: Entity) -> bool:
     if entity.ego and reading.called - entity.named_by and "speaks" in entity.named_by:
         return True  # "this Audi": not the one who tells it
     person = mention.head is not None and mention.head.value == "pedestrian" and reading.driver
-    if person and mention.pps and entity.is_vehicle:
+    if person and (mention.pps or mention.narrowed) and entity.is_vehicle:
         return not reading.called & entity.named_by  # "the bloke behind me"
     bare = reading.det == "bare" and not reading.dirs and reading.kind is entity.kind
     if bare and reading.called and entity.named_by and not reading.called & entity.named_by:
         return bool(mention.pps)  # "bus from the left, tram from the right"
     return bare and bool(mention.pps) and bool(entity.dirs)
+
+
+def refine(mention: Mention, draft: Draft) -> None:
+    """``vehicle 1, a pickup truck, …``: the apposition says what kind it is, or that it is the ego.
+
+    Args:
+        mention: the apposition, resolved.
+        draft: the scenario in the making.
+    """
+    if not mention.heads:
+        return
+    reading = read_mention(mention, draft.tokens, None)
+    afoot = any("afoot" in h.data for h in mention.heads)
+    known = any(e.ego for e in draft.entities)
+    for entity in mention.entities:
+        if not reading.generic and (reading.kind in _MOTOR or afoot):
+            entity.kind, entity.basis = reading.kind, Basis(mention.i, mention.j)
+        entity.ego = entity.ego or (reading.ego and not known)
+        entity.labels |= reading.labels
+        entity.named_by |= reading.called

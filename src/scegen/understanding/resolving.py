@@ -136,17 +136,21 @@ def _generic(chunks: list[Chunk], events: list[Event]) -> None:
 
     Traffic that somebody waits for, or gives way to, is there.
     """
+    entered = {id(e.object) for e in events if e.name in {"enter", "merge"}}
     met = {id(p.target) for e in events if e.name in _LETTING_BY for p in e.pps}
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Mention) or chunk.head is None:
             continue
+        if id(chunk) in entered and "mass" in chunk.head.data and not chunk.mods:
+            chunk.negated = True  # "entering traffic from a driveway, a van …"
         if chunk.prep is None:
             chunk.negated = chunk.negated or _only_the_scene(chunk, k, chunks)
             continue
         several = chunk.head.form == "s" and chunk.mod("det", "num", "quant") is None
         lit = any(isinstance(c, Place) and c.kind == "signal" for c in chunks[max(0, k - 4) : k])
         anybody = "mass" in chunk.head.data or (several and lit)
-        purpose = chunk.prep.value in {"for", "against"} or (
+        met_head_on = "opposite" in chunk.dirs and chunk.prep.value == "against"
+        purpose = (chunk.prep.value in {"for", "against"} and not met_head_on) or (
             chunk.prep.value == "of" and any(_is_view(c) for c in chunks[max(0, k - 2) : k])
         )
         chunk.negated = chunk.negated or (anybody and purpose and id(chunk) not in met)

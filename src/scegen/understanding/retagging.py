@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from scegen.understanding.noun_turns import names_a_turn
+from scegen.understanding.other_classes import other_class
 from scegen.understanding.paces import doing
 from scegen.understanding.particles import measured
 from scegen.understanding.terms import Term, longest_match
 from scegen.understanding.tokens import Token
+from scegen.understanding.unnamed_roles import role_alone
 
+_COLOURS = frozenset({"green", "red", "yellow", "amber"})
 _SHORT = frozenset({"only", "half", "within", "of", "just", "barely", "than", "for", "about",
                     "under", "in"})  # fmt: skip
 
@@ -21,30 +25,59 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         terms: the terms before it; some are changed in its light.
         tokens: the tokens of the text.
     """
+    term = other_class(term, terms, tokens)
     if (term.cat, term.value, term.form) == ("verb", "stop", "base") and _at_a(terms, tokens):
         term = Term("place", "bus_stop", term.i, term.j)  # "pulls away from the stop"
     if (term.cat, term.value) == ("verb", "yield") and _a_noun(terms, tokens, term):
         term = Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
     if (term.cat, tokens[term.i].low) == ("possessive", "her") and _alone(tokens, term.j):
         term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
-    if _moment(tokens, term):
-        term = Term("inert", "noun", term.i, term.j)
+    term = _of_lights_and_times(term, tokens)
     if term.value == "genitive":
         term = _shortened(term, terms, tokens)
+    term = role_alone(term, terms, tokens)
     if _does_not(tokens, term):
         term = replace(term, cat="aux", value="do")
     if terms and measured(tokens, terms, term):
         number = terms.pop()  # "the car two vehicles ahead"
         term = Term("quantity", "other", number.i, term.j, data={"quantity": None})
-    if term.cat == "dir" and terms and terms[-1].value == "unprotected" and _bare(tokens, term):
-        term = replace(term, cat="verb", value="turn", data={"way": term.value})
-    if (term.cat, term.value, term.form) == ("verb", "slow", "base") and doing(tokens, term.i):
-        term = replace(term, cat="manner", data={})  # "going really slow"
+    if names_a_turn(term, terms, tokens):
+        term = replace(term, cat="verb", value="turn", form="base", data={"way": term.value})
+    term = _near_or_far(term, tokens)
+    slow = (term.cat, term.value, term.form) == ("verb", "slow", "base")
+    opened = bool(terms) and terms[-1].cat in {"det", "possessive"} and _word_at(tokens, term.j)
+    if slow and (opened or doing(tokens, term.i)):
+        term = replace(term, cat="manner", data={})  # "a slow convoy", "going really slow"
     if _speed(term) and doing(tokens, term.i):
         _as_motion(terms, tokens)
     if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
         terms[-1] = replace(terms[-1], value="move", data={})  # "carries straight on"
     return term
+
+
+_NEAR_OR_FAR = {"near": "near", "nearer": "near", "far": "far", "farther": "far", "further": "far"}
+_KERBS = frozenset({"kerb", "curb", "pavement", "sidewalk", "verge", "footpath", "footway",
+                    "roadside"})  # fmt: skip
+
+
+def _of_lights_and_times(term: Term, tokens: list[Token]) -> Term:
+    if _changes_colour(tokens, term):
+        return replace(term, value="inert", data={})
+    return Term("inert", "noun", term.i, term.j) if _moment(tokens, term) else term
+
+
+def _changes_colour(tokens: list[Token], term: Term) -> bool:
+    """``when it turns green``: the light does."""
+    lit = (term.cat, term.value) == ("verb", "turn") and term.j < len(tokens)
+    return lit and tokens[term.j].low in _COLOURS
+
+
+def _word_at(tokens: list[Token], j: int) -> bool:
+    """Whether a word that may be a noun stands there."""
+    if j >= len(tokens) or tokens[j].kind != "word":
+        return False
+    found = longest_match(tokens, j)
+    return found is None or not found.has("prep", "conj", "aux", "sub", "locus")
 
 
 def _moment(tokens: list[Token], term: Term) -> bool:
@@ -67,6 +100,13 @@ def _has_done(tokens: list[Token], term: Term) -> bool:
     return done in _DONE and after in _AFTER
 
 
+def _near_or_far(term: Term, tokens: list[Token]) -> Term:
+    """``the far kerb``: the side across the road."""
+    value = _NEAR_OR_FAR.get(tokens[term.i].low) if term.j - term.i == 1 else None
+    kerb = term.j < len(tokens) and tokens[term.j].low in _KERBS
+    return Term("dir", value, term.i, term.j) if value is not None and kerb else term
+
+
 def _shortened(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     """``someone's left a van there``, ``the ego, who's forced to brake``: has, is."""
     if _has_done(tokens, term):
@@ -83,12 +123,6 @@ def _does_not(tokens: list[Token], term: Term) -> bool:
     after = tokens[term.j] if term.j < len(tokens) else None
     denied = after is not None and (after.kind == "neg" or after.low == "not")
     return term.cat == "verb" and tokens[term.i].forms[-1][0] == "do" and denied
-
-
-def _bare(tokens: list[Token], term: Term) -> bool:
-    """``an unprotected left``: a turn, although nobody says so."""
-    following = longest_match(tokens, term.j) if term.j < len(tokens) else None
-    return following is None or not following.has("verb", "place", "actor")
 
 
 def _as_motion(terms: list[Term], tokens: list[Token]) -> None:

@@ -3,13 +3,21 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import HazardKind
-from scegen.understanding.chunks import Chunk, Mention, Thing
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.draft import Basis, Draft, Entity
 
 _OPENED_REACH = 11
+_TYRES = frozenset({"tire", "tyre"})
+_STATES = frozenset({"blown", "flat", "burst", "punctured", "bald", "front", "rear", "back", "worn",
+                     "deflated", "damaged", "left", "right", "spare", "failed"})  # fmt: skip
 _FLUNG = frozenset({"flung", "swung", "swings", "ajar"})
 _FALLING = frozenset({"fall", "drop", "spill", "tumble", "roll", "fly", "slide", "detach",
                       "scatter", "blow", "shed"})  # fmt: skip
+_BURSTING = frozenset({"burst", "bursts", "bursting", "blows", "blew", "blown", "fails", "failed",
+                       "explodes", "exploded", "deflates", "deflated", "flat", "pops", "popped",
+                       "punctures", "punctured", "ruptures", "gives", "gave"})  # fmt: skip
+_IN_THE_WAY = 9
+_CARRIAGEWAY = frozenset({"road", "lane", "highway", "path", "crosswalk"})
 _REACH = 4
 
 
@@ -23,6 +31,9 @@ def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
     """
     basis = Basis(thing.i, thing.j)
     possessed = thing.owner is not None or any(m.cat == "possessive" for m in thing.mods)
+    possessed = possessed or _part(thing, draft)
+    if _bursts(thing, draft):
+        return
     lost = possessed and _comes_off(thing, draft)
     if thing.kind == "obstacle" and not lost and (possessed or _carried(thing, chunks)):
         return  # "its tyre bursts", "a man with a dog": a part of somebody
@@ -34,12 +45,34 @@ def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
         whose += thing.owner.entities if thing.owner is not None else []
         draft.hazard(HazardKind.OBSTACLE, basis, whose)
         draft.note(thing.i, thing.j, "doors are not modelled; an obstacle is")
+    elif thing.kind == "object" and _in_the_way(thing, chunks):
+        draft.hazard(HazardKind.OBSTACLE, basis, [])
     elif thing.kind == "object":
         draft.note(
             thing.i, thing.j, "things beside the road are built only where they hide somebody"
         )
     elif thing.kind == "view" and any(m.cat == "verb" for m in thing.mods):
         draft.hazard(HazardKind.OCCLUSION, basis, _owing_to(thing, chunks))
+
+
+def _in_the_way(thing: Thing, chunks: list[Chunk]) -> bool:
+    """``a barrier blocks the lane``, ``a tree lying across the road``."""
+    k = next(k for k, c in enumerate(chunks) if c is thing)
+    after = chunks[k + 1 : k + _IN_THE_WAY]
+    verb = next((m for m, c in enumerate(after) if isinstance(c, Event)), None)
+    if verb is None or any(isinstance(c, Mention) for c in after[:verb]):
+        return False
+    event, rest = after[verb], after[verb + 1 :]
+    what = next((c for c in rest if isinstance(c, Place | Thing)), None)
+    blocks = isinstance(event, Event) and event.name == "block"
+    return blocks and isinstance(what, Place) and what.kind in _CARRIAGEWAY
+
+
+def _bursts(thing: Thing, draft: Draft) -> bool:
+    """``a tyre bursts``, ``a tire goes flat``: on the vehicle, not on the road."""
+    tyre = draft.tokens[thing.j - 1].forms[-1][0] in {"tyre", "tire"}
+    after = {t.low for t in draft.tokens[thing.j : thing.j + _REACH]}
+    return tyre and bool(after & _BURSTING)
 
 
 def _open(thing: Thing, draft: Draft) -> bool:
@@ -56,11 +89,19 @@ def _comes_off(thing: Thing, draft: Draft) -> bool:
     return bool(_FALLING & set(words))
 
 
+def _part(thing: Thing, draft: Draft) -> bool:
+    """``suffered a blown tyre``, ``its left front tire``: of a vehicle, not on the road."""
+    words = [t.low for t in draft.tokens[max(0, thing.i - 1) : thing.j]]
+    return words[-1].rstrip("s") in _TYRES and bool(_STATES & set(words))
+
+
 def _carried(thing: Thing, chunks: list[Chunk]) -> bool:
     """Whether it is with somebody on foot."""
     k = next(k for k, c in enumerate(chunks) if c is thing)
     who = chunks[k - 2] if k > 1 else None
     along = thing.prep is not None and thing.prep.value == "with"
+    if along and thing.head is not None and "part" in thing.head.data:
+        return True  # "parked with a flat tyre"
     return along and isinstance(who, Mention) and any(not e.is_vehicle for e in who.entities)
 
 

@@ -10,24 +10,12 @@ from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.groups import Group, in_list
 from scegen.understanding.mention_words import Reading
+from scegen.understanding.ordinals import POSITIONS
 from scegen.understanding.tokens import Token
 
 _MOTOR = frozenset(ParticipantKind) - {ParticipantKind.PEDESTRIAN}
 _RIDDEN = ParticipantKind.MOTORCYCLE
 _INCLUDING = frozenset({"including", "among", "amongst"})
-POSITIONS = {
-    "first": 0,
-    "second": 1,
-    "third": 2,
-    "fourth": 3,
-    "fifth": 4,
-    "sixth": 5,
-    "seventh": 6,
-    "eighth": 7,
-    "former": 0,
-    "latter": -1,
-}
-"""Place within those spoken of last; "the former" and "the latter" are of two."""
 
 
 @dataclass(slots=True)
@@ -42,6 +30,7 @@ class Roster:
         subject: who acted last.
         before: who acted before them.
         landmark: who others were placed by last.
+    pair: the two of whom one was called "the former".
     """
 
     draft: Draft
@@ -51,6 +40,7 @@ class Roster:
     subject: list[Entity] = field(default_factory=list)
     before: list[Entity] = field(default_factory=list)
     landmark: list[Entity] = field(default_factory=list)
+    pair: list[Entity] = field(default_factory=list)
 
     def spoken_of(self, found: list[Entity], *, subject: bool, settled: bool) -> None:
         """Remembers a mention.
@@ -256,11 +246,14 @@ class Roster:
             return []
         if any("adversary" in e.labels for e in self.draft.entities):
             return []
+        others = [e for e in self.draft.entities if not e.ego]
+        lone = len(others) == 1 < len(self.draft.entities) and not narrowed
+        if lone and others[0].kind is reading.kind and not (others[0].parked or reading.dirs):
+            return others
         alike = [
             e
-            for e in self.draft.entities
-            if not e.ego
-            and (e.kind is reading.kind or (reading.generic and e.is_vehicle))
+            for e in others
+            if (e.kind is reading.kind or (reading.generic and e.is_vehicle))
             and e.dirs == reading.dirs
             and not e.parked
         ]

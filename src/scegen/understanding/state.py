@@ -29,6 +29,8 @@ class State:
         opening: the same phrases once that mention has come, for its verb.
         last_prep: the phrase read last.
         bracket: anchor and words between, as they were when a bracket opened.
+        relating: whom a relative clause is about that is interrupted ("who, looking down, walks").
+        verb_follows: another verb makes the clause after the participle just read.
         where: a clause has been opened that says what takes place somewhere.
         trailing: the ego where it opens a clause after that of another ("…, as the ego turns").
         relative: who acts in a relative clause, and on whom ("the van that the ego follows").
@@ -50,6 +52,8 @@ class State:
     opening: list[Prep] = field(default_factory=list)
     last_prep: Prep | None = None
     bracket: tuple[Mention | NounPhrase | Event | None, set[str]] | None = None
+    verb_follows: bool = False
     where: bool = False
     trailing: list[Mention] = field(default_factory=list)
     relative: tuple[Mention, NounPhrase] | None = None
+    relating: Mention | None = None

@@ -31,6 +31,14 @@ def link(event: Event, state: State) -> None:
         event: the event just read.
         state: what the clause reader remembers.
     """
+    interrupts = {"rel", ","} <= state.between and bool(state.mentions) and event.form == "ing"
+    state.relating = _antecedent(state) if interrupts else state.relating
+    _link(event, state)
+    if interrupts and state.relating is not None:  # "a man who, looking down, walks on"
+        event.subject = [state.relating]
+
+
+def _link(event: Event, state: State) -> None:
     if event.nominal:
         nominal(event, state)
         return
@@ -38,7 +46,7 @@ def link(event: Event, state: State) -> None:
     helped = auxiliary(state)
     if to:
         infinitive(event, state)
-    elif state.prep is not None and event.form == "ing":
+    elif state.prep is not None and (event.form == "ing" or _without_ability(state)):
         gerund(event, state)
     else:
         event.finite = event.form in {"s", "ed", "base"} or helped
@@ -66,6 +74,11 @@ def link(event: Event, state: State) -> None:
         state.candidate_done = state.candidate_done or not waits
 
 
+def _without_ability(state: State) -> bool:
+    """``without being able to stop``."""
+    return state.prep is not None and state.prep.value == "without" and "aux:can" in state.between
+
+
 def before_by(event: Event, state: State) -> None:
     """``…, obstructed by a van``: a participle with "by" after it is passive.
 
@@ -84,6 +97,12 @@ def before_by(event: Event, state: State) -> None:
 
 def _said_of_a_thing(event: Event, state: State) -> None:
     """``the view is blocked by a van``: nobody acts but who stands after "by"."""
+    parts = state.topic if isinstance(state.topic, NounPhrase) else None
+    if parts is not None and event.name == "collide" and "aux:be" not in state.between:
+        own = any(m.cat == "possessive" and m.value == "its" for m in parts.mods)
+        event.subject = [parts.owner] if parts.owner is not None else state.main if own else []
+        state.topic = None
+        return  # "the front of the van struck …", "its front struck …"
     passive = event.form == "ed" or (event.form == "base" and event.name in PASSIVE)
     if passive and "aux:be" in state.between:
         event.passive, event.object = event.name in PASSIVE, state.topic
@@ -113,7 +132,9 @@ def _clause(event: Event, state: State) -> None:
     event.embedded = "rel" in between or state.where
     if "thing" in between:
         return  # "a fallen tree that blocks the lane"
-    if "rel" in between and state.mentions:
+    if state.relating is not None and event.finite and between == {","}:
+        event.subject, state.relating = [state.relating], None
+    elif "rel" in between and state.mentions:
         which = _antecedent(state)
         singular = event.form == "s" and (which.head is None or which.head.form != "s")
         event.subject = [which] if singular else chain(which)
@@ -169,7 +190,10 @@ def _after_comma(event: Event, state: State) -> None:
     if waiting and (state.anchor is who or placed) and state.candidate is not None:
         event.subject = chain(state.candidate)  # "when a van, turning left, fails to yield"
         return
-    if state.candidate is not None and (event.finite or not state.main):
+    seen = None if event.finite else _seen_coming(event, state)
+    if seen is not None:
+        event.subject = chain(seen)
+    elif state.candidate is not None and (event.finite or not state.main):
         event.subject = chain(state.candidate)
     elif state.events:
         event.subject = _main_in_sentence(state)
@@ -179,6 +203,20 @@ def _after_comma(event: Event, state: State) -> None:
         event.subject = chain(state.anchor)
     else:
         state.pending.append(event)
+
+
+def _seen_coming(event: Event, state: State) -> Mention | None:
+    """``finds it in its lane, arriving from the left``: who is seen arrives."""
+    right_before = bool(state.events) and state.events[-1].name == "encounter"
+    if event.form != "ing" or event.name not in {
+        "approach",
+        "appear",
+        *(["move"] if right_before else []),
+    }:
+        return None
+    seen = [e.object for e in state.events if e.name == "encounter" and e.finite]
+    last = seen[-1] if seen else None
+    return last if isinstance(last, Mention) else None
 
 
 def _inherit_mood(event: Event, state: State) -> None:
@@ -196,7 +234,8 @@ def _main_in_sentence(state: State) -> list[Mention]:
 def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     waiting = state.candidate is not None and not state.candidate_done
     if event.finite and waiting and state.candidate is not None:
-        if event.form == "ed" and anchor is not state.candidate and not auxiliary(state):
+        past = event.form == "ed" and anchor is not state.candidate and not auxiliary(state)
+        if past and not _resumes(event, anchor, state):
             event.finite = False
             event.subject = chain(anchor)
             return
@@ -229,6 +268,16 @@ def _by_doing(event: Event, last: Event, passed: Mention) -> bool:
         return False
     parked = any(m.cat == "state" for m in passed.mods)
     return event.name == "use" or (parked and event.name in _MOVING)
+
+
+def _resumes(event: Event, anchor: Mention, state: State) -> bool:
+    """``the car coming towards us began …``: the verb of the clause, not said of "us"."""
+    if anchor.pronoun in {"it", "him", "they"} or any("me" in h.data for h in anchor.heads):
+        return True
+    last = state.events[-1] if state.events else None
+    embedded = last is not None and last.object is anchor and last.form == "ing"
+    describing = event.name in _DESCRIBING | PASSIVE | {"stop"}
+    return embedded and not describing and not state.verb_follows
 
 
 def _pronoun_object(anchor: Mention, verb: Event) -> bool:

@@ -8,13 +8,16 @@ from scegen.understanding.choosing import choose, is_adverb
 from scegen.understanding.collectives import gather
 from scegen.understanding.labels import named_at
 from scegen.understanding.lexicon import Entry
+from scegen.understanding.nominal import ORDINALS
 from scegen.understanding.numbers import number_at
 from scegen.understanding.paces import pace_at, speed_at
 from scegen.understanding.particles import (
     after_a_phrase,
+    and_moves,
     in_front,
     just_right,
     lane_then_verb,
+    no_way,
     of_so_much,
     over_a_place,
     sends_back,
@@ -27,9 +30,10 @@ from scegen.understanding.quantities import quantity_at
 from scegen.understanding.retagging import retag
 from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
+from scegen.understanding.unnamed_roles import with_articles
 
 _NOUNS = ("actor", "place", "thing", "inert")
-_CROSSED = frozenset({"road", "lane", "path", "highway", "crosswalk"})
+_CROSSED = frozenset({"access", "road", "lane", "path", "highway", "crosswalk"})
 _STEERED = frozenset({"driven", "ridden"})
 _UNIT_WORDS = frozenset({"unit", "veh", "v"})
 
@@ -62,6 +66,8 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
         return suffix_form(token)
     if after_a_phrase(token, previous, tokens):
         return "s"
+    if and_moves(token, previous, tokens):
+        return suffix_form(token)
     return None
 
 
@@ -71,6 +77,9 @@ def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term | None)
         return False
     alone = longest_match(tokens[: i + 1], i)
     singular = previous is not None and previous.cat in {"det", "dir", "label"}
+    known = any(t.low == tokens[i].low for t in tokens[:i])  # "ego follows a bus; bus stops"
+    singular = singular or (known and (previous is None or previous.cat in {"punct", "conj"}))
+    singular = singular or (i > 0 and tokens[i - 1].low in ORDINALS)
     rest = longest_match(tokens, i + 1)
     verbal = rest is not None and rest.has("verb")
     return singular and verbal and alone is not None and alone.has("actor")
@@ -93,7 +102,7 @@ def tag(tokens: list[Token]) -> list[Term]:
         term = retag(term, terms, tokens)
         terms.append(term)
         i = terms[-1].j
-    return _crossings(gather(from_side_to_side(terms), tokens), tokens)
+    return with_articles(_crossings(gather(from_side_to_side(terms), tokens), tokens), tokens)
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:
@@ -161,6 +170,15 @@ def _needs_infinitive(tokens: list[Token], match: Match) -> bool:
     return following is None or not following.has("verb", "neg", "manner")
 
 
+def _cut(match: Match, tokens: list[Token], i: int) -> int | None:
+    """Where a phrase ends that has a word too many; None if it has not."""
+    if no_way(tokens, i, match):
+        return i + 1
+    if then_a_side(tokens, match) or of_so_much(tokens, match):
+        return match.j - 1  # "darts across from the left"
+    return None
+
+
 def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | None:
     """The phrase at a token, cut down where its words are no phrase here."""
     token = tokens[i]
@@ -173,8 +191,9 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
         match = longest_match(tokens[: i + 1], i)
     if match and token.low == "right" and match.only("sub") and _turning(previous):
         match = longest_match(tokens[: i + 1], i)  # "turns right when …"
-    if match and (then_a_side(tokens, match) or of_so_much(tokens, match)):
-        match = longest_match(tokens[: match.j - 1], i)  # "darts across from the left"
+    cut_at = _cut(match, tokens, i) if match else None
+    if cut_at is not None:
+        match = longest_match(tokens[:cut_at], i)
     if match and match.j > i + 1 and (then_a_noun(tokens, match) or over_a_place(tokens, match)):
         match = longest_match(tokens[: match.j - 1], i)
     if match and match.only("verb") and in_front(tokens, match):
@@ -216,7 +235,8 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     if match and not counted and (number is None or match.j > i + number.length):
         entry, premod = choose(match, tokens, previous)
         form = _own_form(entry, match, token)
-        if token.low == "about" and entry.cat == "verb" and (not previous or previous.cat != "aux"):
+        predicate = token.low == "about" or "predicate" in entry.data
+        if predicate and entry.cat == "verb" and (not previous or previous.cat != "aux"):
             form = "ing"  # "children about to cross": describes them
         return Term(entry.cat, entry.value, i, match.j, form, entry.data, premod)
     if number:

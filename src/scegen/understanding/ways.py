@@ -14,10 +14,14 @@ DIRECTIONS = {
 }
 BESIDE = frozenset({"adjacent", "left", "right"})
 """Which lane it is, seen from the one that somebody drives in."""
+_GOALS = frozenset({"side", "leg", "access"})
+"""What lies at one side of a junction, so that whoever goes there turns."""
 _OTHER = {"left": "right", "right": "left"}
 _KEEPING = frozenset({"keep", "stay", "remain", "stick", "hold", "continue"})
 _WAY = frozenset({"road", "lane", "path", "highway"})
 _TO_PASS = frozenset({"pull_out", "try", "accelerate", "lane_change", "swerve", "enter"})
+_LAMPS = frozenset({"indicator", "indicators", "blinker", "blinkers", "signal", "flasher", "lamp"})
+_LAMP_REACH = 6
 _THROUGH = frozenset({"through", "across"})
 
 
@@ -28,7 +32,8 @@ def directions(event: Event) -> dict[Maneuver, Basis]:
     }
     for prep in event.pps:
         target = prep.target
-        if prep.value in {"to", "into"} and isinstance(target, Place) and target.kind == "side":
+        leads_there = prep.value in {"to", "into", "for"}
+        if leads_there and isinstance(target, Place) and target.kind in _GOALS:
             across = _came_from(event) & {_OTHER.get(d, "") for d in target.dirs}
             if target.owner is not None:
                 continue  # "to the right of the bus": where it is
@@ -36,6 +41,11 @@ def directions(event: Event) -> dict[Maneuver, Basis]:
                 if value in {"left", "right"}:
                     way = Maneuver.STRAIGHT if across else DIRECTIONS[value]
                     found[way] = span(event, target.i, target.j)
+    goal = event.object
+    if isinstance(goal, Place) and goal.kind in _GOALS and event.name == "move":
+        found |= {
+            DIRECTIONS[d]: span(event, goal.i, goal.j) for d in goal.dirs if d in {"left", "right"}
+        }
     return found
 
 
@@ -59,7 +69,7 @@ def into_lane(event: Event) -> Place | None:
     """The lane or path that a movement ends in ("into the ego's path")."""
     for prep in event.pps:
         target = prep.target
-        goal = prep.value in {"into", "to"} and isinstance(target, Place)
+        goal = prep.value in {"into", "to", "for"} and isinstance(target, Place)
         if goal and isinstance(target, Place) and target.kind in {"lane", "path"}:
             return target
     direct = event.object
@@ -76,9 +86,18 @@ def next_lane(event: Event, context: Context) -> bool:
     lane = into_lane(event)
     ranked = lane is not None and lane.head is not None and "ranked" in lane.head.data
     beside = ranked or (lane is not None and lane.kind == "lane" and bool(BESIDE & set(lane.dirs)))
-    beside = beside or _into_a_gap(event)
+    beside = beside or _into_a_gap(event) or _from_the_next(event, lane, context)
     keeps = context.tokens[event.i].forms[-1][0] in _KEEPING
     return beside and not keeps and not context.junction.crossing
+
+
+def _from_the_next(event: Event, lane: Place | None, context: Context) -> bool:
+    """``the van next to it drifts into the same lane``: from beside, whatever lane it is."""
+    who = [e for m in event.subject for e in m.entities]
+    entered = any(p.target is lane and p.value == "into" for p in event.pps)
+    entered = entered or (event.name == "enter" and event.object is lane)
+    named = lane is not None and lane.kind == "lane" and "opposite" not in lane.dirs
+    return named and entered and any(context.placed(e, Approach.ADJACENT) for e in who)
 
 
 def _into_a_gap(event: Event) -> bool:
@@ -109,7 +128,22 @@ def only_signalled(event: Event, context: Context) -> bool:
     """``signals a right turn but carries straight on``: a turn that is not made."""
     after = [t.low for t in context.tokens[event.j : event.j + 2] if t.low != ","]
     signalled = event.parent is not None and event.parent.name == "inert"
+    before = {t.low for t in context.tokens[max(0, event.i - _LAMP_REACH) : event.i]}
+    signalled = signalled or (event.nominal and bool(before & _LAMPS))
     return signalled and after[:1] != [] and after[0] in {"but", "yet", "however", "though"}
+
+
+def without_arrow(context: Context) -> bool:
+    """``a plain green, no arrow``: nothing holds the oncoming traffic back.
+
+    Args:
+        context: the scenario in the making.
+    """
+    words = [t.low for t in context.tokens]
+    return any(
+        word in {"arrow", "arrows"} and {"no", "without", "nor"} & set(words[max(0, k - 3) : k])
+        for k, word in enumerate(words)
+    )
 
 
 def overtaking(scene: Scene, context: Context) -> bool:

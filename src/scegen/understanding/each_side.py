@@ -1,0 +1,61 @@
+"""``two cars, one from each side``: spelled out as one from the left and one from the right."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from scegen.understanding.chunks import Chunk, Mention, Place, Word
+from scegen.understanding.terms import Term
+from scegen.understanding.tokens import Token
+
+_EACH = frozenset({"each", "either", "every", "both"})
+_SIDES = frozenset({"side", "sides", "hand"})
+
+
+def both_sides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
+    """The chunks with "one from each side" spelled out.
+
+    Args:
+        chunks: the chunks of the text.
+        tokens: its tokens.
+    """
+    found: list[Chunk] = []
+    k = 0
+    while k < len(chunks):
+        one, word, place = (chunks[m] if m < len(chunks) else None for m in (k, k + 1, k + 2))
+        single = isinstance(one, Mention) and one.pronoun == "one"
+        either = isinstance(place, Word) and place.value == "either" and k + 3 < len(chunks)
+        length = 4 if either else 3
+        place = chunks[k + 3] if either else place
+        if (
+            single
+            and isinstance(one, Mention)
+            and isinstance(word, Word)
+            and word.cat == "prep"
+            and isinstance(place, Place)
+            and _each(place, tokens, either=either)
+            and any(isinstance(c, Mention) and _several(c) for c in chunks[:k])
+        ):
+            for value in ("left", "right"):
+                side = Term("dir", value, place.i, place.j)
+                joint = Word(Term("conj", "and", place.i, place.i))
+                found += [joint] if value == "right" else []
+                found += [
+                    Mention(one.i, one.j, list(one.mods), None, pronoun="one"),
+                    Word(replace(word.term, value="from")),
+                    Place(place.i, place.j, [side], place.head),
+                ]
+            k += length
+            continue
+        found.append(chunks[k])
+        k += 1
+    return found
+
+
+def _each(place: Place, tokens: list[Token], *, either: bool) -> bool:
+    words = {t.low for t in tokens[place.i : place.j]}
+    return place.kind == "side" and bool(words & _SIDES) and (either or bool(words & _EACH))
+
+
+def _several(mention: Mention) -> bool:
+    return bool(mention.heads) and mention.heads[-1].form == "s"
