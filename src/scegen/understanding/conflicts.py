@@ -43,7 +43,9 @@ def turn(scene: Scene, context: Context) -> None:
         kind = HazardKind.FAILURE_TO_YIELD
         if left and not sideways:
             kind = HazardKind.UNPROTECTED_LEFT_TURN
-        context.draft.hazard(kind, scene.words, scene.drivers)
+        ways = [p for p in scene.places() if p.kind == "path" and p.owner is not None]
+        to = [e for p in ways if p.owner is not None for e in p.owner.entities]
+        context.draft.hazard(kind, scene.words, scene.drivers, to)
         return
     fronts = (p for p in event.pps if p.word.cat == "locus" and p.value == "ahead")
     in_front = next((p for p in fronts if not leads(p, context)), None)

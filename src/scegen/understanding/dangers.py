@@ -5,7 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
-from scegen.understanding import breaches, conflicts, encounters, lane_moves, pulling_out, screens
+from scegen.understanding import (
+    breaches,
+    conflicts,
+    encounters,
+    lane_moves,
+    pulling_out,
+    screens,
+    side_roads,
+)
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
@@ -98,6 +106,8 @@ def stop(scene: Scene, context: Context) -> None:
     if any(p.value == "for" and isinstance(p.target, Mention) for p in scene.event.pps):
         return  # "stops for her"
     if scene.reaction or not scene.actors or any(e.ego for e in scene.actors):
+        return
+    if side_roads.stays_there(scene, context):
         return
     context.draft.hazard(HazardKind.STOPPING, sudden or scene.words, scene.actors)
 

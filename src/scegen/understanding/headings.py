@@ -189,7 +189,8 @@ def _is_heading(title: list[Chunk], rest: list[Chunk]) -> bool:
     )
     bare = all(c.pronoun is None and not _introduced(c) for c in title if isinstance(c, Mention))
     named = any(isinstance(c, Mention) and c.pronoun is None for c in rest)
-    return not spoken and bare and named and any(isinstance(c, Event) for c in rest)
+    told_of = _names_ego(rest) or any(isinstance(c, Event) for c in rest)
+    return not spoken and bare and named and told_of
 
 
 def _finite(chunk: Chunk) -> bool:
