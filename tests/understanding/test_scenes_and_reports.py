@@ -142,3 +142,51 @@ def test_who_drives_up_behind_a_walker_is_the_ego():
 def test_both_sides_of_the_ego_are_the_lanes_beside():
     text = "Two vans on either side of the ego drift towards its lane."
     assert seen(text) == [("van", {"adjacent"})] * 2
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("V1's front struck the back of V2, which was slowing.", [("car", {"ahead"})]),
+        ("The front of V2 hit the rear of V1. V1 was a van.", [("van", {"ahead"})]),
+        ("V1 was northbound in lane one of a motorway. V2 was northbound in lane two and changed "
+         "lanes. V2's right side contacted V1's left side.", [("car", {"adjacent"})]),
+    ],
+)  # fmt: skip
+def test_parts_of_vehicles_that_touch(text, expected):
+    assert seen(text) == expected
+
+
+def test_a_text_without_articles_is_about_its_first_vehicle():
+    text = "Vehicle is turning right and cuts across the path of another vehicle at a junction."
+    assert does(text) == {"right"}
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("A slow convoy of trucks comes up ahead of the ego.", {"slow_driving"}),
+        ("A skateboarder rolls off the kerb in front of the ego.", {"crossing_pedestrian"}),
+        ("V2 had slowed down. V1 did not notice and its front struck V2's back.",
+         {"delayed_braking"}),
+        ("A van overtakes the ego and returns to its lane too soon.", {"overtaking", "cut_in"}),
+        ("The ego passes a car parked with a flat tyre.", set()),
+    ],
+)  # fmt: skip
+def test_more_dangers(text, expected):
+    assert dangers(text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("The ego reacts to a cut-in by a van from the left lane.", {"straight"}),
+        ("The ego waits at the light; when it turns green, a bus from the left is still crossing.",
+         {"straight"}),
+        ("A parked bus blocks the lane of the ego; the ego turns on its hazard lights.",
+         {"straight"}),
+        ("The ego reverses in a car park behind a van.", {"straight"}),
+    ],
+)  # fmt: skip
+def test_what_the_ego_does_not_do(text, expected):
+    assert does(text) == expected

@@ -105,7 +105,8 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     if names_a_measure(match, tokens, previous):
         return match.get("inert"), False
     if match.has(*_NOUNS) and match.form in {"base", "s"} and _noun_slot(match, tokens, previous):
-        return match.get(*_NOUNS), False
+        part = match.has("dir") and match.get("dir").value == "rear" and before != "manner"
+        return match.get("dir") if part else match.get(*_NOUNS), False  # "hit the back of it"
     if match.has("dir") and match.form == "base" and not _second_verb(match, tokens, previous):
         return match.get("dir"), False
     return verb, False

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
@@ -9,6 +11,7 @@ _GATHERING = frozenset({"stream", "flow", "line", "queue", "row", "column", "str
                         "convoy", "platoon", "crowd", "tailback", "wave", "procession", "chain",
                         "file", "cluster", "bunch", "number", "series", "succession"})  # fmt: skip
 _DESCRIBING = frozenset({"unknown", "inert", "label", "manner", "noted", "state", "verb"})
+_TOLD = frozenset({"manner", "state", "verb", "noted"})
 _MOST_ADJECTIVES = 3
 _OPENERS = frozenset({"det", "possessive"})
 
@@ -28,15 +31,18 @@ def gather(terms: list[Term], tokens: list[Token]) -> list[Term]:
             found.append(terms[k])
             k += 1
             continue
+        described: list[Term] = []
         while found and _adjective(found[-1], tokens) and _opened(found):
-            found.pop()
+            described.insert(0, found.pop())
         opener = found[-1] if found and found[-1].cat in _OPENERS else None
         if opener is not None:
             found.pop()
         start = opener.i if opener is not None else terms[k].i
         definite = opener is not None and (opener.cat == "possessive" or opener.value == "def")
         kind = ("det", "def") if definite else ("quant", "vague")
-        found.append(Term(*kind, start, merged))
+        told = [t for t in described if t.cat in _TOLD]  # "a slow convoy of lorries" is slow
+        found.append(Term(*kind, start, told[0].i if told else merged))
+        found += told[:-1] + ([replace(told[-1], j=merged)] if told else [])
         k += 2
     return found
 

@@ -124,6 +124,9 @@ def _driven_up_to(scene: Scene, context: Context) -> None:
     ends = [event.object, *(p.target for p in event.pps)]
     owners = [c.owner for c in ends if isinstance(c, Place) and "rear" in c.dirs and c.owner]
     targets += [e for m in owners for e in m.entities if e not in (*scene.actors, *targets)]
+    struck = event.object
+    if _from_the_rear(scene, context) and isinstance(struck, Place) and struck.owner is not None:
+        targets += [e for e in struck.owner.entities if e not in scene.actors]
     driver = scene.drivers[0]
     if any(e.ego for e in targets):
         _comes_towards(scene, driver, context)

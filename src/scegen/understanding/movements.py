@@ -176,7 +176,7 @@ def _onto_road(event: Event) -> bool:
     """The road itself, a crosswalk or somebody's way is crossed, not a junction."""
     places = [event.object, *(p.target for p in event.pps)]
     kinds = {p.kind for p in places if isinstance(p, Place)}
-    return bool(kinds & {"road", "crosswalk", "lane", "path", "highway"}) or (
+    return bool(kinds & {"road", "crosswalk", "lane", "path", "highway", "centerline"}) or (
         not kinds and event.object is None
     )
 

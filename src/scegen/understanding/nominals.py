@@ -161,7 +161,9 @@ def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) 
         return
     last = state.events[-1] if state.events else None
     done_by = {"by", "of", "for"} if last and last.name in _TURNS else {"by", "of"}
-    if last and last.nominal and prep.value in done_by and not last.subject:
+    undergone = any(e.passive for e in state.events[-2:-1])  # "is forced into a stop by a van"
+    doer = prep.value == "by" and state.anchor is last and not undergone
+    if last and last.nominal and prep.value in done_by and (doer or not last.subject):
         last.subject = [mention]
     named = prep.value in {"with", "due", "against"}
     if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:

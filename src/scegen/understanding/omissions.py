@@ -37,7 +37,7 @@ def not_done(scene: Scene, context: Context) -> None:
         _unable(scene, context)
     elif event.name in _SEEING and breaches.breach(scene, context):
         return
-    elif event.name in _SEEING and scene.how("late") is not None and scene.drivers:
+    elif event.name in _SEEING and _late(scene) and scene.drivers:
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name == "yield":
         breaches.fail_to_yield(scene, context)
@@ -59,6 +59,11 @@ def not_done(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.OCCLUSION, basis, [])
     elif event.name not in _HARMLESS:
         context.draft.note(event.i, event.j, "said not to happen; left out")
+
+
+def _late(scene: Scene) -> bool:
+    """``did not notice it in time``, ``did not see it and struck its rear``."""
+    return scene.event.late or scene.how("late") is not None
 
 
 def _unable(scene: Scene, context: Context) -> None:

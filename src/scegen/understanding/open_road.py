@@ -55,15 +55,17 @@ def abreast(draft: Draft, ego: Entity) -> None:
 
 
 def both_change_lanes(draft: Draft, ego: Entity) -> None:
-    """Who changes lanes at the same time as the ego comes from another lane.
+    """Who changes lanes as the ego does, or along the same road, comes from another lane.
 
     Args:
         draft: the scenario in the making, positions settled.
         ego: its ego.
     """
     placed = {p.entity.index for p in draft.placements}
-    for entity in draft.entities if Maneuver.LANE_CHANGE in ego.maneuvers else []:
-        if entity is ego or entity.approaches or entity.index in placed:
+    both = Maneuver.LANE_CHANGE in ego.maneuvers
+    for entity in draft.entities:
+        along = entity.heading is not None and entity.heading == ego.heading
+        if entity is ego or entity.approaches or entity.index in placed or not (both or along):
             continue
         if Maneuver.LANE_CHANGE in entity.maneuvers:
             entity.approaches = {Approach.ADJACENT}

@@ -69,6 +69,9 @@ def then_a_noun(tokens: list[Token], match: Match) -> bool:
     if not all(e.cat in _GIVES and e.value in {"straight", "move", "inert"} for e in match.entries):
         return False
     noun = longest_match(tokens, match.j)
+    lamps = noun is not None and noun.has("possessive") and match.only("verb")
+    if lamps and all(e.value == "inert" for e in match.entries):
+        return False  # "turns on its lights"
     return noun is not None and noun.has(*_OPENS_A_NOUN)
 
 

@@ -87,10 +87,6 @@ def _between_lanes(approaches: frozenset[Approach], event: Event | None) -> froz
     return _BY_DIR["adjacent"] if sideways and approaches == _BY_DIR["lateral"] else approaches
 
 
-def _compass(place: Place) -> Term | None:
-    return next((m for m in place.mods if m.cat == "compass"), None)
-
-
 def _differ(place: Place) -> bool:
     """``different arms``, ``each from a different direction``."""
     apart = any(m.value in {"different", "another"} for m in place.mods)
@@ -167,7 +163,7 @@ class Placer:
         self, prep: Prep, target: Place, entities: list[Entity], event: Event | None
     ) -> None:
         basis = Basis(prep.word.i, target.j)
-        compass = _compass(target)
+        compass = target.mod("compass")
         if compass is not None and prep.value in {"from", "to", "in"}:
             bound = "bound" in compass.data  # "from southbound Elm Street"
             back = prep.value == "from" and not bound

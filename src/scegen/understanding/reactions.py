@@ -6,6 +6,7 @@ from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context
 
 _BRAKING = frozenset({"brake", "slow", "stop"})
+_NOTICING = frozenset({"encounter", "overlook", "react"})
 _REAR = frozenset({"rear", "back"})
 
 
@@ -39,7 +40,7 @@ def mark_late(events: list[Event], context: Context) -> None:
     rear_ends = [e for e in hits if into_rear(e, context)]
     stood = [e for e in hits if _into_one_of(e, standing)]
     for event in events:
-        if event.name in _BRAKING and not event.nominal:
+        if event.name in _BRAKING | _NOTICING and not event.nominal:
             failed = event.link != "ing"  # unlike "rode on without stopping and hit it"
             event.late = any(_together(event, e) for e in (*rear_ends, *(stood if failed else ())))
 

@@ -37,12 +37,11 @@ def recast(scene: Scene, context: Context) -> str:
         return "turn"
     if event.name == "walk" and scene.drivers and _runs_it(scene, context):
         return "breach"
-    if event.name == "move" and scene.walkers and "across" in _own(scene, context):
-        return "cross"
     if event.name == "pass" and not scene.targets and _into_next_lane(event):
         return "lane_change"
-    if event.name in _OUT and scene.actors and not any(e.is_vehicle for e in scene.actors):
-        return "cross" if not _around(scene, context) else "walk"
+    afoot = _on_foot(scene, context)
+    if afoot is not None:
+        return afoot
     driven = _driven(scene, context) if scene.drivers else None
     if driven is not None:
         return driven
@@ -72,6 +71,19 @@ def _driven(scene: Scene, context: Context) -> str | None:
         return "bypass"
     lane = isinstance(event.object, Place) and event.object.kind == "lane"
     return "move" if event.name == "breach" and lane else None  # "through the opposite lane"
+
+
+def _on_foot(scene: Scene, context: Context) -> str | None:
+    """What people on foot do who move, jump out, or roll off the kerb; None for all else."""
+    name = scene.event.name
+    if name == "move" and scene.walkers and "across" in _own(scene, context):
+        return "cross"
+    if not scene.actors or any(e.is_vehicle for e in scene.actors):
+        return None
+    if name in _OUT:
+        return "cross" if not _around(scene, context) else "walk"
+    off = name == "lose_control" and any(p.kind == "sidewalk" for p in scene.places())
+    return "cross" if off else None
 
 
 def _into_next_lane(event: Event) -> bool:

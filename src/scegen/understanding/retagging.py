@@ -12,6 +12,7 @@ from scegen.understanding.terms import Term, longest_match
 from scegen.understanding.tokens import Token
 from scegen.understanding.unnamed_roles import role_alone
 
+_COLOURS = frozenset({"green", "red", "yellow", "amber"})
 _SHORT = frozenset({"only", "half", "within", "of", "just", "barely", "than", "for", "about",
                     "under", "in"})  # fmt: skip
 
@@ -31,8 +32,7 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         term = Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
     if (term.cat, tokens[term.i].low) == ("possessive", "her") and _alone(tokens, term.j):
         term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
-    if _moment(tokens, term):
-        term = Term("inert", "noun", term.i, term.j)
+    term = _of_lights_and_times(term, tokens)
     if term.value == "genitive":
         term = _shortened(term, terms, tokens)
     term = role_alone(term, terms, tokens)
@@ -44,8 +44,10 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     if names_a_turn(term, terms, tokens):
         term = replace(term, cat="verb", value="turn", form="base", data={"way": term.value})
     term = _near_or_far(term, tokens)
-    if (term.cat, term.value, term.form) == ("verb", "slow", "base") and doing(tokens, term.i):
-        term = replace(term, cat="manner", data={})  # "going really slow"
+    slow = (term.cat, term.value, term.form) == ("verb", "slow", "base")
+    opened = bool(terms) and terms[-1].cat in {"det", "possessive"} and _word_at(tokens, term.j)
+    if slow and (opened or doing(tokens, term.i)):
+        term = replace(term, cat="manner", data={})  # "a slow convoy", "going really slow"
     if _speed(term) and doing(tokens, term.i):
         _as_motion(terms, tokens)
     if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
@@ -56,6 +58,26 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
 _NEAR_OR_FAR = {"near": "near", "nearer": "near", "far": "far", "farther": "far", "further": "far"}
 _KERBS = frozenset({"kerb", "curb", "pavement", "sidewalk", "verge", "footpath", "footway",
                     "roadside"})  # fmt: skip
+
+
+def _of_lights_and_times(term: Term, tokens: list[Token]) -> Term:
+    if _changes_colour(tokens, term):
+        return replace(term, value="inert", data={})
+    return Term("inert", "noun", term.i, term.j) if _moment(tokens, term) else term
+
+
+def _changes_colour(tokens: list[Token], term: Term) -> bool:
+    """``when it turns green``: the light does."""
+    lit = (term.cat, term.value) == ("verb", "turn") and term.j < len(tokens)
+    return lit and tokens[term.j].low in _COLOURS
+
+
+def _word_at(tokens: list[Token], j: int) -> bool:
+    """Whether a word that may be a noun stands there."""
+    if j >= len(tokens) or tokens[j].kind != "word":
+        return False
+    found = longest_match(tokens, j)
+    return found is None or not found.has("prep", "conj", "aux", "sub", "locus")
 
 
 def _moment(tokens: list[Token], term: Term) -> bool:

@@ -88,6 +88,8 @@ def _carried(thing: Thing, chunks: list[Chunk]) -> bool:
     k = next(k for k, c in enumerate(chunks) if c is thing)
     who = chunks[k - 2] if k > 1 else None
     along = thing.prep is not None and thing.prep.value == "with"
+    if along and thing.head is not None and "part" in thing.head.data:
+        return True  # "parked with a flat tyre"
     return along and isinstance(who, Mention) and any(not e.is_vehicle for e in who.entities)
 
 

@@ -8,6 +8,7 @@ from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.resolving import each_side
 
+_WITHIN = frozenset({"in", "inside", "within", "through", "near", "around", "past", "by"})
 _LEAVING = frozenset({"reverse", "pull_out", "leave", "unpark"})
 _COMING = frozenset({"move", "approach", "appear", "enter"})
 
@@ -44,10 +45,13 @@ def access(scene: Scene, context: Context) -> None:
         for p in m.pps
         if p.value in {"from", "in"} and isinstance(p.target, Place) and p.target.kind == "access"
     ]  # "a van from a side road nudges out"
+    within = {id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low in _WITHIN}
     for place in (*scene.places(), *described):
         if place.kind == "lane" and "adjacent" in place.dirs:
             basis = Basis(place.i, place.j)
             context.lanes_implied(basis, "there is a lane beside")
+        if id(place) in within:
+            continue  # "reverses in a car park": in it, not out of it
         left = place.kind in {"bus_stop", "parking"} and scene.event.name in _LEAVING
         aside = place.kind == "sidewalk" and place is scene.event.object
         if place.kind == "access" or left or aside:

@@ -97,6 +97,12 @@ def before_by(event: Event, state: State) -> None:
 
 def _said_of_a_thing(event: Event, state: State) -> None:
     """``the view is blocked by a van``: nobody acts but who stands after "by"."""
+    parts = state.topic if isinstance(state.topic, NounPhrase) else None
+    if parts is not None and event.name == "collide" and "aux:be" not in state.between:
+        own = any(m.cat == "possessive" and m.value == "its" for m in parts.mods)
+        event.subject = [parts.owner] if parts.owner is not None else state.main if own else []
+        state.topic = None
+        return  # "the front of the van struck …", "its front struck …"
     passive = event.form == "ed" or (event.form == "base" and event.name in PASSIVE)
     if passive and "aux:be" in state.between:
         event.passive, event.object = event.name in PASSIVE, state.topic

@@ -6,7 +6,8 @@ from scegen.scenario.functional import Junction
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Basis, Draft, Entity
 
-_OUT_OF_THE_ACCESS = frozenset({HazardKind.FAILURE_TO_YIELD, HazardKind.REVERSING})
+_OUT_OF_THE_ACCESS = frozenset({HazardKind.FAILURE_TO_YIELD, HazardKind.REVERSING,
+                                HazardKind.CROSSING_CYCLIST})  # fmt: skip
 
 
 def maneuvers_of(entity: Entity, junction: Junction, draft: Draft) -> set[Maneuver]:

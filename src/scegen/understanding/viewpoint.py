@@ -7,6 +7,7 @@ from scegen.understanding.draft import Basis, Danger, Draft, Entity, Placement
 from scegen.understanding.mutual import allow, face_each_other, in_file
 from scegen.understanding.placing import INVERSE
 
+_BARE = frozenset({"vehicle", "car", "driver", "truck", "van", "bus", "motorcycle"})
 _COMPASS = ("north", "east", "south", "west")
 _SEEN = {1: Approach.LEFT, 2: Approach.OPPOSITE, 3: Approach.RIGHT}
 """Quarter turns clockwise from the ego's heading to the other's -> where the other comes from."""
@@ -37,6 +38,10 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     candidates = motor or riders
     if not candidates:
         return _added(draft, "the text names no moving vehicle; a car is added as the ego")
+    told = next((e for e in candidates if _told_of(e, draft)), None)
+    if told is not None:
+        told.ego = True
+        return told, Basis(reason="the text names no ego; it is about this vehicle")
     last = next((e for e in candidates if _placed(draft, e, Approach.BEHIND)), None)
     if last is not None and any(_placed(draft, e, Approach.AHEAD) for e in candidates):
         last.ego = True
@@ -54,6 +59,13 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     chosen, reason = _designate(draft, candidates)
     chosen.ego = True
     return chosen, Basis(reason=f"the text names no ego; {reason}")
+
+
+def _told_of(entity: Entity, draft: Draft) -> bool:
+    """``Vehicle is turning left at …``: the one that a text without articles begins with."""
+    i, j = entity.basis.i, entity.basis.j
+    first = draft.tokens[0].low if draft.tokens else ""
+    return i == 0 and j == 1 and first in _BARE
 
 
 def _added(draft: Draft, reason: str) -> tuple[Entity, Basis]:
