@@ -123,7 +123,7 @@ def _by_word(mention: Mention, word: Token) -> None:
     party = any("party" in h.data for h in mention.heads)
     if base in _CYCLING and mention.heads:
         mention.goes_by = ParticipantKind.BICYCLE
-    elif base in _WALKING and party:
+    elif base in _WALKING and (party or any("driver" in h.data for h in mention.heads)):
         mention.goes_by = ParticipantKind.PEDESTRIAN
 
 
