@@ -190,3 +190,27 @@ def test_more_dangers(text, expected):
 )  # fmt: skip
 def test_what_the_ego_does_not_do(text, expected):
     assert does(text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("The ego turns right; a cyclist comes from behind and crosses the street without slowing.",
+         {"crossing_cyclist"}),
+        ("The car ahead of the ego slows down to let a bus merge.", {"merging_conflict"}),
+        ("A lorry with an open tailgate is parked beside a bus.", set()),
+        ("A van in the next lane leaves it and moves back into the ego's lane.", {"cut_in"}),
+    ],
+)  # fmt: skip
+def test_what_is_no_danger_of_its_own(text, expected):
+    assert dangers(text) == expected
+
+
+def test_a_sign_that_somebody_holds_regulates_no_junction():
+    text = "A worker with a stop sign steps onto the road in front of the ego."
+    assert read(text).junction.arms == 2
+
+
+def test_a_turn_signal_is_no_turn():
+    text = "An oncoming van approaches with its left turn signal on but goes straight."
+    assert next(p.maneuvers for p in read(text).participants) == {"straight"}

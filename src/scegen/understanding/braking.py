@@ -50,7 +50,8 @@ def _gentle(scene: Scene, context: Context) -> bool:
 
 def slow(scene: Scene, context: Context) -> None:
     """Slowing down is hard braking when sudden, or when the vehicle ahead does it."""
-    if not scene.drivers:
+    lets = any(c.name == "cause" for c in scene.event.children)  # "slows down to let her cross"
+    if not scene.drivers or (lets and scene.sudden is None):
         return
     sudden = scene.sudden
     leads = any(

@@ -12,6 +12,7 @@ from scegen.understanding import (
     encounters,
     lane_moves,
     pulling_out,
+    returning,
     screens,
 )
 from scegen.understanding.chunks import Mention
@@ -19,8 +20,6 @@ from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
 from scegen.understanding.walking import keep_along
 from scegen.understanding.ways import against, into_lane
-
-_HASTY = frozenset({"early", "soon", "closely", "close", "tightly"})
 
 
 def accelerate(scene: Scene, context: Context) -> None:
@@ -124,17 +123,6 @@ def swerve_around(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.SWERVING, scene.words, others, scene.targets)
 
 
-def pull_back(scene: Scene, context: Context) -> None:
-    """``overtakes the ego and moves back in too early``: a cut-in."""
-    others = [e for e in scene.drivers if not e.ego and Maneuver.OVERTAKE in e.maneuvers]
-    last = context.tokens[scene.event.j - 1].low
-    in_front = any(p.word.cat == "locus" and p.value == "ahead" for p in scene.event.pps)
-    hasty = any(context.tokens[m.j - 1].low in _HASTY for m in scene.event.mods)
-    lane = any(p.kind == "lane" for p in scene.places())  # "returned to its lane too soon"
-    if others and (in_front or ((last == "in" or lane) and hasty) or scene.sudden is not None):
-        context.draft.hazard(HazardKind.CUT_IN, scene.words, others)
-
-
 def reverse(scene: Scene, context: Context) -> None:
     """Driving backwards."""
     context.draft.hazard(HazardKind.REVERSING, scene.words, scene.drivers)
@@ -193,7 +181,7 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "crawl": crawl,
     "bypass": swerve_around,
     "undertake": undertake,
-    "return": pull_back,
+    "return": returning.pull_back,
     "use": breaches.take_priority,
     "reverse": reverse,
     "lose_control": lose_control,

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from scegen.errors import InfeasibleError
 from scegen.scenario.functional import ARM_COUNTS, MAX_ARMS
 from scegen.scenario.vocabulary import Control, JunctionKind
+from scegen.understanding import absent
 from scegen.understanding.angles import kind_of
 from scegen.understanding.draft import Basis
 from scegen.understanding.terms import Term
@@ -83,7 +84,7 @@ def read_junction(terms: list[Term], tokens: list[Token]) -> JunctionReading:
             _shape(reading, terms, k, tokens)
         elif term.cat == "cue":
             _set_kind(reading, JunctionKind.SKEWED, Basis(term.i, term.j), override=True)
-        elif term.cat == "control" and not _negated(terms, k):
+        elif term.cat == "control" and not absent.negated(terms, k):
             _set_control(reading, Control(term.value), Basis(term.i, term.j))
         elif term.cat == "angles":
             reading.angles_deg = term.data["degrees"]
@@ -93,15 +94,6 @@ def read_junction(terms: list[Term], tokens: list[Token]) -> JunctionReading:
     _shaped_by_angles(reading)
     _reconcile(reading, tokens)
     return reading
-
-
-def _negated(terms: list[Term], k: int) -> bool:
-    """``no traffic lights``, ``without a stop sign``."""
-    before = terms[max(0, k - 3) : k]
-    return any(
-        (t.cat == "det" and t.value == "negative") or (t.cat == "prep" and t.value == "without")
-        for t in before
-    )
 
 
 def _out_of_order(terms: list[Term], k: int, tokens: list[Token]) -> bool:
@@ -120,7 +112,9 @@ def _out_of_order(terms: list[Term], k: int, tokens: list[Token]) -> bool:
 def _place(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Token]) -> None:
     term = terms[k]
     basis = Basis(term.i, term.j)
-    if term.value == "junction" and (_away_from(terms, k) or _none_named(terms, k, tokens)):
+    if term.value == "junction" and (
+        absent.away_from(terms, k) or absent.none_named(terms, k, tokens)
+    ):
         return
     if term.value == "junction":
         reading.named = reading.named or basis
@@ -134,29 +128,17 @@ def _place(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Tok
         if before is not None and before.value == "straight":
             reading.straight = Basis(before.i, term.j)
     control = term.data.get("control")
+    if term.value == "stop_sign" and absent.held(terms, k):
+        return
     lamps = control == Control.SIGNALS and term.form == "s"
     if lamps and k and terms[k - 1].cat == "possessive":
         return  # "its lights" are a vehicle's
     if control == Control.SIGNALS and _out_of_order(terms, k, tokens):
         _set_control(reading, Control.UNCONTROLLED, basis)
-    elif control and _negated(terms, k):
+    elif control and absent.negated(terms, k):
         _set_control(reading, Control.UNCONTROLLED, Basis(terms[k - 1].i, term.j))
     elif control:
         _set_control(reading, Control(control), basis)
-
-
-def _away_from(terms: list[Term], k: int) -> bool:
-    """``outside a junction``: the road between junctions."""
-    before = [t for t in terms[max(0, k - 3) : k] if t.cat not in {"det", "shape"}]
-    return bool(before) and before[-1].value == "outside"
-
-
-def _none_named(terms: list[Term], k: int, tokens: list[Token]) -> bool:
-    """``no junction``: none right there."""
-    before = terms[k - 1] if k else None
-    if before is not None and tokens[before.i].low in {"non", "mid"}:
-        return True  # "at a non-junction location"
-    return before is not None and (before.cat, before.value) == ("det", "negative")
 
 
 def _shape(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Token]) -> None:

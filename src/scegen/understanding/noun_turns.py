@@ -51,4 +51,6 @@ def _bare(tokens: list[Token], term: Term) -> bool:
     following = longest_match(tokens, term.j) if term.j < len(tokens) else None
     if following is not None and tokens[term.j].low in {"of", "side", "hand"}:
         return False
-    return following is None or not following.has("verb", "place", "actor", "dir", "locus")
+    return following is None or not following.has(
+        "verb", "place", "actor", "dir", "locus", "noted", "thing"
+    )

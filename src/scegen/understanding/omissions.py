@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, Control, HazardKind
+from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver
 from scegen.understanding import breaches
 from scegen.understanding.chunks import Mention, Thing
 from scegen.understanding.context import Context, Scene
@@ -90,8 +90,8 @@ def _unable(scene: Scene, context: Context) -> None:
 
 def _no_distance(scene: Scene, context: Context) -> bool:
     """``does not keep a safe distance``."""
-    kept = scene.event.object
-    named = isinstance(kept, Thing) and context.tokens[kept.j - 1].low in {"distance", "gap"}
+    after = {t.low for t in context.tokens[scene.event.j : scene.event.j + _PHRASE]}
+    named = isinstance(scene.event.object, Thing) and bool(after & {"distance", "gap"})
     if scene.event.name not in {"move", "match"} or not named or not scene.drivers:
         return False
     context.draft.hazard(HazardKind.TAILGATING, scene.words, scene.drivers)
@@ -166,7 +166,9 @@ def _behind_or_late(scene: Scene, context: Context) -> bool:
         return False
     late = any(context.tokens[m.j - 1].low == "time" for m in scene.event.mods)
     late = late or scene.event.late
-    return late or all(context.placed(e, Approach.BEHIND) for e in scene.drivers)
+    crosses = any(Maneuver.CROSS in e.maneuvers or context.crosses(e) for e in scene.drivers)
+    behind = all(context.placed(e, Approach.BEHIND) for e in scene.drivers)
+    return late or (behind and not crosses)
 
 
 def _has_to_wait(scene: Scene, context: Context) -> bool:
