@@ -69,3 +69,35 @@ def test_a_light_that_turns_is_nobody_who_turns():
     assert ego_of("With the light just turned green, the ego goes straight.").maneuvers == {
         Maneuver.STRAIGHT
     }
+
+
+def test_red_for_the_cross_street_binds_who_comes_from_there():
+    text = (
+        "The light is red for the cross street, yet a van from the left races across the junction."
+    )
+    assert HazardKind.RED_LIGHT_RUNNING in hazards_of(text)
+
+
+def test_whoever_goes_out_of_turn_does_not_yield():
+    text = "The ego was first at the four-way stop, but the van on its right pulls out."
+    assert HazardKind.FAILURE_TO_YIELD in hazards_of(text)
+
+
+def test_a_turn_without_an_arrow_is_unprotected():
+    text = "The ego turns left at the signals; there is no arrow, and a bus comes towards it."
+    assert HazardKind.UNPROTECTED_LEFT_TURN in hazards_of(text)
+
+
+def test_numbers_above_the_limit_are_speeding():
+    assert HazardKind.SPEEDING in hazards_of("V1 drove at 80 km/h in a 50 km/h zone.")
+    assert HazardKind.SPEEDING not in hazards_of("V1 drove at 50 km/h in a 50 km/h zone.")
+
+
+def test_a_turn_as_well_is_the_same_turn():
+    text = "At a crossroads the ego turns right. The van ahead is turning as well and stalls."
+    assert other_of(text).maneuvers == {Maneuver.RIGHT}
+
+
+def test_parts_of_vehicles_are_no_obstacles():
+    assert HazardKind.OBSTACLE not in hazards_of("The truck suffered a burst tyre and swerved.")
+    assert HazardKind.OBSTACLE in hazards_of("There is a tyre in the ego's lane.")

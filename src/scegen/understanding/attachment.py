@@ -2,7 +2,16 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, Word
+from scegen.understanding.chunks import (
+    Chunk,
+    Event,
+    Mention,
+    NounPhrase,
+    Place,
+    Prep,
+    Thing,
+    Word,
+)
 from scegen.understanding.lookahead import GOVERNING, finite_follows
 from scegen.understanding.state import State
 
@@ -194,6 +203,9 @@ def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
     if not placed and not (locus and isinstance(target, Mention | Thing)):
         return None
     m += 1
+    owned = chunks[m] if m < len(chunks) else None
+    if isinstance(target, Mention) and target.possessor and isinstance(owned, NounPhrase):
+        m += 1  # "behind the ego's bumper"
     aside = isinstance(target, Place) and target.kind == "access" and _is(chunks, m, "in")
     side = chunks[m + 1] if aside and m + 1 < len(chunks) else None
     if isinstance(side, Place) and side.kind == "side":

@@ -24,6 +24,9 @@ _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
 
 def _attributive(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     """Whether a participle stands before the noun that it describes."""
+    owned = previous is not None and previous.cat in {"det", "possessive"}
+    if owned and match.form == "base" and _of_a_doing(match, tokens):
+        return True
     if not (_may_describe(previous) and noun_follows(tokens, match.j)):
         return False
     following = longest_match(tokens, match.j)
@@ -129,6 +132,12 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> b
     if previous.cat == "dir" and match.get("verb").value == "inert" and _way_at(tokens, match.j):
         return True  # "a car from the front signals right"
     return one or sided
+
+
+def _of_a_doing(match: Match, tokens: list[Token]) -> bool:
+    """``its slow turn``: how it is done, although "slow" is a verb, too."""
+    doing = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    return match.has("manner") and doing is not None and doing.has("verb") and doing.form == "base"
 
 
 def _creeps(match: Match, tokens: list[Token], side: Term | None) -> bool:

@@ -14,6 +14,7 @@ from scegen.understanding.nominal import (
     ORDINALS,
     WAYS,
     compound_end,
+    ego_owns,
     governed,
     has_dir,
     is_nominal,
@@ -26,7 +27,6 @@ from scegen.understanding.tokens import Token
 _MODIFIERS = frozenset(
     {"dir", "state", "label", "noted", "shape", "control", "compass", "roadmod", "cue", "quantity"}
 )
-_OWNED = frozenset({"lane", "path", "side"})
 _MAX_MODS = 10
 _SIDE_WORDS = 2
 _COMING_FROM = frozenset({"opposite", "ahead", "behind", "lateral", "adjacent"})
@@ -274,8 +274,7 @@ class Chunker:
         named = Namer(self._terms, self._tokens)
         m = named.single(mention, m)
         following = self._terms[m] if m < len(self._terms) else None
-        owns = following is not None and following.cat == "place" and following.value in _OWNED
-        mention.possessor = owns and any(h.data.get("ego") for h in heads)  # "the ego lane"
+        mention.possessor = ego_owns(heads, following)
         self._chunks.append(mention)
         further, m = named.further(mention, m)
         self._chunks += further

@@ -15,6 +15,7 @@ from scegen.understanding.ways import (
     leads,
     next_lane,
     overtaking,
+    without_arrow,
 )
 
 _ACROSS = {"left": Maneuver.LEFT, "right": Maneuver.RIGHT}
@@ -30,6 +31,7 @@ def turn(scene: Scene, context: Context) -> None:
         return
     left = _ACROSS[context.across] in directions(event)
     lit = any(m.value == "unprotected" for p in scene.places() for m in p.mods)
+    lit = lit or without_arrow(context)
     unprotected = scene.how("unprotected") or (scene.words if lit else None)
     if unprotected is not None and left:
         context.draft.hazard(HazardKind.UNPROTECTED_LEFT_TURN, scene.words, scene.drivers)
@@ -74,6 +76,10 @@ def lane_change(scene: Scene, context: Context) -> None:
     if not scene.drivers:
         return
     sudden = scene.how("sudden", "emergency", "aggressive")
+    met = scene.event.object
+    if isinstance(met, Mention) and "opposite" in met.dirs:
+        context.draft.hazard(HazardKind.ONCOMING_LANE, scene.words, scene.drivers)
+        return  # "crosses into oncoming traffic"
     lane = into_lane(scene.event)
     owners = _owners(lane, scene, context)
     in_front = [p for p in scene.event.pps if p.word.cat == "locus" and p.value == "ahead"]

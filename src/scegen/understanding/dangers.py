@@ -24,7 +24,11 @@ from scegen.understanding.ways import against, into_lane
 
 def accelerate(scene: Scene, context: Context) -> None:
     """Speeding up is a danger unless it is an answer to one."""
-    if not scene.reaction and scene.drivers and scene.how("slow") is None:
+    starts = any(p.kind == "signal" for p in scene.places()) and scene.sudden is None
+    starts = starts and any(
+        p.value in {"from", "outside"} for p in scene.event.pps
+    )  # "away from a light"
+    if not (scene.reaction or starts) and scene.drivers and scene.how("slow") is None:
         basis = scene.sudden or scene.words
         context.draft.hazard(HazardKind.SUDDEN_ACCELERATION, basis, scene.drivers)
 
@@ -137,7 +141,7 @@ def lose_control(scene: Scene, context: Context) -> None:
 def park(scene: Scene, context: Context) -> None:
     """``parked in its lane``: whoever drives there has to get past it."""
     lanes = [p for p in scene.places() if p.kind == "lane"]
-    driven = any(p.owner is not None or any(m.cat == "possessive" for m in p.mods) for p in lanes)
+    driven = any(not {"adjacent", "opposite", "lateral"} & set(p.dirs) for p in lanes)
     parked = [e for e in scene.actors if e.parked]
     if driven and parked:
         context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)

@@ -19,7 +19,7 @@ _UNDERWAY = frozenset({"use", "enter", "bypass", "pass", "move", "turn", "leave"
 _CYCLING = frozenset({"cycle", "pedal"})
 _WALKING = frozenset({"walk", "jog", "stroll"})
 _OPERATING = frozenset({"drive", "ride", "operate", "pilot"})
-_DRIVEN = _ONLY_VEHICLES | {"reverse", "move", "turn", "stop", "speed"}
+_DRIVEN = _ONLY_VEHICLES | {"reverse", "move", "turn", "stop", "speed", "lose_control"}
 _ALONG = frozenset({"behind", "ahead", "adjacent", "opposite"})
 _PUT = frozenset({"left", "placed", "put", "dumped", "erected", "abandoned", "forgotten", "dropped",
                   "lost", "set", "installed"})  # fmt: skip
@@ -131,6 +131,9 @@ def _own_vehicles(events: list[Event], tokens: list[Token]) -> None:
     """``a woman backs her van out``, ``a man riding a moped``: they stand for what they drive."""
     for event in events:
         what = event.object
+        if event.name == "lose_control":
+            of_what = [p.target for p in event.pps if p.value == "of"]
+            what = next((t for t in of_what if isinstance(t, Mention)), None)
         if not isinstance(what, Mention) or not event.subject or event.name not in _DRIVEN:
             continue
         who = event.subject[-1]

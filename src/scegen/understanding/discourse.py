@@ -99,9 +99,8 @@ class Discourse:
             return []
         count, basis = int(mention.mods[0].data["number"]), Basis(mention.i, whole.j)
         ego = self._ego(ParticipantKind.CAR, basis)
-        others = [
-            self._roster.new(ParticipantKind.CAR, basis) for _ in range(min(count, _MOST) - 1)
-        ]
+        further = range(min(count, _MOST) - 1)
+        others = [self._roster.new(ParticipantKind.CAR, basis) for _ in further]
         if others:
             self._roster.groups.append(Group(others, vague=False, unnamed=True))
         return [ego, *others]
@@ -230,7 +229,8 @@ class Discourse:
                 return list(group.members)
         fitting = [e for e in self._draft.entities if self._roster.compatible(e, reading)]
         if reading.det == "bare" and not reading.vague:
-            return fitting if len(fitting) == reading.count else []
+            counted = len(fitting) == reading.count
+            return fitting if counted and not any("speaks" in e.named_by for e in fitting) else []
         return fitting if len(fitting) > 1 else []
 
     def _another(self, reading: Reading, exclude: list[Entity]) -> list[Entity]:

@@ -28,17 +28,21 @@ def positions(scenes: list[Scene], context: Context) -> None:
     for scene in scenes:
         _driven_up_to(scene, context)
         parked = [e for e in scene.targets if e.parked]
+        if scene.event.name == "bypass" and not scene.targets and scene.drivers:
+            parked = [e for e in context.draft.entities if e.parked and _in_front(e, context)]
         thing = isinstance(scene.event.object, Thing) and scene.event.object.kind == "object"
         if scene.event.name == "bypass" and (parked or thing) and not scene.event.negated:
             context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
         _owing_to_the_parked(scene, context)
         oncoming.hidden_behind(scene, context)
         oncoming.overtaken(scene, context)
+        oncoming.from_behind(scene, context)
         oncoming.met(scene, context)
         _cuts_out(scene, context)
         _revealed(scene, context)
         _across(scene, context)
     oncoming.turned_across(context)
+    oncoming.unseen(context)
     for danger in context.draft.dangers:
         if danger.kind is HazardKind.ONCOMING_LANE:
             _around_something(danger, context)
@@ -129,7 +133,8 @@ def _driven_up_to(scene: Scene, context: Context) -> None:
         targets += [e for e in struck.owner.entities if e not in scene.actors]
     driver = scene.drivers[0]
     if any(e.ego for e in targets):
-        _comes_towards(scene, driver, context)
+        for other in scene.drivers:
+            _comes_towards(scene, other, context)
         targets = [e for e in targets if not e.ego or _from_the_rear(scene, context)]
     certain = _from_the_rear(scene, context) or _along_the_road(scene, context)
     late = [d for d in context.draft.dangers if d.kind is HazardKind.DELAYED_BRAKING]
@@ -144,6 +149,13 @@ def _driven_up_to(scene: Scene, context: Context) -> None:
         if target.is_vehicle and slower and not crosses and not _placed(target, driver, context):
             reason = "who is driven up to is ahead"
             context.ahead([target], [driver], Basis(event.i, event.j, reason))
+
+
+def _in_front(entity: Entity, context: Context) -> bool:
+    return any(
+        p.entity is entity and p.reference is None and p.approaches == {Approach.AHEAD}
+        for p in context.draft.placements
+    )
 
 
 def _queue(target: object) -> bool:

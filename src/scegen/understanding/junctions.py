@@ -10,6 +10,7 @@ from scegen.scenario.vocabulary import Control, JunctionKind
 from scegen.understanding import absent
 from scegen.understanding.angles import kind_of
 from scegen.understanding.draft import Basis
+from scegen.understanding.shape_words import named_by_letter, only_counted
 from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
 
@@ -144,43 +145,22 @@ def _place(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Tok
 def _shape(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Token]) -> None:
     """A shape counts where a junction is named after it or said to be so."""
     term = terms[k]
-    if _only_counts(reading, terms, k, tokens):
+    counted = only_counted(terms, k, tokens)
+    if counted is not None:
+        reading.arms, reading.arms_basis = counted, Basis(term.i, term.j)
         return
     following = next(
         (t for t in terms[k + 1 : k + 4] if t.cat == "place" and t.value == "junction"), None
     )
     letter = term.j - term.i == 1 and term.value in {"t", "y"}
-    if following is None and (letter or term.value == "four_way"):
+    named = letter and tokens[term.i].text == "T" and named_by_letter(terms, k)
+    if following is None and (letter or term.value == "four_way") and not named:
         return
     end = following.j if following is not None else term.j
     kind = JunctionKind(term.value)
     if kind is JunctionKind.SKEWED and following is None and reading.named is None:
         return
     _set_kind(reading, kind, Basis(term.i, end), override=True)
-
-
-_ARMS_SAID = {JunctionKind.T: 3, JunctionKind.FOUR_WAY: 4}
-_COUNTING = frozenset({"arm", "armed", "leg", "legged", "way"})
-
-
-def _only_counts(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Token]) -> bool:
-    """``a four-arm roundabout``: the arms are counted, the noun says what kind it is."""
-    term = terms[k]
-    kind = JunctionKind(term.value)
-    if kind not in _ARMS_SAID or tokens[term.j - 1].low not in _COUNTING:
-        return False
-    named: str | None = None
-    for after in terms[k + 1 : k + 4]:
-        if after.cat == "shape" or (after.cat == "place" and after.value == "junction"):
-            named = after.value if after.cat == "shape" else after.data.get("kind")
-            break
-    if named is None or named in {kind, JunctionKind.FOUR_WAY}:
-        return False
-    fewest, most = ARM_COUNTS[JunctionKind(named)]
-    if not fewest <= _ARMS_SAID[kind] <= most:
-        return False
-    reading.arms, reading.arms_basis = _ARMS_SAID[kind], Basis(term.i, term.j)
-    return True
 
 
 def _set_kind(

@@ -2,9 +2,21 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Mention, Prep
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.dependents import chain
 from scegen.understanding.state import State
+
+
+def landmark(target: NounPhrase | Event | None) -> NounPhrase | Event | None:
+    """``behind the ego's rear bumper``: behind the ego, as far as others are concerned.
+
+    Args:
+        target: what "behind" or "next to" governs.
+    """
+    part = isinstance(target, Thing) or (isinstance(target, Place) and target.kind == "shoulder")
+    if part and isinstance(target, NounPhrase) and target.owner is not None:
+        return target.owner
+    return target
 
 
 def as_the_ego_sees(mention: Mention) -> bool:

@@ -25,6 +25,7 @@ from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.movements import MOVEMENTS
 from scegen.understanding.omissions import not_done
+from scegen.understanding.out_of_turn import out_of_turn
 from scegen.understanding.placing import Placer
 from scegen.understanding.reactions import mark_answers, mark_late
 from scegen.understanding.recasting import recast
@@ -112,6 +113,7 @@ class Interpreter:
         for event in events:
             self._event(event)
         red_lights.on_red(chunks, events, self._context)
+        out_of_turn(chunks, events, self._context)
         towards_each_other(chunks, events, self._context)
         screen_sides.share(chunks, self._scenes, self._context)
         screens.come_out(self._context)

@@ -22,6 +22,7 @@ _ASIDE = frozenset({"move", "shift", "steer", "edge", "ease"})
 """Verbs that on an open road mean a shift to the side, not a turn."""
 _OFF = frozenset({"access", "road", "leg", "junction"})
 """Places that one turns into."""
+_REACH = 3
 _ORDINALS = {
     "first": Maneuver.EXIT_1,
     "second": Maneuver.EXIT_2,
@@ -45,13 +46,28 @@ def turn(scene: Scene, context: Context) -> None:
     if cyclists and cyclists == scene.drivers and ways.across_the_road(event, context):
         return  # they cross the road, see the dangers
     values = set(directions) or {Maneuver.LEFT, Maneuver.RIGHT}
-    if not directions:
+    alike = _as_others_do(scene, context) if not directions else set()
+    if alike:
+        values = alike
+    elif not directions:
         made = event.parent is not None and event.parent.name in {"light", "try"}
         if any(entity.maneuvers for entity in scene.actors) or (event.nominal and not made):
             return
         basis = Basis(basis.i, basis.j, "the text does not say which way it turns")
     context.crossing_implied(basis, "vehicles turn")
     apply(scene, context, values, basis)
+
+
+def _as_others_do(scene: Scene, context: Context) -> set[Maneuver]:
+    """``the car ahead, which is turning as well``: the same way as the one before."""
+    event = scene.event
+    near = [t.low for t in context.tokens[max(0, event.i - _REACH) : event.j + _REACH]]
+    if not {"too", "also", "likewise"} & set(near) and "as well" not in " ".join(near):
+        return set()
+    turns = {Maneuver.LEFT, Maneuver.RIGHT}
+    ways = [e.maneuvers & turns for e in context.draft.entities if e not in scene.actors]
+    told = [way for way in ways if len(way) == 1]
+    return set(told[-1]) if told else set()
 
 
 def move(scene: Scene, context: Context) -> None:

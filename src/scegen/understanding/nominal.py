@@ -11,6 +11,8 @@ WAYS = frozenset({"left", "right", "straight"})
 _SIDE_ONLY = 2
 _NAMED_BY_SIDE = frozenset({"turn", "u_turn", "lane_change", "sharp_turn", "merge", "leave"})
 """Actions that a side tells apart: "the left turn"."""
+_OWNED = frozenset({"lane", "path", "side"})
+_HAD = frozenset({"dir", "place", "inert"})
 VERBAL_LINKS = frozenset({"prep", "locus"})
 ORDINALS = frozenset({"first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth",
                       "former", "latter"})  # fmt: skip
@@ -99,6 +101,19 @@ def compound_end(head: Term, following: Term | None) -> Term:
     if head.value != "obstacle" or following is None:
         return head
     return following if (following.cat, following.value) == ("inert", "noun") else head
+
+
+def ego_owns(heads: list[Term], following: Term | None) -> bool:
+    """``the ego lane``, ``the egos left turn``: what follows is the ego's.
+
+    Args:
+        heads: the nouns of a participant.
+        following: the term after them.
+    """
+    if following is None or not any(h.data.get("ego") for h in heads):
+        return False
+    misspelt = heads[-1].form == "s" and following.cat in _HAD
+    return misspelt or (following.cat == "place" and following.value in _OWNED)
 
 
 def governed(chunks: list[Chunk]) -> bool:

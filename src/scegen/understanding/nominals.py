@@ -95,8 +95,9 @@ def _takes(verb: Event, k: int, chunks: list[Chunk]) -> bool:
 
 def _waits_for_subject(verb: Event, k: int, chunks: list[Chunk]) -> bool:
     """``while passing into the left lane the ego sees a van``: the ego passes and sees."""
-    placed = verb.form == "ing" and not verb.subject and bool(verb.pps)
-    return placed and verb.i < chunks[k - 1].i and finite_follows(chunks, k)
+    placed = verb.form == "ing" and not verb.subject and bool(verb.pps or verb.dirs)
+    follows = finite_follows(chunks, k) or copula_follows(chunks, k)
+    return placed and verb.i < chunks[k - 1].i and follows
 
 
 def _described(mention: Mention, k: int, chunks: list[Chunk], state: State) -> Mention | None:

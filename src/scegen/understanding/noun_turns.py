@@ -5,13 +5,14 @@ from __future__ import annotations
 from scegen.understanding.terms import Term, longest_match
 from scegen.understanding.tokens import Token
 
-_DURING = frozenset({"for", "during", "before", "after", "of", "through", "into", "to", "with",
+_DURING = frozenset({"for", "during", "before", "after", "of", "through", "into", "to",
                      "following", "upon"})  # fmt: skip
 _INTO = frozenset({"into", "through", "to", "of", "with"})
 """Words after which only "a left", not "the left", is a turn."""
 _BEGINNING = frozenset({"start", "begin", "attempt", "try", "commence", "complete", "finish",
                         "initiate", "perform", "execute", "make", "plan", "want", "risk",
                         "abort", "await"})  # fmt: skip
+_NOUNS = ("verb", "place", "actor", "dir", "locus", "noted", "thing", "leg", "view")
 _ARTICLES = frozenset({"det", "possessive"})
 
 
@@ -51,6 +52,4 @@ def _bare(tokens: list[Token], term: Term) -> bool:
     following = longest_match(tokens, term.j) if term.j < len(tokens) else None
     if following is not None and tokens[term.j].low in {"of", "side", "hand"}:
         return False
-    return following is None or not following.has(
-        "verb", "place", "actor", "dir", "locus", "noted", "thing"
-    )
+    return following is None or not following.has(*_NOUNS)

@@ -43,7 +43,7 @@ def not_done(scene: Scene, context: Context) -> None:
         return
     elif event.name in _SEEING and _late(scene) and scene.drivers:
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
-    elif event.name == "yield":
+    elif event.name == "yield" or (event.name in {"stop", "wait"} and _for_people(scene)):
         breaches.fail_to_yield(scene, context)
     elif event.name == "obey":
         breaches.breach(scene, context)
@@ -125,6 +125,13 @@ def _in_the_way(scene: Scene, context: Context) -> list[Entity]:
     ]
     parked = [e for e in context.draft.entities if e.parked and e not in scene.targets]
     return named or (parked if len(parked) == 1 else [])
+
+
+def _for_people(scene: Scene) -> bool:
+    """``does not stop for him``: people on foot who have to be let across."""
+    waited = [p.target for p in scene.event.pps if p.value in {"for", "to"}]
+    people = [e for t in waited if isinstance(t, Mention) for e in t.entities if not e.is_vehicle]
+    return bool(people and scene.drivers)
 
 
 def _at_signals(scene: Scene, context: Context) -> bool:

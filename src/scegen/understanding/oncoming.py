@@ -103,3 +103,41 @@ def by_the_ego(placement: Placement) -> bool:
         placement: a position.
     """
     return placement.reference is None or placement.reference.ego
+
+
+def from_behind(scene: Scene, context: Context) -> None:
+    """``while a motorcycle overtakes``: the ego, if nobody else is named.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    if scene.event.name != "overtake" or scene.targets or scene.event.negated:
+        return
+    others = [e for e in scene.drivers if not e.ego]
+    if len(others) < len(scene.drivers) or not any(e.ego for e in context.draft.entities):
+        return
+    for entity in others:
+        if entity.heading is None and not any(p.entity is entity for p in context.draft.placements):
+            basis = Basis(scene.event.i, scene.event.j, "who overtakes comes from behind")
+            context.draft.place(entity, None, {Approach.BEHIND}, basis)
+
+
+def unseen(context: Context) -> None:
+    """``an oncoming truck hides the lane beside it, from which a van comes``: from the front.
+
+    Args:
+        context: the scenario in the making.
+    """
+    draft = context.draft
+    for danger in draft.dangers:
+        hidden = [e for e in danger.by if e.moving_vehicle and not e.ego]
+        if danger.kind is not HazardKind.OCCLUSION or not hidden:
+            continue
+        others = [e for e in draft.entities if e.moving_vehicle and e not in hidden and not e.ego]
+        if not others or not all(context.oncoming(e) for e in others):
+            continue
+        for entity in hidden:
+            if not any(p.entity is entity for p in draft.placements):
+                basis = Basis(danger.basis.i, danger.basis.j, "what hides it comes from the front")
+                draft.place(entity, None, {Approach.OPPOSITE}, basis)

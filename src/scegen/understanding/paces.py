@@ -51,12 +51,26 @@ def pace_at(tokens: list[Token], i: int) -> Term | None:
             end += 1
         value = "fast" if number.value > limit.value else "slow"
         return Term("manner", value, i, end, data={"pace": True})
+    posted = _posted(tokens)
+    if posted is not None and not speed and number.value > posted:
+        return Term("manner", "fast", i, j, data={"pace": True})
     if j < len(tokens) and tokens[j].low in _OVER:
         end = j + 1
         while end < len(tokens) and tokens[end].low in {*_ARTICLES, "speed", "limit"}:
             end += 1
         ends = end >= len(tokens) or tokens[end].kind == "punct" or end > j + 1
         return Term("manner", _OVER[tokens[j].low], i, end, data={"pace": True}) if ends else None
+    return None
+
+
+def _posted(tokens: list[Token]) -> float | None:
+    """``the limit's 55``: the number that the text gives for the limit."""
+    for k, token in enumerate(tokens):
+        if token.low == "limit":
+            for m in range(k + 1, min(k + 4, len(tokens))):
+                number = number_at(tokens, m)
+                if number is not None and number.value >= _LOWEST_LIMIT:
+                    return float(number.value)
     return None
 
 

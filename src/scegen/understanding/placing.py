@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, Maneuver, ParticipantKind
 from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.located import landmark
 from scegen.understanding.terms import Term
 
 _BY_DIR: dict[str, frozenset[Approach]] = {
@@ -238,7 +239,7 @@ class Placer:
                 self._draft.place(entity, other, elsewhere, basis)
 
     def _locus(self, prep: Prep, entities: list[Entity], event: Event | None) -> None:
-        target = prep.target
+        target = landmark(prep.target)
         basis = Basis(prep.word.i, target.j if isinstance(target, Mention) else prep.word.j)
         if isinstance(target, Thing | Place):
             return
@@ -290,9 +291,5 @@ class Placer:
 
 def thing_sides(entity: Entity, draft: Draft) -> set[Approach]:
     """The sides at which a participant stands, as far as said."""
-    return {
-        a
-        for p in draft.placements
-        if p.entity is entity and p.reference is None
-        for a in p.approaches
-    }
+    seen = [p for p in draft.placements if p.entity is entity and p.reference is None]
+    return {a for p in seen for a in p.approaches}

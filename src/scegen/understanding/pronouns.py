@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from scegen.scenario.vocabulary import ParticipantKind
-from scegen.understanding.chunks import Mention
+from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.ordinals import POSITIONS
 from scegen.understanding.roster import Roster
@@ -149,8 +149,17 @@ class Pronouns:
             return [self.roster.new(kind, basis) for _ in range(min(count, _MOST))]
         if claimed or which == "count":
             return claimed
+        definite = which == "one" and any(m.value == "def" for m in mention.mods)
+        if definite and not mention.sides and _placed(mention):
+            others = [e for e in self.roster.recent if not e.ego and e not in exclude]
+            if others:
+                return others[-1:]  # "another waits in the stem; the one in the stem …"
         new = which != "one" or bool(self.roster.recent)
         kinds = {e.kind for e in self.draft.entities if not e.ego}
         afoot = which == "one" and kinds == {ParticipantKind.PEDESTRIAN}
         kind = ParticipantKind.PEDESTRIAN if afoot else ParticipantKind.CAR
         return [self.roster.new(kind, basis)] if new else []
+
+
+def _placed(mention: Mention) -> bool:
+    return any(isinstance(p.target, Place) for p in mention.pps)

@@ -30,6 +30,7 @@ from scegen.understanding.surroundings import read_surroundings
 from scegen.understanding.tagging import tag
 from scegen.understanding.telegrams import spell_out
 from scegen.understanding.tokens import tokenize
+from scegen.understanding.too_fast import too_fast
 
 MAX_CHARACTERS = 20_000
 """Longer texts are no descriptions of one situation."""
@@ -80,6 +81,7 @@ def read(text: str) -> FunctionalScenario:
     events = share_out(events, terms)
     context = Context(draft, junction, tokens, across)
     Interpreter(context, surroundings.limit_term).run(chunks, events)
+    too_fast(draft, surroundings.speed_limit_mps)
     report(draft, terms, chunks, events)
     scenario = Builder(draft, junction, surroundings, tokens).build()
     return unattached(scenario, terms, tokens)

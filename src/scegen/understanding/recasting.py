@@ -102,7 +102,8 @@ def _into_a_turn(event: Event) -> bool:
     ways = [m for m in side.mods if m.cat == "dir" and m.value in {"left", "right"}]
     if not ways or any(d in side.dirs for d in ("front", "rear", "opposite")):
         return False
-    event.mods, event.object = [*event.mods, *ways], None
+    turned = [m for m in event.mods if m.value != "straight"]  # "hangs a right, straight across"
+    event.mods, event.object = [*turned, *ways], None
     return True
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.context import Context
 from scegen.understanding.draft import Basis, Entity
@@ -29,7 +29,11 @@ def on_red(chunks: list[Chunk], events: list[Event], context: Context) -> None:
             continue
         if not any(t.low == "red" for t in context.tokens[chunk.i : chunk.j]):
             continue
-        event = _whose_light(k, chunks, events, context) or _conceded(k, chunks, events, context)
+        event = (
+            _whose_light(k, chunks, events, context)
+            or _conceded(k, chunks, events, context)
+            or _of_the_cross_street(k, chunks, events, context)
+        )
         drivers = _drivers(event) if event is not None else []
         if event is not None and drivers and not event.negated:
             basis = Basis(min(event.i, chunk.i), max(event.j, chunk.j))
@@ -62,6 +66,35 @@ def _whose_light(
     who = set(map(id, owner.entities))
     after = (e for e in events if e.i > chunks[k].i and e is not facing)
     return next((e for e in after if _goes(e) and who & set(map(id, _drivers(e)))), None)
+
+
+def _of_the_cross_street(
+    k: int, chunks: list[Chunk], events: list[Event], context: Context
+) -> Event | None:
+    """``red for the cross street. But a van from the left …``: who comes from there goes on."""
+    marker, place = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
+    known = isinstance(marker, Word) and marker.value in {"for", "to", "against", "in"}
+    if not known or not isinstance(place, Place | Mention) or not _crossing(place):
+        return None
+    sides = (Approach.LEFT, Approach.RIGHT)
+    later = [e for e in events if e.i > place.i and not e.negated and _goes(e)]
+    return next(
+        (
+            e
+            for e in later
+            if any(context.placed(d, side) for d in _drivers(e) for side in sides)
+            or any("lateral" in m.dirs for m in e.subject)
+        ),
+        None,
+    )
+
+
+def _crossing(noun: Place | Mention) -> bool:
+    """``the cross street``, ``cross traffic``, ``traffic from the right``."""
+    sides = {"lateral", "left", "right"}
+    from_there = [p.target for p in noun.pps if isinstance(p.target, Place)]
+    side_road = isinstance(noun, Place) and noun.kind == "access"
+    return side_road or any(sides & set(n.dirs) for n in (noun, *from_there))
 
 
 def _conceded(k: int, chunks: list[Chunk], events: list[Event], context: Context) -> Event | None:

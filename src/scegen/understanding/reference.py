@@ -72,7 +72,7 @@ def elsewhere(reading: Reading, mention: Mention, entity: Entity) -> bool:
     if entity.ego and reading.called - entity.named_by and "speaks" in entity.named_by:
         return True  # "this Audi": not the one who tells it
     person = mention.head is not None and mention.head.value == "pedestrian" and reading.driver
-    if person and mention.pps and entity.is_vehicle:
+    if person and (mention.pps or mention.narrowed) and entity.is_vehicle:
         return not reading.called & entity.named_by  # "the bloke behind me"
     bare = reading.det == "bare" and not reading.dirs and reading.kind is entity.kind
     if bare and reading.called and entity.named_by and not reading.called & entity.named_by:

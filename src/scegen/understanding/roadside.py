@@ -7,6 +7,9 @@ from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.draft import Basis, Draft, Entity
 
 _OPENED_REACH = 11
+_TYRES = frozenset({"tire", "tyre"})
+_STATES = frozenset({"blown", "flat", "burst", "punctured", "bald", "front", "rear", "back", "worn",
+                     "deflated", "damaged", "left", "right", "spare", "failed"})  # fmt: skip
 _FLUNG = frozenset({"flung", "swung", "swings", "ajar"})
 _FALLING = frozenset({"fall", "drop", "spill", "tumble", "roll", "fly", "slide", "detach",
                       "scatter", "blow", "shed"})  # fmt: skip
@@ -28,6 +31,7 @@ def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
     """
     basis = Basis(thing.i, thing.j)
     possessed = thing.owner is not None or any(m.cat == "possessive" for m in thing.mods)
+    possessed = possessed or _part(thing, draft)
     if _bursts(thing, draft):
         return
     lost = possessed and _comes_off(thing, draft)
@@ -81,6 +85,12 @@ def _comes_off(thing: Thing, draft: Draft) -> bool:
     """``the truck's cargo falls onto the road``: no longer a part of it."""
     words = [t.forms[-1][0] for t in draft.tokens[thing.j : thing.j + _REACH]]
     return bool(_FALLING & set(words))
+
+
+def _part(thing: Thing, draft: Draft) -> bool:
+    """``suffered a blown tyre``, ``its left front tire``: of a vehicle, not on the road."""
+    words = [t.low for t in draft.tokens[max(0, thing.i - 1) : thing.j]]
+    return words[-1].rstrip("s") in _TYRES and bool(_STATES & set(words))
 
 
 def _carried(thing: Thing, chunks: list[Chunk]) -> bool:

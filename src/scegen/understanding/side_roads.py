@@ -13,6 +13,9 @@ _LEAVING = frozenset({"reverse", "pull_out", "leave", "unpark"})
 _COMING = frozenset({"move", "approach", "appear", "enter"})
 
 
+_ROADS = frozenset({"road", "street", "stem", "turning", "arm", "leg", "approach", "driveway"})
+
+
 def side_road(prep: Prep, event: Event, whom: list[Entity], context: Context) -> None:
     """``a bus comes from the left``: there must be a road on the left.
 
@@ -50,7 +53,8 @@ def access(scene: Scene, context: Context) -> None:
         if place.kind == "lane" and "adjacent" in place.dirs:
             basis = Basis(place.i, place.j)
             context.lanes_implied(basis, "there is a lane beside")
-        if id(place) in within:
+        waits = scene.event.name == "wait" and context.tokens[place.j - 1].low in _ROADS
+        if id(place) in within and not waits:
             continue  # "reverses in a car park": in it, not out of it
         left = place.kind in {"bus_stop", "parking"} and scene.event.name in _LEAVING
         aside = place.kind == "sidewalk" and place is scene.event.object

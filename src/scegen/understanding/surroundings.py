@@ -76,6 +76,8 @@ def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
             found.side, found.side_basis = DrivingSide(term.value), basis
         elif term.cat == "limit":
             _limit(found, terms, k)
+        elif term.cat == "quantity" and term.j < len(tokens) and tokens[term.j].low == "zone":
+            _limit(found, [*terms[: k + 1], term], k)
         elif term.cat == "num":
             _lanes(found, terms, k, tokens)
         elif term.cat == "label" and tokens[term.j - 1].forms[-1][0] == "lane":

@@ -77,6 +77,8 @@ def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term | None)
         return False
     alone = longest_match(tokens[: i + 1], i)
     singular = previous is not None and previous.cat in {"det", "dir", "label"}
+    known = any(t.low == tokens[i].low for t in tokens[:i])  # "ego follows a bus; bus stops"
+    singular = singular or (known and (previous is None or previous.cat in {"punct", "conj"}))
     singular = singular or (i > 0 and tokens[i - 1].low in ORDINALS)
     rest = longest_match(tokens, i + 1)
     verbal = rest is not None and rest.has("verb")

@@ -20,6 +20,8 @@ _OTHER = {"left": "right", "right": "left"}
 _KEEPING = frozenset({"keep", "stay", "remain", "stick", "hold", "continue"})
 _WAY = frozenset({"road", "lane", "path", "highway"})
 _TO_PASS = frozenset({"pull_out", "try", "accelerate", "lane_change", "swerve", "enter"})
+_LAMPS = frozenset({"indicator", "indicators", "blinker", "blinkers", "signal", "flasher", "lamp"})
+_LAMP_REACH = 6
 _THROUGH = frozenset({"through", "across"})
 
 
@@ -117,7 +119,22 @@ def only_signalled(event: Event, context: Context) -> bool:
     """``signals a right turn but carries straight on``: a turn that is not made."""
     after = [t.low for t in context.tokens[event.j : event.j + 2] if t.low != ","]
     signalled = event.parent is not None and event.parent.name == "inert"
+    before = {t.low for t in context.tokens[max(0, event.i - _LAMP_REACH) : event.i]}
+    signalled = signalled or (event.nominal and bool(before & _LAMPS))
     return signalled and after[:1] != [] and after[0] in {"but", "yet", "however", "though"}
+
+
+def without_arrow(context: Context) -> bool:
+    """``a plain green, no arrow``: nothing holds the oncoming traffic back.
+
+    Args:
+        context: the scenario in the making.
+    """
+    words = [t.low for t in context.tokens]
+    return any(
+        word in {"arrow", "arrows"} and {"no", "without", "nor"} & set(words[max(0, k - 3) : k])
+        for k, word in enumerate(words)
+    )
 
 
 def overtaking(scene: Scene, context: Context) -> bool:
