@@ -23,6 +23,7 @@ from scegen.understanding.lookahead import (
     event_follows,
     main_verb_follows,
     only_a_noun_follows,
+    phrase_follows,
 )
 from scegen.understanding.nominals import read_mention, read_noun
 from scegen.understanding.state import State
@@ -92,7 +93,8 @@ class ClauseReader:
         if word.cat == "conj" and word.value != "either":
             state.between.add("conj")
             state.between |= {"neg:not"} if word.term.data.get("denies") else set()
-        if word.cat == "conj" and word.value in {"and", "but"}:
+        placed = phrase_follows(k, self._chunks)  # "is half here and half in the next lane"
+        if word.cat == "conj" and word.value in {"and", "but"} and not placed:
             state.between.discard("aux:be")  # "was tired and did not notice the van"
         if word.value == "where":
             self._where(k)
