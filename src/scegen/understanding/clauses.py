@@ -130,6 +130,10 @@ class ClauseReader:
             state.between.add(f"{word.cat}:{word.value}")
             return
         release(self._state)
+        before = self._chunks[k - 1] if k else None
+        if (word.cat, word.value) == ("dir", "opposite") and isinstance(before, Mention):
+            before.mods.append(word.term)  # "it is red for the van opposite"
+            return
         after_event = isinstance(state.anchor, Event) and not (state.between - {"either", "or"})
         following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
         before_event = event_follows(self._chunks, k)

@@ -17,6 +17,7 @@ from scegen.understanding import (
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
+from scegen.understanding.reactions import endangered
 from scegen.understanding.walking import keep_along
 from scegen.understanding.ways import against, into_lane
 
@@ -31,6 +32,8 @@ _REGULATED = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_s
 
 def accelerate(scene: Scene, context: Context) -> None:
     """Speeding up is a danger unless it is an answer to one."""
+    if all(e.ego for e in scene.drivers) and scene.sudden is None and endangered(context):
+        return  # "speeds up to get clear of it"
     if not scene.reaction and scene.drivers and scene.how("slow") is None:
         basis = scene.sudden or scene.words
         context.draft.hazard(HazardKind.SUDDEN_ACCELERATION, basis, scene.drivers)
@@ -159,7 +162,8 @@ def crawl(scene: Scene, context: Context) -> None:
 
 def swerve(scene: Scene, context: Context) -> None:
     """Swerving, weaving, drifting; what the ego does to avoid another danger is its answer."""
-    drivers = [e for e in scene.drivers if not (scene.reaction and e.ego)]
+    answers = scene.reaction or endangered(context)
+    drivers = [e for e in scene.drivers if not (answers and e.ego)]
     if not drivers or (scene.event.modal and any(e.ego for e in drivers)):
         return
     context.draft.hazard(HazardKind.SWERVING, scene.words, drivers, scene.targets)

@@ -42,6 +42,7 @@ def positions(scenes: list[Scene], context: Context) -> None:
         _revealed(scene, context)
         _across(scene, context)
     oncoming.unseen(context)
+    oncoming.turned_across(context)
     for danger in context.draft.dangers:
         if danger.kind is HazardKind.ONCOMING_LANE:
             _around_something(danger, context)

@@ -107,6 +107,23 @@ def from_behind(scene: Scene, context: Context) -> None:
             context.draft.place(entity, None, {Approach.BEHIND}, basis)
 
 
+def turned_across(context: Context) -> None:
+    """``turns left in front of a motorbike``: it comes from the front, if nothing is said.
+
+    Args:
+        context: the scenario in the making.
+    """
+    for danger in context.draft.dangers:
+        unprotected = danger.kind is HazardKind.UNPROTECTED_LEFT_TURN
+        if not unprotected or not any(e.ego for e in danger.by):
+            continue
+        for entity in danger.to:
+            said = any(p.entity is entity for p in context.draft.placements)
+            if entity.moving_vehicle and not said and entity.heading is None:
+                basis = Basis(danger.basis.i, danger.basis.j, "the turn leads across its way")
+                context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
+
+
 def unseen(context: Context) -> None:
     """``an oncoming truck hides the lane beside it, from which a van comes``: from the front.
 

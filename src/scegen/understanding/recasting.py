@@ -33,6 +33,9 @@ def recast(scene: Scene, context: Context) -> str:
         context: the scenario in the making.
     """
     event = scene.event
+    shoved = context.tokens[event.i].forms[-1][0] in {"shove", "barge", "push"}
+    if event.name == "dash" and shoved and isinstance(event.object, Mention):
+        return "send"  # "shoved us into the junction"
     if event.name in _MAKING and _into_a_turn(event):
         return "turn"
     if event.name == "walk" and scene.drivers and _runs_it(scene, context):
@@ -61,8 +64,10 @@ def _driven(scene: Scene, context: Context) -> str | None:
     event = scene.event
     motor = [e for e in scene.drivers if not context.is_cyclist(e)]
     out = "out" in _own(scene, context) and not _riding(scene, context)
-    if event.name == "cross" and motor and out:
-        return "pull_out"
+    careless = scene.how("aggressive", "sudden") is not None and event.name == "appear"
+    aside = any(p.kind in {"access", "parking"} for p in scene.places())
+    if motor and ((event.name == "cross" and out) or (careless and aside)):
+        return "pull_out"  # "came out of the side road without looking"
     if event.name == "pull_out" and motor and _between_lanes(scene, context):
         return "cut_in"
     if event.name in {"move", "dash", "speed"} and _ignores_it(scene, context):
