@@ -214,3 +214,17 @@ def test_a_sign_that_somebody_holds_regulates_no_junction():
 def test_a_turn_signal_is_no_turn():
     text = "An oncoming van approaches with its left turn signal on but goes straight."
     assert next(p.maneuvers for p in read(text).participants) == {"straight"}
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("A van drifts out of its lane and crosses into oncoming traffic.",
+         {"swerving", "oncoming_lane"}),
+        ("A cyclist on the right front of the ego loses his balance.", {"loss_of_control"}),
+        ("A skateboarder shoots out of a driveway in front of the ego.", {"crossing_pedestrian"}),
+        ("The ego accelerates away from a green light.", set()),
+    ],
+)  # fmt: skip
+def test_dangers_at_the_edge(text, expected):
+    assert dangers(text) == expected

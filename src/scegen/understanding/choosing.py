@@ -153,6 +153,14 @@ def _way_at(tokens: list[Token], j: int) -> bool:
     return j < len(tokens) and tokens[j].low in {"left", "right"}
 
 
+def _listed_quality(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """``…, slow leader in the same lane``: what somebody is like, no verb."""
+    listed = previous is not None and previous.value in {",", ":", ";"}
+    following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    actor = following is not None and following.has("actor") and following.form == "base"
+    return listed and actor and match.form == "base" and match.has("manner") and match.has("verb")
+
+
 def _article(tokens: list[Token], j: int) -> bool:
     """Whether an article stands there."""
     return j < len(tokens) and tokens[j].low in {"a", "an", "the", "its"}
@@ -278,7 +286,9 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
     if len(match.entries) == 1:
         return match.entries[0], _describes_a_noun(match, tokens, previous)
     if match.has("verb"):
-        return _verb_or_other(match, tokens, previous)
+        listed = _listed_quality(match, tokens, previous)
+        other = _verb_or_other(match, tokens, previous)
+        return (match.get("manner"), False) if listed else other
     if match.has("rel") and match.has("det"):
         return match.get("rel" if _relates(match, tokens, previous) else "det"), False
     if match.has("label") and match.has("place"):

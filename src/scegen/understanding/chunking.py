@@ -8,6 +8,7 @@ from itertools import pairwise
 from scegen.understanding.adjectives import listed, loose_modifier
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, event_of
 from scegen.understanding.lanes import between_lanes
+from scegen.understanding.lanes_away import count_lanes
 from scegen.understanding.naming import Namer
 from scegen.understanding.nominal import (
     OPENERS,
@@ -52,7 +53,8 @@ class Chunker:
         k = 0
         while k < len(self._terms):
             k = self._chunk_at(k)
-        return between_lanes(with_particles(self._chunks, self._tokens), self._tokens)
+        chunks = between_lanes(with_particles(self._chunks, self._tokens), self._tokens)
+        return count_lanes(chunks, self._tokens)
 
     def _chunk_at(self, k: int) -> int:
         term = self._terms[k]

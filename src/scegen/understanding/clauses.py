@@ -23,6 +23,7 @@ from scegen.understanding.lookahead import (
     event_follows,
     main_verb_follows,
     only_a_noun_follows,
+    phrase_follows,
 )
 from scegen.understanding.nominals import read_mention, read_noun
 from scegen.understanding.state import State
@@ -92,7 +93,8 @@ class ClauseReader:
         if word.cat == "conj" and word.value != "either":
             state.between.add("conj")
             state.between |= {"neg:not"} if word.term.data.get("denies") else set()
-        if word.cat == "conj" and word.value in {"and", "but"}:
+        placed = phrase_follows(k, self._chunks)  # "is half here and half in the next lane"
+        if word.cat == "conj" and word.value in {"and", "but"} and not placed:
             state.between.discard("aux:be")  # "was tired and did not notice the van"
         if word.value == "where":
             self._where(k)
@@ -130,10 +132,6 @@ class ClauseReader:
             state.between.add(f"{word.cat}:{word.value}")
             return
         release(self._state)
-        before = self._chunks[k - 1] if k else None
-        if (word.cat, word.value) == ("dir", "opposite") and isinstance(before, Mention):
-            before.mods.append(word.term)  # "it is red for the van opposite"
-            return
         after_event = isinstance(state.anchor, Event) and not (state.between - {"either", "or"})
         following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
         before_event = event_follows(self._chunks, k)
@@ -169,6 +167,11 @@ class ClauseReader:
     def _heading_of_a_noun(self, word: Word, k: int) -> bool:
         """``the path of V2, eastbound on Elm Street``."""
         before = self._chunks[max(0, k - 2) : k]
+        noun = before[-1] if before else None
+        if (word.cat, word.value) == ("dir", "opposite") and isinstance(noun, Mention):
+            release(self._state)
+            noun.mods.append(word.term)  # "it is red for the van opposite"
+            return True
         after = "bound" in word.term.data and after_a_comma(before)
         if after and isinstance(before[0], Mention):
             release(self._state)

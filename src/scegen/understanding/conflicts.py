@@ -45,7 +45,9 @@ def turn(scene: Scene, context: Context) -> None:
         kind = HazardKind.FAILURE_TO_YIELD
         if left and not sideways:
             kind = HazardKind.UNPROTECTED_LEFT_TURN
-        context.draft.hazard(kind, scene.words, scene.drivers)
+        ways = [p for p in scene.places() if p.kind == "path" and p.owner is not None]
+        to = [e for p in ways if p.owner is not None for e in p.owner.entities]
+        context.draft.hazard(kind, scene.words, scene.drivers, to)
         return
     fronts = (p for p in event.pps if p.word.cat == "locus" and p.value == "ahead")
     in_front = next((p for p in fronts if not leads(p, context)), None)
@@ -74,6 +76,10 @@ def lane_change(scene: Scene, context: Context) -> None:
     if not scene.drivers:
         return
     sudden = scene.how("sudden", "emergency", "aggressive")
+    met = scene.event.object
+    if isinstance(met, Mention) and "opposite" in met.dirs:
+        context.draft.hazard(HazardKind.ONCOMING_LANE, scene.words, scene.drivers)
+        return  # "crosses into oncoming traffic"
     lane = into_lane(scene.event)
     owners = _owners(lane, scene, context)
     in_front = [p for p in scene.event.pps if p.word.cat == "locus" and p.value == "ahead"]

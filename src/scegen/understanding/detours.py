@@ -8,6 +8,8 @@ other half of the road, and something that makes the ego go there.
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
 from scegen.understanding.context import Context, Scene
@@ -41,7 +43,17 @@ def get_past(chunks: list[Chunk], scenes: list[Scene], context: Context) -> None
         return
     words = _by_verb(ego, scenes, context) or _by_noun(ego, chunks, scenes, context)
     if words is not None:
+        if _things_passed(chunks, context):
+            context.draft.hazard(HazardKind.OBSTACLE, words, [])
         context.draft.maneuver(ego, {Maneuver.OVERTAKE}, Basis(words.i, words.j, _REASON))
+
+
+def _things_passed(chunks: list[Chunk], context: Context) -> bool:
+    """``no way past the skip``: the skip is in the way."""
+    return any(
+        isinstance(word, Word) and isinstance(thing, Thing) and _around(word, thing, context)
+        for word, thing in pairwise(chunks)
+    )
 
 
 def _barred(chunks: list[Chunk], scenes: list[Scene], context: Context) -> bool:

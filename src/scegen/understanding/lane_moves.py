@@ -8,6 +8,8 @@ from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
 
+_HALF = frozenset({"half", "halfway", "partly", "partially", "midway", "way"})
+
 
 def apply(scene: Scene, context: Context, values: set[Maneuver], basis: Basis) -> None:
     """Says what the drivers of a scene do.
@@ -36,6 +38,25 @@ def merge(scene: Scene, context: Context) -> None:
     meets = context.junction.crossing or context.draft.access is not None
     if ways.into_lane(scene.event) is not None or not meets:
         lane_change(scene, context)
+
+
+def between_lanes(mention: Mention, context: Context) -> None:
+    """``the ego is half in its lane and half in the next``: it is changing lanes.
+
+    Args:
+        mention: who is there.
+        context: the scenario in the making.
+    """
+    words = {context.tokens[m.j - 1].low for m in mention.mods} | {
+        context.tokens[p.word.i - 1].low for p in mention.pps if p.word.i
+    }
+    lanes = [p.target for p in mention.pps if isinstance(p.target, Place)]
+    lanes = [p for p in lanes if p.kind == "lane" and ways.BESIDE & set(p.dirs)]
+    movers = [e for e in mention.entities if e.moving_vehicle and not e.maneuvers]
+    for entity in movers if lanes and words & _HALF else []:
+        basis = Basis(mention.i, lanes[-1].j)
+        context.lanes_implied(basis, "a lane change needs a second lane")
+        context.draft.maneuver(entity, {Maneuver.LANE_CHANGE}, basis)
 
 
 def swerve(scene: Scene, context: Context) -> None:

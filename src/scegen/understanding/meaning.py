@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding import (
     afoot,
@@ -126,6 +128,7 @@ class Interpreter:
         afoot.on_the_road(mention, self._context)
         sides = [p for p in mention.pps if p.value in {"from", "in"} and bearing.is_side(p)]
         lane_moves.on_the_wrong_side(mention, self._context)
+        lane_moves.between_lanes(mention, self._context)
         for prep in mention.pps:
             if id(prep) in self._of_verbs or bearing.facing(mention, prep):
                 continue  # "approaches the ego from the left": not the ego comes from there
@@ -148,6 +151,8 @@ class Interpreter:
             drivers = [e for e in drivers if "ego" not in e.named_by or "speaks" in e.named_by]
         if kind is not None and drivers:
             self._draft.hazard(kind, basis, drivers)
+            if "quantity" in term.data:
+                self._quantity(replace(term, cat="quantity", value="speed"), drivers)
         elif term.cat == "manner" and term.value == "close":
             follows = [e for e in drivers if self._context.placed(e, Approach.BEHIND)]
             if follows:

@@ -41,10 +41,17 @@ def names_a_turn(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
     if terms[k].value == "genitive":
         before = tokens[terms[k].i - 1]
         return qualified
+    if before.low in {"to", "on"} and _of_a_lane(terms, k - 2):
+        return False  # "in the lane to its left"
     if before.low in _DURING:
         own = (terms[k].cat == "possessive" and before.low != "to") or not definite
         return own if before.low in _INTO else before.low != "after" or own
     return before.forms[-1][0] in _BEGINNING and not (definite and terms[k].cat == "det")
+
+
+def _of_a_lane(terms: list[Term], k: int) -> bool:
+    """Whether the side tells which lane or other place is meant."""
+    return k >= 0 and terms[k].cat in {"place", "thing", "actor"}
 
 
 def _bare(tokens: list[Token], term: Term) -> bool:

@@ -47,6 +47,9 @@ def abreast(draft: Draft, ego: Entity) -> None:
             continue  # headings across each other: the roads meet somewhere
         basis = entity.approach_basis or entity.basis
         rides = entity.kind is ParticipantKind.BICYCLE and basis.i is not None
+        words = {t.low for t in draft.tokens[basis.i or 0 : basis.j]}
+        if rides and "front" in words:
+            continue  # "a cyclist on the right front": beside the lane, not in the next one
         if rides and draft.tokens[basis.i or 0].low == "from":
             continue  # a cyclist comes from the right: off the pavement
         reason = "on a straight road, who is at one's side drives in the next lane"

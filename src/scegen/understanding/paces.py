@@ -16,14 +16,24 @@ _VAGUELY = frozenset({"about", "around", "only", "maybe", "at", "barely", "nearl
                       "roughly", "approximately", "easily", "really", "very", "so",
                       "too", "rather", "quite", "pretty", "awfully", "extremely", "fairly",
                       "unusually", "terribly", "far", "way", "much"})  # fmt: skip
-_RATES = frozenset({"speed", "speeds", "velocity", "velocities", "pace"})
+_RATES = frozenset({"speed", "speeds", "velocity", "velocities", "pace", "rate", "lick", "clip",
+                    "rates"})  # fmt: skip
+_MERELY = frozenset({"barely", "only", "just", "merely", "hardly", "scarcely"})
 _DEGREES = {
-    **dict.fromkeys(("low", "lower", "slow", "slower", "reduced", "crawling"), "slow"),
+    **dict.fromkeys(("low", "lower", "slow", "slower", "reduced", "crawling", "sluggish",
+                     "leisurely", "glacial", "funereal", "walking", "jogging",
+                     "snail's", "modest", "ponderous", "pedestrian"), "slow"),
     **dict.fromkeys(("high", "higher", "excessive", "great", "greater", "unsafe", "dangerous",
-                     "inappropriate", "illegal", "faster", "reckless"), "fast"),
+                     "inappropriate", "illegal", "faster", "reckless", "tremendous", "terrific",
+                     "furious", "frightening", "crazy", "ridiculous", "alarming", "insane", "mad",
+                     "huge", "enormous", "considerable", "breakneck", "unreasonable", "scary",
+                     "terrifying", "incredible", "phenomenal", "frantic", "ferocious", "fierce",
+                     "blistering", "hair-raising", "ludicrous", "lunatic", "rapid", "hellish",
+                     "appalling", "colossal", "rare", "brisk", "motorway", "illegal"), "fast"),
 }  # fmt: skip
 _WITHIN = frozenset({"a", "an", "the", "much", "far", "very", "constant", "steady", "fixed", "way",
                      "quite", "rather", "such", "even", "still", "too", "uniform"})  # fmt: skip
+_SHORT_OF = 2
 _PHRASE = 8
 _FEWEST, _MOST = 3, 200
 _LOWEST_LIMIT = 10
@@ -51,6 +61,9 @@ def pace_at(tokens: list[Token], i: int) -> Term | None:
             end += 1
         value = "fast" if number.value > limit.value else "slow"
         return Term("manner", value, i, end, data={"pace": True})
+    merely = {t.low for t in tokens[max(0, i - _SHORT_OF) : i]} & _MERELY
+    if merely and speed and quantity is not None:
+        return Term("manner", "slow", i, j, data={"pace": True, "quantity": quantity})
     posted = _posted(tokens)
     if posted is not None and not speed and number.value > posted:
         return Term("manner", "fast", i, j, data={"pace": True})

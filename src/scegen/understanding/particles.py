@@ -13,6 +13,7 @@ _ACROSS = frozenset({"across", "over", "into", "onto", "out", "off", "towards", 
 _RULES = frozenset({"rule", "rules", "law", "laws", "light", "lights", "signal", "signals", "code",
                     "regulation", "regulations", "sign", "signs"})  # fmt: skip
 _TURN_REACH = 6
+_ITS = frozenset({"the", "its", "his", "her", "their", "my", "our", "your"})
 _GIVES = frozenset({"dir", "verb"})
 _OPENS_A_NOUN = ("det", "possessive", "actor", "compass", "place")
 
@@ -50,7 +51,7 @@ def then_a_side(tokens: list[Token], match: Match) -> bool:
     if not match.only("locus"):
         return False
     side = longest_match(tokens, match.j + 1)
-    return tokens[match.j].low == "the" and side is not None and side.has("dir")
+    return tokens[match.j].low in _ITS and side is not None and side.has("dir")
 
 
 def then_a_noun(tokens: list[Token], match: Match) -> bool:

@@ -72,9 +72,22 @@ def _by_the_other(chunks: list[Chunk], events: list[Event]) -> None:
         opens = before is None or (isinstance(before, Word) and before.value in BOUNDARIES)
         told = any(e.name == event.name and e is not event for e in events)
         others = [c for c in chunks if isinstance(c, Mention) and c.heads and c.i > event.i]
-        others = [c for c in others if not any(h.data.get("ego") for h in c.heads)]
+        egos = [c for c in others if any(h.data.get("ego") for h in c.heads)]
+        others = [c for c in others if c not in egos]
+        if (
+            event.name in {"lane_change", "merge"}
+            and opens
+            and egos
+            and all(map(_has_place, others))
+        ):
+            event.subject = egos[:1]  # the others keep where they are
+            continue
         if opens and others and not (told and any(c.mods for c in others if _premod(c, event))):
             event.subject = others[:1]
+
+
+def _has_place(mention: Mention) -> bool:
+    return bool(mention.pps) or bool(mention.dirs) or any(m.value == "def" for m in mention.mods)
 
 
 def _premod(mention: Mention, event: Event) -> bool:

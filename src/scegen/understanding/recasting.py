@@ -10,6 +10,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, Control
 from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
+from scegen.understanding.ways import into_lane
 
 _OPEN = frozenset({"dash", "breach"})
 """Verbs that say nothing without a phrase of place."""
@@ -72,6 +73,8 @@ def _driven(scene: Scene, context: Context) -> str | None:
         return "cut_in"
     if event.name in {"move", "dash", "speed"} and _ignores_it(scene, context):
         return "breach"
+    if event.name == "cross" and motor and _into_a_lane(event):
+        return "lane_change"
     if event.name in _MOVING and motor and _goes_round(scene, context):
         return "bypass"
     lane = isinstance(event.object, Place) and event.object.kind == "lane"
@@ -110,6 +113,13 @@ def _into_a_turn(event: Event) -> bool:
     turned = [m for m in event.mods if m.value != "straight"]  # "hangs a right, straight across"
     event.mods, event.object = [*turned, *ways], None
     return True
+
+
+def _into_a_lane(event: Event) -> bool:
+    """``jumps into the ego's lane``: said of a vehicle, from the next lane."""
+    lane = event.object if event.object is not None else into_lane(event)
+    named = isinstance(lane, Place) and lane.kind == "lane" and "opposite" not in lane.dirs
+    return named and isinstance(lane, Place) and (lane.owner is not None or bool(lane.dirs))
 
 
 def _goes_round(scene: Scene, context: Context) -> bool:

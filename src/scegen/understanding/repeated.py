@@ -66,5 +66,10 @@ def _an_exit(mention: Mention, before: list[Chunk], tokens: list[Token]) -> bool
 
 def _there(word: Word, before: list[Chunk], tokens: list[Token]) -> bool:
     """``the car travelling there``: after a verb or a noun, not "there" at the start."""
-    follows = bool(before) and isinstance(before[-1], Event | Mention)
-    return follows and tokens[word.i].low == "there" and word.j - word.i == 1
+    last = before[-1] if before else None
+    opens = isinstance(last, Word) and last.cat == "conj"  # "but there a van brakes"
+    return (
+        (opens or isinstance(last, Event | Mention))
+        and tokens[word.i].low == "there"
+        and word.j - word.i == 1
+    )

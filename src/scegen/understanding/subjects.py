@@ -15,7 +15,8 @@ from scegen.understanding.state import State
 
 PASSIVE = frozenset(
     {"collide", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate", "cause",
-     "prevent", "precede", "encounter", "pass", "cut_in", "cut", "avoid", "approach", "undertake",
+     "prevent", "precede", "encounter", "overlook", "pass", "cut_in", "cut", "avoid", "approach",
+     "undertake",
      "enter", "use", "door", "chase", "harm", "send"}
 )  # fmt: skip
 

@@ -86,9 +86,18 @@ def next_lane(event: Event, context: Context) -> bool:
     lane = into_lane(event)
     ranked = lane is not None and lane.head is not None and "ranked" in lane.head.data
     beside = ranked or (lane is not None and lane.kind == "lane" and bool(BESIDE & set(lane.dirs)))
-    beside = beside or _into_a_gap(event)
+    beside = beside or _into_a_gap(event) or _from_the_next(event, lane, context)
     keeps = context.tokens[event.i].forms[-1][0] in _KEEPING
     return beside and not keeps and not context.junction.crossing
+
+
+def _from_the_next(event: Event, lane: Place | None, context: Context) -> bool:
+    """``the van next to it drifts into the same lane``: from beside, whatever lane it is."""
+    who = [e for m in event.subject for e in m.entities]
+    entered = any(p.target is lane and p.value == "into" for p in event.pps)
+    entered = entered or (event.name == "enter" and event.object is lane)
+    named = lane is not None and lane.kind == "lane" and "opposite" not in lane.dirs
+    return named and entered and any(context.placed(e, Approach.ADJACENT) for e in who)
 
 
 def _into_a_gap(event: Event) -> bool:
