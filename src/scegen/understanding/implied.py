@@ -43,7 +43,6 @@ def positions(scenes: list[Scene], context: Context) -> None:
         _across(scene, context)
     oncoming.turned_across(context)
     oncoming.unseen(context)
-    oncoming.turned_across(context)
     for danger in context.draft.dangers:
         if danger.kind is HazardKind.ONCOMING_LANE:
             _around_something(danger, context)

@@ -44,7 +44,8 @@ def turned_across(context: Context) -> None:
     for danger in context.draft.dangers:
         if danger.kind is not HazardKind.UNPROTECTED_LEFT_TURN or not any(e.ego for e in danger.by):
             continue
-        for entity in danger.to:
+        others = [e for e in context.draft.entities if e.moving_vehicle and not e.ego]
+        for entity in danger.to or (others if len(others) == 1 else []):
             told = any(p.entity is entity for p in context.draft.placements)
             if entity.moving_vehicle and not told and entity.heading is None:
                 basis = Basis(danger.basis.i, danger.basis.j, "the turn leads across its way")
@@ -121,24 +122,6 @@ def from_behind(scene: Scene, context: Context) -> None:
         if entity.heading is None and not any(p.entity is entity for p in context.draft.placements):
             basis = Basis(scene.event.i, scene.event.j, "who overtakes comes from behind")
             context.draft.place(entity, None, {Approach.BEHIND}, basis)
-
-
-def turned_across(context: Context) -> None:
-    """``turns left in front of a motorbike``: it comes from the front, if nothing is said.
-
-    Args:
-        context: the scenario in the making.
-    """
-    for danger in context.draft.dangers:
-        unprotected = danger.kind is HazardKind.UNPROTECTED_LEFT_TURN
-        if not unprotected or not any(e.ego for e in danger.by):
-            continue
-        others = [e for e in context.draft.entities if e.moving_vehicle and not e.ego]
-        for entity in danger.to or (others if len(others) == 1 else []):
-            said = any(p.entity is entity for p in context.draft.placements)
-            if entity.moving_vehicle and not said and entity.heading is None:
-                basis = Basis(danger.basis.i, danger.basis.j, "the turn leads across its way")
-                context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
 
 
 def unseen(context: Context) -> None:
