@@ -254,7 +254,8 @@ def merge(scene: Scene, context: Context) -> None:
     lane = into_lane(scene.event)
     basis = scene.how("sudden", "aggressive") or scene.words
     ahead = [p for p in scene.event.pps if p.word.cat == "locus" and p.value == "ahead"]
-    if ahead and mentioned(scene.event) and not context.junction.crossing:
+    alone = all(e.ego for e in scene.drivers) and scene.event.modal
+    if ahead and mentioned(scene.event) and not (alone or context.junction.crossing):
         context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, mentioned(scene.event))
         return  # "merges in front of the bus"
     own = all(e.ego for e in scene.drivers) and not _owners(lane, scene, context)

@@ -50,7 +50,8 @@ def opened(reading: Reading, mention: Mention, entities: list[Entity]) -> list[E
 
 def vehicle_around(reading: Reading, mention: Mention) -> Mention | None:
     """``someone in a van``: people in or on a vehicle stand for it."""
-    if reading.kind is not ParticipantKind.PEDESTRIAN and not reading.driver:
+    afoot = reading.kind is ParticipantKind.PEDESTRIAN or mention.goes_by is not None
+    if not afoot and not reading.driver:
         return None
     for prep in mention.pps:
         target = prep.target

@@ -80,7 +80,8 @@ def _unable(scene: Scene, context: Context) -> None:
             for d in context.draft.dangers
             for e in scene.drivers
         )
-        if not (skids or _too_near(event.i, context)):
+        signed = any(p.kind in _SIGNS | {"signal"} for p in scene.places())
+        if not (skids or signed or _too_near(event.i, context)):
             context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name == "encounter":
         context.draft.hazard(HazardKind.OCCLUSION, basis, _in_the_way(scene, context))

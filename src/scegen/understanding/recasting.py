@@ -205,6 +205,12 @@ def _around(scene: Scene, context: Context) -> bool:
 def _between_lanes(scene: Scene, context: Context) -> bool:
     """``a coach in the next lane pulls out in front of me``: out of its lane, not of a road."""
     event = scene.event
+    leaves = any(
+        p.value in {"in", "of", "from"} and isinstance(p.target, Place) and p.target.kind == "lane"
+        for p in event.pps
+    )
+    if leaves and into_lane(event) is not None:
+        return True  # "pulls out of the bus lane into the ego's lane"
     ahead = any(
         _who(p) and (p.value == "ahead" or context.tokens[p.word.i].low == "on") for p in event.pps
     )
