@@ -42,6 +42,7 @@ def positions(scenes: list[Scene], context: Context) -> None:
         _cuts_out(scene, context)
         _revealed(scene, context)
         _across(scene, context)
+    oncoming.turned_across(context)
     oncoming.unseen(context)
     for danger in context.draft.dangers:
         if danger.kind is HazardKind.ONCOMING_LANE:

@@ -37,6 +37,23 @@ def hidden_behind(scene: Scene, context: Context) -> None:
                 context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
 
 
+def turned_across(context: Context) -> None:
+    """``the ego turns left across the path of a motorcyclist``: who comes towards it.
+
+    Args:
+        context: the scenario in the making.
+    """
+    for danger in context.draft.dangers:
+        if danger.kind is not HazardKind.UNPROTECTED_LEFT_TURN or not any(e.ego for e in danger.by):
+            continue
+        others = [e for e in context.draft.entities if e.moving_vehicle and not e.ego]
+        for entity in danger.to or (others if len(others) == 1 else []):
+            told = any(p.entity is entity for p in context.draft.placements)
+            if entity.moving_vehicle and not told and entity.heading is None:
+                basis = Basis(danger.basis.i, danger.basis.j, "the turn leads across its way")
+                context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
+
+
 def overtaken(scene: Scene, context: Context) -> None:
     """``an oncoming van overtakes a bus``: both come the same way.
 

@@ -37,6 +37,9 @@ def recast(scene: Scene, context: Context) -> str:
         context: the scenario in the making.
     """
     event = scene.event
+    shoved = context.tokens[event.i].forms[-1][0] in {"shove", "barge", "push"}
+    if event.name == "dash" and shoved and isinstance(event.object, Mention):
+        return "send"  # "shoved us into the junction"
     if event.name in _MAKING and _into_a_turn(event):
         return "turn"
     if event.name == "walk" and scene.drivers and _runs_it(scene, context):
@@ -74,8 +77,10 @@ def _driven(scene: Scene, context: Context) -> str | None:
     event = scene.event
     motor = [e for e in scene.drivers if not context.is_cyclist(e)]
     out = "out" in _own(scene, context) and not _riding(scene, context)
-    if event.name == "cross" and motor and out:
-        return "pull_out"
+    careless = scene.how("aggressive", "sudden") is not None and event.name == "appear"
+    aside = any(p.kind in {"access", "parking"} for p in scene.places())
+    if motor and ((event.name == "cross" and out) or (careless and aside)):
+        return "pull_out"  # "came out of the side road without looking"
     springs = context.tokens[event.i].forms[-1][0] in _SPRINGING
     if event.name == "pull_out" and not motor and springs and not context.junction.crossing:
         return "cross"  # "a cyclist shoots out of a gap in a hedge"
@@ -215,6 +220,12 @@ def _around(scene: Scene, context: Context) -> bool:
 def _between_lanes(scene: Scene, context: Context) -> bool:
     """``a coach in the next lane pulls out in front of me``: out of its lane, not of a road."""
     event = scene.event
+    leaves = any(
+        p.value in {"in", "of", "from"} and isinstance(p.target, Place) and p.target.kind == "lane"
+        for p in event.pps
+    )
+    if leaves and into_lane(event) is not None:
+        return True  # "pulls out of the bus lane into the ego's lane"
     ahead = any(
         _who(p) and (p.value == "ahead" or context.tokens[p.word.i].low == "on") for p in event.pps
     )

@@ -139,7 +139,7 @@ def _generic(chunks: list[Chunk], events: list[Event]) -> None:
 
     Traffic that somebody waits for, or gives way to, is there.
     """
-    entered = {id(e.object) for e in events if e.name in {"enter", "merge"}}
+    entered = {id(e.object) for e in events if e.name in {"enter", "merge", "inert"}}
     met = {id(p.target) for e in events if e.name in _LETTING_BY for p in e.pps}
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Mention) or chunk.head is None:
