@@ -18,12 +18,15 @@ from scegen.understanding import (
 from scegen.understanding.chunks import Mention
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
+from scegen.understanding.reactions import endangered
 from scegen.understanding.walking import keep_along
 from scegen.understanding.ways import against, into_lane
 
 
 def accelerate(scene: Scene, context: Context) -> None:
     """Speeding up is a danger unless it is an answer to one."""
+    if all(e.ego for e in scene.drivers) and scene.sudden is None and endangered(context):
+        return  # "speeds up to get clear of it"
     starts = any(p.kind == "signal" for p in scene.places()) and scene.sudden is None
     starts = starts and any(
         p.value in {"from", "outside"} for p in scene.event.pps
@@ -66,7 +69,8 @@ def crawl(scene: Scene, context: Context) -> None:
 
 def swerve(scene: Scene, context: Context) -> None:
     """Swerving, weaving, drifting; what the ego does to avoid another danger is its answer."""
-    drivers = [e for e in scene.drivers if not (scene.reaction and e.ego)]
+    answers = scene.reaction or endangered(context)
+    drivers = [e for e in scene.drivers if not (answers and e.ego)]
     if not drivers or (scene.event.modal and any(e.ego for e in drivers)):
         return
     context.draft.hazard(HazardKind.SWERVING, scene.words, drivers, scene.targets)

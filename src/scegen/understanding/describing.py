@@ -240,8 +240,18 @@ def _vehicle(noun: object) -> bool:
     return head is not None and head.value in _BY_TRADE and head.form != "s"
 
 
+def _out_of_a_road(event: Event) -> bool:
+    """``he came out of the side road``: whoever drives does."""
+    return any(
+        isinstance(p.target, Place) and p.target.kind in {"access", "junction", "parking"}
+        for p in event.pps
+        if p.value in {"in", "from", "of"}
+    )
+
+
 def _on_foot(event: Event) -> bool:
     against = any(p.value == "into" and isinstance(p.target, Mention) for p in event.pps)
+    against = against or (event.name == "appear" and _out_of_a_road(event))
     return event.name in {"cross", "walk", "appear"} and not against
 
 

@@ -38,6 +38,7 @@ def positions(scenes: list[Scene], context: Context) -> None:
         oncoming.overtaken(scene, context)
         oncoming.from_behind(scene, context)
         oncoming.met(scene, context)
+        oncoming.faced(scene, context)
         _cuts_out(scene, context)
         _revealed(scene, context)
         _across(scene, context)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 
 BOUNDARIES = frozenset({".", ";", "!", "?", ":"})
 ADVERBS = frozenset(
@@ -10,6 +10,7 @@ ADVERBS = frozenset(
 )
 GOVERNING = frozenset({"prep", "locus"})
 _COMMA_REACH = 2
+_VIEW_OF = 3
 
 
 def event_follows(chunks: list[Chunk], k: int) -> bool:
@@ -163,3 +164,18 @@ def after_a_comma(before: list[Chunk]) -> bool:
     if len(before) < _COMMA_REACH or not isinstance(before[0], Mention):
         return False
     return isinstance(before[1], Word) and before[1].value == ","
+
+
+def view_of(before: list[Chunk]) -> Thing | None:
+    """``its view blocked``, ``his view of the road blocked``.
+
+    Args:
+        before: the last chunks before a participle.
+    """
+    last = before[-1] if before else None
+    if isinstance(last, Thing) and last.kind == "view":
+        return last
+    if len(before) == _VIEW_OF and isinstance(before[1], Word) and before[1].value == "of":
+        first = before[0]
+        return first if isinstance(first, Thing) and first.kind == "view" else None
+    return None

@@ -197,4 +197,5 @@ def _has_to_wait(scene: Scene, context: Context) -> bool:
     if scene.event.link == "ing" and (onto or (parent and parent.name == "pull_out")):
         return True  # "rides onto the road without stopping"
     joins = context.junction.crossing or context.draft.access is not None
+    joins = joins or context.junction.control is not None
     return (scene.event.link == "ing" or awaited) and joins
