@@ -45,7 +45,9 @@ def turn(scene: Scene, context: Context) -> None:
         kind = HazardKind.FAILURE_TO_YIELD
         if left and not sideways:
             kind = HazardKind.UNPROTECTED_LEFT_TURN
-        context.draft.hazard(kind, scene.words, scene.drivers)
+        ways = [p for p in scene.places() if p.kind == "path" and p.owner is not None]
+        to = [e for p in ways if p.owner is not None for e in p.owner.entities]
+        context.draft.hazard(kind, scene.words, scene.drivers, to)
         return
     fronts = (p for p in event.pps if p.word.cat == "locus" and p.value == "ahead")
     in_front = next((p for p in fronts if not leads(p, context)), None)
@@ -254,7 +256,8 @@ def merge(scene: Scene, context: Context) -> None:
     lane = into_lane(scene.event)
     basis = scene.how("sudden", "aggressive") or scene.words
     ahead = [p for p in scene.event.pps if p.word.cat == "locus" and p.value == "ahead"]
-    if ahead and mentioned(scene.event) and not context.junction.crossing:
+    alone = all(e.ego for e in scene.drivers) and scene.event.modal
+    if ahead and mentioned(scene.event) and not (alone or context.junction.crossing):
         context.draft.hazard(HazardKind.CUT_IN, basis, scene.drivers, mentioned(scene.event))
         return  # "merges in front of the bus"
     own = all(e.ego for e in scene.drivers) and not _owners(lane, scene, context)
