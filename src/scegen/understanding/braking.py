@@ -8,7 +8,7 @@ from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
 
-_STANDING = frozenset({"stand", "sit", "idle", "unload", "load", "deliver", "linger"})
+_STANDING = frozenset({"stand", "sit", "idle", "unload", "load", "deliver", "linger", "lie"})
 _GENTLY = frozenset({"gently", "gentle", "lightly", "light", "softly", "soft", "smoothly", "smooth",
                      "gradually", "gradual", "moderately", "moderate", "mildly", "mild",
                      "slightly", "slight", "carefully", "comfortably"})  # fmt: skip

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, HazardKind
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.chunks import Mention
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity, Placement
+
+_SLOWER = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
 
 
 def hidden_behind(scene: Scene, context: Context) -> None:
@@ -70,6 +72,32 @@ def overtaken(scene: Scene, context: Context) -> None:
             seen = [p for p in context.draft.placements if p.entity is entity and by_the_ego(p)]
             if entity.moving_vehicle and not entity.ego and not seen:
                 context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
+
+
+def faced(scene: Scene, context: Context) -> None:
+    """``in the opposite lane, the ego is confronted with a van``: it comes head-on.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    event = scene.event
+    egos = [e for e in scene.actors + scene.targets if e.ego]
+    across = any(
+        d.kind is HazardKind.ONCOMING_LANE and any(e.ego for e in d.by)
+        for d in context.draft.dangers
+    )
+    passing = across or any(Maneuver.OVERTAKE in e.maneuvers for e in egos)
+    if event.name != "encounter" or event.negated or not egos or not passing:
+        return
+    others = [p.target for p in event.pps if p.value in {"with", "by"}]
+    found = [e for m in others if isinstance(m, Mention) for e in m.entities]
+    for entity in [*scene.actors, *scene.targets, *found]:
+        seen = any(p.entity is entity for p in context.draft.placements)
+        slow = any(entity in d.by and d.kind in _SLOWER for d in context.draft.dangers)
+        if entity.moving_vehicle and not (entity.ego or seen or slow):
+            basis = Basis(event.i, event.j, "who is met in the oncoming lane comes head-on")
+            context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
 
 
 def met(scene: Scene, context: Context) -> None:

@@ -48,6 +48,9 @@ def then_a_side(tokens: list[Token], match: Match) -> bool:
     """
     if tokens[match.j - 1].low != "from" or match.j + 1 >= len(tokens):
         return False
+    across = match.j > 1 and tokens[match.j - 2].low == "across"
+    if across and tokens[match.j].low in {"behind", "between"}:
+        return True  # "tears across from behind a bus"
     if not match.only("locus"):
         return False
     side = longest_match(tokens, match.j + 1)
@@ -98,13 +101,13 @@ def over_a_place(tokens: list[Token], match: Match) -> bool:
     if tokens[match.j - 1].low != "over" or not match.only("verb") or match.j >= len(tokens):
         return False
     noun = longest_match(tokens, match.j)
-    if noun is not None and noun.has("det", "possessive") and noun.j < len(tokens):
+    opened = noun is not None and noun.has("det", "possessive")
+    if noun is not None and opened and noun.j < len(tokens):
         noun = longest_match(tokens, noun.j)
-    return (
-        match.get("verb").value in {"collide", "lose_control"}
-        and noun is not None
-        and noun.has("place")
-    )
+    value = match.get("verb").value
+    if value == "lane_change":  # "slides over the wet road"
+        return opened and not (noun is not None and noun.get("place").value == "lane")
+    return value in {"collide", "lose_control"} and noun is not None and noun.has("place")
 
 
 def in_front(tokens: list[Token], match: Match) -> bool:

@@ -22,6 +22,9 @@ _MOVING = frozenset({"move", "try", "crawl", "leave", "speed", "accelerate", "sw
                      "sharp_turn", "unknown"})  # fmt: skip
 """Verbs that with "round the van" mean to get past it."""
 _ACROSS = frozenset({"across", "over"})
+_HURRYING = frozenset({"move", "speed", "dash"})
+_SPRINGING = frozenset({"shoot", "burst", "bolt", "fly", "race", "dart", "jump", "spring", "lurch",
+                        "tear", "pop", "whip", "launch", "dash"})  # fmt: skip
 _ASIDE = frozenset({"access", "parking", "bus_stop", "sidewalk", "junction"})
 _ROADS = frozenset({"road", "junction", "crosswalk", "highway", "path"})
 
@@ -56,6 +59,15 @@ def recast(scene: Scene, context: Context) -> str:
     return _by_path(scene, context, riding=_riding(scene, context))
 
 
+def _over_it(scene: Scene, context: Context) -> bool:
+    """``tears across``, ``races over``: with no more said, the road."""
+    own = _own(scene, context) | {
+        context.tokens[m.j - 1].low for m in scene.event.mods if m.cat in {"manner", "dir"}
+    }
+    own |= {t.low for t in context.tokens[scene.event.j : scene.event.j + 1]}
+    return bool(own & _ACROSS)
+
+
 def _riding(scene: Scene, context: Context) -> bool:
     return all(context.is_cyclist(e) and not e.ego for e in scene.drivers)
 
@@ -69,6 +81,9 @@ def _driven(scene: Scene, context: Context) -> str | None:
     aside = any(p.kind in {"access", "parking"} for p in scene.places())
     if motor and ((event.name == "cross" and out) or (careless and aside)):
         return "pull_out"  # "came out of the side road without looking"
+    springs = context.tokens[event.i].forms[-1][0] in _SPRINGING
+    if event.name == "pull_out" and not motor and springs and not context.junction.crossing:
+        return "cross"  # "a cyclist shoots out of a gap in a hedge"
     if event.name == "pull_out" and motor and _between_lanes(scene, context):
         return "cut_in"
     if event.name in {"move", "dash", "speed"} and _ignores_it(scene, context):
@@ -84,7 +99,7 @@ def _driven(scene: Scene, context: Context) -> str | None:
 def _on_foot(scene: Scene, context: Context) -> str | None:
     """What people on foot do who move, jump out, or roll off the kerb; None for all else."""
     name = scene.event.name
-    if name == "move" and scene.walkers and "across" in _own(scene, context):
+    if name in _HURRYING and scene.walkers and _over_it(scene, context):
         return "cross"
     if not scene.actors or any(e.is_vehicle for e in scene.actors):
         return None

@@ -34,7 +34,7 @@ from scegen.understanding.tokens import Token
 from scegen.understanding.unnamed_roles import with_articles
 
 _NOUNS = ("actor", "place", "thing", "inert")
-_CROSSED = frozenset({"access", "road", "lane", "path", "highway", "crosswalk"})
+_CROSSED = frozenset({"access", "road", "lane", "path", "highway", "crosswalk", "exit", "leg"})
 _HELPS = frozenset({"is", "are", "was", "were", "be", "been", "being", "has", "have", "had"})
 _STEERED = frozenset({"driven", "ridden"})
 _UNIT_WORDS = frozenset({"unit", "veh", "v"})
