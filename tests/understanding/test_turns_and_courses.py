@@ -101,3 +101,34 @@ def test_a_turn_as_well_is_the_same_turn():
 def test_parts_of_vehicles_are_no_obstacles():
     assert HazardKind.OBSTACLE not in hazards_of("The truck suffered a burst tyre and swerved.")
     assert HazardKind.OBSTACLE in hazards_of("There is a tyre in the ego's lane.")
+
+
+def test_no_intention_of_stopping_is_not_stopping():
+    text = "A van from the left has no intention of stopping at its red light."
+    assert HazardKind.RED_LIGHT_RUNNING in hazards_of(text)
+
+
+def test_what_the_ego_does_to_get_clear_is_no_danger():
+    text = "A van from the left runs the red light and the ego, going straight, speeds up."
+    assert hazards_of(text) == {HazardKind.RED_LIGHT_RUNNING}
+
+
+def test_who_comes_out_of_a_side_road_drives():
+    text = "He came out of the side road on my left without looking."
+    assert other_of(text).kind.value == "car"
+    assert HazardKind.FAILURE_TO_YIELD in hazards_of(text)
+
+
+def test_what_the_ego_is_blocked_on():
+    assert ego_of("A van blocks the ego's way straight on at the crossroads.").maneuvers == {
+        Maneuver.STRAIGHT
+    }
+
+
+def test_going_backwards_is_reversing():
+    assert HazardKind.REVERSING in hazards_of("A car comes out of a driveway backwards.")
+
+
+def test_slowing_for_a_turn_is_no_hard_braking():
+    text = "A cyclist overtakes the ego as it slows for a right turn."
+    assert HazardKind.HARD_BRAKING not in hazards_of(text)

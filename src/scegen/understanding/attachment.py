@@ -112,7 +112,9 @@ def _head_of(prep: Prep, state: State) -> Mention | None:
         if any(p.target is inner and p.word.cat == "locus" for p in mention.pps):
             return mention
     towards = state.events[-1] if ego and state.events else None
-    if towards is not None and any(p.target is inner for p in towards.pps) and towards.subject:
+    met = towards is not None and towards.name == "approach" and towards.object is inner
+    to = towards is not None and any(p.target is inner for p in towards.pps)
+    if towards is not None and (met or to) and towards.subject:
         return towards.subject[-1]
     return None
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from scegen.understanding.ahead import noun_follows
+from scegen.understanding.ahead import noun_follows, of_a_doing
 from scegen.understanding.lexicon import Entry
 from scegen.understanding.measures import names_a_measure
 from scegen.understanding.nominal import ORDINALS
-from scegen.understanding.sidewords import across_from, left_or_gone
+from scegen.understanding.sidewords import across_from, creeps, left_or_gone
 from scegen.understanding.terms import Match, Term, longest_match
 from scegen.understanding.tokens import Token
 
@@ -25,7 +25,7 @@ _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
 def _attributive(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     """Whether a participle stands before the noun that it describes."""
     owned = previous is not None and previous.cat in {"det", "possessive"}
-    if owned and match.form == "base" and _of_a_doing(match, tokens):
+    if owned and match.form == "base" and of_a_doing(match, tokens):
         return True
     if not (_may_describe(previous) and noun_follows(tokens, match.j)):
         return False
@@ -85,7 +85,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     verb = match.get("verb")
     participle = match.form in {"ing", "ed"}
     infinitive = previous is not None and previous.value == "to" and match.form == "base"
-    named = match.has("actor") and not _creeps(match, tokens, previous)
+    named = match.has("actor") and not creeps(match, tokens, previous)
     if named and not (participle or infinitive) and before not in _VERBAL_BEFORE:
         return match.get("actor"), False  # "a cycle", not "they cycle"
     attributive = _attributive(match, tokens, previous)
@@ -128,24 +128,11 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> b
         return True  # "a car coming the other way brakes"
     one = previous.cat == "num" and previous.data.get("number") == 1
     one = one or (previous.cat == "label" and previous.value in ORDINALS)  # "the first brakes"
-    sided = previous.cat == "dir" and previous.value in {"left", "right"} and match.has("inert")
+    sided = previous.cat == "dir" and previous.value in {"left", "right"}
+    sided = sided and match.has("inert", "thing")  # "from the left barrels through"
     if previous.cat == "dir" and match.get("verb").value == "inert" and _way_at(tokens, match.j):
         return True  # "a car from the front signals right"
     return one or sided
-
-
-def _of_a_doing(match: Match, tokens: list[Token]) -> bool:
-    """``its slow turn``: how it is done, although "slow" is a verb, too."""
-    doing = longest_match(tokens, match.j) if match.j < len(tokens) else None
-    return match.has("manner") and doing is not None and doing.has("verb") and doing.form == "base"
-
-
-def _creeps(match: Match, tokens: list[Token], side: Term | None) -> bool:
-    """``the one to the ego's right creeps forward``: what it does, not what somebody is."""
-    if side is None:
-        return False
-    named = side.cat == "dir" and side.i > 0 and tokens[side.i - 1].kind == "clitic"
-    return named and match.has("actor") and match.form == "s"
 
 
 def _way_at(tokens: list[Token], j: int) -> bool:

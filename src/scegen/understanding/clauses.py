@@ -24,13 +24,13 @@ from scegen.understanding.lookahead import (
     main_verb_follows,
     only_a_noun_follows,
     phrase_follows,
+    view_of,
 )
 from scegen.understanding.nominals import read_mention, read_noun
 from scegen.understanding.state import State
 from scegen.understanding.terms import Term
 
 _OPENERS = frozenset({"conj", "sub", "punct"})
-_VIEW_OF = 3
 LANES = frozenset({"lane", "bike_lane", "shoulder", "sidewalk", "side"})
 
 
@@ -167,6 +167,11 @@ class ClauseReader:
     def _heading_of_a_noun(self, word: Word, k: int) -> bool:
         """``the path of V2, eastbound on Elm Street``."""
         before = self._chunks[max(0, k - 2) : k]
+        noun = before[-1] if before else None
+        if (word.cat, word.value) == ("dir", "opposite") and isinstance(noun, Mention):
+            release(self._state)
+            noun.mods.append(word.term)  # "it is red for the van opposite"
+            return True
         after = "bound" in word.term.data and after_a_comma(before)
         if after and isinstance(before[0], Mention):
             release(self._state)
@@ -210,7 +215,7 @@ class ClauseReader:
             return event.form == "ing" and not self._state.between
         if absolute(event, k, self._chunks):
             return True
-        view = _view_of(self._chunks[max(0, k - 3) : k])
+        view = view_of(self._chunks[max(0, k - 3) : k])
         if view is not None and event.form == "ed":
             event.passive, event.object = True, view  # "its view blocked by a truck"
             return "aux:be" not in self._state.between
@@ -285,14 +290,3 @@ def _blocks(chunk: Chunk) -> bool:
     if not isinstance(chunk, Thing) or (chunk.prep is not None and chunk.prep.value == "with"):
         return False
     return chunk.kind in {"obstacle", "object"}
-
-
-def _view_of(before: list[Chunk]) -> Thing | None:
-    """``its view blocked``, ``his view of the road blocked``."""
-    last = before[-1] if before else None
-    if isinstance(last, Thing) and last.kind == "view":
-        return last
-    if len(before) == _VIEW_OF and isinstance(before[1], Word) and before[1].value == "of":
-        first = before[0]
-        return first if isinstance(first, Thing) and first.kind == "view" else None
-    return None

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding import (
+    braking,
     breaches,
     conflicts,
     encounters,
@@ -14,23 +15,18 @@ from scegen.understanding import (
     returning,
     screens,
 )
-from scegen.understanding.chunks import Mention, Place
+from scegen.understanding.chunks import Mention
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
+from scegen.understanding.reactions import endangered
 from scegen.understanding.walking import keep_along
 from scegen.understanding.ways import against, into_lane
-
-_STANDING = frozenset({"stand", "sit", "idle", "unload", "load", "deliver", "linger"})
-_GENTLY = frozenset({"gently", "gentle", "lightly", "light", "softly", "soft", "smoothly", "smooth",
-                     "gradually", "gradual", "moderately", "moderate", "mildly", "mild",
-                     "slightly", "slight", "carefully", "comfortably"})  # fmt: skip
-_BEYOND = frozenset({"past", "beyond", "after"})
-_REGULATED = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_stop", "parking",
-                        "shoulder", "sidewalk", "crosswalk"})  # fmt: skip
 
 
 def accelerate(scene: Scene, context: Context) -> None:
     """Speeding up is a danger unless it is an answer to one."""
+    if all(e.ego for e in scene.drivers) and scene.sudden is None and endangered(context):
+        return  # "speeds up to get clear of it"
     starts = any(p.kind == "signal" for p in scene.places()) and scene.sudden is None
     starts = starts and any(
         p.value in {"from", "outside"} for p in scene.event.pps
@@ -44,89 +40,6 @@ def speed(scene: Scene, context: Context) -> None:
     """``speeds``, ``a speeding car``."""
     if scene.drivers:
         context.draft.hazard(HazardKind.SPEEDING, scene.words, scene.drivers)
-
-
-def brake(scene: Scene, context: Context) -> None:
-    """Braking counts when it is sudden; plain braking only where it is not an answer."""
-    parent = scene.event.parent
-    if parent is not None and parent.name == "delay":
-        return
-    late = scene.how("late")
-    if late is not None:
-        context.draft.hazard(HazardKind.DELAYED_BRAKING, late, scene.drivers)
-        return
-    sudden = scene.sudden
-    answer = scene.reaction or any(p.value == "for" for p in scene.event.pps)
-    answer = answer or (all(e.ego for e in scene.drivers) and bool(context.draft.dangers))
-    if sudden is None and answer:
-        return
-    if sudden is None and (not scene.drivers or _gentle(scene, context)):
-        return
-    context.draft.hazard(HazardKind.HARD_BRAKING, sudden or scene.words, scene.drivers)
-
-
-def hard_brake(scene: Scene, context: Context) -> None:
-    """``slams on the brakes``, ``emergency braking``; what one is forced to is no danger."""
-    if scene.event.modal and not scene.event.nominal and any(e.ego for e in scene.actors):
-        return
-    context.draft.hazard(HazardKind.HARD_BRAKING, scene.words, scene.drivers)
-
-
-def _gentle(scene: Scene, context: Context) -> bool:
-    """``brakes gently``, ``a gradual deceleration``."""
-    return any(context.tokens[m.j - 1].low in _GENTLY for m in scene.event.mods)
-
-
-def slow(scene: Scene, context: Context) -> None:
-    """Slowing down is hard braking when sudden, or when the vehicle ahead does it."""
-    lets = any(c.name == "cause" for c in scene.event.children)  # "slows down to let her cross"
-    if not scene.drivers or (lets and scene.sudden is None):
-        return
-    sudden = scene.sudden
-    leads = any(
-        p.entity in scene.drivers and Approach.AHEAD in p.approaches
-        for p in context.draft.placements
-    )
-    if scene.event.perfect and sudden is None:
-        if leads:
-            context.draft.hazard(HazardKind.SLOW_DRIVING, scene.words, scene.drivers)
-        return
-    if sudden is not None or (leads and not (scene.reaction or _gentle(scene, context))):
-        context.draft.hazard(HazardKind.HARD_BRAKING, sudden or scene.words, scene.drivers)
-
-
-def stop(scene: Scene, context: Context) -> None:
-    """Stopping where traffic moves; at a sign or light it is no danger."""
-    sudden = scene.sudden
-    motor = [e for e in scene.drivers if e.kind is not ParticipantKind.BICYCLE]
-    if sudden is not None and motor:
-        context.draft.hazard(HazardKind.HARD_BRAKING, sudden, motor)
-    too_late(scene, context)
-    beyond = {
-        id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low in _BEYOND
-    }  # "stops just past the crosswalk"
-    if any(p.kind in _REGULATED and id(p) not in beyond for p in scene.places()):
-        return
-    if any(p.value == "for" and isinstance(p.target, Mention) for p in scene.event.pps):
-        return  # "stops for her"
-    if scene.reaction or not scene.actors or any(e.ego for e in scene.actors):
-        return
-    context.draft.hazard(HazardKind.STOPPING, sudden or scene.words, scene.actors)
-
-
-def wait(scene: Scene, context: Context) -> None:
-    """``a taxi standing in the lane``: it blocks the way."""
-    lanes = any(
-        p.word.value == "in"
-        and isinstance(p.target, Place)
-        and p.target.kind in {"lane", "middle"}
-        and not ({"adjacent", "opposite"} & set(p.target.dirs))
-        for p in scene.event.pps
-    )
-    others = [e for e in scene.drivers if not e.ego]
-    stands = context.tokens[scene.event.i].forms[-1][0] in _STANDING
-    if lanes and stands and others:
-        context.draft.hazard(HazardKind.STOPPING, scene.words, others)
 
 
 def move(scene: Scene, context: Context) -> None:
@@ -148,13 +61,6 @@ def move(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.TAILGATING, close, behind)
 
 
-def too_late(scene: Scene, context: Context) -> None:
-    """``notices the queue too late``, ``reacts late``."""
-    late = scene.how("late")
-    if late is not None and scene.drivers:
-        context.draft.hazard(HazardKind.DELAYED_BRAKING, late, scene.drivers)
-
-
 def crawl(scene: Scene, context: Context) -> None:
     """Verbs that say that somebody drives slowly."""
     if scene.drivers and not scene.reaction:
@@ -163,7 +69,8 @@ def crawl(scene: Scene, context: Context) -> None:
 
 def swerve(scene: Scene, context: Context) -> None:
     """Swerving, weaving, drifting; what the ego does to avoid another danger is its answer."""
-    drivers = [e for e in scene.drivers if not (scene.reaction and e.ego)]
+    answers = scene.reaction or endangered(context)
+    drivers = [e for e in scene.drivers if not (answers and e.ego)]
     if not drivers or (scene.event.modal and any(e.ego for e in drivers)):
         return
     context.draft.hazard(HazardKind.SWERVING, scene.words, drivers, scene.targets)
@@ -244,22 +151,14 @@ def park(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
 
 
-def delay(scene: Scene, context: Context) -> None:
-    """``delays braking``, ``hesitates to brake``."""
-    if any(c.name in {"brake", "slow", "stop"} for c in scene.event.children):
-        child = scene.event.children[0]
-        basis = Basis(scene.event.i, child.j)
-        context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
-
-
 DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "accelerate": accelerate,
     "speed": speed,
-    "brake": brake,
-    "hard_brake": hard_brake,
-    "slow": slow,
-    "stop": stop,
-    "wait": wait,
+    "brake": braking.brake,
+    "hard_brake": braking.hard_brake,
+    "slow": braking.slow,
+    "stop": braking.stop,
+    "wait": braking.wait,
     "swerve": swerve,
     "turn": conflicts.turn,
     "sharp_turn": conflicts.turn,
@@ -285,8 +184,8 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "cause": encounters.cause,
     "send": encounters.cause,
     "door": encounters.door,
-    "encounter": too_late,
-    "react": too_late,
+    "encounter": braking.too_late,
+    "react": braking.too_late,
     "crawl": crawl,
     "bypass": swerve_around,
     "undertake": undertake,
@@ -294,7 +193,7 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "use": breaches.take_priority,
     "reverse": reverse,
     "lose_control": lose_control,
-    "delay": delay,
+    "delay": braking.delay,
     "park": park,
 }
 """Event -> what it means for danger."""

@@ -106,10 +106,15 @@ def _sides(pps: list[Prep]) -> frozenset[str]:
 def _breaks_a_rule(event: Event) -> bool:
     """``runs the light``, ``blows through a stop sign``."""
     places = [event.object, *(p.target for p in event.pps if p.value == "in")]
-    kinds = {p.kind for p in places if isinstance(p, Place)}
+    kinds = {p.kind for p in places if isinstance(p, Place) and not _for_walkers(p)}
     return event.name in {"breach", "dash", "walk"} and bool(
         kinds & {"signal", "stop_sign", "yield_sign"}
     )
+
+
+def _for_walkers(place: Place) -> bool:
+    """``the red man``: a light for people on foot."""
+    return place.head is not None and "walk" in place.head.data
 
 
 def _by_word(mention: Mention, word: Token) -> None:
@@ -118,7 +123,7 @@ def _by_word(mention: Mention, word: Token) -> None:
     party = any("party" in h.data for h in mention.heads)
     if base in _CYCLING and mention.heads:
         mention.goes_by = ParticipantKind.BICYCLE
-    elif base in _WALKING and party:
+    elif base in _WALKING and (party or any("driver" in h.data for h in mention.heads)):
         mention.goes_by = ParticipantKind.PEDESTRIAN
 
 
@@ -235,8 +240,18 @@ def _vehicle(noun: object) -> bool:
     return head is not None and head.value in _BY_TRADE and head.form != "s"
 
 
+def _out_of_a_road(event: Event) -> bool:
+    """``he came out of the side road``: whoever drives does."""
+    return any(
+        isinstance(p.target, Place) and p.target.kind in {"access", "junction", "parking"}
+        for p in event.pps
+        if p.value in {"in", "from", "of"}
+    )
+
+
 def _on_foot(event: Event) -> bool:
     against = any(p.value == "into" and isinstance(p.target, Mention) for p in event.pps)
+    against = against or (event.name == "appear" and _out_of_a_road(event))
     return event.name in {"cross", "walk", "appear"} and not against
 
 

@@ -41,7 +41,9 @@ def get_past(chunks: list[Chunk], scenes: list[Scene], context: Context) -> None
         return
     if not _barred(chunks, scenes, context):
         return
-    words = _by_verb(ego, scenes, context) or _by_noun(ego, chunks, scenes, context)
+    across = [d for d in context.draft.dangers if d.kind is HazardKind.ONCOMING_LANE]
+    words = next((d.basis for d in across if ego in d.by), None)
+    words = words or _by_verb(ego, scenes, context) or _by_noun(ego, chunks, scenes, context)
     if words is not None:
         if _things_passed(chunks, context):
             context.draft.hazard(HazardKind.OBSTACLE, words, [])

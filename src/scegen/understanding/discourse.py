@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
-from scegen.understanding.groups import Group, opened, vehicle_around
+from scegen.understanding.groups import Group, of_both, opened, vehicle_around
 from scegen.understanding.located import as_the_ego_sees, loci_of
 from scegen.understanding.mention_words import DEFAULT_COUNT, Reading, read_mention
 from scegen.understanding.pronouns import Pronouns
@@ -22,6 +22,7 @@ from scegen.understanding.roster import Roster
 from scegen.understanding.tokens import Token
 
 _MOST = 20
+_A_PAIR = 2
 
 
 class Discourse:
@@ -73,11 +74,9 @@ class Discourse:
         if mention.pronoun is not None:
             found = self._we(mention) or self._pronouns.resolve(mention, exclude)
         else:
-            found = self._noun(
-                read_mention(mention, self.tokens, self._arms if sides == 0 else sides),
-                mention,
-                exclude,
-            )
+            reading = read_mention(mention, self.tokens, self._arms if sides == 0 else sides)
+            one = of_both(reading, self._roster.groups, self._draft.entities)
+            found = one or self._noun(reading, mention, exclude)
         mention.entities = list(found)
         if mention.landmark:
             self._roster.landmark = list(found)
@@ -140,7 +139,11 @@ class Discourse:
         if known:
             self._roster.enrich(known, reading)
             return known
-        return self._roster.introduce(reading, basis)
+        found = self._roster.introduce(reading, basis)
+        both = mention.mods and (mention.mods[0].cat, mention.mods[0].value) == ("quant", "both")
+        if both and len(found) == _A_PAIR:
+            self._roster.groups[-1].both = True
+        return found
 
     def tells(self, i: int, j: int) -> bool:
         """Whether words name the one who tells it ("on my side of the road").

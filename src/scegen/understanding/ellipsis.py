@@ -29,13 +29,15 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
         tokens: its tokens.
     """
     _likewise(events, tokens)
-    acting = {id(m) for e in events for m in e.subject}
+    acting = {id(m) for e in events for m in (*e.subject, e.object)}
     found = [*events, *_denied(chunks, events)]
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Mention) or id(chunk) in acting or chunk.prep is not None:
             continue
         joint = chunks[k - 1] if k else None
         if not isinstance(joint, Word) or joint.value not in _JOINTS:
+            continue
+        if _second_of_two(chunks, k):
             continue
         verb = _verb_before(chunk, events)
         if verb is None or not _ends(chunks, k + 2):
@@ -44,6 +46,13 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
         if copy is not None:
             found.append(copy)
     return complete(chunks, late_braking(chunks, found, tokens), tokens)
+
+
+def _second_of_two(chunks: list[Chunk], k: int) -> bool:
+    """``between the ego and the lorry``."""
+    first = chunks[k - 2] if k > 1 else None
+    placed = first.prep if isinstance(first, Mention) else None
+    return placed is not None and placed.value == "between"
 
 
 def _likewise(events: list[Event], tokens: list[Token]) -> None:

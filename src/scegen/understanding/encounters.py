@@ -62,6 +62,13 @@ def onto_the_road(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, scene.words, scene.walkers)
 
 
+def _to_the_other_side(goal: object) -> bool:
+    """``zips over to the other side``, ``runs to the opposite pavement``."""
+    if not isinstance(goal, Place) or goal.kind not in {"side", "sidewalk"}:
+        return False
+    return "opposite" in goal.dirs or any(m.value == "other" for m in goal.mods)
+
+
 def _across_by_any_verb(scene: Scene, context: Context) -> bool:
     """``pedals straight across the road``, ``files across``: over it, whatever the verb."""
     event = scene.event
@@ -71,6 +78,8 @@ def _across_by_any_verb(scene: Scene, context: Context) -> bool:
     own |= {context.tokens[m.j - 1].low for m in event.mods if m.cat in {"dir", "manner"}}
     direct = event.object
     if own & _OVER and isinstance(direct, Place) and direct.kind in _CROSSED:
+        return True
+    if any(_to_the_other_side(p.target) for p in event.pps if p.value == "to"):
         return True
     if own & _OVER and direct is None and scene.walkers:
         return not any(m.value == "halfway" for m in event.mods)

@@ -23,6 +23,8 @@ class Group:
     specific: bool = False
     settled: bool = False
     """What they do is said of all of them, so that "one car" is somebody else."""
+    both: bool = False
+    """The text says "both": there is nobody else."""
     unnamed: bool = False
     """It is not said what they drive ("three of us")."""
 
@@ -48,7 +50,8 @@ def opened(reading: Reading, mention: Mention, entities: list[Entity]) -> list[E
 
 def vehicle_around(reading: Reading, mention: Mention) -> Mention | None:
     """``someone in a van``: people in or on a vehicle stand for it."""
-    if reading.kind is not ParticipantKind.PEDESTRIAN and not reading.driver:
+    afoot = reading.kind is ParticipantKind.PEDESTRIAN or mention.goes_by is not None
+    if not afoot and not reading.driver:
         return None
     for prep in mention.pps:
         target = prep.target
@@ -73,3 +76,27 @@ def in_list(groups: list[Group], tokens: list[Token], mention: Mention) -> bool:
     colons = [k for k, t in enumerate(tokens[: mention.i]) if t.low == ":" and k >= said]
     stops = [k for k, t in enumerate(tokens[: mention.i]) if t.low == "."]
     return bool(colons) and not any(k > colons[0] for k in stops)
+
+
+def of_both(reading: Reading, groups: list[Group], entities: list[Entity]) -> list[Entity]:
+    """``both vehicles go straight, the adversary from the left``: one of them, one the ego.
+
+    Args:
+        reading: what the words of a role ("the ego", "the adversary") say.
+        groups: those named together so far.
+        entities: everybody so far.
+    """
+    ego = next((e for e in entities if e.ego), None)
+    if reading.plural or not (reading.ego or "adversary" in reading.labels):
+        return []
+    for group in groups:
+        taken = [e for e in group.members if e.claimed and e is not ego]
+        if not group.both or taken or (ego is not None and ego not in group.members):
+            continue
+        own = ego or group.members[0]
+        own.ego = True
+        own.named_by.add("ego")
+        chosen = own if reading.ego else next(e for e in group.members if e is not own)
+        chosen.claimed = True
+        return [chosen]
+    return []

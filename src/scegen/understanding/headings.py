@@ -79,7 +79,8 @@ def _is_title(title: list[Chunk], rest: list[Chunk]) -> bool:
 
 def _in_general(mention: Mention, title: list[Chunk]) -> bool:
     """``Control loss without prior vehicle action``, ``Vehicle failure``: no vehicle of its own."""
-    bare = mention.head is not None and mention.head.value == "car" and not mention.label
+    bare = mention.head is not None and not (mention.mods or mention.label)
+    bare = bare and not any(h.data.get("ego") for h in mention.heads)
     after = title[title.index(mention) + 1 :][:1]
     compound = bool(after) and (
         isinstance(after[0], Thing) or (isinstance(after[0], Event) and after[0].form == "base")
@@ -189,7 +190,9 @@ def _is_heading(title: list[Chunk], rest: list[Chunk]) -> bool:
     )
     bare = all(c.pronoun is None and not _introduced(c) for c in title if isinstance(c, Mention))
     named = any(isinstance(c, Mention) and c.pronoun is None for c in rest)
-    return not spoken and bare and named and any(isinstance(c, Event) for c in rest)
+    stated = any(isinstance(c, Word) and c.cat in {"aux", "copy"} for c in rest)
+    told_of = any(isinstance(c, Event) for c in rest) or (_names_ego(rest) and not stated)
+    return not spoken and bare and named and told_of
 
 
 def _finite(chunk: Chunk) -> bool:

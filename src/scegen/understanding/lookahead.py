@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 
 BOUNDARIES = frozenset({".", ";", "!", "?", ":"})
 ADVERBS = frozenset(
@@ -10,6 +10,7 @@ ADVERBS = frozenset(
 )
 GOVERNING = frozenset({"prep", "locus"})
 _COMMA_REACH = 2
+_VIEW_OF = 3
 
 
 def event_follows(chunks: list[Chunk], k: int) -> bool:
@@ -101,6 +102,8 @@ def only_a_noun_follows(word: Word, k: int, chunks: list[Chunk]) -> bool:
         chunks: the chunks of the text.
     """
     following = chunks[k + 1] if k + 1 < len(chunks) else None
+    if _compares(word, k, chunks) and isinstance(following, Mention):
+        return True
     if (word.cat, word.value) != ("sub", "before") or not isinstance(following, Mention):
         return False
     for m, chunk in enumerate(chunks[k + 2 :], start=k + 3):
@@ -126,6 +129,13 @@ def phrase_follows(k: int, chunks: list[Chunk]) -> bool:
     place, after = (chunks[n] if n < len(chunks) else None for n in (m + 1, m + 2))
     ends = after is None or (isinstance(after, Word) and after.cat in {"punct", "sub", "conj"})
     return preposed and isinstance(place, Place) and ends
+
+
+def _compares(word: Word, k: int, chunks: list[Chunk]) -> bool:
+    """``in the same direction as the ego``: no clause."""
+    place = chunks[k - 1] if k else None
+    same = isinstance(place, Place) and "same" in place.dirs
+    return same and (word.cat, word.value) == ("sub", "when")
 
 
 def by_follows(chunks: list[Chunk], k: int) -> bool:
@@ -154,3 +164,18 @@ def after_a_comma(before: list[Chunk]) -> bool:
     if len(before) < _COMMA_REACH or not isinstance(before[0], Mention):
         return False
     return isinstance(before[1], Word) and before[1].value == ","
+
+
+def view_of(before: list[Chunk]) -> Thing | None:
+    """``its view blocked``, ``his view of the road blocked``.
+
+    Args:
+        before: the last chunks before a participle.
+    """
+    last = before[-1] if before else None
+    if isinstance(last, Thing) and last.kind == "view":
+        return last
+    if len(before) == _VIEW_OF and isinstance(before[1], Word) and before[1].value == "of":
+        first = before[0]
+        return first if isinstance(first, Thing) and first.kind == "view" else None
+    return None

@@ -41,6 +41,7 @@ from scegen.understanding.terms import Term
 _RELATIVE = frozenset({"difference", "differential", "relative", "closing", "delta"})
 _DIFFERENCE_REACH = 3
 _BY_MANNER = {
+    "backwards": HazardKind.REVERSING,
     "fast": HazardKind.SPEEDING,
     "slow": HazardKind.SLOW_DRIVING,
     "wrong_way": HazardKind.ONCOMING_LANE,
@@ -50,7 +51,7 @@ _BESIDE = frozenset({"overtake", "pass", "bypass", "undertake", "collide"})
 """With these verbs a side is where one gets past or is hit, and nobody comes from there."""
 _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
 _BREACHING = frozenset(
-    {"walk", "follow", "breach", "move", "enter", "cross", "speed", "accelerate"}
+    {"walk", "follow", "breach", "move", "enter", "cross", "speed", "accelerate", "pass", "bypass"}
 )
 _ON_THE_MOVE = frozenset({"swing_wide", "pull_out", "swerve", "use", "enter", "move", "cross",
                           "lose_control", "lane_change", "merge", "overtake", "bypass", "turn",

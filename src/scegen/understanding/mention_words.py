@@ -56,7 +56,7 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
         kind, driver, kinds = ParticipantKind.CAR, True, []
     if heads[-1].value == "rider" and not kinds:
         kind = ParticipantKind.MOTORCYCLE
-    people = all(h.value in {"driver", "pedestrian"} for h in heads) and not afoot
+    people = all(h.value in {"driver", "pedestrian", "adversary"} for h in heads) and not afoot
     if mention.goes_by is not None and people:
         kind, driver = mention.goes_by, False
         kinds, specific = [kind], [kind]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from scegen.scenario.vocabulary import HazardKind, Maneuver
+from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 from scegen.understanding import courses, ways
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene, span
@@ -119,7 +119,8 @@ def overtake(scene: Scene, context: Context) -> None:
     event = scene.event
     if event.name == "bypass" and event.object is None and not event.passive:
         by = context.tokens[event.j - 1].low == "past"
-        if by or event.pps:
+        behind = any(context.placed(e, Approach.BEHIND) for e in scene.drivers)
+        if (by or event.pps) and not behind:
             move(scene, context)  # "waits for the bus to go past"
             return
     if event.name == "bypass" and isinstance(event.object, Place):
@@ -203,6 +204,7 @@ def leave(scene: Scene, context: Context) -> None:
     exits = [p for p in scene.places() if p.kind == "exit"]
     target = exits[0] if exits else target
     if not isinstance(target, Place):
+        _set_off(scene, context)
         return
     if target.kind == "side":
         sides = {ways.DIRECTIONS[d] for d in target.dirs if d in {"left", "right"}}
@@ -221,6 +223,13 @@ def leave(scene: Scene, context: Context) -> None:
     if ordinal is not None:
         basis = Basis(target.i, target.j)
         apply(scene, context, {_ORDINALS[ordinal]}, basis)
+
+
+def _set_off(scene: Scene, context: Context) -> None:
+    """``sets off straight ahead``, ``moves off to the left``: which way it leaves."""
+    found = ways.directions(scene.event) if scene.event.name == "leave" else {}
+    if found and context.junction.kind is not JunctionKind.ROUNDABOUT and not scene.event.nominal:
+        apply(scene, context, set(found), next(iter(found.values())))
 
 
 def use(scene: Scene, context: Context) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver
 from scegen.understanding import breaches
-from scegen.understanding.chunks import Mention
+from scegen.understanding.chunks import Mention, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
 
@@ -35,7 +35,11 @@ def not_done(scene: Scene, context: Context) -> None:
     basis = Basis(event.i, event.j)
     if event.unable:
         _unable(scene, context)
-    elif event.name in _SEEING and breaches.breach(scene, context):
+    elif (
+        _no_distance(scene, context)
+        or _overlooks(scene, context)
+        or (event.name in _SEEING and breaches.breach(scene, context))
+    ):
         return
     elif event.name in _SEEING and _late(scene) and scene.drivers:
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
@@ -76,12 +80,33 @@ def _unable(scene: Scene, context: Context) -> None:
             for d in context.draft.dangers
             for e in scene.drivers
         )
-        if not (skids or _too_near(event.i, context)):
+        signed = any(p.kind in _SIGNS | {"signal"} for p in scene.places())
+        if not (skids or signed or _too_near(event.i, context)):
             context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name == "encounter":
         context.draft.hazard(HazardKind.OCCLUSION, basis, _in_the_way(scene, context))
     elif event.name not in _HARMLESS:
         context.draft.note(event.i, event.j, "said not to happen; left out")
+
+
+def _no_distance(scene: Scene, context: Context) -> bool:
+    """``does not keep a safe distance``."""
+    after = {t.low for t in context.tokens[scene.event.j : scene.event.j + _PHRASE]}
+    named = isinstance(scene.event.object, Thing) and bool(after & {"distance", "gap"})
+    if scene.event.name not in {"move", "match"} or not named or not scene.drivers:
+        return False
+    context.draft.hazard(HazardKind.TAILGATING, scene.words, scene.drivers)
+    return True
+
+
+def _overlooks(scene: Scene, context: Context) -> bool:
+    """``overlooks a van coming from the right``: has to give way where that has priority."""
+    right = context.junction.control is Control.PRIORITY_TO_RIGHT
+    due = [e for e in scene.targets if context.placed(e, Approach.RIGHT)]
+    if scene.event.name != "overlook" or not right or not due or not scene.drivers:
+        return False
+    context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, due)
+    return True
 
 
 def _too_near(i: int, context: Context) -> bool:
@@ -172,4 +197,5 @@ def _has_to_wait(scene: Scene, context: Context) -> bool:
     if scene.event.link == "ing" and (onto or (parent and parent.name == "pull_out")):
         return True  # "rides onto the road without stopping"
     joins = context.junction.crossing or context.draft.access is not None
+    joins = joins or context.junction.control is not None
     return (scene.event.link == "ing" or awaited) and joins

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, HazardKind
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.chunks import Mention
 from scegen.understanding.context import Context, Scene
-from scegen.understanding.draft import Basis, Placement
+from scegen.understanding.draft import Basis, Entity, Placement
+
+_SLOWER = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
 
 
 def hidden_behind(scene: Scene, context: Context) -> None:
@@ -35,6 +37,23 @@ def hidden_behind(scene: Scene, context: Context) -> None:
                 context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
 
 
+def turned_across(context: Context) -> None:
+    """``the ego turns left across the path of a motorcyclist``: who comes towards it.
+
+    Args:
+        context: the scenario in the making.
+    """
+    for danger in context.draft.dangers:
+        if danger.kind is not HazardKind.UNPROTECTED_LEFT_TURN or not any(e.ego for e in danger.by):
+            continue
+        others = [e for e in context.draft.entities if e.moving_vehicle and not e.ego]
+        for entity in danger.to or (others if len(others) == 1 else []):
+            told = any(p.entity is entity for p in context.draft.placements)
+            if entity.moving_vehicle and not told and entity.heading is None:
+                basis = Basis(danger.basis.i, danger.basis.j, "the turn leads across its way")
+                context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
+
+
 def overtaken(scene: Scene, context: Context) -> None:
     """``an oncoming van overtakes a bus``: both come the same way.
 
@@ -53,6 +72,32 @@ def overtaken(scene: Scene, context: Context) -> None:
             seen = [p for p in context.draft.placements if p.entity is entity and by_the_ego(p)]
             if entity.moving_vehicle and not entity.ego and not seen:
                 context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
+
+
+def faced(scene: Scene, context: Context) -> None:
+    """``in the opposite lane, the ego is confronted with a van``: it comes head-on.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    event = scene.event
+    egos = [e for e in scene.actors + scene.targets if e.ego]
+    across = any(
+        d.kind is HazardKind.ONCOMING_LANE and any(e.ego for e in d.by)
+        for d in context.draft.dangers
+    )
+    passing = across or any(Maneuver.OVERTAKE in e.maneuvers for e in egos)
+    if event.name != "encounter" or event.negated or not egos or not passing:
+        return
+    others = [p.target for p in event.pps if p.value in {"with", "by"}]
+    found = [e for m in others if isinstance(m, Mention) for e in m.entities]
+    for entity in [*scene.actors, *scene.targets, *found]:
+        seen = any(p.entity is entity for p in context.draft.placements)
+        slow = any(entity in d.by and d.kind in _SLOWER for d in context.draft.dangers)
+        if entity.moving_vehicle and not (entity.ego or seen or slow):
+            basis = Basis(event.i, event.j, "who is met in the oncoming lane comes head-on")
+            context.draft.place(entity, None, {Approach.OPPOSITE}, basis)
 
 
 def met(scene: Scene, context: Context) -> None:
@@ -101,10 +146,22 @@ def from_behind(scene: Scene, context: Context) -> None:
     others = [e for e in scene.drivers if not e.ego]
     if len(others) < len(scene.drivers) or not any(e.ego for e in context.draft.entities):
         return
+    if any(context.oncoming(e) for e in context.draft.entities):
+        return  # it may be one of those that it overtakes
     for entity in others:
         if entity.heading is None and not any(p.entity is entity for p in context.draft.placements):
             basis = Basis(scene.event.i, scene.event.j, "who overtakes comes from behind")
             context.draft.place(entity, None, {Approach.BEHIND}, basis)
+
+
+def _from_the_front(entity: Entity, context: Context) -> bool:
+    return context.oncoming(entity) or any(
+        p.entity is entity
+        and p.approaches == {Approach.OPPOSITE}
+        and p.reference is not None
+        and p.reference.ego
+        for p in context.draft.placements
+    )
 
 
 def unseen(context: Context) -> None:
@@ -119,7 +176,7 @@ def unseen(context: Context) -> None:
         if danger.kind is not HazardKind.OCCLUSION or not hidden:
             continue
         others = [e for e in draft.entities if e.moving_vehicle and e not in hidden and not e.ego]
-        if not others or not all(context.oncoming(e) for e in others):
+        if not others or not all(_from_the_front(e, context) for e in others):
             continue
         for entity in hidden:
             if not any(p.entity is entity for p in draft.placements):

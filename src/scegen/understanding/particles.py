@@ -48,6 +48,9 @@ def then_a_side(tokens: list[Token], match: Match) -> bool:
     """
     if tokens[match.j - 1].low != "from" or match.j + 1 >= len(tokens):
         return False
+    across = match.j > 1 and tokens[match.j - 2].low == "across"
+    if across and tokens[match.j].low in {"behind", "between"}:
+        return True  # "tears across from behind a bus"
     if not match.only("locus"):
         return False
     side = longest_match(tokens, match.j + 1)
@@ -98,13 +101,13 @@ def over_a_place(tokens: list[Token], match: Match) -> bool:
     if tokens[match.j - 1].low != "over" or not match.only("verb") or match.j >= len(tokens):
         return False
     noun = longest_match(tokens, match.j)
-    if noun is not None and noun.has("det", "possessive") and noun.j < len(tokens):
+    opened = noun is not None and noun.has("det", "possessive")
+    if noun is not None and opened and noun.j < len(tokens):
         noun = longest_match(tokens, noun.j)
-    return (
-        match.get("verb").value in {"collide", "lose_control"}
-        and noun is not None
-        and noun.has("place")
-    )
+    value = match.get("verb").value
+    if value == "lane_change":  # "slides over the wet road"
+        return opened and not (noun is not None and noun.get("place").value == "lane")
+    return value in {"collide", "lose_control"} and noun is not None and noun.has("place")
 
 
 def in_front(tokens: list[Token], match: Match) -> bool:
@@ -193,6 +196,18 @@ def and_moves(token: Token, previous: Term, tokens: list[Token]) -> bool:
     after = tokens[k + 1].low if k + 1 < len(tokens) else ""
     joined = previous.cat in {"conj", "rel", "manner"} or previous.value == ","
     return joined and after in _ACROSS
+
+
+def a_drive(tokens: list[Token], i: int) -> bool:
+    """``backs out of a drive``: where a house is reached from the road.
+
+    Args:
+        tokens: the tokens of the text.
+        i: index of a token.
+    """
+    whose, before = (tokens[k].low if k >= 0 else "" for k in (i - 1, i - 2))
+    owned = whose in {"a", "the", "his", "her", "my", "our", "its", "their"}
+    return tokens[i].low == "drive" and owned and before in {"of", "from", "into", "onto"}
 
 
 def no_way(tokens: list[Token], i: int, match: Match) -> bool:

@@ -44,7 +44,7 @@ def _described_role(chunks: list[Chunk], k: int, state: State) -> bool:
     role, noun = state.candidate, chunks[k]
     if role is None or not role.heads or not isinstance(noun, Mention) or not noun.mods:
         return False
-    bare = noun.mods[0].value == "indef"
+    bare = noun.mods[0].value == "indef" or any(h.data.get("ego") for h in noun.heads)
     after = chunks[k + 1 : k + 9]
     ends = next((m for m, c in enumerate(after) if isinstance(c, Word) and c.value == ","), None)
     if not bare or ends is None or ends + 1 >= len(after):

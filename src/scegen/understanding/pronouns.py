@@ -71,6 +71,9 @@ class Pronouns:
             return self._somebody(mention, exclude, subject)
         if word == "it":
             recent = [e for e in recent if e.is_vehicle] or recent
+            others = [e for e in recent if "speaks" not in e.named_by]
+            recent = others or recent  # whoever tells it is no "it"
+            subject = [e for e in subject if "speaks" not in e.named_by] if others else subject
         options = subject if len(subject) == 1 else recent[-1:]
         if self.tokens[mention.i].low == "it" and any(map(self._person, options)):
             order = self.roster.recent

@@ -22,7 +22,11 @@ _MOVING = frozenset({"move", "try", "crawl", "leave", "speed", "accelerate", "sw
                      "sharp_turn", "unknown"})  # fmt: skip
 """Verbs that with "round the van" mean to get past it."""
 _ACROSS = frozenset({"across", "over"})
+_HURRYING = frozenset({"move", "speed", "dash"})
+_SPRINGING = frozenset({"shoot", "burst", "bolt", "fly", "race", "dart", "jump", "spring", "lurch",
+                        "tear", "pop", "whip", "launch", "dash"})  # fmt: skip
 _ASIDE = frozenset({"access", "parking", "bus_stop", "sidewalk", "junction"})
+_TURNED = frozenset({"side", "access", "road", "junction", "exit", "leg", "highway"})
 _ROADS = frozenset({"road", "junction", "crosswalk", "highway", "path"})
 
 
@@ -34,6 +38,11 @@ def recast(scene: Scene, context: Context) -> str:
         context: the scenario in the making.
     """
     event = scene.event
+    shoved = context.tokens[event.i].forms[-1][0] in {"shove", "barge", "push"}
+    if event.name == "dash" and shoved and isinstance(event.object, Mention):
+        return "send"  # "shoved us into the junction"
+    if event.name == "inert" and _turns_off(scene, context):
+        return "turn"
     if event.name in _MAKING and _into_a_turn(event):
         return "turn"
     if event.name == "walk" and scene.drivers and _runs_it(scene, context):
@@ -53,6 +62,15 @@ def recast(scene: Scene, context: Context) -> str:
     return _by_path(scene, context, riding=_riding(scene, context))
 
 
+def _over_it(scene: Scene, context: Context) -> bool:
+    """``tears across``, ``races over``: with no more said, the road."""
+    own = _own(scene, context) | {
+        context.tokens[m.j - 1].low for m in scene.event.mods if m.cat in {"manner", "dir"}
+    }
+    own |= {t.low for t in context.tokens[scene.event.j : scene.event.j + 1]}
+    return bool(own & _ACROSS)
+
+
 def _riding(scene: Scene, context: Context) -> bool:
     return all(context.is_cyclist(e) and not e.ego for e in scene.drivers)
 
@@ -62,8 +80,13 @@ def _driven(scene: Scene, context: Context) -> str | None:
     event = scene.event
     motor = [e for e in scene.drivers if not context.is_cyclist(e)]
     out = "out" in _own(scene, context) and not _riding(scene, context)
-    if event.name == "cross" and motor and out:
-        return "pull_out"
+    careless = scene.how("aggressive", "sudden") is not None and event.name == "appear"
+    aside = any(p.kind in {"access", "parking"} for p in scene.places())
+    if motor and ((event.name == "cross" and out) or (careless and aside)):
+        return "pull_out"  # "came out of the side road without looking"
+    springs = context.tokens[event.i].forms[-1][0] in _SPRINGING
+    if event.name == "pull_out" and not motor and springs and not context.junction.crossing:
+        return "cross"  # "a cyclist shoots out of a gap in a hedge"
     if event.name == "pull_out" and motor and _between_lanes(scene, context):
         return "cut_in"
     if event.name in {"move", "dash", "speed"} and _ignores_it(scene, context):
@@ -79,7 +102,7 @@ def _driven(scene: Scene, context: Context) -> str | None:
 def _on_foot(scene: Scene, context: Context) -> str | None:
     """What people on foot do who move, jump out, or roll off the kerb; None for all else."""
     name = scene.event.name
-    if name == "move" and scene.walkers and "across" in _own(scene, context):
+    if name in _HURRYING and scene.walkers and _over_it(scene, context):
         return "cross"
     if not scene.actors or any(e.is_vehicle for e in scene.actors):
         return None
@@ -95,6 +118,15 @@ def _into_next_lane(event: Event) -> bool:
         p.value == "into" and isinstance(p.target, Place) and p.target.kind == "lane"
         for p in event.pps
     )
+
+
+def _turns_off(scene: Scene, context: Context) -> bool:
+    """``turns off to the right``, ``turns off into a side road``: no engine, no light."""
+    own = [t.forms[-1][0] for t in context.tokens[scene.event.i : scene.event.j]]
+    if own != ["turn", "off"] or not scene.drivers or isinstance(scene.event.object, Thing):
+        return False
+    ends = [p.target for p in scene.event.pps]
+    return bool(scene.event.dirs) or any(isinstance(c, Place) and c.kind in _TURNED for c in ends)
 
 
 def _into_a_turn(event: Event) -> bool:
@@ -200,6 +232,12 @@ def _around(scene: Scene, context: Context) -> bool:
 def _between_lanes(scene: Scene, context: Context) -> bool:
     """``a coach in the next lane pulls out in front of me``: out of its lane, not of a road."""
     event = scene.event
+    leaves = any(
+        p.value in {"in", "of", "from"} and isinstance(p.target, Place) and p.target.kind == "lane"
+        for p in event.pps
+    )
+    if leaves and into_lane(event) is not None:
+        return True  # "pulls out of the bus lane into the ego's lane"
     ahead = any(
         _who(p) and (p.value == "ahead" or context.tokens[p.word.i].low == "on") for p in event.pps
     )

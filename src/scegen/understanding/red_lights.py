@@ -74,6 +74,10 @@ def _of_the_cross_street(
     """``red for the cross street. But a van from the left …``: who comes from there goes on."""
     marker, place = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
     known = isinstance(marker, Word) and marker.value in {"for", "to", "against", "in"}
+    if known and isinstance(place, Mention) and place.entities:
+        who = set(map(id, place.entities))
+        told = [e for e in events if e.i > place.i and not e.negated and _goes(e)]
+        return next((e for e in told if who & set(map(id, _drivers(e)))), None)
     if not known or not isinstance(place, Place | Mention) or not _crossing(place):
         return None
     sides = (Approach.LEFT, Approach.RIGHT)

@@ -8,6 +8,8 @@ from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.mention_words import Reading, read_mention
 
 _MOTOR = frozenset(ParticipantKind) - {ParticipantKind.PEDESTRIAN}
+_DENSITY = frozenset({"manner", "inert", "unknown", "noted"})
+"""Classes of words that say how dense traffic is."""
 _RIDDEN = frozenset({ParticipantKind.MOTORCYCLE, ParticipantKind.BICYCLE})
 
 
@@ -16,6 +18,8 @@ def own_vehicle(reading: Reading, mention: Mention, owners: list[Entity]) -> boo
     possessed = bool(mention.mods) and mention.mods[0].cat == "possessive"
     whose = possessed and mention.mods[0].value == "its"
     riding = reading.kind in _RIDDEN and any(e.kind in _RIDDEN for e in owners)
+    if mention.goes_by is ParticipantKind.PEDESTRIAN:
+        return False  # "its driver walks along the road"
     return whose and (reading.generic or riding) and not reading.plural and not reading.dirs
 
 
@@ -27,7 +31,9 @@ def is_pronoun(target: object) -> bool:
 def refers_to_nobody(mention: Mention) -> bool:
     """``in traffic``, ``no pedestrians``, ``at the second``: words that name no participant."""
     prep = mention.prep.value if mention.prep is not None else ""
-    mass = bool(mention.head and mention.head.data.get("mass")) and not mention.mods
+    mass = bool(mention.head and mention.head.data.get("mass")) and all(
+        m.cat in _DENSITY or (m.cat, m.value) == ("label", "quality") for m in mention.mods
+    )
     if mass and prep in {"in", "of", "for"}:
         return True
     gathered = bool(mention.mods) and mention.mods[0].cat in {"det", "quant"}

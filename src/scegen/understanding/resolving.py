@@ -74,6 +74,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         for p in c.pps
         if isinstance(p.target, Place) and p.target.owner is not None
     }  # "two vans on either side of it"
+    held = _held_by(chunks)
     owners = {id(c.owner) for c in chunks if isinstance(c, Mention)}
     stand = {id(m): e for e in events if e.name == "park" and not e.negated for m in e.subject}
     waiting: list[Mention] = []
@@ -84,6 +85,8 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         if isinstance(chunk, Word) and discourse.tells(chunk.i, chunk.j):
             discourse.observer(chunk.i, chunk.j)
         if not isinstance(chunk, Mention) or (id(chunk) in owners and _on_no_road(chunk)):
+            continue
+        if id(chunk) in held:
             continue
         if chunk.partitive and chunk.pronoun in _PARTS:
             waiting.append(chunk)
@@ -136,7 +139,7 @@ def _generic(chunks: list[Chunk], events: list[Event]) -> None:
 
     Traffic that somebody waits for, or gives way to, is there.
     """
-    entered = {id(e.object) for e in events if e.name in {"enter", "merge"}}
+    entered = {id(e.object) for e in events if e.name in {"enter", "merge", "inert"}}
     met = {id(p.target) for e in events if e.name in _LETTING_BY for p in e.pps}
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Mention) or chunk.head is None:
@@ -222,6 +225,20 @@ def _seen_from_the_ego(mention: Mention, described: Mention | None) -> None:
             side = "behind" if prep.value == "ahead" else "ahead"
             for entity in mention.entities:
                 entity.loci.add(side)
+
+
+def _held_by(chunks: list[Chunk]) -> set[int]:
+    """``slips out of its mother's hand``: she only has the hand."""
+    return {
+        id(who)
+        for who, joint, part in zip(chunks, chunks[1:], chunks[2:], strict=False)
+        if isinstance(who, Mention)
+        and any(m.cat == "possessive" for m in who.mods)
+        and isinstance(joint, Word)
+        and joint.value == "genitive"
+        and (isinstance(part, Word | Thing) or getattr(part, "kind", "") == "leg")  # "arms"
+        and _on_no_road(who)
+    }
 
 
 def _on_no_road(owner: Mention) -> bool:

@@ -30,7 +30,9 @@ def share(chunks: list[Chunk], scenes: list[Scene], context: Context) -> None:
         for prep in event.pps:
             locus = prep.word.cat == "locus" and (prep.value in _HIDING or prep.outer == "from")
             by = hides and event.passive and prep.value == "by"
-            if locus or by:
+            out = context.tokens[prep.word.i].low in {"out", "from", "of"}
+            out = out and isinstance(prep.target, Thing)  # "out of a gap in a hedge"
+            if locus or by or out:
                 _place(prep.target, scene.actors, chunks, context)
         if hides and not event.passive:
             hiders = [c for c in (*event.subject, _thing_before(event, chunks)) if c is not None]
@@ -94,6 +96,6 @@ def _named_after(hider: NounPhrase, chunks: list[Chunk]) -> set[Approach]:
             sides = {_SIDES[d] for d in chunk.dirs if d in _SIDES}
             if sides and chunk.kind in _BESIDE:
                 return sides
-        elif not (isinstance(chunk, Mention) and chunk.possessor):
+        elif not (isinstance(chunk, Thing) or (isinstance(chunk, Mention) and chunk.possessor)):
             return set()
     return set()

@@ -75,6 +75,20 @@ def _from_access(place: Place, scene: Scene, context: Context) -> None:
             context.draft.place(entity, None, sides, Basis(place.i, place.j))
 
 
+def stays_there(scene: Scene, context: Context) -> bool:
+    """``a van on the minor road stops, then pulls out``: it stops before it gets in the way.
+
+    Args:
+        scene: somebody stops.
+        context: the scenario in the making.
+    """
+    told = bool(scene.event.pps) or scene.event.object is not None
+    named = [p.target for m in scene.event.subject for p in m.pps if p.value in {"in", "from"}]
+    aside = any(isinstance(p, Place) and p.kind == "access" for p in named)
+    across = context.draft.access is not None and all(context.comes_across(e) for e in scene.actors)
+    return not told and (aside or across)
+
+
 def spread(prep: Prep, actors: list[Entity], context: Context) -> None:
     """One vehicle to each arm.
 

@@ -15,7 +15,8 @@ from scegen.understanding.state import State
 
 PASSIVE = frozenset(
     {"collide", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate", "cause",
-     "prevent", "precede", "encounter", "pass", "cut_in", "cut", "avoid", "approach", "undertake",
+     "prevent", "precede", "encounter", "overlook", "pass", "cut_in", "cut", "avoid", "approach",
+     "undertake",
      "enter", "use", "door", "chase", "harm", "send"}
 )  # fmt: skip
 
@@ -190,7 +191,7 @@ def _after_comma(event: Event, state: State) -> None:
     if waiting and (state.anchor is who or placed) and state.candidate is not None:
         event.subject = chain(state.candidate)  # "when a van, turning left, fails to yield"
         return
-    seen = None if event.finite else _seen_coming(event, state)
+    seen = None if event.finite else _agent_before(event, state) or _seen_coming(event, state)
     if seen is not None:
         event.subject = chain(seen)
     elif state.candidate is not None and (event.finite or not state.main):
@@ -203,6 +204,16 @@ def _after_comma(event: Event, state: State) -> None:
         event.subject = chain(state.anchor)
     else:
         state.pending.append(event)
+
+
+def _agent_before(event: Event, state: State) -> Mention | None:
+    """``was struck by a van, heading west``: the van was."""
+    anchor = state.anchor
+    last = state.events[-1] if state.events else None
+    if not isinstance(anchor, Mention) or anchor.prep is None or anchor.prep.value != "by":
+        return None
+    passive = last is not None and last.passive and any(p.target is anchor for p in last.pps)
+    return anchor if passive and event.name in {"move", "turn"} else None
 
 
 def _seen_coming(event: Event, state: State) -> Mention | None:

@@ -8,6 +8,8 @@ from scegen.understanding.tokens import Token
 
 _OPENERS = frozenset({"punct", "conj", "sub"})
 _VERBAL = frozenset({"s", "ed"})
+_MINOR = frozenset({"minor", "subordinate", "secondary", "side"})
+_ROADS = _MINOR | {"major", "main", "priority", "principal", "busier", "wider", "narrower"}
 _GOVERNED = frozenset({"of", "to", "matter"})
 """After these, "the subject" is a topic."""
 
@@ -59,6 +61,9 @@ def role_alone(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     definite = bool(terms) and (terms[-1].cat, terms[-1].value) == ("det", "def")
     if word == "subject" and definite and after not in _GOVERNED:
         return Term("actor", "ego", term.i, term.j, data={"ego": True})
+    if word == "one" and tokens[term.i - 1].low in _ROADS and term.i > 1:
+        kind = "access" if tokens[term.i - 1].low in _MINOR else "road"
+        return Term("place", kind, term.i, term.j)  # "from the major road into a minor one"
     if word == "lead" and term.cat == "dir" and _acts(tokens, term.j):
         return Term("actor", "driver", term.i, term.j, data={"driver": True, "dir": "ahead"})
     return term

@@ -35,8 +35,9 @@ def directions(event: Event) -> dict[Maneuver, Basis]:
         leads_there = prep.value in {"to", "into", "for"}
         if leads_there and isinstance(target, Place) and target.kind in _GOALS:
             across = _came_from(event) & {_OTHER.get(d, "") for d in target.dirs}
-            if target.owner is not None:
-                continue  # "to the right of the bus": where it is
+            seen = prep.on_mention is not None and any(m.cat == "possessive" for m in target.mods)
+            if target.owner is not None or seen:
+                continue  # "to the right of the bus", "the lorry to its left": where it is
             for value in target.dirs:
                 if value in {"left", "right"}:
                     way = Maneuver.STRAIGHT if across else DIRECTIONS[value]
