@@ -29,7 +29,7 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
         tokens: its tokens.
     """
     _likewise(events, tokens)
-    acting = {id(m) for e in events for m in e.subject}
+    acting = {id(m) for e in events for m in (*e.subject, e.object)}
     found = [*events, *_denied(chunks, events)]
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Mention) or id(chunk) in acting or chunk.prep is not None:

@@ -114,6 +114,19 @@ def _across(scene: Scene, context: Context) -> None:
             context.draft.place(entity, None, {Approach.LEFT, Approach.RIGHT}, basis)
 
 
+def _only_other(scene: Scene, context: Context) -> list[Entity]:
+    """``a man walks along the road, the ego approaches from behind``: the man is approached."""
+    others = [e for e in context.draft.entities if e not in scene.actors]
+    rear = any(p.value == "behind" and p.outer == "from" for p in scene.event.pps)
+    ego = all(e.ego for e in scene.drivers)
+    if not (rear and ego and scene.event.name == "approach" and len(others) == 1):
+        return []
+    basis = Basis(scene.event.i, scene.event.j, "it is approached from behind")
+    if not any(p.entity is others[0] for p in context.draft.placements):
+        context.draft.place(others[0], None, {Approach.AHEAD}, basis)
+    return []
+
+
 def _driven_up_to(scene: Scene, context: Context) -> None:
     """``closes in on a stopped van``, ``encounters a slow tractor``: it is ahead."""
     event = scene.event
@@ -133,6 +146,7 @@ def _driven_up_to(scene: Scene, context: Context) -> None:
     if _from_the_rear(scene, context) and isinstance(struck, Place) and struck.owner is not None:
         targets += [e for e in struck.owner.entities if e not in scene.actors]
     driver = scene.drivers[0]
+    targets += _only_other(scene, context) if not targets else []
     if any(e.ego for e in targets):
         for other in scene.drivers:
             _comes_towards(scene, other, context)

@@ -26,6 +26,7 @@ _HURRYING = frozenset({"move", "speed", "dash"})
 _SPRINGING = frozenset({"shoot", "burst", "bolt", "fly", "race", "dart", "jump", "spring", "lurch",
                         "tear", "pop", "whip", "launch", "dash"})  # fmt: skip
 _ASIDE = frozenset({"access", "parking", "bus_stop", "sidewalk", "junction"})
+_TURNED = frozenset({"side", "access", "road", "junction", "exit", "leg", "highway"})
 _ROADS = frozenset({"road", "junction", "crosswalk", "highway", "path"})
 
 
@@ -40,6 +41,8 @@ def recast(scene: Scene, context: Context) -> str:
     shoved = context.tokens[event.i].forms[-1][0] in {"shove", "barge", "push"}
     if event.name == "dash" and shoved and isinstance(event.object, Mention):
         return "send"  # "shoved us into the junction"
+    if event.name == "inert" and _turns_off(scene, context):
+        return "turn"
     if event.name in _MAKING and _into_a_turn(event):
         return "turn"
     if event.name == "walk" and scene.drivers and _runs_it(scene, context):
@@ -115,6 +118,15 @@ def _into_next_lane(event: Event) -> bool:
         p.value == "into" and isinstance(p.target, Place) and p.target.kind == "lane"
         for p in event.pps
     )
+
+
+def _turns_off(scene: Scene, context: Context) -> bool:
+    """``turns off to the right``, ``turns off into a side road``: no engine, no light."""
+    own = [t.forms[-1][0] for t in context.tokens[scene.event.i : scene.event.j]]
+    if own != ["turn", "off"] or not scene.drivers or isinstance(scene.event.object, Thing):
+        return False
+    ends = [p.target for p in scene.event.pps]
+    return bool(scene.event.dirs) or any(isinstance(c, Place) and c.kind in _TURNED for c in ends)
 
 
 def _into_a_turn(event: Event) -> bool:

@@ -7,6 +7,7 @@ from scegen.understanding.chunks import Event, Place, Prep
 from scegen.understanding.context import Context, Scene
 
 _LENGTHWISE = frozenset({"along", "down", "up", "beside"})
+_LEAVING = frozenset({"off", "from"})
 _ACROSS = frozenset({"over", "across", "into", "onto"})
 _WAYS = frozenset({"road", "highway", "side", "shoulder", "lane", "centerline", "middle",
                    "bike_lane"})  # fmt: skip
@@ -25,7 +26,8 @@ def keep_along(scene: Scene, context: Context) -> bool:
     event = scene.event
     words = {context.tokens[p.word.i].low for p in event.pps}
     words |= {context.tokens[m.j - 1].low for m in event.dirs}  # "straight across"
-    aside = any(p.kind == "sidewalk" for p in scene.places())
+    left = {id(p.target) for p in event.pps if context.tokens[p.word.i].low in _LEAVING}
+    aside = any(p.kind == "sidewalk" and id(p) not in left for p in scene.places())
     along = event.name in {"walk", "move"} and any(_lengthwise(p, context) for p in event.pps)
     along = along or (_own_word(event, context) in _LENGTHWISE and event.object is not None)
     if not aside and (not along or words & _ACROSS):
