@@ -117,3 +117,18 @@ def test_who_comes_out_of_a_side_road_drives():
     text = "He came out of the side road on my left without looking."
     assert other_of(text).kind.value == "car"
     assert HazardKind.FAILURE_TO_YIELD in hazards_of(text)
+
+
+def test_what_the_ego_is_blocked_on():
+    assert ego_of("A van blocks the ego's way straight on at the crossroads.").maneuvers == {
+        Maneuver.STRAIGHT
+    }
+
+
+def test_going_backwards_is_reversing():
+    assert HazardKind.REVERSING in hazards_of("A car comes out of a driveway backwards.")
+
+
+def test_slowing_for_a_turn_is_no_hard_braking():
+    text = "A cyclist overtakes the ego as it slows for a right turn."
+    assert HazardKind.HARD_BRAKING not in hazards_of(text)

@@ -54,6 +54,8 @@ def slow(scene: Scene, context: Context) -> None:
     if not scene.drivers or (lets and scene.sudden is None):
         return
     sudden = scene.sudden
+    if sudden is None and all(e.ego for e in scene.drivers):
+        return  # "slows for a right turn"
     leads = any(
         p.entity in scene.drivers and Approach.AHEAD in p.approaches
         for p in context.draft.placements
@@ -68,6 +70,8 @@ def slow(scene: Scene, context: Context) -> None:
 
 def stop(scene: Scene, context: Context) -> None:
     """Stopping where traffic moves; at a sign or light it is no danger."""
+    if scene.event.parent is not None and scene.event.parent.name == "try":
+        return  # "tries to stop": nothing that it does unasked
     sudden = scene.sudden
     motor = [e for e in scene.drivers if e.kind is not ParticipantKind.BICYCLE]
     if sudden is not None and motor:

@@ -128,7 +128,8 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> b
         return True  # "a car coming the other way brakes"
     one = previous.cat == "num" and previous.data.get("number") == 1
     one = one or (previous.cat == "label" and previous.value in ORDINALS)  # "the first brakes"
-    sided = previous.cat == "dir" and previous.value in {"left", "right"} and match.has("inert")
+    sided = previous.cat == "dir" and previous.value in {"left", "right"}
+    sided = sided and match.has("inert", "thing")  # "from the left barrels through"
     if previous.cat == "dir" and match.get("verb").value == "inert" and _way_at(tokens, match.j):
         return True  # "a car from the front signals right"
     return one or sided

@@ -36,7 +36,7 @@ def turn(scene: Scene, context: Context) -> None:
     if unprotected is not None and left:
         context.draft.hazard(HazardKind.UNPROTECTED_LEFT_TURN, scene.words, scene.drivers)
         return
-    into_way = any(p.kind == "path" for p in scene.places())
+    into_way = any(p.kind == "path" for p in scene.places()) or _across_somebody(scene, context)
     known = {m for e in scene.drivers for m in e.maneuvers}
     left = left or (not event.dirs and known & _TURNS == {_ACROSS[context.across]})
     settled = event.dirs or known & _TURNS
@@ -69,6 +69,16 @@ def turn(scene: Scene, context: Context) -> None:
     encroaches = lane is not None and "opposite" not in lane.dirs and not event.dirs
     if scene.drivers and not scene.reaction and (sudden is not None or encroaches):
         context.draft.hazard(HazardKind.SUDDEN_TURN, sudden or scene.words, scene.drivers)
+
+
+def _across_somebody(scene: Scene, context: Context) -> bool:
+    """``turned left right across me``: across my way."""
+    return all(context.oncoming(e) for e in scene.drivers) and any(
+        context.tokens[p.word.i].low == "across"
+        and isinstance(p.target, Mention)
+        and any(e.moving_vehicle for e in p.target.entities)
+        for p in scene.event.pps
+    )
 
 
 def lane_change(scene: Scene, context: Context) -> None:
@@ -231,6 +241,8 @@ def unpark(scene: Scene, context: Context) -> None:
     others = [e for e in scene.drivers if not e.ego]
     for entity in others:
         entity.pulls_out = True
+        if entity.kind is not ParticipantKind.BUS:  # one at its stop is not parked
+            entity.was_parked = entity.was_parked or scene.words
     if others and (careless is not None or to):
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, careless or scene.words, others, to)
 

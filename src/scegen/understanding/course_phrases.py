@@ -67,6 +67,8 @@ def _whose(
     noun: NounPhrase, k: int, chunks: list[Chunk], events: list[Event], tokens: list[Token]
 ) -> list[Mention]:
     verb = next((e for e in events if e.object is noun), None)
+    if verb is not None and noun.owner is not None and verb.name not in _HOLDING:
+        return [noun.owner]  # "blocks the ego's way straight on"
     if verb is not None:
         return verb.subject if verb.name in _HOLDING and not verb.passive else []
     prep = chunks[k - 1] if k else None

@@ -41,6 +41,7 @@ from scegen.understanding.terms import Term
 _RELATIVE = frozenset({"difference", "differential", "relative", "closing", "delta"})
 _DIFFERENCE_REACH = 3
 _BY_MANNER = {
+    "backwards": HazardKind.REVERSING,
     "fast": HazardKind.SPEEDING,
     "slow": HazardKind.SLOW_DRIVING,
     "wrong_way": HazardKind.ONCOMING_LANE,

@@ -163,7 +163,7 @@ def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) 
     last = state.events[-1] if state.events else None
     done_by = {"by", "of", "for"} if last and last.name in _TURNS else {"by", "of"}
     undergone = any(e.passive for e in state.events[-2:-1])  # "is forced into a stop by a van"
-    doer = prep.value == "by" and state.anchor is last and not undergone
+    doer = prep.value == "by" and state.anchor is last and not (undergone or state.between)
     if last and last.nominal and prep.value in done_by and (doer or not last.subject):
         last.subject = [mention]
     named = prep.value in {"with", "due", "against"}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.chunks import Mention
 from scegen.understanding.context import Context, Scene
-from scegen.understanding.draft import Basis, Placement
+from scegen.understanding.draft import Basis, Entity, Placement
 
 _SLOWER = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
 
@@ -146,10 +146,22 @@ def from_behind(scene: Scene, context: Context) -> None:
     others = [e for e in scene.drivers if not e.ego]
     if len(others) < len(scene.drivers) or not any(e.ego for e in context.draft.entities):
         return
+    if any(context.oncoming(e) for e in context.draft.entities):
+        return  # it may be one of those that it overtakes
     for entity in others:
         if entity.heading is None and not any(p.entity is entity for p in context.draft.placements):
             basis = Basis(scene.event.i, scene.event.j, "who overtakes comes from behind")
             context.draft.place(entity, None, {Approach.BEHIND}, basis)
+
+
+def _from_the_front(entity: Entity, context: Context) -> bool:
+    return context.oncoming(entity) or any(
+        p.entity is entity
+        and p.approaches == {Approach.OPPOSITE}
+        and p.reference is not None
+        and p.reference.ego
+        for p in context.draft.placements
+    )
 
 
 def unseen(context: Context) -> None:
@@ -164,7 +176,7 @@ def unseen(context: Context) -> None:
         if danger.kind is not HazardKind.OCCLUSION or not hidden:
             continue
         others = [e for e in draft.entities if e.moving_vehicle and e not in hidden and not e.ego]
-        if not others or not all(context.oncoming(e) for e in others):
+        if not others or not all(_from_the_front(e, context) for e in others):
             continue
         for entity in hidden:
             if not any(p.entity is entity for p in draft.placements):

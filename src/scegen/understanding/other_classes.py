@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from scegen.understanding.particles import a_drive
 from scegen.understanding.terms import Term, longest_match
 from scegen.understanding.tokens import Token
 
@@ -23,6 +24,8 @@ def other_class(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         return replace(term, cat="neg", value="not")
     if term.value == "left" and term.cat == "dir" and _remains(terms, tokens, term):
         return replace(term, cat="inert", value="adjective")
+    if term.cat == "verb" and a_drive(tokens, term.i):
+        return Term("place", "access", term.i, term.j, term.form)
     if tokens[term.i].low == "facing" and _across_from_somebody(term, terms, tokens):
         return Term("locus", "opposite", term.i, term.j)  # "the truck facing the ego"
     return term

@@ -198,6 +198,18 @@ def and_moves(token: Token, previous: Term, tokens: list[Token]) -> bool:
     return joined and after in _ACROSS
 
 
+def a_drive(tokens: list[Token], i: int) -> bool:
+    """``backs out of a drive``: where a house is reached from the road.
+
+    Args:
+        tokens: the tokens of the text.
+        i: index of a token.
+    """
+    whose, before = (tokens[k].low if k >= 0 else "" for k in (i - 1, i - 2))
+    owned = whose in {"a", "the", "his", "her", "my", "our", "its", "their"}
+    return tokens[i].low == "drive" and owned and before in {"of", "from", "into", "onto"}
+
+
 def no_way(tokens: list[Token], i: int, match: Match) -> bool:
     """``against the traffic rules``, ``turns left against oncoming traffic``: on no wrong side.
 

@@ -78,7 +78,8 @@ def _place_approaches(place: Place, prep: str) -> frozenset[Approach]:
     if "front" in dirs:
         return frozenset({Approach.OPPOSITE if prep == "from" else Approach.AHEAD})
     if place.kind == "side" and not dirs and prep == "from" and place.head is not None:
-        return _BY_DIR["lateral"]
+        other = any((m.cat, m.value) == ("det", "other") for m in place.mods)
+        return _BY_DIR["opposite" if other else "lateral"]
     return next((_BY_DIR[d] for d in dirs if d in _BY_DIR), frozenset())
 
 

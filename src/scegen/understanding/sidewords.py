@@ -62,7 +62,9 @@ def creeps(match: Match, tokens: list[Token], side: Term | None) -> bool:
         tokens: the tokens of the text.
         side: the term before.
     """
-    if side is None:
+    if side is None or match.form != "s" or not match.has("verb", "actor"):
         return False
+    if side.cat in {"place", "actor"} and any("vague" in e.data for e in match.entries):
+        return match.has("verb")  # "the van on the minor road creeps forward"
     named = side.cat == "dir" and side.i > 0 and tokens[side.i - 1].kind == "clitic"
     return named and match.has("actor") and match.form == "s"

@@ -12,6 +12,7 @@ from scegen.understanding.nominal import ORDINALS
 from scegen.understanding.numbers import number_at
 from scegen.understanding.paces import pace_at, speed_at
 from scegen.understanding.particles import (
+    a_drive,
     after_a_phrase,
     and_moves,
     in_front,
@@ -34,6 +35,7 @@ from scegen.understanding.unnamed_roles import with_articles
 
 _NOUNS = ("actor", "place", "thing", "inert")
 _CROSSED = frozenset({"access", "road", "lane", "path", "highway", "crosswalk", "exit", "leg"})
+_HELPS = frozenset({"is", "are", "was", "were", "be", "been", "being", "has", "have", "had"})
 _STEERED = frozenset({"driven", "ridden"})
 _UNIT_WORDS = frozenset({"unit", "veh", "v"})
 
@@ -61,6 +63,8 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
     if infinitive or previous.cat in {"aux", "neg"}:
         return suffix_form(token) or "base"
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
+    helped = previous.cat == "manner" and previous.i > 0 and tokens[previous.i - 1].low in _HELPS
+    adverb = adverb or (helped and token.low.endswith(("ed", "ing")))  # "is then startled by"
     one = previous.cat == "num" and previous.value == "one" and token.low.endswith("es")
     if previous.cat in {"actor", "pronoun", "rel"} or adverb or one:
         return suffix_form(token)
@@ -172,7 +176,7 @@ def _needs_infinitive(tokens: list[Token], match: Match) -> bool:
 
 def _cut(match: Match, tokens: list[Token], i: int) -> int | None:
     """Where a phrase ends that has a word too many; None if it has not."""
-    if no_way(tokens, i, match):
+    if no_way(tokens, i, match) or (match.j > i + 1 and a_drive(tokens, i)):
         return i + 1
     if then_a_side(tokens, match) or of_so_much(tokens, match):
         return match.j - 1  # "darts across from the left"
