@@ -108,6 +108,12 @@ def write_folder(folder: Path, concrete) -> Path:
 
 
 @pytest.fixture(scope="session")
+def write():
+    """Write the folder of a concrete scenario."""
+    return write_folder
+
+
+@pytest.fixture(scope="session")
 def make_folder(tmp_path_factory):
     """Write the scenario folder of a junction's first scenario."""
 

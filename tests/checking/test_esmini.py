@@ -154,7 +154,8 @@ def test_recordings_that_cannot_be_read(text):
 def movement(name, speeds, start=0j, heading=1 + 0j, dt=0.05):
     speeds = np.asarray(speeds, dtype=float)
     points = start + heading * np.concatenate([[0.0], np.cumsum(speeds[1:] * dt)])
-    return Movement(name, np.arange(len(speeds)) * dt, points, speeds)
+    heads = np.full(len(speeds), np.angle(heading))
+    return Movement(name, np.arange(len(speeds)) * dt, points, speeds, heads)
 
 
 def test_jump():
@@ -163,7 +164,7 @@ def test_jump():
     points = steady.point.copy()
     points[3:] += 1.0
     [finding] = check_movements(
-        [Movement("a", steady.time_s, points, steady.speed_mps)], None, None
+        [Movement("a", steady.time_s, points, steady.speed_mps, steady.heading_rad)], None, None
     )
     assert (finding.rule, finding.place) == ("esmini.jump", "a t = 0.15 s")
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import shutil
+from dataclasses import replace
 from itertools import islice
 
 import numpy as np
@@ -195,7 +196,7 @@ def test_what_cannot_be_compared_is_not_run(folder, monkeypatch):
 def as_played(predicted, shift_steps=0):
     """A recording and a log that say what was predicted, events and contacts shifted."""
     movements = [
-        Movement(name, t.time_s, t.x_m + 1j * t.y_m, t.speed_mps)
+        Movement(name, t.time_s, t.x_m + 1j * t.y_m, t.speed_mps, t.heading_rad)
         for name, t in predicted.traces.items()
     ]
     shift_s = shift_steps * STEP_S
@@ -240,6 +241,15 @@ def test_contacts_in_one_program_only_are_noticed(contact):
 def test_one_who_is_not_played_is_noticed(contact):
     movements, log = as_played(contact)
     assert "replay.missing" in {f.rule for f in compare(contact, movements[1:], log).findings}
+
+
+def test_a_body_that_heads_elsewhere_is_noticed(contact):
+    movements, log = as_played(contact)
+    turned = replace(movements[0], heading_rad=movements[0].heading_rad + np.pi)
+    found = {f.rule for f in compare(contact, [turned, *movements[1:]], log).findings}
+    assert found == {"replay.heading"}
+    whole = replace(movements[0], heading_rad=movements[0].heading_rad + 2 * np.pi)
+    assert compare(contact, [whole, *movements[1:]], log).findings == ()
 
 
 def test_the_step_over_the_end_may_be_left_out_or_taken(contact):

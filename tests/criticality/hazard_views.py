@@ -67,4 +67,4 @@ def view(people, paths, speeds, hazards=(), friction=1.0, **ways):
     pairs = [(a.id, b.id) for n, a in enumerate(people) for b in people[n + 1 :]]
     all_ways = {p.id: ways.get(p.id) or way(p, by_name[p.id]) for p in people}
     scene = scene_of(concrete, by_name, pairs, friction)
-    return view_of(concrete, all_ways, scene, stack_traces(traces), friction)
+    return view_of(concrete, all_ways, scene, stack_traces(traces, paths), friction)

@@ -220,46 +220,51 @@ def _hazards_hold(functional, made: Assignment) -> bool:
             continue
         by, to = index[hazard.by[0]], index[hazard.to[0]]
         met = ways_meet(junction, way(by), way(to))
-        clash = met in {"merging", "crossing"} or _head_on(way, made, by, to)
-        beside = arms == 2 and _may_share(functional, by, to)
-        if beside and hazard.kind in {HazardKind.MERGING_CONFLICT, HazardKind.FAILURE_TO_YIELD}:
-            if made[by][0] != made[to][0]:
-                return False
-            continue
+        if _turn_behind_each_other(functional, hazard, angles, made[by], made[to]):
+            met = "crossing"
+        beside = _beside(functional, hazard)
+        if beside and hazard.kind in {
+            HazardKind.FAILURE_TO_YIELD,
+            HazardKind.UNPROTECTED_LEFT_TURN,
+        }:
+            turns = {turn_name(angles, *made[n][:2]) for n in (by, to)}
+            ring = junction.kind is JunctionKind.ROUNDABOUT
+            across = made[by][0] == made[to][0] and turns != {Maneuver.STRAIGHT} and not ring
+            met = "crossing" if across else met
         if hazard.kind is HazardKind.MERGING_CONFLICT and met != "merging":
             return False
-        if hazard.kind is HazardKind.FAILURE_TO_YIELD and not clash:
+        if hazard.kind is HazardKind.FAILURE_TO_YIELD and met not in {"merging", "crossing"}:
             return False
         if hazard.kind is HazardKind.UNPROTECTED_LEFT_TURN:
             opposite = _faces(angles, made[by][0], made[to][0])
             left = turn_name(angles, *made[by][:2]) is Maneuver.LEFT
-            both_left = functional.vehicles[to].maneuvers == {Maneuver.LEFT}
-            if not (opposite and left and (both_left or clash)):
+            if not ((opposite or beside) and left and met in {"merging", "crossing"}):
                 return False
     return True
 
 
-def _may_share(functional, first: int, second: int) -> bool:
-    """Whether the words allow two vehicles on one arm."""
-    vehicles = functional.vehicles
-    ego = next(i for i, v in enumerate(vehicles) if v.id == functional.ego.id)
-    sets = [sorted(v.entries) or range(functional.junction.arms) for v in vehicles]
-    return any(
-        entries[first] == entries[second]
-        and _places(functional, first, entries, ego)
-        and _places(functional, second, entries, ego)
-        for entries in itertools.product(*sets)
+def _beside(functional, hazard) -> bool:
+    """Whether one of the two is said to be beside the other, which is the ego."""
+    pair = {hazard.by[0], hazard.to[0]}
+    others = [functional.participant(name) for name in pair - {functional.ego.id}]
+    return len(others) == 1 and others[0].approaches == frozenset({Approach.ADJACENT})
+
+
+def _turn_behind_each_other(functional, hazard, angles, by, to) -> bool:
+    """Both are said to turn across the oncoming lane, from opposite arms."""
+    across = Maneuver.LEFT
+    if functional.junction.driving_side is DrivingSide.LEFT:
+        across = Maneuver.RIGHT
+    said = [across in functional.participant(n).maneuvers for n in (hazard.by[0], hazard.to[0])]
+    if hazard.kind is HazardKind.UNPROTECTED_LEFT_TURN and across is Maneuver.LEFT:
+        said[0] = True
+    turns = [turn_name(angles, *made[:2]) is across for made in (by, to)]
+    return (
+        hazard.kind is not HazardKind.MERGING_CONFLICT
+        and all(said)
+        and all(turns)
+        and _faces(angles, by[0], to[0])
     )
-
-
-def _head_on(way, made: Assignment, first: int, second: int) -> bool:
-    """Whether one that overtakes does so where the other comes towards it."""
-    for one, other in ((first, second), (second, first)):
-        (entry, leaving), (its_entry, its_exit) = way(one), way(other)
-        against = entry in {its_exit} - {its_entry} or leaving in {its_entry} - {entry}
-        if made[one][2] == "overtake" and against:
-            return True
-    return False
 
 
 def _faces(angles, arm, other) -> bool:

@@ -227,27 +227,117 @@ def test_who_brakes_beside_the_ego_stays_beside_it(describe):
     assert all(drive.beside == "ego" for _, drive, _ in found)
 
 
-HEAD_ON = [("failure_to_yield", "car"), ("delayed_braking", "car"), ("stopping", "car"),
-           ("failure_to_yield", "ego"), ("hard_braking", "car")]  # fmt: skip
+def test_across_one_beside(describe):
+    """Beside each other, one turns across the other: that is how it fails to yield."""
+    car = CAR | {"approaches": ["adjacent"], "maneuvers": ["left", "straight"]}
+    functional = describe("four_way", 4, [EGO, car], [hazard("failure_to_yield")])
+    for _, one, ego in listed(functional):
+        assert one.entry == ego.entry
+        assert {one.turn, ego.turn} != {Maneuver.STRAIGHT}
 
 
-@pytest.mark.parametrize(("kind", "by"), HEAD_ON)
-def test_who_overtakes_meets_the_oncoming(describe, kind, by):
-    """On a plain road the two keep to their own sides, unless one pulls out."""
-    oncoming = CAR | {"approaches": ["opposite"]}
-    danger = hazard(kind, by, "ego" if by == "car" else "car")
-    passing = EGO | {"maneuvers": ["overtake"]}
-    assert listed(describe("straight", 2, [passing, oncoming], [danger]))
-    with pytest.raises(NoScenarioError):
-        enumerate_scenarios(describe("straight", 2, [EGO, oncoming], [danger]))
-
-
-def test_two_who_turn_left_from_opposite_sides(describe):
-    left = {"maneuvers": ["left"]}
+def test_both_turn_left_if_both_are_said_to(describe):
+    turning = {"approaches": ["opposite"], "maneuvers": ["left"]}
     functional = describe(
         "four_way",
         4,
-        [EGO | left, CAR | left | {"approaches": ["opposite"]}],
+        [EGO | {"maneuvers": ["left"]}, CAR | turning],
         [hazard("unprotected_left_turn", "ego", "car")],
     )
-    assert all((car.entry - ego.entry) % 4 == 2 for _, car, ego in listed(functional))
+    for _, car, ego in listed(functional):
+        assert (car.entry - ego.entry) % 4 == 2
+    free = describe("four_way", 4, [EGO, CAR | turning], [hazard("failure_to_yield", "ego", "car")])
+    for _, _, ego in listed(free):
+        assert ego.turn is not Maneuver.LEFT
+
+
+@pytest.mark.parametrize("kind", ["failure_to_yield", "delayed_braking", "hard_braking"])
+def test_from_the_other_end_where_somebody_strays(describe, kind):
+    car = CAR | {"approaches": ["opposite"]}
+    around = EGO | {"maneuvers": ["overtake"]}
+    van = {"id": "van", "parked": True, "approaches": ["ahead"], "maneuvers": ["stay"]}
+    for people, more in (([around, car], []), ([EGO, car, van], [hazard("obstacle", "van")])):
+        functional = describe("straight", 2, people, [hazard(kind), *more])
+        for _, one, ego in listed(functional):
+            assert one.entry != ego.entry
+    with pytest.raises(NoScenarioError):
+        enumerate_scenarios(describe("straight", 2, [EGO, car], [hazard(kind)]))
+
+
+@pytest.mark.parametrize("place", ["opposite", "ahead"])
+def test_one_who_turns_back_cuts_off_those_who_come(describe, place):
+    car = CAR | {"approaches": [place], "maneuvers": ["u_turn"]}
+    functional = describe("straight", 2, [EGO, car], [hazard("failure_to_yield")])
+    for _, one, ego in listed(functional):
+        assert one.turn is Maneuver.U_TURN
+        assert (one.entry == ego.entry) == (place == "ahead")
+
+
+def manners(describe, kind, arms, car=None, extra=()):
+    functional = describe(kind, arms, [EGO, CAR | (car or {})], [hazard("reversing"), *extra])
+    return {
+        (drive.reverses.value, drive.entry == ego.entry) for _, drive, ego in listed(functional)
+    }
+
+
+def test_who_reverses_on_a_plain_road_is_ahead_or_beside_it(describe):
+    ways = {("backs_up", True), ("from_right", True), ("from_left", True)}
+    assert manners(describe, "straight", 2) == ways
+    assert manners(describe, "straight", 2, {"approaches": ["ahead"]}) == {("backs_up", True)}
+    left = {"approaches": ["left"]}
+    assert manners(describe, "straight", 2, left) == {("from_left", True)}
+    stops = [hazard("stopping")]
+    assert manners(describe, "straight", 2, left, stops) == {("backs_up", True)}
+    for _, car, ego in listed(describe("straight", 2, [EGO, CAR], [hazard("reversing")])):
+        assert (car.rank, ego.rank) == (0, 1)
+
+
+def test_who_reverses_at_a_junction_is_ahead_or_comes_from_an_arm(describe):
+    ways = {("backs_up", True), ("backs_up", False), ("out_of_arm", False)}
+    assert manners(describe, "t", 3) == ways
+    apart = {("backs_up", False), ("out_of_arm", False)}
+    assert manners(describe, "four_way", 4, {"approaches": ["left"]}) == apart
+    ring = {("backs_up", True), ("backs_up", False)}
+    assert manners(describe, "roundabout", 4) == ring
+
+
+def test_who_stops_first_does_not_come_out_backwards(describe):
+    found = manners(describe, "t", 3, extra=[hazard("stopping")])
+    assert {how for how, _ in found} == {"backs_up"}
+
+
+def test_ways_of_one_that_reverses_into_another_cross_or_merge(describe):
+    for scenario, car, ego in listed(describe("four_way", 4, [EGO, CAR], [hazard("reversing")])):
+        if car.reverses.value == "backs_up" and car.entry != ego.entry:
+            assert met(scenario) in {ConflictKind.CROSSING, ConflictKind.MERGING}
+        if car.reverses.value == "out_of_arm":
+            assert car.exit != ego.entry
+
+
+def test_nobody_else_reverses(describe):
+    for _, _, ego in listed(describe("t", 3, [EGO, CAR], [hazard("reversing")])):
+        assert ego.reverses is None
+
+
+def test_one_behind_cannot_reverse_towards_the_ego(describe):
+    car = CAR | {"approaches": ["behind"]}
+    with pytest.raises(NoScenarioError, match="reversing"):
+        enumerate_scenarios(describe("straight", 2, [EGO, car], [hazard("reversing")]))
+
+
+@pytest.mark.parametrize(("kind", "arms"), [("straight", 2), ("four_way", 4), ("roundabout", 4)])
+def test_as_many_are_counted_as_listed_where_somebody_reverses(describe, kind, arms):
+    bystanders = [{"id": "one"}, {"id": "two"}]
+    functional = describe(kind, arms, [EGO, CAR, *bystanders], [hazard("reversing")])
+    every = enumerate_scenarios(functional, reduction=Reduction.NONE)
+    assert len(every.scenarios) == every.certificate.total
+    found = enumerate_scenarios(functional)
+    assert sum(s.class_size for s in found.scenarios) == found.certificate.total
+
+
+def test_where_knows_how_one_reverses(describe):
+    functional = describe("t", 3, [EGO, CAR], [hazard("reversing")])
+    for how in ("backs_up", "out_of_arm"):
+        found = enumerate_scenarios(functional, where=f"car.reverses == {how}").scenarios
+        assert {s.assignment("car").reverses.value for s in found} == {how}
+    assert not enumerate_scenarios(functional, where="ego.reverses == backs_up").scenarios

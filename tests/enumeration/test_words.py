@@ -99,12 +99,19 @@ def test_adjacent_is_beside(describe):
         enumerate_scenarios(describe("four_way", 4, [EGO, *others], lanes=[1, 1, 1, 1]))
 
 
-def test_several_travel_beside_one_in_lanes_that_are_given(describe):
-    """Those who find no lane of their own follow each other in one."""
-    others = [{"id": f"car_{i}", "approaches": ["adjacent"]} for i in range(3)]
-    functional = describe("straight", 2, [EGO, *others], lanes=[2, 2])
-    for scenario in enumerate_scenarios(functional).scenarios:
+def test_several_beside_one_share_the_other_lane(describe):
+    others = [{"id": name, "approaches": ["adjacent"]} for name in ("a", "b", "c")]
+    for scenario in enumerate_scenarios(
+        describe("straight", 2, [EGO, *others], lanes=[2, 2])
+    ).scenarios:
         assert [d.beside for d in scenario.drives] == [None, "ego", "ego", "ego"]
+
+
+def test_adjacent_with_a_side_is_one_place(describe):
+    """The lane to the left, not another arm."""
+    others = [{"id": "other", "approaches": ["adjacent", "left"]}]
+    made = drives(describe("four_way", 4, [EGO, *others]), "other")
+    assert {d.beside for d in made} == {"ego"}
 
 
 def test_beside_whoever_is_listed_first(describe):

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from by_hand import by_hand, straight_road
 from lxml import etree
+from things import thing
 
 from scegen.errors import InputError
 from scegen.export.openscenario import write_openscenario
@@ -30,6 +31,7 @@ from scegen.scenario.concrete import (
 )
 from scegen.scenario.functional import Environment
 from scegen.scenario.logical import Side
+from scegen.scenario.objects import ObjectCategory
 from scegen.scenario.vocabulary import ParticipantKind, RoadSurface, Role, TimeOfDay, Weather
 
 ROOT = FilePath(__file__).parents[2]
@@ -251,6 +253,35 @@ def test_valid_against_the_schema(version):
         write_openscenario(scenario(), dict.fromkeys(PATHS, standing()), version=version)
     )
     assert schema.validate(still), schema.error_log
+
+
+CRATE = thing("crate_1", 5.0, -1.75, heading_deg=90.0, mass_kg=40.0, blueprint="static.prop.box01")
+
+
+def test_things_are_misc_objects_named_by_carlas_props():
+    root = written(objects=(CRATE,))
+    misc = root.find("Entities/ScenarioObject[@name='crate_1']/MiscObject")
+    assert dict(misc.attrib) == {
+        "mass": "40.0",
+        "miscObjectCategory": "obstacle",
+        "name": "static.prop.box01",
+    }
+    box = misc.find("BoundingBox")
+    assert dict(box.find("Dimensions").attrib) == {"width": "1.0", "length": "1.0", "height": "1.0"}
+    assert box.find("Center").get("z") == "0.5"
+    start = root.find(".//Private[@entityRef='crate_1']//WorldPosition")
+    assert [float(start.get(k)) for k in "xyh"] == [5.0, -1.75, pytest.approx(np.pi / 2, abs=1e-6)]
+    assert root.find(".//ManeuverGroup//EntityRef[@entityRef='crate_1']") is None
+
+
+@pytest.mark.asam
+@pytest.mark.skipif(not SCHEMAS, reason="no ASAM environment (make asam)")
+@pytest.mark.parametrize("version", ["1.0", "1.2"])
+@pytest.mark.parametrize("category", tuple(ObjectCategory))
+def test_things_are_valid_against_the_schema(version, category):
+    schema = etree.XMLSchema(etree.parse(SCHEMAS[0] / f"{version}.0" / "OpenSCENARIO.xsd"))
+    root = written(version, objects=(CRATE.model_copy(update={"category": category}),))
+    assert schema.validate(root), schema.error_log
 
 
 def external(version: str = "1.0") -> etree._Element:

@@ -14,6 +14,7 @@ from scegen.motion.model import Path, Trace
 from scegen.road import build_network, plan_road
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion, Travelled
+from scegen.scenario.logical import ParameterRange
 from scegen.scenario.vocabulary import HazardKind
 
 LIMIT_MPS = 50 / 3.6
@@ -198,12 +199,6 @@ def test_an_overtaker_ends_in_front(cases):
     assert lead > traces["car_1"].s_m[-1] + slow.motion.start_m
 
 
-def test_reversing_is_refused_by_name(scenario):
-    made = scenario("four_way", 4, [{"entry": 0, "move": 2}], [("reversing", ["ego"], [])])
-    with pytest.raises(MotionInfeasibleError, match="reversing is not supported"):
-        concretize(*made)
-
-
 def test_a_given_road_is_used_and_refused_if_too_short(cases):
     functional, logical = cases["left_hand"]
     place = functional.junction
@@ -252,7 +247,7 @@ LAYOUTS = {
 
 @pytest.mark.parametrize("layout", sorted(LAYOUTS))
 @pytest.mark.parametrize("kind", [k for k in HazardKind if k is not HazardKind.REVERSING])
-def test_every_danger_can_be_made_everywhere(scenario, kind, layout):
+def test_every_danger_but_reversing_can_be_made_everywhere(scenario, kind, layout):
     shape, arms, drives = LAYOUTS[layout]
     concrete = concretize(*scenario(shape, arms, drives, [(kind.value, ["car_1"], ["ego"])]))
     _, traces = run(concrete)
@@ -320,3 +315,10 @@ def test_those_who_cross_together_walk_abreast(scenario):
     first, second, third, from_the_left = places
     assert sorted(round(p - first, 3) for p in (second, third)) == [-0.9, 0.9]
     assert from_the_left == first
+
+
+def test_one_who_is_said_to_ride_slower_than_usual_does(scenario):
+    functional, logical = scenario("straight", 2, [{"entry": 0, "move": 1}], (), [(0, "right")])
+    slow = ParameterRange(name="ped_0.speed_mps", low=0.8, high=0.8, default=0.8, reason="stated")
+    concrete = concretize(functional, logical.model_copy(update={"parameters": (slow,)}))
+    assert concrete.participant("ped_0").speed_program[0].target_speed_mps == 0.8

@@ -4,6 +4,7 @@ import pytest
 
 from scegen.errors import RoadInfeasibleError
 from scegen.road import build_network, plan_road
+from scegen.scenario.concrete import Turn
 from scegen.scenario.functional import Junction
 
 
@@ -15,6 +16,11 @@ def changed(wanted, arm, **fields):
     arms = list(wanted.arms)
     arms[arm] = arms[arm].model_copy(update=fields)
     return wanted.model_copy(update={"arms": tuple(arms)})
+
+
+def turned(lane, entry, leaving):
+    turn = Turn(entry=entry, lane_in=min(lane, 3), exit=leaving, lane_out=1)
+    return plan().model_copy(update={"turns": (turn,)})
 
 
 CASES = {
@@ -33,7 +39,9 @@ CASES = {
     ),
     "ring arms too close": (plan("roundabout", 3, (0, 6, 180)), r"6\.0 deg apart"),
     "arm too short": (plan(arm_length_m=10), "10 m is too short"),
-    "U-turn on a straight": (plan("straight", 2, u_turns={1}), "arm 1 asks for a U-turn"),
+    "turn of no arm": (turned(1, 7, 1), "there is no arm 7"),
+    "turn of no lane": (turned(2, 0, 1), "no way from lane 2 of 1 on arm 0 to lane 1"),
+    "turn back where none is allowed": (turned(1, 0, 0), "back to arm 0, where u_turns allows"),
     "lanes end": (
         changed(plan("straight", 2), 0, lanes_in=2),
         "2 lanes in from arm 0 do not continue in 1",

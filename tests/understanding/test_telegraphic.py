@@ -209,10 +209,10 @@ def test_who_waits_for_a_verb_gets_it():
         ("A van parked on the right leaves its parking space as the ego passes.", Approach.RIGHT),
     ],
 )
-def test_who_sets_off_is_parked_no_longer(text, side):
+def test_who_sets_off_is_parked_and_pulls_out(text, side):
     scenario = read(text)
     van = next(p for p in scenario.participants if p.kind.value == "van")
-    assert not van.parked
+    assert van.parked == van.pulls_out == ("parked" in text)
     assert van.approaches == {side}
     assert HazardKind.FAILURE_TO_YIELD in {h.kind for h in scenario.hazards}
 

@@ -1,8 +1,8 @@
 """Agreement with the reference player: does esmini show what our simulator predicts?
 
 The file is played in steps of 0.05 s and compared with ``scegen.motion.simulate`` at the same
-step: every participant's position over its whole trace, the time at which every phase of a speed
-program fires, and which bodies touch, and when.
+step: every participant's position and heading over its whole trace, the time at which every phase
+of a speed program fires, and which bodies touch, and when.
 
 In the step that would go beyond the end of its path, an entity in esmini either does not move at
 all (off the road) or takes the whole step (on a road), and then it stops: up to speed times step
@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import combinations
 from pathlib import Path as FilePath
 
@@ -30,12 +30,14 @@ from scegen.errors import ScegenError
 from scegen.motion import build_paths, simulate
 from scegen.motion.batch import compile_program, simulate_batch, stack_traces
 from scegen.motion.model import Array, Trace
+from scegen.motion.standing import object_paths
 from scegen.road import build_network
 from scegen.scenario.concrete import ConcreteScenario
 
 CHECKER = "replay"
 P95_M = 0.05
 MAX_M = 0.25
+MAX_RAD = 0.1
 EVENT_STEPS = 2
 GRAZE_M = 0.02
 """Bodies that pass so closely may touch in one program and not in the other."""
@@ -49,7 +51,8 @@ class Prediction:
     """Our side: traces by participant, when phases fire, and when pairs first touch (s).
 
     ``distance_m`` is the smallest distance of every pair, 0 where they touch; ``overlaps`` are
-    the pairs that touch in more than one step, which are no mere grazes.
+    the pairs that touch in more than one step, which are no mere grazes; ``still`` says where
+    things stand, x + iy.
     """
 
     traces: dict[str, Trace]
@@ -57,6 +60,7 @@ class Prediction:
     contact_s: dict[frozenset[str], float]
     distance_m: dict[frozenset[str], float]
     overlaps: frozenset[frozenset[str]]
+    still: dict[str, complex] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,11 +112,17 @@ def predict(concrete: ConcreteScenario) -> Prediction:
     ]
     steps = batch.fired_step[0].tolist()
     people = concrete.participants
-    scene = build_scene([paths[p.id] for p in people], [p.kind for p in people])
+    still = object_paths(concrete)
+    scene = build_scene(
+        [*(paths[p.id] for p in people), *still.values()],
+        [*(p.kind for p in people), *concrete.objects],
+    )
     tracks = stack_traces([traces[p.id] for p in people]).tracks
+    # Things stand in both of our simulators where they stand.
+    tracks = np.concatenate([tracks, batch.tracks[:, len(people) :]], axis=1)
     touching = contact_series(tracks, scene.bodies, scene.pairs)[0]
     apart = distance_series(tracks, scene.bodies, scene.pairs)[0]
-    pairs = [frozenset((a.id, b.id)) for a, b in combinations(people, 2)]
+    pairs = [frozenset((a.id, b.id)) for a, b in combinations(concrete.entities, 2)]
     return Prediction(
         traces,
         {name: step * STEP_S for name, step in zip(names, steps, strict=True) if step >= 0},
@@ -123,6 +133,7 @@ def predict(concrete: ConcreteScenario) -> Prediction:
         },
         {pair: float(apart[:, n].min()) for n, pair in enumerate(pairs)},
         frozenset(pair for n, pair in enumerate(pairs) if touching[:, n].sum() > 1),
+        {name: complex(path.start.x_m, path.start.y_m) for name, path in still.items()},
     )
 
 
@@ -138,6 +149,12 @@ def compare(predicted: Prediction, recording: list[Movement], log: str) -> Agree
         off = position_errors(trace, played[name].point)
         errors.append(off)
         findings += _positions(trace, off)
+        findings += _headings(trace, played[name])
+    for name, place in predicted.still.items():
+        if name not in played:
+            findings.append(error("replay.missing", name, "is not there in the play"))
+        elif np.abs(played[name].point - place).max() > P95_M:
+            findings.append(error("replay.position", name, "is not where it should stand"))
     phases, contacts = _phases(log), _contacts(log)
     findings += _events(predicted.fired_s, phases)
     findings += _touching(predicted, contacts)
@@ -186,6 +203,17 @@ def _positions(trace: Trace, off: Array) -> Iterator[Finding]:
     if off[step] > MAX_M:
         place = f"{trace.participant} t = {step * STEP_S:.2f} s"
         yield error("replay.position", place, f"is {off[step]:.2f} m from where it should be")
+
+
+def _headings(trace: Trace, played: Movement) -> Iterator[Finding]:
+    """``replay.heading``: the body points the same way, which tells reversing from driving."""
+    steps = min(len(played.heading_rad), len(trace.heading_rad))
+    off = np.abs(np.angle(np.exp(1j * (played.heading_rad[:steps] - trace.heading_rad[:steps]))))
+    step = int(off.argmax())
+    if off[step] > MAX_RAD:
+        place = f"{trace.participant} t = {step * STEP_S:.2f} s"
+        message = f"heads {np.degrees(off[step]):.1f} degrees away from where it should"
+        yield error("replay.heading", place, message)
 
 
 def _events(predicted: dict[str, float], played: dict[str, float]) -> Iterator[Finding]:

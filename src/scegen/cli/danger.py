@@ -22,7 +22,8 @@ def proof_lines(proof: Proof) -> Iterator[str]:
     if proof.in_band:
         yield f"{proof.target} of {pair}: {proof.measure}{values}{happened}"
     elif not pair:
-        yield f"TARGET NOT REACHED: {proof.target}: {proof.blocked_by or 'there is no pair'}"
+        why = proof.blocked_by or "there is no pair"
+        yield f"TARGET NOT REACHED: {proof.target}: {why}{happened}"
     else:
         yield (
             f"TARGET NOT REACHED: {proof.target} of {pair}: {proof.measure}{values}{happened}; "

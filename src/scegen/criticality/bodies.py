@@ -12,7 +12,11 @@ from scegen.motion.batch.arrays import Floats
 from scegen.motion.batch.kernels import inner_kernel
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.scenario.bodies import BODIES
+from scegen.scenario.objects import StaticObject
 from scegen.scenario.vocabulary import ParticipantKind
+
+Kind = ParticipantKind | StaticObject
+"""Whose body it is: of a kind of participant, or that of an object."""
 
 MASS_KG: dict[ParticipantKind, float] = {
     ParticipantKind.CAR: 1850.0,
@@ -60,7 +64,7 @@ _UNPROTECTED = {
 
 
 def body_table(
-    kinds: Sequence[ParticipantKind],
+    kinds: Sequence[Kind],
     *,
     friction: float,
     protected_curve: tuple[float, float],
@@ -69,7 +73,7 @@ def body_table(
     """The bodies of these kinds: (participant, field of :class:`Body`).
 
     Args:
-        kinds: one per participant.
+        kinds: one per participant; an object is its own kind.
         friction: coefficient between tyre and road; 1 on dry asphalt.
         protected_curve: intercept and slope (s/m) of the injury curve over delta-v, for occupants.
         unprotected_curve: the same over impact speed, for riders and pedestrians.
@@ -78,12 +82,18 @@ def body_table(
 
 
 def _body(
-    kind: ParticipantKind,
+    kind: Kind,
     friction: float,
     protected_curve: tuple[float, float],
     unprotected_curve: tuple[float, float],
 ) -> Body:
-    body, unprotected = BODIES[kind], kind in _UNPROTECTED
+    grip = friction * GRAVITY_MPS2
+    if isinstance(kind, StaticObject):
+        # It never brakes: what it could do divides nothing but zero.
+        body, mass, available, unprotected = kind.body, kind.mass_kg, grip, False
+    else:
+        body, mass = BODIES[kind], MASS_KG[kind]
+        available, unprotected = min(body.max_deceleration_mps2, grip), kind in _UNPROTECTED
     intercept, slope = unprotected_curve if unprotected else protected_curve
     return Body(
         half_length_m=body.length_m / 2,
@@ -92,8 +102,8 @@ def _body(
         ahead_m=body.centre_ahead_m,
         front_m=body.front_m,
         rear_m=body.rear_m,
-        mass_kg=MASS_KG[kind],
-        available_mps2=min(body.max_deceleration_mps2, friction * GRAVITY_MPS2),
+        mass_kg=mass,
+        available_mps2=available,
         injury_intercept=intercept,
         injury_slope_spm=slope,
         unprotected=float(unprotected),

@@ -40,6 +40,7 @@ from scegen.motion.batch import compile_program, simulate_batch
 from scegen.motion.batch.arrays import SPEED, BatchTraces, Bools, Floats
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
 from scegen.motion.model import Path
+from scegen.motion.standing import object_paths
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import AtTime, ConcreteScenario, SpeedPhase
 
@@ -107,9 +108,8 @@ def careful_driver_verdict(
         paths: its paths by participant, as :func:`scegen.motion.build_paths` makes them.
         friction: coefficient between tyre and road; None for that of the environment.
     """
-    if friction is None:
-        friction = friction_of(concrete.environment)
-    return _Trial(concrete, dict(paths), friction).verdict()
+    grip = friction_of(concrete.environment) if friction is None else friction
+    return _Trial(concrete, {**paths, **object_paths(concrete)}, grip).verdict()
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,7 +133,7 @@ class _Trial:
 
     @cached_property
     def names(self) -> list[str]:
-        return [p.id for p in self.concrete.participants]
+        return [entity.id for entity in self.concrete.entities]
 
     @cached_property
     def ego(self) -> int:
@@ -146,7 +146,7 @@ class _Trial:
     @cached_property
     def bodies(self) -> Floats:
         return body_table(
-            [p.kind for p in self.concrete.participants],
+            [*(p.kind for p in self.concrete.participants), *self.concrete.objects],
             friction=self.friction,
             protected_curve=PROTECTED,
             unprotected_curve=UNPROTECTED,

@@ -82,7 +82,7 @@ def _areas(first: Path, second: Path, a: Body, b: Body) -> list[tuple[float, flo
             enter_a, leave_a = _extent(first, a, one.s, rows, other)
             enter_b, leave_b = _extent(second, b, two.s, columns, own)
             result.append((enter_a, enter_b, leave_a, leave_b))
-        elif min(merge) > SAMPLING_M:
+        elif min(merge) > SAMPLING_M and not _comes_backwards(first, second, merge):
             sa, sb = merge
             result.append(
                 (
@@ -93,6 +93,15 @@ def _areas(first: Path, second: Path, a: Body, b: Body) -> list[tuple[float, flo
                 )
             )
     return result
+
+
+def _comes_backwards(first: Path, second: Path, merge: tuple[float, float]) -> bool:
+    """Whether one of two drives backwards where their ways merge: its front does not come first."""
+    return any(
+        begins <= place <= ends
+        for path, place in zip((first, second), merge, strict=True)
+        for begins, ends in path.backwards
+    )
 
 
 def _sample(path: Path, body: Body, spacing: float) -> _Sampled:

@@ -16,6 +16,8 @@ from scegen.motion.batch.arrays import Floats
 from scegen.motion.friction import friction_of
 from scegen.motion.model import Path
 from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
+from scegen.scenario.objects import StaticObject
+from scegen.scenario.vocabulary import HazardKind
 
 
 @dataclass(frozen=True)
@@ -23,11 +25,12 @@ class Course:
     """Time series, one value per step of ``time_s`` (s).
 
     Attributes:
-        speed_mps: of every participant.
+        speed_mps: of every participant, forwards or backwards.
         distance_m: between the bodies of the ego and each other; 0 in contact.
         ttc_s: their two-dimensional time to collision; inf if they would never touch.
         partner: the other that comes nearest to the ego; those who are parked count only where
-            nobody else is or a hazard names them. Empty where the ego is alone.
+            nobody else is or a hazard names them, things where they are an obstacle. Empty where
+            the ego is alone.
         step: the first step in which the partner is nearest: the critical moment.
     """
 
@@ -54,11 +57,11 @@ def ego_course(
         partner: whom the event is about; None for whoever comes nearest, see :class:`Course`.
         dt_s: time step, s.
     """
-    people = concrete.participants
+    people = concrete.entities
     program, candidate = compile_program(concrete, paths)
     traces = simulate_batch(program, candidate, duration_s=concrete.duration_s, dt_s=dt_s)
     bodies = body_table(
-        [p.kind for p in people],
+        [*(p.kind for p in concrete.participants), *concrete.objects],
         friction=friction_of(concrete.environment),
         protected_curve=PROTECTED,
         unprotected_curve=UNPROTECTED,
@@ -72,7 +75,7 @@ def ego_course(
     nearest = min(counting or range(len(others)), key=lambda k: apart[:, k].min(), default=None)
     return Course(
         traces.time_s,
-        {p.id: traces.speed_mps[0, :, n] for n, p in enumerate(people)},
+        {p.id: np.abs(traces.speed_mps[0, :, n]) for n, p in enumerate(people)},
         {people[n].id: apart[:, k] for k, n in enumerate(others)},
         {people[n].id: ttc[:, k] for k, n in enumerate(others)},
         "" if nearest is None else people[others[nearest]].id,
@@ -80,8 +83,18 @@ def ego_course(
     )
 
 
-def _counts(concrete: ConcreteScenario, one: ConcreteParticipant, partner: str | None) -> bool:
+def _counts(
+    concrete: ConcreteScenario, one: ConcreteParticipant | StaticObject, partner: str | None
+) -> bool:
     """Whether the event can be about this one."""
     if partner is not None:
         return one.id == partner
+    if isinstance(one, StaticObject):
+        return in_the_way(concrete, one)
     return not one.parked or any(one.id in (*h.by, *h.to) for h in concrete.hazards)
+
+
+def in_the_way(concrete: ConcreteScenario, thing: StaticObject) -> bool:
+    """Whether a thing is there as an obstacle, and does not only hide somebody."""
+    obstacles = [h for h in concrete.hazards if h.kind is HazardKind.OBSTACLE]
+    return any(thing.id in hazard.by for hazard in obstacles)

@@ -92,7 +92,7 @@ def _straight_on(track: Floats, _: Path, look: Floats) -> Floats:
 
 def _on_way(track: Floats, way: Path, look: Floats) -> Floats:
     """Tracks of one who keeps its speed on its path from each step on: (t, row, look)."""
-    s = np.minimum(track[S][:, None] + track[SPEED][:, None] * look, way.length_m)
+    s = np.minimum(track[S][:, None] + np.abs(track[SPEED])[:, None] * look, way.length_m)
     rows = np.empty((s.shape[0], TRACK_ROWS, s.shape[1]))
     rows[:, S], rows[:, SPEED] = s, track[SPEED][:, None]
     rows[:, X], rows[:, Y] = np.interp(s, way.s_m, way.x_m), np.interp(s, way.s_m, way.y_m)

@@ -8,13 +8,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scegen.criticality.bodies import body_table
+from scegen.criticality.bodies import Kind, body_table
 from scegen.criticality.conflict_areas import AreaTable, area_table
 from scegen.criticality.following import FollowTable, follow_table
 from scegen.criticality.measures.injury import PROTECTED, UNPROTECTED
 from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.model import Path
-from scegen.scenario.vocabulary import ParticipantKind
 
 
 class Scene(NamedTuple):
@@ -34,7 +33,7 @@ class Scene(NamedTuple):
 
 def build_scene(
     paths: Sequence[Path],
-    kinds: Sequence[ParticipantKind],
+    kinds: Sequence[Kind],
     *,
     pairs: Sequence[tuple[int, int]] | None = None,
     occlusions: Sequence[tuple[int, int, int]] = (),

@@ -21,7 +21,7 @@ from scegen.enumeration.statements import QUEUE_LIMIT
 from scegen.enumeration.symmetry import Symmetry
 
 _JOINED = frozenset({"behind", "ahead", "together"})
-"""Demands of hazards that put two on one arm."""
+"""Demands of hazards that put two on one arm; "into" may."""
 
 
 def loners_of(space: Space) -> frozenset[str]:
@@ -103,10 +103,16 @@ class Loners:
 
     def _attached(self, state: Solution) -> set[str]:
         """Those whom the text puts on the arm of another who is listed before them."""
-        pairs = [(d.by, d.to) for d in self._problem.demands if d.what in _JOINED]
+        problem = self._problem
+        entry = {v.id: d[0] for v, d in zip(problem.vehicles, state.drives, strict=True)}
+        pairs = [
+            (d.by, d.to)
+            for d in problem.demands
+            if d.what in _JOINED or (d.what == "into" and entry[d.by] == entry[d.to])
+        ]
         pairs += [(name, reference) for name, reference, _ in state.places]
-        leader = {vehicle.id: vehicle.id for vehicle in self._problem.vehicles}
-        first = {name: place for place, name in enumerate(self._problem.names)}
+        leader = {vehicle.id: vehicle.id for vehicle in problem.vehicles}
+        first = {name: place for place, name in enumerate(problem.names)}
         for one, other in pairs:
             low, high = sorted((leader[one], leader[other]), key=first.__getitem__)
             leader = {name: low if led == high else led for name, led in leader.items()}

@@ -24,7 +24,9 @@ def standing(
     kerb = Side(functional.junction.driving_side.value)
     said = parked.approaches & {Approach.LEFT, Approach.RIGHT}
     side = Side(next(iter(said)).value) if len(said) == 1 else kerb
-    blocks = any(h.kind in BLOCKING and parked.id in h.by for h in functional.hazards)
+    blocks = not parked.pulls_out and any(
+        h.kind in BLOCKING and parked.id in h.by for h in functional.hazards
+    )
     return Standing(participant=parked.id, arm=arm, side=side, in_lane=blocks)
 
 

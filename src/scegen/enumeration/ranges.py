@@ -11,10 +11,12 @@ from scegen.scenario.logical import (
     ParameterRange,
     Standing,
 )
-from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver, ParticipantKind
-
-URBAN_LIMIT_MPS = 50 / 3.6
-ROUNDABOUT_LIMIT_MPS = 30 / 3.6
+from scegen.scenario.speed_limits import (
+    FAST_FOR_KIND_MPS,
+    implied_limit_mps,
+    limit_for_kind_mps,
+)
+from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind
 
 Range = tuple[float, float, float, str]
 """Low, high, default, reason."""
@@ -36,15 +38,6 @@ BEHIND_OFFSET_S: Range = (1.0, 4.0, 2.0, "arrives after the ego, on the same arm
 BESIDE_OFFSET_S: Range = (-0.5, 0.5, 0.0, "arrives beside the ego")
 
 
-def speed_limit_mps(functional: FunctionalScenario) -> float:
-    """The limit said, or the usual one: 50 km/h, 30 km/h at a roundabout."""
-    junction = functional.junction
-    if junction.speed_limit_mps is not None:
-        return junction.speed_limit_mps
-    ring = junction.kind is JunctionKind.ROUNDABOUT
-    return ROUNDABOUT_LIMIT_MPS if ring else URBAN_LIMIT_MPS
-
-
 def speed_range(functional: FunctionalScenario, assignment: Assignment) -> ParameterRange:
     """How fast a moving participant may be."""
     participant = functional.participant(assignment.participant)
@@ -58,13 +51,14 @@ def _speed(functional: FunctionalScenario, participant: Participant) -> Range:
         said = participant.speed_mps
         return said.low, said.high, (said.low + said.high) / 2, "stated"
     kind = participant.kind
-    if kind in KIND_SPEED_MPS:
+    own = {hazard.kind for hazard in functional.hazards if participant.id in hazard.by}
+    if kind in KIND_SPEED_MPS and not (kind in FAST_FOR_KIND_MPS and HazardKind.SPEEDING in own):
         return KIND_SPEED_MPS[kind]
     share = USUAL_SHARE
     for hazard in functional.hazards:
         if hazard.kind in HAZARD_SHARE and participant.id in hazard.by:
             share = HAZARD_SHARE[hazard.kind]
-    limit = speed_limit_mps(functional)
+    limit = limit_for_kind_mps(kind, implied_limit_mps(functional))
     low, high, default, reason = share
     return low * limit, high * limit, default * limit, f"{reason}, limit {limit:.4g} m/s"
 

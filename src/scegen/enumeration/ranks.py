@@ -72,7 +72,7 @@ def queues(problem: Problem, solution: Solution) -> list[Queue]:
 
 def _sayings(problem: Problem, solution: Solution) -> list[tuple[str, str, str]]:
     """(vehicle, reference, word): places chosen, and the order that hazards demand."""
-    implied = {"behind": Approach.BEHIND, "ahead": Approach.AHEAD}
+    implied = {"behind": Approach.BEHIND, "ahead": Approach.AHEAD, "into": Approach.AHEAD}
     hazards = [(d.by, d.to, implied[d.what].value) for d in problem.demands if d.what in implied]
     return [*solution.places, *hazards]
 

@@ -24,6 +24,7 @@ from scegen.scenario.logical import (
     Crossing,
     Drive,
     ParameterRange,
+    Reverses,
     Standing,
 )
 from scegen.scenario.vocabulary import Maneuver
@@ -34,6 +35,7 @@ MOST_PAIRS = 400_000
 """Pairs that are kept (some 100 MB at the very most); then they are made anew."""
 
 _MANNERS = {m.value: m for m in (Maneuver.LANE_CHANGE, Maneuver.OVERTAKE, Maneuver.STAY)}
+_REVERSES = {r.value: r for r in Reverses}
 
 
 K = TypeVar("K")
@@ -119,6 +121,7 @@ class Sharing:
             maneuver=_MANNERS.get(manner, turn),
             rank=rank,
             beside=beside,
+            reverses=_REVERSES.get(manner),
         )
 
     def other(self, assignment: Crossing | Standing) -> Share:

@@ -30,6 +30,8 @@ def slug_of(junction: Junction, assignments: tuple[Assignment, ...]) -> str:
 
 def _word(junction: Junction, drive: Drive) -> str:
     beside = "" if drive.maneuver is drive.turn else drive.maneuver.value.replace("_", "")
+    if drive.reverses is not None:
+        beside = drive.reverses.value.replace("_", "")
     return f"{drive.entry}{beside}{_way(junction, drive)}"
 
 

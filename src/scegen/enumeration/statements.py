@@ -120,7 +120,7 @@ def _approaches(out: Stated, functional: FunctionalScenario) -> None:
     for name, reference, approaches in sayings:
         if functional.participant(name).parked:
             continue  # where a parked vehicle stands is not enumerated
-        words = [a for a in Approach if a in approaches]
+        words = _places([a for a in Approach if a in approaches])
         told = f"{name} comes from {_either(words)}, seen from {reference}"
         if name == reference or name not in known or reference not in drivers:
             out.notes.append(f"Not used: {told}.")
@@ -128,6 +128,14 @@ def _approaches(out: Stated, functional: FunctionalScenario) -> None:
         number = out.number(told)
         out.facts.append(p.Approach(number, name, reference))
         out.facts += [p.Says(name, reference, word.value) for word in words]
+
+
+def _places(words: list[Approach]) -> list[Approach]:
+    """``adjacent`` together with a side is one place: the lane beside, on that side."""
+    sides = [word for word in words if word in {Approach.LEFT, Approach.RIGHT}]
+    if Approach.ADJACENT in words and len(sides) == 1:
+        return [word for word in words if word not in sides]
+    return words
 
 
 def _hazards(out: Stated, functional: FunctionalScenario) -> None:

@@ -1,10 +1,12 @@
-"""Participants as OpenSCENARIO entities: named blueprints with their true boxes."""
+"""Participants and objects as OpenSCENARIO entities: named blueprints with their true boxes."""
 
 from __future__ import annotations
 
 from scegen.export.library import xosc
+from scegen.export.openscenario_text import xml_text
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
+from scegen.scenario.objects import StaticObject
 from scegen.scenario.vocabulary import ParticipantKind, Role
 
 _CATEGORY: dict[ParticipantKind, str] = {
@@ -22,7 +24,7 @@ _MAX_STEERING_RAD = 0.6
 
 
 def entities(concrete: ConcreteScenario, *, external_ego: bool = False) -> xosc.Entities:
-    """All participants, named by their ids; standing vehicles are vehicles too.
+    """All participants and objects, named by their ids; standing vehicles are vehicles too.
 
     An ego that somebody else drives carries a property that says so.
     """
@@ -38,7 +40,22 @@ def entities(concrete: ConcreteScenario, *, external_ego: bool = False) -> xosc.
         if is_ego and external_ego:
             entity.add_property("driven_by", "external")
         result.add_scenario_object(participant.id, entity)
+    for thing in concrete.objects:
+        result.add_scenario_object(thing.id, _misc_object(thing))
     return result
+
+
+def _misc_object(thing: StaticObject) -> xosc.MiscObject:
+    """An object by the name of CARLA's prop, which is what scenario_runner looks at."""
+    made = xosc.MiscObject(
+        thing.blueprint,
+        thing.mass_kg,
+        getattr(xosc.MiscObjectCategory, thing.category),
+        _box(thing.body),
+    )
+    made.add_property("type", "simulation")
+    made.add_property("what", xml_text(thing.what))
+    return made
 
 
 def _box(body: Body) -> xosc.BoundingBox:

@@ -18,10 +18,13 @@ from scegen.export.openscenario_triggers import (
     when_complete,
 )
 from scegen.motion.model import Path
-from scegen.motion.simulation import simulate
+from scegen.motion.simulation import STANDING_MPS, simulate
+from scegen.motion.standing import object_paths
 from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
 
 _BEFORE_END_S = 1.0
+_SHORT_OF_REST_M = 0.1
+"""Players come to rest some millimetres off, and must not wait for them."""
 
 
 def storyboard(
@@ -55,10 +58,12 @@ def storyboard(
 
 
 def _ego_goes_m(concrete: ConcreteScenario, paths: Mapping[str, Path]) -> float:
-    """How far the ego has come shortly before the end."""
+    """How far the ego has come shortly before the end; a little less if it has stopped by then."""
     trace = simulate(concrete, paths)[concrete.ego.id]
     before = max(0.0, concrete.duration_s - _BEFORE_END_S)
-    return float(np.interp(before, trace.time_s, trace.s_m))
+    far = float(np.interp(before, trace.time_s, trace.s_m))
+    stopped = np.interp(before, trace.time_s, trace.speed_mps) < STANDING_MPS
+    return max(0.0, far - _SHORT_OF_REST_M) if stopped else far
 
 
 def _moves(path: Path) -> bool:
@@ -73,6 +78,8 @@ def _init(concrete: ConcreteScenario, paths: Mapping[str, Path], minor: int) -> 
         init.add_init_action(participant.id, xosc.TeleportAction(vertex_position(path, 0)))
         speed = participant.speed_mps if _moves(path) else 0.0
         init.add_init_action(participant.id, _step_to(speed))
+    for name, path in object_paths(concrete).items():
+        init.add_init_action(name, xosc.TeleportAction(vertex_position(path, 0)))
     return init
 
 

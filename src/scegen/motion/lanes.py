@@ -1,7 +1,7 @@
 """Lane numbers of the scenario files and lane ids of the roads, both ways.
 
-Number 1 is the lane next to the centre line, 0 the oncoming lane next to it; in a ring, 1 is
-the innermost lane.
+Number 1 is the lane next to the centre line, 0 the oncoming lane next to it; the strip beside the
+outermost lane, where vehicles park, has the number after it. In a ring, 1 is the innermost lane.
 """
 
 from __future__ import annotations
@@ -9,6 +9,8 @@ from __future__ import annotations
 from scegen.errors import MotionInfeasibleError
 from scegen.road.model import LaneType, Road
 from scegen.scenario.vocabulary import DrivingSide
+
+_STRIPS = frozenset({LaneType.PARKING, LaneType.SHOULDER})
 
 
 def arm_lane_id(road: Road, number: int, *, inbound: bool) -> int:
@@ -20,7 +22,8 @@ def arm_lane_id(road: Road, number: int, *, inbound: bool) -> int:
     side = -1 if inbound == (road.driving_side is DrivingSide.RIGHT) else 1
     lane_id = -side if number == 0 else side * number
     driving = {lane.id for lane in road.lanes if lane.type is LaneType.DRIVING}
-    if lane_id not in driving:
+    strips = {lane.id for lane in road.lanes if lane.type in _STRIPS}
+    if lane_id not in driving and not (number > 1 and lane_id in strips):
         count = sum(1 for lane in driving if lane * lane_id > 0)
         direction = "towards" if inbound == (number != 0) else "away from"
         raise MotionInfeasibleError(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,7 +33,8 @@ class Path:
     participant starts and strictly rises; headings are unwrapped. Vertices are dense enough
     (4 m on lines, 0.25 m in arcs and lane changes) that straight interpolation is off by less
     than 1 cm. ``spans`` are the lanes it lies on, in order; empty off the road (crossings).
-    A participant that stands has one vertex.
+    A participant that stands has one vertex. Headings are those of the body: where it reverses,
+    it moves against them.
     """
 
     s_m: Array
@@ -45,6 +47,19 @@ class Path:
     def length_m(self) -> float:
         """Length of the path."""
         return float(self.s_m[-1])
+
+    @cached_property
+    def backwards(self) -> tuple[tuple[float, float], ...]:
+        """Where it is driven backwards: from and to (m), in order."""
+        if len(self.s_m) < 2:
+            return ()
+        dx, dy = np.diff(self.x_m), np.diff(self.y_m)
+        back = dx * np.cos(self.heading_rad[:-1]) + dy * np.sin(self.heading_rad[:-1]) < 0.0
+        if not back.any():
+            return ()
+        turns = np.flatnonzero(np.diff(np.concatenate(([False], back, [False]))))
+        places = self.s_m[turns].tolist()
+        return tuple(zip(places[::2], places[1::2], strict=True))
 
     @property
     def start(self) -> Pose:

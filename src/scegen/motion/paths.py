@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.model import Path
-from scegen.motion.polyline import LaidDrive, lay_polyline
+from scegen.motion.polyline import LaidDrive
+from scegen.motion.reversing import lay_way
 from scegen.motion.routing import route_stretches
 from scegen.motion.standing import crossing_path, standing_path
 from scegen.road.model import RoadNetwork
@@ -55,4 +56,4 @@ def lay_drive(network: RoadNetwork, motion: DriveMotion, who: str) -> LaidDrive:
             where=who,
             hint="Start earlier or make the arm longer.",
         )
-    return lay_polyline(stretches, motion.start_m, end_m)
+    return lay_way(network, motion, stretches, end_m, who)

@@ -25,7 +25,8 @@ class LaidDrive:
     """A drive laid out on the road.
 
     ``stations_m`` are the positions along the drive (as in the scenario files) of the path's
-    vertices; ``stretches`` its roads, the first its entry arm, the last its exit arm.
+    vertices; ``stretches`` its roads, the first its entry arm, the last its exit arm. Stations
+    fall where it reverses, and stay the same while it backs out.
     """
 
     path: Path
@@ -43,8 +44,12 @@ class LaidDrive:
         return self.stretches[-1].start_m
 
     def path_s_m(self, station_m: float) -> float:
-        """Arc length along the path at a station."""
-        return float(np.interp(station_m, self.stations_m, self.path.s_m))
+        """Arc length along the path where a station is first reached."""
+        if not self.path.backwards:
+            return float(np.interp(station_m, self.stations_m, self.path.s_m))
+        after = int(np.searchsorted(np.maximum.accumulate(self.stations_m), station_m))
+        here = slice(max(0, after - 1), after + 1)
+        return float(np.interp(station_m, self.stations_m[here], self.path.s_m[here]))
 
     def station_m(self, path_s_m: float) -> float:
         """Station at an arc length along the path."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import pi
+from math import pi, radians
 
 import numpy as np
 
@@ -11,8 +11,9 @@ from scegen.motion.model import LaneSpan, Path
 from scegen.road.geometry import Pose
 from scegen.road.model import Lane, LaneType, Road, RoadNetwork
 from scegen.scenario.bodies import BODIES
-from scegen.scenario.concrete import CrossingMotion, StandingMotion
+from scegen.scenario.concrete import ConcreteScenario, CrossingMotion, StandingMotion
 from scegen.scenario.logical import Side
+from scegen.scenario.objects import StaticObject
 from scegen.scenario.vocabulary import DrivingSide, ParticipantKind
 
 KERB_GAP_M = 0.3
@@ -111,3 +112,19 @@ def _standing_lane(road: Road, sign: int, *, in_lane: bool) -> Lane | None:
     wanted = LaneType.DRIVING if in_lane else LaneType.PARKING
     lanes = [lane for lane in road.lanes if lane.id * sign > 0 and lane.type is wanted]
     return max(lanes, key=lambda lane: abs(lane.id), default=None)
+
+
+def object_paths(concrete: ConcreteScenario) -> dict[str, Path]:
+    """The one pose of every object, by id."""
+    return {thing.id: object_path(thing) for thing in concrete.objects}
+
+
+def object_path(thing: StaticObject) -> Path:
+    """One pose: that of its centre."""
+    return Path(
+        np.array([0.0]),
+        np.array([thing.x_m]),
+        np.array([thing.y_m]),
+        np.array([radians(thing.heading_deg)]),
+        (),
+    )

@@ -16,9 +16,10 @@ from scegen.report.drawing_parts import (
     corners_at,
     draw_box,
     draw_roads,
+    draw_things,
     set_view,
 )
-from scegen.report.encounter import Encounter
+from scegen.report.encounter import Encounter, thing_corners
 
 _MAX_SPAN_M = 40.0
 _SMALLEST_M = 16.0
@@ -32,11 +33,13 @@ def draw_close_up(figure: Figure, axes: Axes, scene: Scene, encounter: Encounter
 
     Nothing is drawn where the two never come close: the whole picture shows that.
     """
-    pair = [
-        corners_at(scene.traces[name], encounter.step)
-        for name in (scene.concrete.ego.id, encounter.other)
-    ]
-    both = np.concatenate(pair)
+    boxes = {thing.id: thing_corners(thing) for thing in scene.concrete.objects}
+    both = np.concatenate(
+        [
+            boxes[name] if name in boxes else corners_at(scene.traces[name], encounter.step)
+            for name in (scene.concrete.ego.id, encounter.other)
+        ]
+    )
     middle, span = (both.min(axis=0) + both.max(axis=0)) / 2, np.ptp(both, axis=0).max()
     if span > _MAX_SPAN_M:
         return
@@ -62,6 +65,7 @@ def draw_close_up(figure: Figure, axes: Axes, scene: Scene, encounter: Encounter
     inset = figure.add_axes((*spot, w, h))
     set_view(inset, View(float(middle[0]), float(middle[1]), side, side))
     draw_roads(inset, scene.shapes)
+    draw_things(inset, scene.concrete.objects)
     for participant in scene.concrete.participants:
         is_ego = participant.id == scene.concrete.ego.id
         trace = scene.traces[participant.id]

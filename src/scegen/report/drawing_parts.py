@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,10 +12,11 @@ from matplotlib.patches import Polygon, Rectangle
 from matplotlib.patheffects import withStroke
 
 from scegen.motion.model import Trace
-from scegen.report.encounter import Array, box_corners
+from scegen.report.encounter import Array, box_corners, thing_corners
 from scegen.report.lane_shapes import RoadShapes
 from scegen.road.model import LaneType
 from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.objects import ObjectCategory, StaticObject
 
 WIDTH_IN = 9.0
 TEXT, FAINT, MARK = "#1b2330", "#5b6675", "#ffffff"
@@ -29,6 +30,8 @@ _PAINT = {
     LaneType.DRIVING: "#c3c8d0",
 }
 """In this order, so that carriageways lie on top where roads overlap."""
+_THING, _PLANT = "#8f8675", "#7fa36b"
+_PLANTS = frozenset({ObjectCategory.TREE, ObjectCategory.VEGETATION})
 
 
 @dataclass(frozen=True)
@@ -88,6 +91,22 @@ def corners_at(trace: Trace, step: int) -> Array:
         trace.kind, trace.x_m[here], trace.y_m[here], trace.heading_rad[here]
     )[0]
     return corners
+
+
+def draw_things(axes: Axes, things: Iterable[StaticObject]) -> None:
+    """Objects: hatched boxes, plants in green."""
+    for thing in things:
+        face = _PLANT if thing.category in _PLANTS else _THING
+        axes.add_patch(
+            Polygon(
+                thing_corners(thing),
+                facecolor=face,
+                edgecolor=TEXT,
+                linewidth=0.9,
+                hatch="////",
+                zorder=4.5,
+            )
+        )
 
 
 def draw_box(axes: Axes, trace: Trace, step: int, colour: str, *, ego: bool) -> None:

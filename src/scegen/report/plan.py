@@ -10,7 +10,7 @@ from math import atan2, cos, hypot, pi, radians, sin
 
 from scegen.scenario.arms import arm_angles_deg
 from scegen.scenario.functional import Junction
-from scegen.scenario.logical import Crossing, Drive, Side, Standing
+from scegen.scenario.logical import Crossing, Drive, Reverses, Side, Standing
 from scegen.scenario.vocabulary import DrivingSide, JunctionKind, Maneuver
 
 Point = tuple[float, float]
@@ -23,6 +23,7 @@ _RING = 34.0
 _RING_JOIN = radians(24.0)
 _ARC_STEPS = 24
 _BOX = 9.0
+_FROM_BESIDE = frozenset({Reverses.FROM_RIGHT, Reverses.FROM_LEFT})
 
 
 @dataclass(frozen=True)
@@ -145,6 +146,11 @@ def _straight_line(plan: Plan, drive: Drive, start_at: float, spread: float) -> 
         if drive.maneuver is Maneuver.OVERTAKE:
             aside -= shift * _ease((u - 0.7) / 0.2)
         points.append(plan.at(drive.entry, along, first + aside))
+    if drive.reverses in _FROM_BESIDE:
+        # It comes out where it starts, from as far beside the road as a lane is wide.
+        sign = 1 if drive.reverses is Reverses.FROM_RIGHT else -1
+        beside = sign * (plan.half(drive.entry) + plan.lane)
+        points.insert(0, plan.at(drive.entry, start_at - plan.lane, beside))
     return points
 
 

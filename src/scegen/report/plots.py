@@ -45,7 +45,8 @@ def plots_svg(concrete: ConcreteScenario, course: Course) -> str:
     ego = concrete.ego.id
     people = (concrete.ego, *(p for p in concrete.participants if p.id != ego))
     shown = [p.id for p in people if not p.parked or p.id == course.partner]
-    colour = colours([p.id for p in concrete.participants], ego)
+    shown += [thing.id for thing in concrete.objects if thing.id == course.partner]
+    colour = colours([entity.id for entity in concrete.entities], ego)
     speeds = {name: course.speed_mps[name] for name in shown}
     apart = {name: course.distance_m[name] for name in shown if name != ego}
     ttc = {name: course.ttc_s[name] for name in shown if name != ego}

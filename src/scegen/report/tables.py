@@ -43,6 +43,7 @@ def tables(concrete: ConcreteScenario) -> list[Table]:
         _lane_changes(concrete),
         _crossers(concrete),
         _standing(concrete),
+        _things(concrete),
         _conflicts(concrete),
         _environment(concrete.environment),
         _parameters(concrete),
@@ -180,6 +181,23 @@ def _standing(concrete: ConcreteScenario) -> Table:
     )
     heads = ("Name", "Type", "Road", "Side", "Before the junction", "Where")
     return Table("Standing vehicles", heads, rows)
+
+
+def _things(concrete: ConcreteScenario) -> Table:
+    rows = tuple(
+        (
+            thing.id,
+            thing.what,
+            thing.category.value,
+            f"{thing.x_m:.1f}, {thing.y_m:.1f} m",
+            f"{thing.heading_deg:.0f}°",
+            f"{thing.length_m:g} × {thing.width_m:g} × {thing.height_m:g} m",
+            ", ".join(plain(h.kind) for h in concrete.hazards if thing.id in h.by) or "–",
+        )
+        for thing in concrete.objects
+    )
+    heads = ("Name", "What", "Category", "Middle (east, north)", "Heading", "Size", "Danger")
+    return Table("Things that do not take part", heads, rows)
 
 
 def _conflicts(concrete: ConcreteScenario) -> Table:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from html import escape
 from math import cos, degrees, sin
 
@@ -12,22 +11,32 @@ from scegen.report.plan import (
     REACH,
     Plan,
     Point,
-    arrow_head,
     crossing_line,
     drive_line,
     make_plan,
     standing_box,
 )
+from scegen.report.strokes import (
+    MARK,
+    MIDDLE,
+    TEXT,
+    arrow,
+    box,
+    conflict_mark,
+    path_data,
+    reverse_badge,
+    walk,
+)
+from scegen.report.words import REVERSES
 from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.logical import Assignment, ConflictKind, Crossing, Drive, LogicalScenario
+from scegen.scenario.logical import Assignment, Crossing, Drive, LogicalScenario
 from scegen.scenario.vocabulary import JunctionKind, Maneuver
 
 TILE_WIDTH = 240
-_MIDDLE = 120.0
 _PICTURE = 240
 _LINE = 15
 _NAME_CHARACTERS, _LINE_CHARACTERS = 16, 37
-_ROAD, _KERB, _MARK, _TEXT, _FAINT = "#d5d9df", "#a9b0ba", "#ffffff", "#1b2330", "#5b6675"
+_ROAD, _KERB, _FAINT = "#d5d9df", "#a9b0ba", "#5b6675"
 
 
 def tile_height(functional: FunctionalScenario) -> int:
@@ -60,6 +69,7 @@ def tile_body(
     lines: dict[str, list[Point]] = {}
     crossings = standings = 0
     drawings: list[tuple[bool, str]] = []
+    badges: list[str] = []
     drives = scenario.drives
     spreads = _spreads(drives)
     for assignment in scenario.assignments:
@@ -68,18 +78,21 @@ def tile_body(
         if isinstance(assignment, Drive):
             behind = sum(d.entry == assignment.entry and d.rank > assignment.rank for d in drives)
             line = lines[name] = drive_line(plan, assignment, spreads[name], behind)
-            drawing = _arrow(line, colour[name], ego=is_ego)
+            drawing = arrow(line, colour[name], ego=is_ego)
+            if assignment.reverses is not None:
+                badges.append(reverse_badge(line, colour[name]))
         elif isinstance(assignment, Crossing):
             line = lines[name] = crossing_line(plan, assignment, crossings)
-            drawing = _walk(line, colour[name])
+            drawing = walk(line, colour[name])
             crossings += 1
         else:
-            drawing = _box(standing_box(plan, assignment, standings), colour[name])
+            drawing = box(standing_box(plan, assignment, standings), colour[name])
             standings += 1
         drawings.append((is_ego, drawing))
     parts += [d for is_ego, d in drawings if not is_ego]
     parts += [d for is_ego, d in drawings if is_ego]  # on top
-    parts += [_mark(kind, at) for kind, at in conflict_points(scenario.conflicts, lines)]
+    parts += badges
+    parts += [conflict_mark(kind, at) for kind, at in conflict_points(scenario.conflicts, lines)]
     lift = _lift(plan)
     caption = _caption(scenario, functional, colour, _PICTURE - 2 * lift)
     return f'<g transform="translate(0 {-lift})">{"".join(parts)}</g>{caption}'
@@ -111,6 +124,8 @@ def way(assignment: Assignment) -> str:
         words = _words(assignment.turn)
         if assignment.maneuver is not assignment.turn:
             words = f"{_words(assignment.maneuver)}, {words}"
+        if assignment.reverses is not None:
+            words = f"{REVERSES[assignment.reverses]}, {words}"
         return f"{assignment.entry} → {assignment.exit}, {words}"
     if isinstance(assignment, Crossing):
         return f"crosses {assignment.arm} from {assignment.start}"
@@ -133,14 +148,6 @@ def _spreads(drives: tuple[Drive, ...]) -> dict[str, float]:
     return shared
 
 
-def _xy(point: Point) -> str:
-    return f"{point[0] + _MIDDLE:.1f} {_MIDDLE - point[1]:.1f}"
-
-
-def _path(points: Iterable[Point], *, closed: bool = False) -> str:
-    return "M" + "L".join(_xy(p) for p in points) + ("Z" if closed else "")
-
-
 def _roads(plan: Plan, functional: FunctionalScenario) -> str:
     arms = range(len(plan.angles))
     layers = []
@@ -153,18 +160,18 @@ def _roads(plan: Plan, functional: FunctionalScenario) -> str:
                 plan.at(arm, REACH, -half),
                 plan.at(arm, 0.0, -half),
             ]
-            layers.append(f'<path d="{_path(corners, closed=True)}" fill="{paint}"/>')
+            layers.append(f'<path d="{path_data(corners, closed=True)}" fill="{paint}"/>')
         if plan.kind is not JunctionKind.STRAIGHT:
             radius = plan.ring + plan.lane if plan.is_ring else _core(plan)
             layers.append(
-                f'<circle cx="{_MIDDLE}" cy="{_MIDDLE}" r="{radius + width / 2:.1f}" '
+                f'<circle cx="{MIDDLE}" cy="{MIDDLE}" r="{radius + width / 2:.1f}" '
                 f'fill="{paint}"/>'
                 f'fill="{paint}"/>'
             )
     if plan.is_ring:
         island = plan.ring - plan.lane
         layers.append(
-            f'<circle cx="{_MIDDLE}" cy="{_MIDDLE}" r="{island:.1f}" fill="#eef1e6" '
+            f'<circle cx="{MIDDLE}" cy="{MIDDLE}" r="{island:.1f}" fill="#eef1e6" '
             f'stroke="{_KERB}" stroke-width="1.5"/>'
         )
     for arm in arms:
@@ -172,7 +179,7 @@ def _roads(plan: Plan, functional: FunctionalScenario) -> str:
         a = plan.angles[arm]
         x, y = (REACH + 9) * cos(a), (REACH + 9) * sin(a)
         layers.append(
-            f'<text x="{x + _MIDDLE:.1f}" y="{_MIDDLE - y + 4:.1f}" text-anchor="middle" '
+            f'<text x="{x + MIDDLE:.1f}" y="{MIDDLE - y + 4:.1f}" text-anchor="middle" '
             f'font-size="11" fill="{_FAINT}">{arm}</text>'
         )
     return "".join(layers)
@@ -187,7 +194,7 @@ def _marks(plan: Plan, arm: int, *, crosswalk: bool) -> str:
     begin = plan.inner + (14.0 if crosswalk else 0.0)
     lines = [
         (
-            f'<path d="{_path([plan.at(arm, begin), plan.at(arm, REACH)])}" stroke="{_MARK}" '
+            f'<path d="{path_data([plan.at(arm, begin), plan.at(arm, REACH)])}" stroke="{MARK}" '
             'stroke-width="1.6" fill="none"/>'
         )
     ]
@@ -195,66 +202,17 @@ def _marks(plan: Plan, arm: int, *, crosswalk: bool) -> str:
         for sign in (-1, 1):
             ends = [plan.at(arm, d, sign * lane * plan.lane) for d in (begin, REACH)]
             lines.append(
-                f'<path d="{_path(ends)}" stroke="{_MARK}" stroke-width="1" '
+                f'<path d="{path_data(ends)}" stroke="{MARK}" stroke-width="1" '
                 'stroke-dasharray="5 5" fill="none"/>'
             )
     if crosswalk:
         middle = plan.inner + 10.0
         ends = [plan.at(arm, middle, sign * (plan.half(arm) - 1)) for sign in (-1, 1)]
         lines.append(
-            f'<path d="{_path(ends)}" stroke="{_MARK}" stroke-width="9" '
+            f'<path d="{path_data(ends)}" stroke="{MARK}" stroke-width="9" '
             'stroke-dasharray="3 2.5" fill="none"/>'
         )
     return "".join(lines)
-
-
-def _arrow(line: list[Point], colour: str, *, ego: bool) -> str:
-    head = arrow_head(line, 9.0 if ego else 7.5)
-    d, h = _path(line), _path(head, closed=True)
-    x, y = _xy(line[0]).split()
-    common = 'fill="none" stroke-linecap="round" stroke-linejoin="round"'
-    edge, width, dot = ("#000000", 4.4, 6.0) if ego else (_MARK, 3.0, 3.6)
-    letter = (
-        f'<text x="{x}" y="{float(y) + 3:.1f}" text-anchor="middle" font-size="8.5" '
-        f'font-weight="700" fill="{_MARK}">E</text>'
-        if ego
-        else ""
-    )
-    return (
-        f'<path d="{d}" stroke="{edge}" stroke-width="{width + 2:.1f}" {common}/>'
-        f'<path d="{h}" fill="{edge}" stroke="{edge}" stroke-width="2.4"/>'
-        f'<circle cx="{x}" cy="{y}" r="{dot + 1.2:.1f}" fill="{edge}"/>'
-        f'<path d="{d}" stroke="{colour}" stroke-width="{width}" {common}/>'
-        f'<path d="{h}" fill="{colour}"/><circle cx="{x}" cy="{y}" r="{dot}" fill="{colour}"/>'
-        f"{letter}"
-    )
-
-
-def _walk(line: list[Point], colour: str) -> str:
-    x, y = _xy(line[0]).split()
-    d, h = _path(line), _path(arrow_head(line, 7.0), closed=True)
-    return (
-        f'<path d="{d}" stroke="{_MARK}" stroke-width="4.6" fill="none"/>'
-        f'<path d="{d}" stroke="{colour}" stroke-width="2.6" stroke-dasharray="4.5 3" '
-        f'fill="none"/><path d="{h}" fill="{colour}"/>'
-        f'<circle cx="{x}" cy="{y}" r="4.2" fill="{colour}" stroke="{_MARK}"/>'
-    )
-
-
-def _mark(kind: ConflictKind, point: Point) -> str:
-    """Told apart by shape, not by colour: a ring for a crossing, a diamond for a merge."""
-    x, y = point[0] + _MIDDLE, _MIDDLE - point[1]
-    paint = f'fill="{_MARK}" stroke="{_TEXT}" stroke-width="1.5"'
-    if kind is ConflictKind.CROSSING:
-        return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3.4" {paint}/>'
-    return f'<path d="M{x:.1f} {y - 4.4:.1f}l4.4 4.4l-4.4 4.4l-4.4-4.4Z" {paint}/>'
-
-
-def _box(corners: list[Point], colour: str) -> str:
-    return (
-        f'<path d="{_path(corners, closed=True)}" fill="{colour}" stroke="{_TEXT}" '
-        'stroke-width="1" stroke-linejoin="round"/>'
-    )
 
 
 def _caption(
@@ -265,9 +223,9 @@ def _caption(
     y = top + 14
     lines = [
         (
-            f'<text x="10" y="{y}" font-size="13" font-weight="700" fill="{_TEXT}">'
+            f'<text x="10" y="{y}" font-size="13" font-weight="700" fill="{TEXT}">'
             f"{scenario.index}</text>"
-            f'<text x="{TILE_WIDTH - 10}" y="{y}" text-anchor="end" font-size="13" fill="{_TEXT}">'
+            f'<text x="{TILE_WIDTH - 10}" y="{y}" text-anchor="end" font-size="13" fill="{TEXT}">'
             f"moves {moves}{size}</text>"
         )
     ]
@@ -279,7 +237,7 @@ def _caption(
         weight = "700" if name == functional.ego.id else "400"
         lines.append(
             f'<rect x="10" y="{at - 8}" width="9" height="9" rx="2" fill="{colour[name]}"/>'
-            f'<text x="24" y="{at}" font-size="11.5" fill="{_TEXT}">'
+            f'<text x="24" y="{at}" font-size="11.5" fill="{TEXT}">'
             f'<tspan font-weight="{weight}">{escape(shown)}</tspan> '
             f'<tspan fill="{_FAINT}">{escape(did)}</tspan></text>'
         )

@@ -14,7 +14,9 @@ from scegen.scenario.concrete import (
     Travelled,
 )
 from scegen.scenario.functional import Hazard
-from scegen.scenario.logical import Conflict, Rule
+from scegen.scenario.logical import Conflict, Reverses, Rule
+from scegen.scenario.objects import StaticObject
+from scegen.scenario.reversing import BacksUp, Reversal
 
 KMH = 3.6
 _RULES: dict[Rule, str] = {
@@ -29,6 +31,14 @@ _RULES: dict[Rule, str] = {
     Rule.NO_CROSSWALK: "no crosswalk there",
     Rule.AHEAD: "the other is ahead",
     Rule.LANE_CHANGE: "changes lane",
+}
+
+
+REVERSES: dict[Reverses, str] = {
+    Reverses.BACKS_UP: "backs up",
+    Reverses.OUT_OF_ARM: "backs out",
+    Reverses.FROM_RIGHT: "backs out from the right",
+    Reverses.FROM_LEFT: "backs out from the left",
 }
 
 
@@ -58,7 +68,7 @@ def participant_words(participant: ConcreteParticipant) -> str:
     if isinstance(motion, DriveMotion):
         return (
             f"{kind}, starts at {speed_words(participant.speed_mps)}, "
-            f"arm {motion.entry} → arm {motion.exit}"
+            f"arm {motion.entry} → arm {motion.exit}{reversal_words(motion.reversal)}"
         )
     if isinstance(motion, CrossingMotion):
         if participant.speed_mps > 0:
@@ -68,6 +78,24 @@ def participant_words(participant: ConcreteParticipant) -> str:
         return f"{kind}, {start}, crosses arm {motion.arm} from the {motion.start_side}"
     place = "in the lane of" if motion.in_lane else f"on the {motion.side} of"
     return f"{kind}, stands {place} arm {motion.arm}"
+
+
+def thing_words(thing: StaticObject) -> str:
+    """What a thing is and how large."""
+    size = f"{thing.length_m:g} × {thing.width_m:g} × {thing.height_m:g} m"
+    kind = "" if thing.what == thing.category else f" ({thing.category})"
+    return f"{thing.what}{kind}, {size}, does not move"
+
+
+def reversal_words(reversal: Reversal | None) -> str:
+    """How a vehicle reverses, to be put behind where it drives; nothing if it does not."""
+    if reversal is None:
+        return ""
+    if isinstance(reversal, BacksUp):
+        return f", goes {reversal.length_m:.1f} m back from {reversal.from_m:.1f} m"
+    if reversal.arm is not None:
+        return f", comes backwards out of arm {reversal.arm}"
+    return f", comes out backwards from the {reversal.side}"
 
 
 def phase_words(phase: SpeedPhase) -> str:

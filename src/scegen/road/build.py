@@ -20,7 +20,7 @@ def build_network(parameters: RoadParameters, name: str = "road") -> RoadNetwork
         RoadInfeasibleError: if there is none; the message gives the reason with numbers.
     """
     check_parameters(parameters)
-    if parameters.kind is JunctionKind.STRAIGHT:
+    if parameters.kind is JunctionKind.STRAIGHT and not parameters.u_turns:
         return build_straight(parameters, name)
     if parameters.kind is JunctionKind.ROUNDABOUT:
         return build_roundabout(parameters, name)

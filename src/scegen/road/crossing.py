@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from math import pi, radians
 
 from scegen.errors import RoadInfeasibleError
@@ -49,8 +49,7 @@ def build_crossing(parameters: RoadParameters, name: str) -> RoadNetwork:
         RoadInfeasibleError: if arms are too close, or a way would bend too tightly.
     """
     _check_corner(parameters)
-    ways = lane_ways(parameters.arms, parameters.driving_side)
-    ways += tuple(LaneWay(arm, 1, arm, 1) for arm in sorted(parameters.u_turns))
+    ways = _ways(parameters)
     arms, lines = _settle(parameters, ways)
     roads: list[Road] = list(arms)
     connections: list[Connection] = []
@@ -82,6 +81,36 @@ def build_crossing(parameters: RoadParameters, name: str) -> RoadNetwork:
     )
 
 
+def _ways(parameters: RoadParameters) -> dict[LaneWay, float | None]:
+    """All ways, and the radii that are asked of them."""
+    ways: dict[LaneWay, float | None] = dict.fromkeys(
+        lane_ways(parameters.arms, parameters.driving_side)
+    )
+    special = {LaneWay(t.entry, t.lane_in, t.exit, t.lane_out): t for t in parameters.turns}
+    for way in special:
+        _check_turn(parameters, way)
+    back = {way.entry for way in special if way.entry == way.exit}
+    ways |= dict.fromkeys(LaneWay(arm, 1, arm, 1) for arm in parameters.u_turns - back)
+    return ways | {way: turn.radius_m for way, turn in special.items()}
+
+
+def _check_turn(parameters: RoadParameters, way: LaneWay) -> None:
+    count = len(parameters.arms)
+    if max(way.entry, way.exit) >= count:
+        msg = f"there is no arm {max(way.entry, way.exit)}; arms are 0 to {count - 1}"
+        raise RoadInfeasibleError(msg, where="turns")
+    if way.entry == way.exit and way.entry not in parameters.u_turns:
+        msg = f"a turn leads back to arm {way.entry}, where u_turns allows none"
+        raise RoadInfeasibleError(msg, where="turns")
+    entry, leaving = parameters.arms[way.entry], parameters.arms[way.exit]
+    if way.lane_in > entry.lanes_in or way.lane_out > leaving.lanes_out:
+        msg = (
+            f"no way from lane {way.lane_in} of {entry.lanes_in} on arm {way.entry} to lane "
+            f"{way.lane_out} of {leaving.lanes_out} on arm {way.exit}"
+        )
+        raise RoadInfeasibleError(msg, where="turns")
+
+
 def _check_corner(parameters: RoadParameters) -> None:
     """Traffic turns half a lane outside the kerb; that must be wide enough."""
     radius = parameters.corner_radius_m
@@ -95,7 +124,7 @@ def _check_corner(parameters: RoadParameters) -> None:
 
 
 def _settle(
-    parameters: RoadParameters, ways: tuple[LaneWay, ...]
+    parameters: RoadParameters, ways: Mapping[LaneWay, float | None]
 ) -> tuple[tuple[Road, ...], dict[LaneWay, ReferenceLine]]:
     """The arm roads and the lines of the ways, arms as close as good ways allow.
 
@@ -110,7 +139,7 @@ def _settle(
 
 def _moved_out(
     parameters: RoadParameters,
-    ways: tuple[LaneWay, ...],
+    ways: Mapping[LaneWay, float | None],
     limit_m: float,
     suits: Callable[[ReferenceLine], bool],
 ) -> tuple[tuple[Road, ...], dict[LaneWay, ReferenceLine]]:
@@ -122,7 +151,7 @@ def _moved_out(
             arm_road(parameters, arm, arm_line(arm, distance), link)
             for arm, distance in zip(parameters.arms, distances, strict=True)
         )
-        lines = {way: _line(arms, way) for way in ways}
+        lines = {way: _line(arms, way, radius) for way, radius in ways.items()}
         tight = [
             way
             for way, line in lines.items()
@@ -146,16 +175,16 @@ def _moved_out(
             raise RoadInfeasibleError(msg, where="arms")
 
 
-def _line(arms: tuple[Road, ...], way: LaneWay) -> ReferenceLine | None:
+def _line(arms: tuple[Road, ...], way: LaneWay, radius_m: float | None) -> ReferenceLine | None:
     entry, leaving = arms[way.entry], arms[way.exit]
     start = pose_in(entry, way.lane_in)
     if way.entry != way.exit:
-        return connect(start, pose_out(leaving, way.lane_out))
+        return connect(start, pose_out(leaving, way.lane_out), radius_m)
     separation = abs(
         entry.lane_centre_t_m(lane_in(entry, way.lane_in))
         - entry.lane_centre_t_m(lane_out(entry, way.lane_out))
     )
-    return turn_back(start, separation, U_TURN_RADIUS_M, side_sign(entry.driving_side))
+    return turn_back(start, separation, radius_m or U_TURN_RADIUS_M, side_sign(entry.driving_side))
 
 
 def _is_wide(line: ReferenceLine) -> bool:

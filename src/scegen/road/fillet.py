@@ -44,8 +44,11 @@ def chain(start: Pose, pieces: list[tuple[float, float]]) -> ReferenceLine:
     return ReferenceLine(tuple(segments))
 
 
-def _line_arc_line(start: Pose, end: Pose) -> ReferenceLine | None:
-    """Straight on, one arc, straight on; None where the two rays do not meet ahead of both."""
+def _line_arc_line(start: Pose, end: Pose, most_m: float | None = None) -> ReferenceLine | None:
+    """Straight on, one arc, straight on; None where the two rays do not meet ahead of both.
+
+    The widest arc, or one of radius ``most_m`` if that is tighter.
+    """
     ahead, left, turn = seen_from(start, end)
     if abs(turn) < _STRAIGHT_RAD or abs(abs(turn) - pi) < _STRAIGHT_RAD:
         return None
@@ -54,6 +57,8 @@ def _line_arc_line(start: Pose, end: Pose) -> ReferenceLine | None:
     tangent = min(before, beyond)
     if tangent <= _SHORT_M:
         return None
+    if most_m is not None:
+        tangent = min(tangent, most_m * tan(abs(turn) / 2))
     radius = tangent / tan(abs(turn) / 2)
     arc = (radius * abs(turn), (1 if turn > 0 else -1) / radius)
     return chain(start, [(before - tangent, 0.0), arc, (beyond - tangent, 0.0)])
@@ -90,8 +95,10 @@ def _biarc(start: Pose, end: Pose) -> ReferenceLine | None:
     return chain(start, [first, _arc_to(rest_ahead, rest_left)])
 
 
-def connect(start: Pose, end: Pose) -> ReferenceLine | None:
+def connect(start: Pose, end: Pose, most_m: float | None = None) -> ReferenceLine | None:
     """The gentlest curve of lines and arcs from ``start`` to ``end``; None if there is none.
+
+    Where one arc suffices, ``most_m`` may ask for a tighter one, which turns later.
 
     A line where they are in line, line-arc-line where one arc suffices, an S-curve of two arcs
     otherwise. The caller judges the radius.
@@ -99,8 +106,8 @@ def connect(start: Pose, end: Pose) -> ReferenceLine | None:
     ahead, left, turn = seen_from(start, end)
     if abs(turn) < _STRAIGHT_RAD and abs(left) < _SHORT_M:
         return chain(start, [(ahead, 0.0)]) if ahead > _SHORT_M else None
-    single = _line_arc_line(start, end)
-    if single is not None and smallest_radius_m(single) >= GOOD_RADIUS_M:
+    single = _line_arc_line(start, end, most_m)
+    if single is not None and smallest_radius_m(single) >= min(GOOD_RADIUS_M, most_m or inf):
         return single
     double = _biarc(start, end)
     found = [line for line in (single, double) if line is not None and _turns_sensibly(line, turn)]

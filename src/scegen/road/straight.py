@@ -38,8 +38,7 @@ def build_straight(parameters: RoadParameters, name: str) -> RoadNetwork:
     """Two arm roads that meet end to end at the origin (at the middle of the arc in a bend).
 
     Raises:
-        RoadInfeasibleError: if lanes do not continue, a U-turn is asked for, or it bends
-            too sharply.
+        RoadInfeasibleError: if lanes do not continue or it bends too sharply.
     """
     _check(parameters)
     arms = tuple(
@@ -80,9 +79,6 @@ def build_straight(parameters: RoadParameters, name: str) -> RoadNetwork:
 
 def _check(parameters: RoadParameters) -> None:
     first, second = parameters.arms
-    if parameters.u_turns:
-        msg = f"arm {min(parameters.u_turns)} asks for a U-turn, but a straight has no junction"
-        raise RoadInfeasibleError(msg, where="u_turns")
     for entry, leaving in ((first, second), (second, first)):
         if entry.lanes_in != leaving.lanes_out:
             msg = (

@@ -10,9 +10,12 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
+from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.functional import MAX_ARMS, Environment, Hazard
 from scegen.scenario.logical import LogicalScenario, Side
 from scegen.scenario.model import ArmSet, FrozenModel, Identifier
+from scegen.scenario.objects import StaticObject
+from scegen.scenario.reversing import Reversal
 from scegen.scenario.vocabulary import (
     Control,
     DrivingSide,
@@ -44,14 +47,24 @@ class ArmRoad(FrozenModel):
     speed_limit_mps: float = Field(gt=0, le=70)
 
 
+class Turn(FrozenModel):
+    """A way through a crossing beside the usual ones; with ``radius_m`` it turns so tightly."""
+
+    entry: int = Field(ge=0)
+    lane_in: int = Field(ge=1, le=3)
+    exit: int = Field(ge=0)
+    lane_out: int = Field(ge=1, le=3)
+    radius_m: float | None = Field(default=None, ge=3.0, le=50.0)
+
+
 class RoadParameters(FrozenModel):
     """All that determines the road network.
 
     ``corner_radius_m`` is the kerb radius between neighbouring arms, ``ring_radius_m`` the
     radius of the outermost ring lane's centre; None lets the road package choose.
     ``parking_lanes`` are arms with a strip for standing vehicles beside the travelled lanes;
-    ``u_turns`` arms where turning back is possible; ``controlled_arms`` those whose entering
-    traffic the control's signs or lights stand for.
+    ``u_turns`` arms where turning back is possible; ``turns`` more ways through the crossing;
+    ``controlled_arms`` are those whose entering traffic the control's signs or lights stand for.
     """
 
     kind: JunctionKind
@@ -64,6 +77,7 @@ class RoadParameters(FrozenModel):
     crosswalks: ArmSet = frozenset()
     parking_lanes: ArmSet = frozenset()
     u_turns: ArmSet = frozenset()
+    turns: tuple[Turn, ...] = ()
     controlled_arms: ArmSet = frozenset()
 
 
@@ -157,13 +171,15 @@ class LaneChange(FrozenModel):
 class DriveMotion(FrozenModel):
     """A vehicle's way. It starts ``start_m`` along the drive, in lane ``entry_lane``.
 
+    One lane beyond the outermost is the strip for parking, out of which it then pulls.
     ``turning_starts_m`` and ``turning_ends_m`` are where the junction (or ring) begins and
-    ends on its way; they follow from the road and are checked, not obeyed.
+    ends on its way; they follow from the road and are checked, not obeyed. ``reversal`` is a
+    part of the way that it drives backwards.
     """
 
     type: Literal["drive"] = "drive"
     entry: int = Field(ge=0)
-    entry_lane: int = Field(ge=1, le=3)
+    entry_lane: int = Field(ge=1, le=4)
     exit: int = Field(ge=0)
     exit_lane: int = Field(ge=1, le=3)
     ring_lane: int | None = Field(default=None, ge=1, le=2)
@@ -171,6 +187,7 @@ class DriveMotion(FrozenModel):
     turning_starts_m: float
     turning_ends_m: float
     lane_changes: tuple[LaneChange, ...] = ()
+    reversal: Reversal | None = None
 
 
 class CrossingMotion(FrozenModel):
@@ -212,6 +229,11 @@ class ConcreteParticipant(FrozenModel):
     motion: Motion
     speed_program: tuple[SpeedPhase, ...] = ()
 
+    @property
+    def body(self) -> Body:
+        """Its size and its limits."""
+        return BODIES[self.kind]
+
 
 class Rejected(FrozenModel):
     """A value that somebody proposed and that was not taken: whose, which, why not."""
@@ -236,7 +258,7 @@ class Change(FrozenModel):
 
 
 class ConcreteScenario(FrozenModel):
-    """All numbers of one scenario, and the logical scenario that it makes concrete."""
+    """All numbers of one scenario; ``hazards`` may name objects as their cause."""
 
     level: Literal["concrete"] = "concrete"
     name: str = Field(pattern=r"^[A-Za-z0-9_-]+$", max_length=100)
@@ -245,6 +267,7 @@ class ConcreteScenario(FrozenModel):
     logical: LogicalScenario
     road: RoadParameters
     participants: tuple[ConcreteParticipant, ...] = Field(min_length=1)
+    objects: tuple[StaticObject, ...] = ()
     environment: Environment = Environment()
     hazards: tuple[Hazard, ...] = ()
     duration_s: float = Field(gt=0, le=600)
@@ -257,8 +280,9 @@ class ConcreteScenario(FrozenModel):
             msg = f"exactly one participant must have the role ego, found {egos or 'none'}"
             raise ValueError(msg)
         ids = [p.id for p in self.participants]
-        if len(set(ids)) != len(ids):
-            msg = f"participant ids are not unique: {sorted(ids)}"
+        everything = [entity.id for entity in self.entities]
+        if len(set(everything)) != len(everything):
+            msg = f"ids of participants and objects are not unique: {sorted(everything)}"
             raise ValueError(msg)
         for participant in self.participants:
             for phase in participant.speed_program:
@@ -272,6 +296,11 @@ class ConcreteScenario(FrozenModel):
     def latest_end_s(self) -> float:
         """When the scenario ends if the ego has not come as far as planned by ``duration_s``."""
         return _LATEST * self.duration_s
+
+    @property
+    def entities(self) -> tuple[ConcreteParticipant | StaticObject, ...]:
+        """The participants, then the objects: whoever has a body."""
+        return (*self.participants, *self.objects)
 
     @property
     def ego(self) -> ConcreteParticipant:

@@ -87,8 +87,10 @@ class Junction(FrozenModel):
 class Participant(FrozenModel):
     """Somebody or something in traffic.
 
-    ``approaches`` are relative to the ego; ``entries`` are arm numbers; ``speed_mps`` is the
-    range that the text gives, None if it gives none.
+    ``approaches`` are relative to the ego, ``adjacent`` with ``left`` or ``right`` is the lane
+    beside on that side; ``entries`` are arm numbers; ``speed_mps`` is the range that the text
+    gives, None if it gives none. One who is ``parked`` and has ``maneuvers`` other than to stay
+    pulls out.
     """
 
     id: Identifier
@@ -99,6 +101,11 @@ class Participant(FrozenModel):
     maneuvers: VocabularySet[Maneuver] = frozenset()
     entries: ArmSet = frozenset()
     speed_mps: Interval | None = None
+
+    @property
+    def pulls_out(self) -> bool:
+        """Whether it is parked at first and then drives."""
+        return self.parked and bool(self.maneuvers - {Maneuver.STAY, Maneuver.CROSS})
 
 
 class Relation(FrozenModel):

@@ -23,12 +23,27 @@ class Side(StrEnum):
     LEFT = "left"
 
 
+class Reverses(StrEnum):
+    """How one that reverses comes to do so.
+
+    ``backs_up``: it stops on its way and goes back on it. The others come out backwards, rear
+    first, into the lane of whoever suffers it, and drive on from there: ``out_of_arm`` from the
+    arm where it enters, ``from_right`` and ``from_left`` from beside a road without a junction.
+    """
+
+    BACKS_UP = "backs_up"
+    OUT_OF_ARM = "out_of_arm"
+    FROM_RIGHT = "from_right"
+    FROM_LEFT = "from_left"
+
+
 class Drive(FrozenModel):
     """A vehicle's assignment: enters at arm ``entry``, makes move ``move``, leaves at ``exit``.
 
     ``turn`` names the movement by geometry; ``maneuver`` is what it does beside (a lane
     change, an overtake), or the same as ``turn``. ``rank`` orders the vehicles of one entry
     arm, 0 = first to arrive; ``beside`` names the one next to which it travels, in another lane.
+    ``reverses`` says how it comes to drive backwards, None if it does not.
     """
 
     type: Literal["drive"] = "drive"
@@ -40,6 +55,7 @@ class Drive(FrozenModel):
     maneuver: Maneuver
     rank: int = Field(default=0, ge=0)
     beside: Identifier | None = None
+    reverses: Reverses | None = None
 
 
 class Crossing(FrozenModel):

@@ -14,7 +14,7 @@ from scegen.scenario.vocabulary import JunctionKind, Role
 from scegen.understanding.draft import Basis, Danger, Draft, Entity
 from scegen.understanding.junctions import JunctionReading
 from scegen.understanding.layout import Layout
-from scegen.understanding.open_road import abreast, both_change_lanes, in_the_way
+from scegen.understanding.open_road import abreast, both_change_lanes, from_the_strip, in_the_way
 from scegen.understanding.proving import Proofs
 from scegen.understanding.surroundings import Surroundings
 from scegen.understanding.tokens import Token
@@ -53,6 +53,7 @@ class Builder:
             in_the_way(self._draft, ego)
             abreast(self._draft, ego)
             both_change_lanes(self._draft, ego)
+            from_the_strip(self._draft, ego)
         self._name(ego)
         participants = tuple(
             self._participant(e, ego_basis, junction) for e in self._draft.entities

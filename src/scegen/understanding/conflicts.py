@@ -241,6 +241,8 @@ def unpark(scene: Scene, context: Context) -> None:
     others = [e for e in scene.drivers if not e.ego]
     for entity in others:
         entity.pulls_out = True
+        if entity.kind is not ParticipantKind.BUS:  # one at its stop is not parked
+            entity.was_parked = entity.was_parked or scene.words
     if others and (careless is not None or to):
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, careless or scene.words, others, to)
 

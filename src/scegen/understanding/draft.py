@@ -61,6 +61,7 @@ class Entity:
     waits: Basis | None = None
     claimed: bool = False
     pulls_out: bool = False
+    was_parked: Basis | None = None
     sides: set[str] = field(default_factory=set)
     opposed: set[int] = field(default_factory=set)
     name: str = ""

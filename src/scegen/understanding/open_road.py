@@ -1,4 +1,4 @@
-"""Positions that hold on a straight road only: who is in the way, who drives abreast."""
+"""What holds on a straight road only: who is in the way, drives abreast, or sets off beside it."""
 
 from __future__ import annotations
 
@@ -28,6 +28,24 @@ def in_the_way(draft: Draft, ego: Entity) -> None:
                 entity.approaches = {Approach.AHEAD}
                 reason = "on a straight road, who is in the way is ahead"
                 entity.approach_basis = Basis(danger.basis.i, danger.basis.j, reason)
+
+
+def from_the_strip(draft: Draft, ego: Entity) -> None:
+    """On a straight road, who was parked and sets off is parked at first and pulls out.
+
+    Args:
+        draft: the scenario in the making, positions settled.
+        ego: its ego.
+    """
+    for entity in draft.entities:
+        if entity is ego or entity.was_parked is None or not entity.is_vehicle:
+            continue
+        entity.parked, entity.parked_basis = True, entity.was_parked
+        entity.maneuvers -= {Maneuver.STAY, Maneuver.CROSS}
+        if not entity.maneuvers:
+            basis = entity.was_parked
+            entity.maneuver_basis = Basis(basis.i, basis.j, "it pulls out and drives on")
+            entity.maneuvers = {Maneuver.STRAIGHT}
 
 
 def abreast(draft: Draft, ego: Entity) -> None:

@@ -27,8 +27,11 @@ def pull_out(scene: Scene, context: Context) -> None:
         lane_change(scene, context)
         return
     if drivers and not along and not _to_overtake(scene, context):
+        parking = any(p.kind == "parking" for p in scene.places())
         for entity in drivers:
             entity.pulls_out = True
+            if parking:
+                entity.was_parked = entity.was_parked or scene.words
         to = [] if out_of_sight else mentioned(scene.event)
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, drivers, to)
 

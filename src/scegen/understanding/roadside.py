@@ -39,7 +39,7 @@ def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
         return  # "its tyre bursts", "a man with a dog": a part of somebody
     if thing.kind == "obstacle":
         draft.hazard(HazardKind.OBSTACLE, basis, [])
-        draft.note(thing.i, thing.j, "things on the road are kept as the hazard 'obstacle' only")
+        draft.note(thing.i, thing.j, "a plain box of its kind lies in the lane")
     elif thing.kind == "door" and _open(thing, draft):
         whose = [e for p in thing.pps if isinstance(p.target, Mention) for e in p.target.entities]
         whose += thing.owner.entities if thing.owner is not None else []
@@ -48,7 +48,9 @@ def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
     elif thing.kind == "object" and _in_the_way(thing, chunks):
         draft.hazard(HazardKind.OBSTACLE, basis, [])
     elif thing.kind == "object":
-        draft.note(thing.i, thing.j, "things beside the road are not built; what they hide is kept")
+        draft.note(
+            thing.i, thing.j, "things beside the road are built only where they hide somebody"
+        )
     elif thing.kind == "view" and any(m.cat == "verb" for m in thing.mods):
         draft.hazard(HazardKind.OCCLUSION, basis, _owing_to(thing, chunks))
 

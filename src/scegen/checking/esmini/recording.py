@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-COLUMNS = ("Current_Speed", "World_Position_X", "World_Position_Y")
+COLUMNS = ("Current_Speed", "World_Position_X", "World_Position_Y", "World_Heading_Angle")
 
 
 class RecordingError(Exception):
@@ -17,12 +17,16 @@ class RecordingError(Exception):
 
 @dataclass(frozen=True)
 class Movement:
-    """What an entity did, step by step; ``point`` is x + iy of its reference point."""
+    """What an entity did, step by step; ``point`` is x + iy of its reference point.
+
+    ``heading_rad`` is that of its body, in no particular turn.
+    """
 
     entity: str
     time_s: NDArray[np.float64]
     point: NDArray[np.complex128]
     speed_mps: NDArray[np.float64]
+    heading_rad: NDArray[np.float64]
 
 
 def read_recording(text: str) -> list[Movement]:
@@ -48,7 +52,7 @@ def read_recording(text: str) -> list[Movement]:
 def _movement(
     header: list[str], body: list[list[str]], times: NDArray[np.float64], start: int
 ) -> Movement:
-    speed, x, y = (
+    speed, x, y, heading = (
         next(i for i in range(start, len(header)) if name in header[i]) for name in COLUMNS
     )
     return Movement(
@@ -56,4 +60,5 @@ def _movement(
         time_s=times,
         point=np.array([complex(float(row[x]), float(row[y])) for row in body]),
         speed_mps=np.array([float(row[speed]) for row in body]),
+        heading_rad=np.array([float(row[heading]) for row in body]),
     )

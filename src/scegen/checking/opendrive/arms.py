@@ -17,6 +17,10 @@ ANGLE_DEG = 5.0
 """How far an arm's outer end may lie beside the direction that the scenario gives it."""
 
 
+STRIPS = frozenset({"parking", "shoulder"})
+"""Types of lanes beside the driving ones from which one who is parked pulls out."""
+
+
 @dataclass(frozen=True)
 class Arm:
     """An open end of a road outside junctions; lanes ``inward`` lead away from that end."""
@@ -33,6 +37,13 @@ class Arm:
     def outward(self) -> list[int]:
         """Driving lanes that lead out of the network."""
         return [n for n in self._lanes() if self.road.leads_to(n, self.contact)]
+
+    @property
+    def strips(self) -> list[int]:
+        """Strips beside the lanes that lead to the junction, where vehicles stand."""
+        section = self.road.section(self.contact)
+        side = {n > 0 for n in self.inward}
+        return [n for n, x in section.lanes.items() if x.type in STRIPS and (n > 0) in side]
 
     @property
     def inner(self) -> str:

@@ -9,6 +9,7 @@ from scegen.checking.documents import BrokenXmlError, parse_document
 from scegen.checking.opendrive.arms import match_arms
 from scegen.checking.opendrive.network import Network
 from scegen.checking.openscenario.read import read_storyboard
+from scegen.checking.openscenario.rules.objects import check_objects
 from scegen.checking.openscenario.rules.paths import check_paths
 from scegen.checking.openscenario.rules.references import (
     check_ego,
@@ -38,6 +39,7 @@ RULES: tuple[Rule, ...] = (
     check_trajectories,
     check_trajectory_starts,
     check_paths,
+    check_objects,
 )
 
 

@@ -100,14 +100,28 @@ class _Reader:
         }
         category = ""
         if body is not None:
-            category = body.get("vehicleCategory") or body.get("pedestrianCategory") or ""
+            names = ("vehicleCategory", "pedestrianCategory", "miscObjectCategory")
+            category = next((body.get(name, "") for name in names if body.get(name)), "")
         return Entity(
             name=self.text(element, "name"),
             kind=str(body.tag) if body is not None else "",
             category=category,
             is_ego=EGO_PROPERTY in properties,
             is_external=EXTERNAL_PROPERTY in properties,
+            size_m=self.size_m(element.find(".//BoundingBox/Dimensions")),
         )
+
+    def size_m(self, element: etree._Element | None) -> tuple[float, float, float] | None:
+        if element is None:
+            return None
+        try:
+            length, width, height = (
+                self.number(element, name) for name in ("length", "width", "height")
+            )
+        except _UnreadableError as problem:
+            self.report(problem)
+            return None
+        return length, width, height
 
     def starts(self, root: etree._Element) -> Iterator[Start]:
         for private in root.iterfind("Storyboard/Init/Actions/Private"):

@@ -36,13 +36,17 @@ class LanePoint:
 
 @dataclass(frozen=True, slots=True)
 class Entity:
-    """A scenario object; ``kind`` is the element that describes it (Vehicle, Pedestrian …)."""
+    """A scenario object; ``kind`` is the element that describes it (Vehicle, Pedestrian …).
+
+    ``size_m`` is the length, width and height of its box, where they can be read.
+    """
 
     name: str
     kind: str
     category: str
     is_ego: bool
     is_external: bool = False
+    size_m: tuple[float, float, float] | None = None
 
 
 @dataclass(frozen=True, slots=True)

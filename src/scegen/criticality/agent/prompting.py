@@ -49,7 +49,13 @@ def question(situation: Situation) -> str:
                 ],
             ),
             _listing("Who touches whom", [f"{a} and {b}" for a, b in situation.contacts]),
-            _listing("The participants", [_who(p) for p in situation.concrete.participants]),
+            _listing(
+                "The participants",
+                [
+                    *(_who(p) for p in situation.concrete.participants),
+                    *(f"{o.id}: {o.what}, does not move" for o in situation.concrete.objects),
+                ],
+            ),
             _listing(
                 "The parameters",
                 [

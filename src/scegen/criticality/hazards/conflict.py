@@ -11,8 +11,14 @@ import numpy as np
 from scegen.criticality.hazards import thresholds as limits
 from scegen.criticality.hazards.predicate import NEVER, Part, Predicate, at_least
 from scegen.criticality.hazards.view import View
+from scegen.criticality.hazards.ways import Way
+from scegen.scenario.concrete import CrossingMotion
 
 _BEFORE_LINE_M = 15.0
+_IN_M = 1.0
+_SET_OFF_M = 3.0
+_FROM, _UNTIL = 0.3, 0.7
+_OF_ITS_PACE = 0.7
 
 
 def closeness(view: View, by: str, to: str, limit: limits.Threshold = limits.CONFLICT) -> Part:
@@ -47,12 +53,36 @@ def drives_on(view: View, by: str, to: str) -> list[Part]:
     Signal states are not simulated: running a red light is entering without a stop.
     """
     way, place = view.ways[by], view.place_m(by)
-    near = (place > way.turn_start_m - _BEFORE_LINE_M) & (place < way.turn_end_m)
+    bound = limits.DRIVES_ON.value
+    if isinstance(way.participant.motion, CrossingMotion):
+        # Who crosses sets off from rest and ends at rest: what counts is the middle of its way.
+        near = (place > _FROM * way.path.length_m) & (place < _UNTIL * way.path.length_m)
+        bound = min(bound, _OF_ITS_PACE * _pace_mps(way))
+    elif way.sets_off:
+        # Who sets off from rest does not stop again before it is in the other's way.
+        near = (place > place[:, :1] + _SET_OFF_M) & (place < place[:, :1] + _BEFORE_LINE_M)
+    elif way.path.backwards:
+        # One that stops beyond the line, to reverse, has passed it all the same.
+        near = (place > way.turn_start_m - _BEFORE_LINE_M) & (place < way.turn_start_m)
+    else:
+        # One who comes to the ground that both use has driven on, even if it stops there.
+        shared = view.shared_from_m(by, to)
+        until = way.turn_end_m if shared is None else max(shared, way.turn_start_m + _IN_M)
+        near = (place > way.turn_start_m - _BEFORE_LINE_M) & (place < until)
     slowest = np.where(near, view.speed_mps(by), np.inf)
     part = at_least(
-        "slowest speed at the line", slowest.min(axis=1), limits.DRIVES_ON, view.when(-slowest)
+        "slowest speed at the line",
+        slowest.min(axis=1),
+        limits.DRIVES_ON,
+        view.when(-slowest),
+        bound,
     )
     return [closeness(view, by, to), part]
+
+
+def _pace_mps(way: Way) -> float:
+    """How fast one who crosses goes."""
+    return max((phase.target_speed_mps for phase in way.participant.speed_program), default=0.0)
 
 
 CONFLICT = Predicate(conflict)

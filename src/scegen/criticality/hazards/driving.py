@@ -9,6 +9,7 @@ from scegen.criticality.hazards.predicate import Part, Predicate, at_least, at_m
 from scegen.criticality.hazards.view import View, lasting, longest_run
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.scenario.bodies import BODIES
+from scegen.scenario.speed_limits import limit_for_kind_mps
 
 _MOVING_MPS = 0.5
 _AT_END_M = 0.05
@@ -20,14 +21,17 @@ _HARSH_MPS2 = 3.0
 def speeding(view: View, by: str, _: str) -> list[Part]:
     """Drives clearly faster than its roads allow."""
     speed = view.speed_mps(by)
-    bound = limits.SPEEDING.value * view.ways[by].limit_mps
+    way = view.ways[by]
+    bound = limits.SPEEDING.value * limit_for_kind_mps(way.participant.kind, way.limit_mps)
     return [at_least("speed", speed.max(axis=1), limits.SPEEDING, view.when(speed), bound)]
 
 
 def slow_driving(view: View, by: str, _: str) -> list[Part]:
-    """Moves far below the limit for some seconds on its approach."""
+    """Moves far below the limit for some seconds, on its approach if there is a junction."""
     way, speed = view.ways[by], view.speed_mps(by)
-    counts = (speed > _MOVING_MPS) & (view.place_m(by) < way.turn_start_m)
+    counts = speed > _MOVING_MPS
+    if way.turn_end_m > way.turn_start_m:
+        counts &= view.place_m(by) < way.turn_start_m
     steps = round(limits.SLOW_FOR_S / view.dt_s)
     slow = lasting(np.where(counts, speed, np.inf), steps, greatest=True)
     time_s = view.when(-slow)
@@ -85,13 +89,15 @@ def delayed_braking(view: View, by: str, to: str) -> list[Part]:
 
 
 def stopping(view: View, by: str, _: str) -> list[Part]:
-    """Stands in the way after having moved, or blocks a lane all along."""
+    """Stands in the way after having moved, until it sets off, or blocks a lane all along."""
     way = view.ways[by]
     if way.path.length_m == 0.0:
         stands = np.ones_like(view.speed_mps(by), dtype=np.bool_)
     else:
         place = view.place_m(by)
-        stands = (view.speed_mps(by) < limits.STANDS_MPS) & (place > place[:, :1] + _MOVING_MPS)
+        stands = view.speed_mps(by) < limits.STANDS_MPS
+        if not way.sets_off:
+            stands &= place > place[:, :1] + _MOVING_MPS
         if way.laid is not None:
             # Waiting at the end of the road is the end of the scenario, no danger.
             stands &= place < way.path.length_m - _AT_END_M

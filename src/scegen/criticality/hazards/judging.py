@@ -13,7 +13,7 @@ import numpy as np
 
 from scegen.criticality.hazards.predicate import NEVER, Part
 from scegen.criticality.hazards.roles import culprits, victims
-from scegen.criticality.hazards.table import INEXPRESSIBLE, PREDICATES
+from scegen.criticality.hazards.table import PREDICATES
 from scegen.criticality.hazards.view import View
 from scegen.motion.batch.arrays import Floats
 from scegen.scenario.concrete import ConcreteScenario
@@ -37,9 +37,7 @@ class Couple:
 
 def hazard_pairs(concrete: ConcreteScenario, hazard: Hazard) -> list[tuple[str, str]]:
     """(cause, sufferer) whom a predicate looks at; alone, both are the same."""
-    predicate = PREDICATES.get(hazard.kind)
-    if predicate is None:
-        return []
+    predicate = PREDICATES[hazard.kind]
     if not predicate.pairwise:
         return [(by, by) for by in culprits(concrete, hazard)]
     return [(b, v) for b in culprits(concrete, hazard) for v in victims(concrete, hazard, b)]
@@ -60,9 +58,6 @@ def relative_margins(view: View, hazard: Hazard) -> Floats:
 
 def judge(view: View, hazard: Hazard, candidate: int = 0) -> HazardProof:
     """The danger in one candidate, with who, whom, when and by which margin."""
-    if hazard.kind in INEXPRESSIBLE:
-        note = INEXPRESSIBLE[hazard.kind]
-        return HazardProof(kind=hazard.kind, by=hazard.by, to=hazard.to, happened=False, note=note)
     chosen = [
         max(couples, key=lambda couple: float(couple.relative[candidate]))
         for couples in _couples(view, hazard)

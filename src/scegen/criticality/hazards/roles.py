@@ -22,14 +22,17 @@ def drivers(concrete: ConcreteScenario) -> list[str]:
 def culprits(concrete: ConcreteScenario, hazard: Hazard) -> list[str]:
     """Those who cause a danger.
 
-    Where nobody is named: who stands or walks for what they cause; for braking the one that
+    Where nobody is named: who stands (or a thing that causes nothing else) or walks for what they
+    cause; for braking the one that
     another tailgates, else the ego; else the first vehicle that does not suffer.
     """
     if hazard.by:
         return list(hazard.by)
     driving, ego = drivers(concrete), concrete.ego.id
     if hazard.kind in _BY_STANDERS:
-        return [p.id for p in concrete.participants if p.parked]
+        standing = [p.id for p in concrete.participants if p.parked]
+        named = {name for other in concrete.hazards for name in other.by}
+        return standing or [thing.id for thing in concrete.objects if thing.id not in named]
     if hazard.kind in _BY_WALKERS:
         walkers = [p.id for p in concrete.participants if p.motion.type == "crossing"]
         return [name for name in walkers if name not in hazard.to]

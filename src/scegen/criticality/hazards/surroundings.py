@@ -16,7 +16,7 @@ def occlusion(view: View, by: str, to: str) -> list[Part]:
     All occluders count together: two parked cars in a row hide longer than one.
     """
     longest, ends = np.zeros(view.count), np.zeros(view.count)
-    people = [p.id for p in view.concrete.participants]
+    people = [entity.id for entity in view.concrete.entities]
     rows = view.scene.occlusions
     for target in sorted({int(row[1]) for row in rows if row[0] == view.index[to]}):
         chosen = rows[(rows[:, 0] == view.index[to]) & (rows[:, 1] == target)]

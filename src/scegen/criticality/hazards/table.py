@@ -13,6 +13,7 @@ from scegen.criticality.hazards.driving import (
 )
 from scegen.criticality.hazards.following import TAILGATING
 from scegen.criticality.hazards.predicate import Predicate
+from scegen.criticality.hazards.reversing import REVERSING
 from scegen.criticality.hazards.sideways import (
     CUT_IN,
     LOSS_OF_CONTROL,
@@ -32,6 +33,7 @@ PREDICATES: dict[HazardKind, Predicate] = {
     HazardKind.CUT_IN: CUT_IN,
     HazardKind.RED_LIGHT_RUNNING: DRIVES_ON,
     HazardKind.FAILURE_TO_YIELD: DRIVES_ON,
+    HazardKind.REVERSING: REVERSING,
     HazardKind.OVERTAKING: OVERTAKING,
     HazardKind.TAILGATING: TAILGATING,
     HazardKind.DELAYED_BRAKING: DELAYED_BRAKING,
@@ -48,8 +50,3 @@ PREDICATES: dict[HazardKind, Predicate] = {
     HazardKind.OCCLUSION: OCCLUSION,
 }
 """In the order in which a target looks for its pair: the plainest conflicts first."""
-
-INEXPRESSIBLE: dict[HazardKind, str] = {
-    HazardKind.REVERSING: "paths lead forwards only, so nobody can reverse",
-}
-"""Dangers that no movement here can show, and why."""

@@ -53,5 +53,9 @@ DRIVES_ON = Threshold(1.4, "m/s", 0.5, "own: at least walking pace where it shou
 PASSES = Threshold(0.0, "m", 2.0, "own: from wholly behind to wholly ahead")
 ONCOMING = Threshold(1.0, "s", 0.5, "own: a second over the centre line")
 OCCLUDED = Threshold(0.4, "s", 0.2, "[UN157]: as long as a careful driver takes to see a risk")
+REVERSED = Threshold(1.5, "m", 1.0, "own: clearly seen, a third of a car's length")
+REVERSED_NEAR = Threshold(5.0, "m", 2.0, "own: as close as a conflict")
+REVERSED_FOR_S = 2.0
+"""So long after it has gone back, coming near still counts."""
 OBSTACLE = Threshold(2.0, "m", 0.5, "own: passed within 2 m")
 LATERAL_ACCELERATION = Threshold(4.0, "m/s2", 0.8, "own: 0.4 g, more than everyday bends ask for")

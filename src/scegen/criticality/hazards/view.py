@@ -51,8 +51,8 @@ class View:
         return self.row(name, S)
 
     def speed_mps(self, name: str) -> Floats:
-        """Speeds."""
-        return self.row(name, SPEED)
+        """Speeds, forwards or backwards."""
+        return np.abs(self.row(name, SPEED))
 
     def of_pair(self, field: str, first: str, second: str) -> Floats:
         """A measure of a pair; nan if it is not measured."""
@@ -95,6 +95,15 @@ class View:
                 left = self.scene.areas.enter_m[n, side] - self.place_m(name)
                 room = np.fmin(room, np.where(left >= 0.0, left, np.nan))
         return room
+
+    def shared_from_m(self, name: str, other: str) -> float | None:
+        """Where on its path the first ground begins that it shares with another's way."""
+        found = self.pair(name, other)
+        if found is None:
+            return None
+        p, side = found
+        enter = self.scene.areas.enter_m[self.scene.areas.first[p] : self.scene.areas.first[p + 1]]
+        return float(enter[:, side].min()) if len(enter) else None
 
     def headway_s(self, follower: str, leader: str) -> Floats:
         """Time headway; inf where there is none (no leader, or the follower stands)."""

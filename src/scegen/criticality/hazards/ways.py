@@ -11,6 +11,7 @@ from scegen.motion.batch.arrays import Floats
 from scegen.motion.model import Path
 from scegen.motion.paths import build_path, lay_drive
 from scegen.motion.polyline import LaidDrive
+from scegen.road.cross_section import PARKING_WIDTH_M
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import (
     ConcreteParticipant,
@@ -21,6 +22,7 @@ from scegen.scenario.concrete import (
 
 _INTO_EXIT_M = 20.0
 _BEHIND_CHANGE_M = 5.0
+_BEHIND_REVERSING_M = 10.0
 _WALKED_M = 0.5
 
 
@@ -39,7 +41,8 @@ class Way:
     """One participant's way; positions are along its path, m.
 
     ``turn_start_m`` and ``turn_end_m`` are where the junction begins and ends, ``goal_m`` how far
-    it must come before the scenario may end; ``curvature_1pm`` belongs to ``at_m``.
+    it must come before the scenario may end, unless it ``halts``: stops on the way and stays;
+    ``curvature_1pm`` belongs to ``at_m``; ``lanes_in`` is the number of lanes of its entry arm.
     """
 
     participant: ConcreteParticipant
@@ -52,6 +55,13 @@ class Way:
     at_m: Floats
     curvature_1pm: Floats
     laid: LaidDrive | None
+    lanes_in: int = 0
+    halts: bool = False
+
+    @property
+    def sets_off(self) -> bool:
+        """Whether it stands at first and is to move."""
+        return self.participant.speed_mps == 0.0 and bool(self.participant.speed_program)
 
 
 def ways_of(concrete: ConcreteScenario, network: RoadNetwork) -> dict[str, Way]:
@@ -79,6 +89,8 @@ def _way(participant: ConcreteParticipant, concrete: ConcreteScenario, network: 
     laid = lay_drive(network, motion, participant.id)
     arms = concrete.road.arms
     width = arms[motion.entry].lane_width_m
+    if motion.entry_lane > arms[motion.entry].lanes_in:
+        width = (width + PARKING_WIDTH_M) / 2
     changes = tuple(
         Sideways(
             laid.path_s_m(change.position_m),
@@ -90,6 +102,7 @@ def _way(participant: ConcreteParticipant, concrete: ConcreteScenario, network: 
     )
     turn_end = laid.path_s_m(laid.turning_ends_m)
     goal = max([turn_end + _INTO_EXIT_M, *(c.end_m + _BEHIND_CHANGE_M for c in changes)])
+    goal = max([goal, *(ends_m + _BEHIND_REVERSING_M for _, ends_m in laid.path.backwards)])
     at, curvature = _curvature(laid.path)
     return Way(
         participant=participant,
@@ -102,7 +115,15 @@ def _way(participant: ConcreteParticipant, concrete: ConcreteScenario, network: 
         at_m=at,
         curvature_1pm=curvature,
         laid=laid,
+        lanes_in=arms[motion.entry].lanes_in,
+        halts=halts(participant),
     )
+
+
+def halts(participant: ConcreteParticipant) -> bool:
+    """Whether a driver's program ends at rest: it stops on its way and stays."""
+    program = participant.speed_program
+    return bool(program) and program[-1].target_speed_mps == 0.0
 
 
 def _curvature(path: Path) -> tuple[Floats, Floats]:

@@ -99,7 +99,9 @@ def highest_behind_leader(
 @inner_kernel
 def _behind_at(follower: Floats, leader: Floats, gap_m: float, dt_s: float, t: int) -> float:
     """Deceleration needed behind a leader at step t, m/s²."""
-    braking = 0.0 if t == 0 else (leader[SPEED, t - 1] - leader[SPEED, t]) / dt_s
+    braking = 0.0
+    if t > 0 and leader[SPEED, t] >= 0.0:  # one that reverses is taken to keep its speed
+        braking = (leader[SPEED, t - 1] - leader[SPEED, t]) / dt_s
     return behind_leader(gap_m, follower[SPEED, t], leader[SPEED, t], max(braking, 0.0))
 
 
@@ -121,10 +123,10 @@ def highest_before_area(
             worst,
             before_area(
                 enter - own[S, t],
-                own[SPEED, t],
+                abs(own[SPEED, t]),
                 leave - enter,
                 other_enter - other[S, t],
-                other[SPEED, t],
+                abs(other[SPEED, t]),
                 other_leave - other[S, t],
             ),
         )
@@ -159,10 +161,10 @@ def required_series(
                 for n in range(areas.first[p], areas.first[p + 1]):
                     needed = before_area(
                         areas.enter_m[n, way] - own[S, t],
-                        own[SPEED, t],
+                        abs(own[SPEED, t]),
                         areas.leave_m[n, way] - areas.enter_m[n, way],
                         areas.enter_m[n, 1 - way] - other[S, t],
-                        other[SPEED, t],
+                        abs(other[SPEED, t]),
                         areas.leave_m[n, 1 - way] - other[S, t],
                     )
                     out[c, t, p] = max(out[c, t, p], needed)

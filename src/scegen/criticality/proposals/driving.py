@@ -28,8 +28,8 @@ def hindrances(problem: Problem, x: Floats) -> frozenset[str]:
 
 def _overlaps(problem: Problem, start_m: Floats) -> list[str]:
     """Pairs whose bodies overlap where they start; ``start_m`` (participants,)."""
-    people = problem.concrete.participants
-    poses = [problem.ways[p.id].path.pose(float(s)) for p, s in zip(people, start_m, strict=True)]
+    people = problem.concrete.participants  # things, which come after them, stay
+    poses = [problem.ways[p.id].path.pose(float(s)) for p, s in zip(people, start_m, strict=False)]
     return [
         f"{first.id} and {second.id} overlap at the start"
         for (first, one), (second, other) in combinations(zip(people, poses, strict=True), 2)

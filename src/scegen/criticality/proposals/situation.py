@@ -23,7 +23,7 @@ def situation_of(problem: Problem, hazards: tuple[HazardProof, ...]) -> Situatio
     made = space.candidates(space.origin[None, :])
     traces = simulate_batch(problem.program, made, duration_s=problem.duration_s)
     view = view_of(problem.concrete, problem.ways, problem.scene, traces, problem.friction)
-    people = [p.id for p in problem.concrete.participants]
+    people = [entity.id for entity in problem.concrete.entities]
     touching = ~np.isnan(view.summary.contact_s[0])
     return Situation(
         concrete=problem.concrete,
@@ -43,7 +43,10 @@ def situation_of(problem: Problem, hazards: tuple[HazardProof, ...]) -> Situatio
 def _encounters(view: View, people: list[str]) -> list[Encounter]:
     """The closest meeting of every pair that has a conflict area, in the order of time."""
     areas, found = view.scene.areas, []
+    movers = len(view.concrete.participants)
     for p, (a, b) in enumerate(view.scene.pairs):
+        if max(a, b) >= movers:
+            continue  # a thing comes at no time
         met = []
         for n in range(areas.first[p], areas.first[p + 1]):
             entered = [_time_s(view, people[i], areas.enter_m[n, k]) for k, i in enumerate((a, b))]

@@ -105,7 +105,7 @@ def held_back(
     """
     participant, way = concrete.participant(who), ways[who]
     motion = participant.motion
-    if not isinstance(motion, DriveMotion) or way.laid is None:
+    if not isinstance(motion, DriveMotion) or way.laid is None or motion.reversal is not None:
         return None
     slow = round(share * join.speed_mps, _DECIMALS)
     most = BODIES[participant.kind].max_acceleration_mps2

@@ -101,7 +101,7 @@ def ego_start_sensitivity(
             are parked only where nobody else is or a hazard names them.
         dt_s: time step of the simulation, s.
     """
-    people = concrete.participants
+    people = concrete.entities
     ego = people.index(concrete.ego)
     if len(people) < 2:
         return None
@@ -134,7 +134,7 @@ def _ends(
 ) -> Ints:
     """The last step of everybody's drive (i,): who waits at the end of its road counts no more."""
     last = traces.tracks.shape[3] - 1
-    ends = np.full(len(concrete.participants), last)
+    ends = np.full(len(concrete.entities), last)
     for i, participant in enumerate(concrete.participants):
         there = traces.s_m[candidate, :, i] >= paths[participant.id].length_m - _AT_END_M
         if isinstance(participant.motion, DriveMotion) and there.any():

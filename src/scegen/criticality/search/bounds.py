@@ -91,20 +91,34 @@ def build_space(
         start = float(base.start_m[0, i])
         way = ways[participant.id]
         levels: dict[float, Quantity] = {}
-        if isinstance(participant.motion, DriveMotion):
+        reverses = isinstance(participant.motion, DriveMotion) and participant.motion.reversal
+        if isinstance(participant.motion, DriveMotion) and not reverses:
             starts.append(_start(maker, participant, way, start, full=full))
             cruise = _cruise(maker, concrete, participant, way)
             speeds.append(cruise)
             levels[participant.speed_mps] = cruise
         else:
+            # Where one that reverses changes direction is fixed: so is how it gets there.
             starts.append(Quantity(start))
             speeds.append(Quantity(participant.speed_mps))
         before = speeds[-1]
         for n, item in enumerate(participant.speed_program):
-            target = _level(maker, concrete, participant, item, levels, before, full=full)
+            target = _level(
+                maker, concrete, participant, item, levels, before, full=full and not reverses
+            )
             recipes.append(
                 _recipe(
-                    maker, participant, n, phase + n, index, ways, before, target, friction, full
+                    maker,
+                    participant,
+                    n,
+                    phase + n,
+                    index,
+                    ways,
+                    before,
+                    target,
+                    friction,
+                    full,
+                    reverses=bool(reverses),
                 )
             )
             before = target
@@ -116,6 +130,9 @@ def _start(
     maker: _Maker, participant: ConcreteParticipant, way: Way, start_m: float, *, full: bool
 ) -> Quantity:
     """Where a drive starts on its arm."""
+    motion = participant.motion
+    if isinstance(motion, DriveMotion) and motion.entry_lane > way.lanes_in:
+        return Quantity(start_m)
     speed = max(participant.speed_mps, 1.0)
     within = speed * (_START_WITHIN_S if full else _BYSTANDER_WITHIN_S)
     places = [way.turn_start_m - _BEFORE_JUNCTION_M]
@@ -149,6 +166,8 @@ def _cruise(
     maker: _Maker, concrete: ConcreteScenario, participant: ConcreteParticipant, way: Way
 ) -> Quantity:
     speed = participant.speed_mps
+    if speed == 0.0:
+        return Quantity(0.0)
     bounds = speed_range(concrete, participant, way.limit_mps, speed)
     return maker.quantity(f"{participant.id}.speed_mps", speed, bounds, 0.1 * max(speed, 1.0))
 
@@ -195,6 +214,8 @@ def _recipe(
     target: Quantity,
     friction: float,
     full: bool,
+    *,
+    reverses: bool,
 ) -> PhaseRecipe:
     item = participant.speed_program[n]
     trigger, owner = item.trigger, index[participant.id]
@@ -204,7 +225,7 @@ def _recipe(
     best = body.max_deceleration_mps2 if slows else body.max_acceleration_mps2
     most = min(max(best, item.rate_mps2), friction * GRAVITY_MPS2)
     drives = isinstance(participant.motion, DriveMotion)
-    varies = full and item.hazard is not None and drives
+    varies = full and item.hazard is not None and drives and not reverses
     least = min(item.rate_mps2, most)
     bounds = (_RATE[0] * least, min(_RATE[1] * least, most)) if varies else (least, least)
     rate = maker.quantity(f"{name}.rate_mps2", item.rate_mps2, bounds, 0.15 * item.rate_mps2)

@@ -75,7 +75,7 @@ def second_enters_s(view: View, pair: tuple[str, str]) -> Floats:
     if found is None:
         return first
     areas = view.scene.areas
-    names = [view.concrete.participants[i].id for i in view.scene.pairs[found[0]]]
+    names = [view.concrete.entities[i].id for i in view.scene.pairs[found[0]]]
     places = [view.place_m(name) for name in names]
     for n in range(areas.first[found[0]], areas.first[found[0] + 1]):
         enters = [

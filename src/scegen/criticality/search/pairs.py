@@ -12,7 +12,8 @@ from scegen.criticality.hazards.roles import victims
 from scegen.criticality.hazards.table import PREDICATES
 from scegen.criticality.scene import Scene, build_scene
 from scegen.motion.model import Path
-from scegen.scenario.concrete import ConcreteScenario
+from scegen.motion.standing import object_paths
+from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.logical import ConflictKind
 from scegen.scenario.vocabulary import HazardKind
 
@@ -24,10 +25,11 @@ MEETS = (ConflictKind.CROSSING, ConflictKind.MERGING)
 def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
     """Pairs that the danger may be about, the best first, each once.
 
-    First those of the dangers, plain conflicts and the ego's before others; then the ego's
-    conflicts, then all others.
+    First those of the dangers, plain conflicts and the ego's before others, what only stands there
+    last; then the ego's conflicts, then all others; those between whom somebody drives come last.
     """
     ego = concrete.ego.id
+    things = {thing.id for thing in concrete.objects}
     found: list[Pair] = []
     kinds = list(PREDICATES)
     for hazard in sorted(
@@ -39,6 +41,8 @@ def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
             (b, v) for b, _ in hazard_pairs(concrete, hazard) for v in victims(concrete, hazard, b)
         ]
         found += sorted(dict.fromkeys(pairs), key=lambda pair: ego not in pair)
+    moving = [pair for pair in found if not things & {*pair}]
+    found = [*moving, *(pair for pair in found if pair not in moving and ego in pair)]
     conflicts = [c for c in concrete.logical.conflicts if c.kind is not ConflictKind.NONE]
     conflicts.sort(key=lambda c: (ego not in {c.first, c.second}, c.kind not in MEETS))
     found += [(c.first, c.second) for c in conflicts]
@@ -50,7 +54,23 @@ def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
         if frozenset(pair) not in seen and pair[0] != pair[1]:
             seen.add(frozenset(pair))
             result.append(pair)
-    return result
+    return sorted(result, key=lambda pair: _parted(concrete, pair))
+
+
+def _parted(concrete: ConcreteScenario, pair: Pair) -> bool:
+    """Whether somebody drives between two in the queue of one lane: neighbours come close."""
+    ranks = {drive.participant: drive.rank for drive in concrete.logical.drives}
+    queues = {
+        p.id: (p.motion.entry, p.motion.entry_lane)
+        for p in concrete.participants
+        if isinstance(p.motion, DriveMotion) and not p.motion.lane_changes and p.id in ranks
+    }
+    if not queues.keys() >= {*pair} or queues[pair[0]] != queues[pair[1]]:
+        return False
+    low, high = sorted(ranks[name] for name in pair)
+    return any(
+        low < ranks[name] < high for name, queue in queues.items() if queue == queues[pair[0]]
+    )
 
 
 def judged_pairs(concrete: ConcreteScenario) -> list[Pair]:
@@ -84,19 +104,20 @@ def scene_of(
 
     Where lanes are shared and paths cross costs time per pair, so only the focus gets it.
     """
-    index = {p.id: i for i, p in enumerate(concrete.participants)}
+    index = {entity.id: i for i, entity in enumerate(concrete.entities)}
+    ways = {**paths, **object_paths(concrete)}
     chosen: dict[tuple[int, int], None] = {}
     for a, b in focus:
         if (index[b], index[a]) not in chosen:
             chosen[index[a], index[b]] = None
     scene = build_scene(
-        [paths[name] for name in index],
-        [p.kind for p in concrete.participants],
+        [ways[name] for name in index],
+        [*(p.kind for p in concrete.participants), *concrete.objects],
         pairs=list(chosen),
         occlusions=[(index[a], index[b], index[c]) for a, b, c in occlusions(concrete)],
         friction=friction,
     )
-    parked = [p.parked for p in concrete.participants]
+    parked = [*(p.parked for p in concrete.participants), *(True for _ in concrete.objects)]
     rest = [
         (i, j)
         for i, j in combinations(range(len(parked)), 2)

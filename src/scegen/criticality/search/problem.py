@@ -18,6 +18,7 @@ from scegen.criticality.target import Band, Target
 from scegen.motion.batch.arrays import BatchTraces, Bools, Candidates, Floats, Program
 from scegen.motion.batch.simulation import simulate_batch
 from scegen.motion.friction import GRAVITY_MPS2
+from scegen.motion.simulation import STANDING_MPS
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.functional import Hazard
 
@@ -157,7 +158,7 @@ def view_of(
         scene=scene,
         traces=traces,
         summary=summary,
-        index={p.id: i for i, p in enumerate(concrete.participants)},
+        index={entity.id: i for i, entity in enumerate(concrete.entities)},
         pairs={(int(a), int(b)): n for n, (a, b) in enumerate(scene.pairs)},
         friction=friction,
     )
@@ -226,6 +227,11 @@ def finishing(view: View) -> tuple[Floats, Floats]:
     steps = view.traces.tracks.shape[3]
     for participant in view.concrete.participants:
         way, place = view.ways[participant.id], view.place_m(participant.id)
+        if way.halts:
+            moves = view.speed_mps(participant.id) >= STANDING_MPS
+            missing += np.where(moves[:, -1], 0.5, 0.0)
+            last = np.maximum(last, (steps - moves[:, ::-1].argmax(axis=1)) * view.dt_s)
+            continue
         if way.goal_m <= 0.0:
             continue
         left = way.goal_m - place[:, -1]

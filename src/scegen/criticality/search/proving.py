@@ -42,7 +42,7 @@ class Evidence:
 
     def unwanted(self, target: Target, pair: Pair) -> tuple[Pair, ...]:
         """Pairs that touch although they should not."""
-        people = [p.id for p in self.concrete.participants]
+        people = [entity.id for entity in self.concrete.entities]
         wanted = self.view.pair(*pair) if pair else None
         found = []
         for p, (a, b) in enumerate(self.view.scene.pairs):

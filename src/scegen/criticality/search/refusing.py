@@ -29,8 +29,7 @@ def too_fast(functional: FunctionalScenario | None) -> str | None:
 def too_slow(concrete: ConcreteScenario, pair: Pair) -> str | None:
     """Both go at walking pace at most, whatever is varied."""
     fastest = 0.0
-    for name in pair:
-        participant = concrete.participant(name)
+    for participant in (p for p in concrete.participants if p.id in pair):
         arm = participant.motion.entry if isinstance(participant.motion, DriveMotion) else 0
         limit = concrete.road.arms[arm].speed_limit_mps
         speeds = [
@@ -46,11 +45,16 @@ def too_slow(concrete: ConcreteScenario, pair: Pair) -> str | None:
     )
 
 
-def measurable(target: Target, scene: Scene, p: int) -> bool:
-    """Whether the target can be about this pair at all."""
+def measurable(target: Target, scene: Scene, p: int, *, still: bool = False) -> bool:
+    """Whether the target can be about this pair at all.
+
+    How near somebody passes by what is ``still`` there can be asked even where it leads around.
+    """
     if target.contact:
         return has_areas(scene, p) or follows(scene, p)
     names = {choice[0].measure for choice in target.choices}
+    if still and "distance" in names:
+        return True
     if names == {"pet"}:
         return has_areas(scene, p)
     if names <= {"headway", "drac"}:

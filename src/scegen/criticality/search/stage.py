@@ -32,6 +32,7 @@ from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.proof import Proof
+from scegen.scenario.reversing import BacksOut
 
 _FOCUS = 3
 """Pairs that are looked at for the target at first; more only where none of them will do."""
@@ -65,7 +66,7 @@ class Stage:
         self.target = self._with_headway(target)
 
     def _choose_pair(self, target: Target, pairs: list[Pair]) -> None:
-        index = {p.id: i for i, p in enumerate(self.concrete.participants)}
+        index = {entity.id: i for i, entity in enumerate(self.concrete.entities)}
         rest = list(pairs)
         while rest:
             known = {tuple(map(int, pair)): n for n, pair in enumerate(self.scene.pairs)}
@@ -73,7 +74,10 @@ class Stage:
                 a, b = index[pair[0]], index[pair[1]]
                 p = known.get((a, b), known.get((b, a)))
                 rest.remove(pair)
-                if p is not None and measurable(target, self.scene, p):
+                if p is None:
+                    continue
+                still = max(a, b) >= len(self.concrete.participants)
+                if measurable(target, self.scene, p, still=still):
                     self.pair = pair
                     return
             if rest:
@@ -133,7 +137,7 @@ class Stage:
 
     def _look_at_touching(self, contact_s: Floats, pairs: Ints) -> None:
         """Those who touch at first get all measures: PET leads a search out of a contact."""
-        people = [p.id for p in self.concrete.participants]
+        people = [entity.id for entity in self.concrete.entities]
         touching = [
             (people[int(a)], people[int(b)])
             for (a, b), t in zip(pairs, contact_s, strict=True)
@@ -156,14 +160,18 @@ class Stage:
         return examine(made, self.network, self.focus, self.friction)
 
     def meetings_s(self, found: Evidence) -> dict[str, list[float]]:
-        """Whose danger with the ego it is, the target's partner first, and when it happens."""
+        """Whose danger with the ego it is, the target's partner first, and when it happens.
+
+        Things do not wait for anybody.
+        """
         ego = self.concrete.ego.id
-        pairs = [self.pair, *judged_pairs(self.concrete)]
+        people = {p.id for p in self.concrete.participants}
+        pairs = [p for p in (self.pair, *judged_pairs(self.concrete)) if people >= {*p}]
         met = {frozenset(pair): pair for pair in pairs if ego in pair}
         meetings: dict[str, list[float]] = {}
-        for people, pair in met.items():
-            (name,) = people - {ego}
-            times = [h.time_s for h in found.hazards if people <= {*h.by, *h.to}]
+        for both, pair in met.items():
+            (name,) = both - {ego}
+            times = [h.time_s for h in found.hazards if both <= {*h.by, *h.to}]
             times.append(number(found.view.of_pair("closest_s", *pair)[0]))
             meetings[name] = list(dict.fromkeys(time for time in times if time))
         return meetings
@@ -188,10 +196,13 @@ class Stage:
 
 
 def _from_outer_ends(concrete: ConcreteScenario) -> ConcreteScenario:
-    """The scenario with every drive's way from the outer end of its arm."""
+    """The scenario with every drive's way from the outer end of its arm.
+
+    One that backs out has its own place to start.
+    """
     people = tuple(
         p.model_copy(update={"motion": p.motion.model_copy(update={"start_m": 0.0})})
-        if isinstance(p.motion, DriveMotion)
+        if isinstance(p.motion, DriveMotion) and not isinstance(p.motion.reversal, BacksOut)
         else p
         for p in concrete.participants
     )

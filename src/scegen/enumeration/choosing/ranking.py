@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.logical import ConflictKind, LogicalScenario
-from scegen.scenario.vocabulary import Maneuver
+from scegen.scenario.logical import ConflictKind, LogicalScenario, Reverses
+from scegen.scenario.vocabulary import JunctionKind, Maneuver
 
 _WEIGHT = {
     ConflictKind.CROSSING: 3,
@@ -27,7 +27,12 @@ def richness(scenario: LogicalScenario, functional: FunctionalScenario) -> int:
 
 def richest_first(
     scenario: LogicalScenario, functional: FunctionalScenario
-) -> tuple[int, int, int]:
-    """A key to sort by: rich before poor, of equally rich ones the plainest first."""
+) -> tuple[int, int, int, int]:
+    """A key to sort by: rich before poor, of equally rich ones the plainest first.
+
+    Who reverses at a junction comes most plainly out of an arm, as out of a drive.
+    """
     turns = sum(drive.turn is not Maneuver.STRAIGHT for drive in scenario.drives)
-    return -richness(scenario, functional), turns, scenario.index
+    junction = functional.junction.kind is not JunctionKind.STRAIGHT
+    odd = sum(junction and drive.reverses is Reverses.BACKS_UP for drive in scenario.drives)
+    return -richness(scenario, functional), odd, turns, scenario.index

@@ -15,6 +15,7 @@ from scegen.scenario.logical import (
     Crossing,
     Drive,
     LogicalScenario,
+    Reverses,
     Side,
     Standing,
 )
@@ -67,6 +68,9 @@ def attributes(kinds: dict[str, str], roles: dict[str, str]) -> dict[str, Attrib
         "arm": Attribute(NUMBER, lambda a: None if isinstance(a, Drive) else a.arm),
         "turn": Attribute(_words(*TURNS), lambda a: _word(_turn(a))),
         "maneuver": Attribute(_words(*Maneuver), lambda a: _word(_maneuver(a))),
+        "reverses": Attribute(
+            _words(*Reverses), lambda a: _word(a.reverses if isinstance(a, Drive) else None)
+        ),
         "beside": Attribute(_words(*kinds), lambda a: a.beside if isinstance(a, Drive) else None),
         "start": Attribute(sides, lambda a: _word(a.start if isinstance(a, Crossing) else None)),
         "side": Attribute(sides, lambda a: _word(a.side if isinstance(a, Standing) else None)),

@@ -42,6 +42,7 @@ class PathTable(NamedTuple):
     """The polylines of all participants; vertices ``first[i]`` to ``first[i+1] - 1`` are i's.
 
     ``s_m``, ``x_m``, ``y_m``, ``heading_rad``, ``cos`` and ``sin`` of the heading: (v,).
+    ``backwards`` (n, 3) are parts that are driven backwards: whose, from and to (m).
     """
 
     first: Ints
@@ -51,6 +52,7 @@ class PathTable(NamedTuple):
     heading_rad: Floats
     cos: Floats
     sin: Floats
+    backwards: Floats
 
 
 class PhaseTable(NamedTuple):
@@ -98,7 +100,8 @@ class BatchTraces(NamedTuple):
     ``tracks`` (c, i, row, t) holds a participant's time series one after another in memory,
     because measures walk along them; kernels take single tracks, (row, t). Everybody else reads
     the properties, arrays (c, t, i) that are views of it. They belong to the reference point
-    (rear axle; a pedestrian's centre). ``fired_step`` (c, k) is the step in which a phase's
+    (rear axle; a pedestrian's centre). Speeds are along the heading: below 0 where somebody
+    reverses; positions never fall. ``fired_step`` (c, k) is the step in which a phase's
     trigger came true, -1 for never; the speed changes one step later.
     """
 
@@ -136,7 +139,7 @@ class BatchTraces(NamedTuple):
 
     @property
     def speed_mps(self) -> Floats:
-        """Speed, m/s."""
+        """Speed along the heading, m/s; below 0 backwards."""
         return self._series(SPEED)
 
 
@@ -149,3 +152,10 @@ def empty_traces(
         tracks=np.empty((candidates, participants, TRACK_ROWS, steps)),
         fired_step=np.full((candidates, phases), -1, dtype=np.int64),
     )
+
+
+def mark_backwards(traces: BatchTraces, backwards: Floats) -> None:
+    """Turn speeds along the paths into speeds along the headings (see ``PathTable.backwards``)."""
+    for who, begins_m, ends_m in backwards:
+        track = traces.tracks[:, int(who)]
+        track[:, SPEED][(track[:, S] > begins_m) & (track[:, S] <= ends_m)] *= -1.0

@@ -17,8 +17,10 @@ from scegen.motion.batch.arrays import (
     Program,
     TriggerKind,
     empty_traces,
+    mark_backwards,
 )
 from scegen.motion.model import Path, Trace
+from scegen.motion.standing import object_path
 from scegen.scenario.concrete import (
     ArrivalBelow,
     AtTime,
@@ -61,17 +63,20 @@ def compile_program(
 ) -> tuple[Program, Candidates]:
     """The arrays of a scenario: its program, and its own numbers as the one candidate.
 
-    Participants keep the scenario's order; the phases of a participant follow one another.
+    Participants keep the scenario's order, and objects follow them; the phases of a participant
+    follow one another.
 
     Args:
         concrete: the scenario.
         paths: its paths by participant, as :func:`scegen.motion.build_paths` makes them.
     """
     index = {p.id: i for i, p in enumerate(concrete.participants)}
+    still = [object_path(thing) for thing in concrete.objects]
+    programs = [[_phase(phase, index) for phase in p.speed_program] for p in concrete.participants]
     return build_program(
-        [paths[name] for name in index],
-        [p.speed_mps for p in concrete.participants],
-        [[_phase(phase, index) for phase in p.speed_program] for p in concrete.participants],
+        [*(paths[name] for name in index), *still],
+        [*(p.speed_mps for p in concrete.participants), *(0.0 for _ in still)],
+        [*programs, *([] for _ in still)],
     )
 
 
@@ -109,6 +114,10 @@ def path_table(paths: Sequence[Path]) -> PathTable:
         heading_rad=heading,
         cos=np.cos(heading),
         sin=np.sin(heading),
+        backwards=np.array(
+            [(i, *part) for i, path in enumerate(paths) for part in path.backwards],
+            dtype=np.float64,
+        ).reshape(-1, 3),
     )
 
 
@@ -117,11 +126,12 @@ def repeat(candidates: Candidates, count: int) -> Candidates:
     return Candidates(*(np.repeat(array[:1], count, axis=0) for array in candidates))
 
 
-def stack_traces(traces: Sequence[Trace]) -> BatchTraces:
+def stack_traces(traces: Sequence[Trace], paths: Sequence[Path] = ()) -> BatchTraces:
     """Movements from elsewhere (the reference simulator, a player) as a batch of one candidate.
 
     Args:
         traces: one per participant, at the same times, which start at 0 and are evenly spaced.
+        paths: their paths, which tell where somebody reverses; without them nobody does.
     """
     times = traces[0].time_s
     dt_s = float(times[-1] / (len(times) - 1)) if len(times) > 1 else 1.0
@@ -134,6 +144,7 @@ def stack_traces(traces: Sequence[Trace]) -> BatchTraces:
         batch.tracks[0, i, COS] = np.cos(trace.heading_rad)
         batch.tracks[0, i, SIN] = np.sin(trace.heading_rad)
         batch.speed_mps[0, :, i] = trace.speed_mps
+    mark_backwards(batch, path_table(paths).backwards if paths else np.empty((0, 3)))
     return batch
 
 

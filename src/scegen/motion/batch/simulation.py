@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
-from scegen.motion.batch.arrays import BatchTraces, Candidates, Program, empty_traces
+from scegen.motion.batch.arrays import (
+    BatchTraces,
+    Candidates,
+    Program,
+    empty_traces,
+    mark_backwards,
+)
 from scegen.motion.batch.kernels import kernel
 from scegen.motion.batch.stepping import run_candidate
 
@@ -12,7 +18,8 @@ def simulate_batch(
 ) -> BatchTraces:
     """Simulate all candidates from 0 to ``duration_s``.
 
-    Row c agrees with :func:`scegen.motion.simulate` on the scenario with c's numbers to rounding.
+    Row c agrees with :func:`scegen.motion.simulate` on the scenario with c's numbers to rounding
+    (there, speeds are along the path).
     A participant that reaches the end of its path stops there for good.
 
     Args:
@@ -29,6 +36,7 @@ def simulate_batch(
         dt_s,
     )
     _run(program, candidates, traces)
+    mark_backwards(traces, program.paths.backwards)
     return traces
 
 

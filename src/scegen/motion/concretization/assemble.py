@@ -12,9 +12,10 @@ from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.limits import LONGEST_DURATION_S, MAX_DURATION_S
 from scegen.motion.concretization.marks import compile_marks
 from scegen.motion.concretization.room import NeedsLongerArms
+from scegen.motion.concretization.settling import settle
 from scegen.motion.model import Path
 from scegen.motion.paths import build_path
-from scegen.motion.simulation import simulate
+from scegen.motion.simulation import STANDING_MPS, simulate
 from scegen.motion.ties import clear_of_ties
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
@@ -28,6 +29,8 @@ from scegen.scenario.functional import Participant
 _INTO_EXIT_M = 20.0
 _AFTER_S = 1.0
 _LONGEST_EXIT_M = 500.0
+_TURNS_MPS = 0.6
+"""One that is to stand where it changes direction comes to rest some centimetres short of it."""
 
 
 def assemble(scene: Scene, seed: int) -> ConcreteScenario:
@@ -45,13 +48,15 @@ def assemble(scene: Scene, seed: int) -> ConcreteScenario:
         logical=scene.logical,
         road=scene.road,
         participants=participants,
+        objects=tuple(scene.objects),
         environment=scene.functional.environment,
-        hazards=scene.functional.hazards,
+        hazards=scene.hazards,
         duration_s=MAX_DURATION_S,
         provenance=tuple(scene.changes),
     )
     paths = {p.id: build_path(p.motion, p.kind, scene.network, p.id) for p in concrete.participants}
     _check_start(concrete, paths)
+    _check_turns(concrete, paths)
     duration = _duration_s(scene, concrete, paths)
     if duration is None:
         longer = concrete.model_copy(update={"duration_s": LONGEST_DURATION_S})
@@ -61,7 +66,8 @@ def assemble(scene: Scene, seed: int) -> ConcreteScenario:
             f"somebody has not left after {LONGEST_DURATION_S:.0f} s",
             hint="Raise the speeds or take a smaller junction.",
         )
-    return clear_of_ties(concrete.model_copy(update={"duration_s": duration}), paths)
+    timed = clear_of_ties(concrete.model_copy(update={"duration_s": duration}), paths)
+    return settle(timed, scene.network)
 
 
 def _name(scene: Scene) -> str:
@@ -92,6 +98,16 @@ def _participant(scene: Scene, participant: Participant) -> ConcreteParticipant:
             motion=walk.motion,
             speed_program=tuple(walk.program),
         )
+    if name in scene.pulls:
+        pull = scene.pulls[name]
+        return ConcreteParticipant(
+            id=name,
+            kind=participant.kind,
+            role=participant.role,
+            speed_mps=0.0,
+            motion=pull.motion,
+            speed_program=tuple(pull.program),
+        )
     if name in scene.stands:
         return ConcreteParticipant(
             id=name,
@@ -106,6 +122,8 @@ def _participant(scene: Scene, participant: Participant) -> ConcreteParticipant:
 
 def _program(draft: DriveDraft) -> tuple[float, tuple[SpeedPhase, ...]]:
     """Initial speed and phases, rounded; reactions come where the program reaches them."""
+    if draft.moves_off is not None:
+        return 0.0, (_rounded(draft.moves_off),)
     speed, phases = compile_marks(draft.id, draft.all_marks(), draft.course, draft.start_m)
     if draft.reactions:
         at = draft.reacts_at_s_m - draft.start_m
@@ -144,13 +162,30 @@ def _check_start(concrete: ConcreteScenario, paths: dict[str, Path]) -> None:
                 )
 
 
+def _check_turns(concrete: ConcreteScenario, paths: dict[str, Path]) -> None:
+    """Nobody goes from forwards to backwards, or on again, at speed."""
+    if not any(path.backwards for path in paths.values()):
+        return
+    for name, trace in simulate(concrete, paths).items():
+        for place in (place for part in paths[name].backwards for place in part):
+            passed = np.flatnonzero((trace.s_m[1:] > place) & (trace.s_m[:-1] <= place))
+            if place > 0.0 and passed.size and trace.speed_mps[passed[0]] > _TURNS_MPS:
+                raise MotionInfeasibleError(
+                    f"does not stand where it changes direction, {place:.1f} m from its start, "
+                    f"but goes {trace.speed_mps[passed[0]]:.1f} m/s",
+                    where=name,
+                    hint="Fewer dangers at once, or another logical scenario.",
+                )
+
+
 def _duration_s(scene: Scene, concrete: ConcreteScenario, paths: dict[str, Path]) -> float | None:
     """Until everybody has left the junction and everything has happened; None if never."""
     traces = simulate(concrete, paths)
     ends: dict[str, float] = {}
     for name, trace in traces.items():
         goal = _goal_m(scene, name, paths[name])
-        done = np.flatnonzero(trace.s_m >= goal)
+        halts = name in scene.drives and scene.drives[name].halts_at_m is not None
+        done = np.flatnonzero(trace.speed_mps < STANDING_MPS if halts else trace.s_m >= goal)
         if not done.size:
             return None
         ends[name] = float(trace.time_s[done[0]])
@@ -176,7 +211,12 @@ def _goal_m(scene: Scene, name: str, path: Path) -> float:
             draft.laid.path_s_m(change.position_m + change.length_m) + 5.0
             for change in draft.lane_changes
         ]
+        places += [ends_m + 10.0 for _, ends_m in draft.laid.path.backwards]
         return min(max(places), draft.laid.path.length_m) - draft.start_m - 1e-6
+    if name in scene.pulls:
+        pull = scene.pulls[name]
+        places = [pull.laid.path_s_m(pull.motion.turning_ends_m) + _INTO_EXIT_M]
+        return min(max(*places, pull.in_lane_m + 5.0), path.length_m) - 1e-6
     if name in scene.walks:
         return max(0.0, path.length_m - 0.5)
     return 0.0

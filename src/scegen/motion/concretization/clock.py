@@ -179,7 +179,7 @@ def headway_s(
     At every place that both pass, the follower's reference point comes ``time_s`` after the
     leader's, and its bumper stays ``gap_m`` behind.
     """
-    shared = shared_length_m(lead, follow)
+    shared = min(shared_length_m(lead, follow), float(follow.course.s_m[-1]))
     s = np.arange(0.0, max(shared, 1.0), 2.0)
     bodies = gap_m + lead.body.rear_m + follow.body.front_m
     mine = follow.course.times_at(s)
@@ -191,7 +191,7 @@ def headway_s(
 def _like_the_ego(scene: Scene, draft: DriveDraft) -> float:
     """Arrives at the junction when the ego does."""
     ego = scene.ego
-    return ego.course.time_at(ego.junction_s_m) - draft.course.time_at(draft.junction_s_m)
+    return ego.course.time_at(ego.arrives_s_m) - draft.course.time_at(draft.arrives_s_m)
 
 
 def schedule(
@@ -205,8 +205,14 @@ def schedule(
     offsets = arrange(scene, meetings)
     first_s = _first_places(scene, meetings)
     ego = scene.ego
-    latest = [APPROACH_S - ego.course.time_at(first_s[ego.id])]
+    latest = [0.0 if ego.backs_out else APPROACH_S - ego.course.time_at(first_s[ego.id])]
     for name, draft in scene.drives.items():
+        if draft.stands_at_m is not None:
+            continue
+        if draft.backs_out:
+            # It stands near where it starts until its time has come.
+            latest.append(-offsets[name])
+            continue
         lead_in = draft.course.time_at(_latest_start_m(draft, first_s[name])) - LEAD_IN_S
         latest.append(-offsets[name] - max(0.0, lead_in))
     for appointment in appointments:
@@ -216,7 +222,11 @@ def schedule(
     shifted = {name: offset + shift for name, offset in offsets.items()}
     short, who = 0.0, ""
     for name, draft in scene.drives.items():
-        start = draft.course.s_at(-shifted[name])
+        if draft.backs_out:
+            continue
+        start = draft.stands_at_m
+        if start is None:
+            start = draft.course.s_at(-shifted[name])
         missing = draft.body.rear_m + _ARM_MARGIN_M - start
         if missing > short:
             short, who = missing, name
@@ -225,7 +235,7 @@ def schedule(
 
 def _first_places(scene: Scene, meetings: Sequence[Meeting]) -> dict[str, float]:
     """Where each drive has its first meeting, or the inner end of its arm."""
-    places = {name: draft.junction_s_m for name, draft in scene.drives.items()}
+    places = {name: draft.arrives_s_m for name, draft in scene.drives.items()}
     for meeting in meetings:
         if meeting.priority < 0:
             continue

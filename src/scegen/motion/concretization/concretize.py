@@ -7,8 +7,10 @@ from math import ceil
 import numpy as np
 
 from scegen.errors import MotionInfeasibleError
+from scegen.motion.concretization.abreast import place_abreast
 from scegen.motion.concretization.assemble import assemble
 from scegen.motion.concretization.clock import schedule
+from scegen.motion.concretization.coming_up import come_up, prepare_standing
 from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.encounters import conflict_meetings
 from scegen.motion.concretization.hazards.table import ordered_rules
@@ -16,6 +18,18 @@ from scegen.motion.concretization.lane_choice import choose_lanes
 from scegen.motion.concretization.maneuvers import prepare_maneuvers, shape_maneuvers
 from scegen.motion.concretization.meeting_lanes import choose_lanes_that_meet
 from scegen.motion.concretization.meetings import Meeting
+from scegen.motion.concretization.obstacles import (
+    expect_obstacles,
+    needs_obstacle,
+    place_obstacles,
+    stop_short,
+)
+from scegen.motion.concretization.occluders import hide
+from scegen.motion.concretization.pulling_out import (
+    program_pulls,
+    pull_appointments,
+    pull_out,
+)
 from scegen.motion.concretization.roads import FIRST_ARM_M, LONGEST_ARM_M, plan
 from scegen.motion.concretization.room import NeedsLongerArms
 from scegen.motion.concretization.speeds import cruise_speed_mps
@@ -30,6 +44,7 @@ from scegen.scenario.vocabulary import Control
 
 _ATTEMPTS = 30
 _ARM_STEP_M = 10.0
+_PATIENT, _GROWTH = 12, 1.15
 
 
 def concretize(
@@ -51,18 +66,36 @@ def concretize(
         MotionInfeasibleError: it cannot be driven, or needs something unsupported.
         RoadInfeasibleError: the junction cannot be built.
     """
-    ordered_rules(functional.hazards)
+    try:
+        return _on_long_enough_arms(functional, logical, seed, road, obstacles=True)
+    except MotionInfeasibleError:
+        if not any(needs_obstacle(hazard) for hazard in functional.hazards):
+            raise
+    # Without the thing in the way, the rest can perhaps be driven; the proof says what is missing.
+    return _on_long_enough_arms(functional, logical, seed, road, obstacles=False)
+
+
+def _on_long_enough_arms(
+    functional: FunctionalScenario,
+    logical: LogicalScenario,
+    seed: int,
+    road: RoadParameters | None,
+    *,
+    obstacles: bool,
+) -> ConcreteScenario:
     arm_m = FIRST_ARM_M
-    for _ in range(_ATTEMPTS):
+    for attempt in range(_ATTEMPTS):
         parameters = road if road is not None else plan(functional, logical, arm_m)
         network = build_network(parameters)
         # The same draws in every attempt: lengthening the road must not change the rest.
         rng = np.random.Generator(np.random.PCG64(seed))
-        scene = Scene(functional, logical, parameters, network, rng)
+        scene = Scene(functional, logical, parameters, network, rng, obstacles=obstacles)
         try:
             return _compose(scene, seed)
         except NeedsLongerArms as need:
-            arm_m = ceil((arm_m + need.metres) / _ARM_STEP_M) * _ARM_STEP_M
+            # Some plans ask for little more each time: after a while, go faster.
+            least = arm_m * _GROWTH if attempt >= _PATIENT else 0.0
+            arm_m = ceil(max(arm_m + need.metres, least) / _ARM_STEP_M) * _ARM_STEP_M
             if road is not None or arm_m > LONGEST_ARM_M:
                 longest = max(arm.length_m for arm in parameters.arms)
                 raise MotionInfeasibleError(
@@ -75,17 +108,14 @@ def concretize(
 
 def _compose(scene: Scene, seed: int) -> ConcreteScenario:
     rules = ordered_rules(scene.functional.hazards)
-    place_standers(scene)
-    for drive in scene.logical.drives:
-        scene.drives[drive.participant] = _draft(scene, drive)
-    # Those beside others take what lane is left.
-    for draft in sorted(scene.drives.values(), key=lambda draft: draft.drive.beside is not None):
-        choose_lanes(scene, draft)
+    _place(scene)
+    expect_obstacles(scene)
     choose_lanes_that_meet(scene, rules)
     for rule, hazard in rules:
         if rule.prepare is not None:
             rule.prepare(scene, hazard)
     prepare_maneuvers(scene)
+    prepare_standing(scene)
     for draft in scene.drives.values():
         draft.lay(scene.network)
     place_walkers(scene)
@@ -94,17 +124,33 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
         if rule.shape is not None:
             meetings += rule.shape(scene, hazard)
     meetings += shape_maneuvers(scene)
-    go_round_standers(scene)
+    meetings += go_round_standers(scene)
+    place_obstacles(scene)
     for rule, hazard in rules:
         if rule.act is not None:
             rule.act(scene, hazard)
+    meetings += come_up(scene)
+    pull_out(scene)
+    stop_short(scene)
     meetings += conflict_meetings(scene, rules, meetings)
     _start(scene, meetings)
     for rule, hazard in rules:
         if rule.react is not None:
             rule.react(scene, hazard)
     program_walkers(scene)
-    return assemble(scene, seed)
+    program_pulls(scene)
+    return hide(scene, assemble(scene, seed))
+
+
+def _place(scene: Scene) -> None:
+    """Who stands where, and who drives in which lane before any danger is looked at."""
+    place_standers(scene)
+    for drive in scene.logical.drives:
+        if drive.participant not in scene.stands:
+            scene.drives[drive.participant] = _draft(scene, drive)
+    for draft in scene.drives.values():
+        choose_lanes(scene, draft)
+    place_abreast(scene)
 
 
 def _draft(scene: Scene, drive: Drive) -> DriveDraft:
@@ -120,12 +166,15 @@ def _draft(scene: Scene, drive: Drive) -> DriveDraft:
 
 
 def _start(scene: Scene, meetings: list[Meeting]) -> None:
-    plan_ = schedule(scene, meetings, appointments(scene))
+    plan_ = schedule(scene, meetings, [*appointments(scene), *pull_appointments(scene)])
     if plan_.shortfall_m > 0:
         raise NeedsLongerArms(plan_.shortfall_m, plan_.shortest_of)
     reasons = {m.second: f"{m.reason} with {m.first}" for m in reversed(meetings) if m.reason}
     for name, draft in scene.drives.items():
-        draft.start_m = draft.course.s_at(-plan_.offsets_s[name])
+        draft.offset_s = plan_.offsets_s[name]
+        draft.start_m = 0.0 if draft.backs_out else draft.course.s_at(-draft.offset_s)
+        if draft.stands_at_m is not None:
+            draft.start_m = draft.stands_at_m
         station = draft.laid.station_m(draft.start_m)
         reason = reasons.get(name, "in line on its arm")
         scene.note(f"{name}.start_m", station, reason)

@@ -48,7 +48,7 @@ def conflict_meetings(
             if key not in involved and not _others_between(scene, cause, sufferer):
                 priority = DANGER if scene.ego.id in key else DANGER_TO_OTHERS
                 reason = f"{hazard.kind}: arrives together"
-                if same_arm(cause, sufferer):
+                if same_arm(cause, sufferer) and drives_meet(cause, sufferer) is None:
                     found = [_close(scene, hazard, cause, sufferer, priority)]
                 else:
                     found = _meeting(priority, cause, sufferer, 0.0, reason)
@@ -127,7 +127,7 @@ def arrival_s_m(draft: DriveDraft, meeting_s_m: float) -> float:
 
     One who brakes to a stop before the meeting is not to be met after going on again.
     """
-    place = meeting_s_m
+    place = meeting_s_m if draft.halts_at_m is None else min(meeting_s_m, draft.halts_at_m)
     for mark in draft.marks:
         if mark.hold_s is not None and mark.target_mps == 0 and mark.s_m < meeting_s_m:
             rest = mark.s_m + draft.course.speed_at(mark.s_m) ** 2 / (2 * mark.rate_mps2)

@@ -37,14 +37,8 @@ def lanes_in(scene: Scene, draft: DriveDraft) -> int:
 
 
 def choose_lanes(scene: Scene, draft: DriveDraft) -> None:
-    """Start in the outermost lane that leads to the exit; beside another, in another lane."""
-    lanes = list(entry_lanes(scene, draft))
-    beside = scene.drives.get(draft.drive.beside or "")
-    if beside is not None and beside.drive.entry == draft.drive.entry:
-        lanes = [lane for lane in lanes if lane != beside.entry_lane] or lanes
-        along = [d.id for d in scene.drives.values() if d.drive.beside == beside.id]
-        turns = along.index(draft.id) % len(lanes)  # several take the lanes beside it in turn
-        lanes = lanes[turns:] + lanes[:turns]
+    """Start in the outermost lane that leads to the exit."""
+    lanes = entry_lanes(scene, draft)
     draft.entry_lane = lanes[0]
     draft.exit_lane = lanes[0]
     choose_ring_lane(scene, draft)

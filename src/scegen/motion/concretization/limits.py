@@ -13,12 +13,10 @@ number is this program's own choice.
 
 from __future__ import annotations
 
-DEFAULT_LIMIT_MPS = 50 / 3.6
-"""Where the text names no speed limit: the urban limit of the Vienna Convention's countries."""
-
 COMFORTABLE_BRAKING_MPS2 = 2.5  # [EDM]
 COMFORTABLE_ACCELERATION_MPS2 = 2.0  # [EDM]
 HARD_BRAKING_MPS2 = (7.0, 8.0)  # well above [UN152], below the tyre's limit on dry road
+LATE_BRAKING_MPS2 = 5.0  # between comfort and [UN152]: one who comes up behind another
 STOPPING_MPS2 = 4.0  # above the 3.4 of [AASHTO]
 SUDDEN_ACCELERATION_MPS2 = (3.0, 4.0)
 
@@ -32,6 +30,11 @@ QUEUE_GAP_M = 8.0
 TAILGATING_HEADWAY_S = (0.4, 0.8)  # below the least gap of [ISO15622]
 CLOSE_FOLLOWING_S = 0.8  # followed closely, but not tailgated
 CUT_IN_HEADWAY_S = (0.3, 0.6)
+
+REVERSING_MPS = (1.8, 2.6)  # 6 to 9 km/h
+REVERSING_MPS2 = 1.5
+CREEP_MPS = 0.5
+"""Who is to stand at a place creeps the last bit."""
 
 SPEEDING_FACTOR = (1.2, 1.5)  # of the limit
 SLOW_FACTOR = (0.35, 0.5)

@@ -6,8 +6,10 @@ from scegen.errors import MotionInfeasibleError
 from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.hazards.overtaking import overtake_speeds
 from scegen.motion.concretization.hazards.rule import same_arm
+from scegen.motion.concretization.hazards.swerving import close_before
 from scegen.motion.concretization.lane_choice import change_lanes, entry_lanes, lanes_in
-from scegen.motion.concretization.meetings import STRUCTURAL, Meeting
+from scegen.motion.concretization.meetings import DANGER, STRUCTURAL, Meeting, drives_meet
+from scegen.motion.concretization.obstacles import goes_round_a_thing
 from scegen.motion.concretization.passing import (
     change_length_m,
     pass_drive,
@@ -40,9 +42,13 @@ def shape_maneuvers(scene: Scene) -> list[Meeting]:
                 oncoming=lanes_in(scene, draft) == 1,
                 comes_back=draft.drive.maneuver is Maneuver.OVERTAKE,
             )
-        elif not (_goes_round_somebody_standing(scene, draft) or _drives_past(scene, draft)):
-            _free_change(scene, draft)
-    return [*meetings, *_side_by_side(scene)]
+        elif not (
+            _goes_round_somebody_standing(scene, draft)
+            or _drives_past(scene, draft)
+            or goes_round_a_thing(scene, draft)
+        ):
+            meetings += _free_change(scene, draft)
+    return [*meetings, *_side_by_side(scene, meetings)]
 
 
 _SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
@@ -62,6 +68,7 @@ def _passed(scene: Scene, draft: DriveDraft) -> DriveDraft | None:
         and same_arm(other, draft)
         and other.drive.rank < draft.drive.rank
         and other.drive.beside is None
+        and other.drive.reverses is None
     ]
     slow = {
         name
@@ -80,15 +87,25 @@ def _goes_round_somebody_standing(scene: Scene, draft: DriveDraft) -> bool:
 
 
 def _drives_past(scene: Scene, draft: DriveDraft) -> bool:
-    """Whether it "overtakes" one who is parked beside its lane, which needs no other lane."""
-    return draft.drive.maneuver is Maneuver.OVERTAKE and any(
+    """Whether it "overtakes" one who is parked beside its lane, which needs no other lane.
+
+    Nor does passing one who reverses into its way: it gets no farther.
+    """
+    beside = any(
         not stand.standing.in_lane and stand.standing.arm in {draft.drive.entry, draft.drive.exit}
         for stand in scene.stands.values()
     )
+    reverses = any(
+        other.drive.reverses is not None
+        and same_arm(other, draft)
+        and other.drive.rank < draft.drive.rank
+        for other in scene.drives.values()
+    )
+    return draft.drive.maneuver is Maneuver.OVERTAKE and (beside or reverses)
 
 
-def _free_change(scene: Scene, draft: DriveDraft) -> None:
-    """A change into the lane that leads on, with nobody to pass."""
+def _free_change(scene: Scene, draft: DriveDraft) -> list[Meeting]:
+    """A change into the lane of one beside it, or into the one that leads on."""
     if scene.road.kind is JunctionKind.ROUNDABOUT and lanes_in(scene, draft) < 2:
         raise MotionInfeasibleError("there is no second lane to change into", where=draft.id)
     goals = entry_lanes(scene, draft)
@@ -106,37 +123,64 @@ def _free_change(scene: Scene, draft: DriveDraft) -> None:
             f"arm {draft.drive.entry} has one lane: there is no lane to change into",
             where=draft.id,
         )
-    draft.entry_lane = start
+    beside = _into_lane_of(scene, draft, goals)
+    if beside is not None:
+        goal = beside.entry_lane
+    else:
+        draft.entry_lane = start
     for other in scene.drives.values():
         # Who travels beside it is in the lane that it wants.
-        if other.drive.beside == draft.id and goal in entry_lanes(scene, other):
+        if beside is None and other.drive.beside == draft.id and goal in entry_lanes(scene, other):
             other.entry_lane = goal
             other.lay(scene.network)
     length = change_length_m(draft.cruise_mps)
     end = slowing_s_m(draft) - 3.0
-    if scene.road.kind is JunctionKind.STRAIGHT:
+    if not scene.network.junctions:
         end = (draft.laid.path.length_m + length) / 2
     if end - length < 10.0:
         raise NeedsLongerArms(15.0 - (end - length), draft.id)
     change_lanes(scene, draft, [(end - length, length, goal)])
+    return [] if beside is None else [close_before(scene, draft, beside, end)]
 
 
-def _side_by_side(scene: Scene) -> list[Meeting]:
+def _into_lane_of(scene: Scene, draft: DriveDraft, goals: tuple[int, ...]) -> DriveDraft | None:
+    """The one next to whom it drives, and into whose lane it changes; rather the ego."""
+    near = [
+        other
+        for other in scene.drives.values()
+        if (other.id == draft.drive.beside or other.drive.beside == draft.id)
+        and same_arm(other, draft)
+        and abs(other.entry_lane - draft.entry_lane) == 1
+        and other.entry_lane in goals
+        and not other.lane_changes
+    ]
+    return max(near, key=lambda other: other is scene.ego, default=None)
+
+
+def _side_by_side(scene: Scene, meetings: list[Meeting]) -> list[Meeting]:
     """Those who travel beside another are level with it half way along the arm.
 
-    Only the first in a lane is; further ones queue up behind.
+    Where one turns across the other, they are so there.
     """
-    meetings = []
-    level: set[tuple[str, int]] = set()
+    arranged = {frozenset((m.first, m.second)) for m in meetings}
+    found = []
+    # The second in the same lane drives in a line with the first.
+    taken: set[tuple[str, int]] = set()
     for draft in scene.drives.values():
         beside = scene.drives.get(draft.drive.beside or "")
         if beside is None or not same_arm(draft, beside):
             continue
-        if (beside.id, draft.entry_lane) in level:
+        if frozenset((beside.id, draft.id)) in arranged or (beside.id, draft.entry_lane) in taken:
             continue
-        level.add((beside.id, draft.entry_lane))
+        taken.add((beside.id, draft.entry_lane))
+        point = drives_meet(beside, draft)
+        if point is not None:
+            reason = "side by side, one turns across the other"
+            places = point.first_s_m, point.second_s_m
+            found.append(Meeting(DANGER, beside.id, draft.id, *places, 0.0, reason))
+            continue
         place = draft.junction_s_m * 0.6
-        meetings.append(
+        found.append(
             Meeting(STRUCTURAL + 1, beside.id, draft.id, place, place, 0.0, "side by side")
         )
-    return meetings
+    return found

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from scegen.motion.model import Array
-from scegen.scenario.concrete import SpeedPhase, StoodStill, Travelled
+from scegen.scenario.concrete import ArrivalBelow, SpeedPhase, StoodStill, Travelled, Trigger
 from scegen.scenario.vocabulary import HazardKind
 
 STEP_S = 0.05
@@ -24,6 +24,8 @@ class Mark:
     """At ``s_m`` of the path (from the outer end), change speed to ``target_mps``.
 
     With ``hold_s``, that long after the target is reached the speed changes to ``resume_mps``.
+    ``waits_for`` is what it waits for instead, once that is known; ``resume_hazard`` the danger
+    that going on serves.
     """
 
     s_m: float
@@ -33,6 +35,8 @@ class Mark:
     hold_s: float | None = None
     resume_mps: float = 0.0
     resume_rate_mps2: float = 2.0
+    resume_hazard: HazardKind | None = None
+    waits_for: ArrivalBelow | None = None
 
 
 @dataclass(frozen=True)
@@ -129,8 +133,10 @@ def compile_marks(
             )
         )
         if index in course.resumes_s and mark.hold_s is not None:
-            trigger: StoodStill | Travelled = StoodStill(participant=who, duration_s=mark.hold_s)
-            if mark.target_mps > 0.0:
+            trigger: Trigger = StoodStill(participant=who, duration_s=mark.hold_s)
+            if mark.waits_for is not None:
+                trigger = mark.waits_for
+            elif mark.target_mps > 0.0:
                 resumes_m = course.s_at(course.resumes_s[index]) - start_m
                 trigger = Travelled(participant=who, distance_m=max(0.0, resumes_m))
             phases.append(
@@ -138,6 +144,7 @@ def compile_marks(
                     trigger=trigger,
                     target_speed_mps=mark.resume_mps,
                     rate_mps2=mark.resume_rate_mps2,
+                    hazard=mark.resume_hazard,
                 )
             )
     return speed, tuple(phases)

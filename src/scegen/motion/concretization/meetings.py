@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -15,6 +16,9 @@ _TOUCH_M = 0.8
 _GRAZE_M = 2.0
 """Ways that come this close without crossing still let cars touch."""
 _OPPOSED_RAD = 2.6
+_BACK = 0.7
+"""The share of a change back after which a stray is out of the oncoming one's way."""
+_LANE_M = 5.0
 
 STRUCTURAL, DANGER, DANGER_TO_OTHERS, ORDINARY, BYSTANDER = -1, 1, 2, 3, 4
 """Priorities of meetings: what a manoeuvre's shape needs, dangers to or by the ego, dangers
@@ -92,20 +96,43 @@ def nearest_s_m(path: Path, x_m: float, y_m: float) -> tuple[float, float]:
 
 
 def drives_meet(first: DriveDraft, second: DriveDraft) -> MeetingPoint | None:
-    """Where two drives from different arms meet, as places of their reference points.
+    """Where two drives meet that start in different lanes, as places of their reference points.
 
-    The bodies' centres are to meet, which lie ahead of the reference points.
+    The bodies' centres are to meet, which lie ahead of the reference points. Of two on one arm
+    nobody changes lanes: they meet where one turns across the other.
     """
     if first.drive.entry == second.drive.entry:
-        return None
+        together = first.entry_lane == second.entry_lane
+        if together or first.lane_changes or second.lane_changes:
+            return None
     point = meeting_point(first.laid.path, second.laid.path)
     if point is None:
         return None
+    back = _just_back(first, second) if point.opposed else None
+    if back is not None:
+        return MeetingPoint(*back, opposed=True)
     return MeetingPoint(
         max(0.0, point.first_s_m - first.body.centre_ahead_m),
         max(0.0, point.second_s_m - second.body.centre_ahead_m),
         point.opposed,
     )
+
+
+def _just_back(first: DriveDraft, second: DriveDraft) -> tuple[float, float] | None:
+    """Where two meet head-on of whom one strays: it comes back into its own lane just then."""
+    for stray, other, swapped in ((first, second, False), (second, first, True)):
+        changes = stray.lane_changes
+        back = [b for a, b in pairwise(changes) if a.lane_after == 0 and b.lane_after > 0]
+        if not back:
+            continue
+        place = stray.laid.path_s_m(back[0].position_m + _BACK * back[0].length_m)
+        pose = stray.laid.path.pose(place + stray.body.front_m)
+        met, apart = nearest_s_m(other.laid.path, pose.x_m, pose.y_m)
+        if apart > _LANE_M:
+            continue
+        met = max(0.0, met - other.body.front_m)
+        return (met, place) if swapped else (place, met)
+    return None
 
 
 def ways_touch(first: DriveDraft, second: DriveDraft) -> bool:

@@ -10,7 +10,11 @@ from scegen.motion.concretization.lane_choice import (
     entry_lanes,
     neighbour_lane,
 )
-from scegen.motion.concretization.limits import FAST_LATERAL_MPS2, LANE_CHANGE_S
+from scegen.motion.concretization.limits import (
+    FAST_LATERAL_MPS2,
+    LANE_CHANGE_S,
+    LATERAL_MPS2,
+)
 from scegen.motion.concretization.meetings import STRUCTURAL, Meeting
 from scegen.motion.concretization.room import NeedsLongerArms
 from scegen.scenario.bodies import Body
@@ -21,6 +25,7 @@ FASTER = 1.5
 _BEHIND_M = 3.0
 _AHEAD_M = 6.0
 _BEFORE_TURNING_M = 3.0
+_OF_GRIP = 0.8
 _BEFORE_JUNCTION_M = 5.0
 
 
@@ -35,6 +40,16 @@ def speed_for_change_mps(length_m: float, width_m: float = 3.5) -> float:
     Its greatest lateral acceleration is width * (pi v / length)^2 / 2.
     """
     return length_m / pi * sqrt(2 * FAST_LATERAL_MPS2 / width_m)
+
+
+def calm_change_length_m(passer: DriveDraft, width_m: float) -> float:
+    """Length of a change of lane that asks for no more than 4 m/s2 sideways, or what grip allows.
+
+    Long enough for the speed at which one cruises, and no shorter than one takes in towns.
+    """
+    sideways = min(LATERAL_MPS2, _OF_GRIP * passer.grip_mps2)
+    least = pi * passer.cruise_mps * sqrt(width_m / (2 * sideways))
+    return max(change_length_m(min(passer.cruise_mps, 10.0)), least)
 
 
 def slowing_s_m(draft: DriveDraft) -> float:
@@ -59,6 +74,12 @@ def pass_drive(
     Raises:
         NeedsLongerArms: the arm is too short for it.
     """
+    if _is_to_stray(scene, passer):
+        oncoming = True
+        for draft in (passer, passed):
+            if not draft.lane_changes:
+                draft.entry_lane = min(entry_lanes(scene, draft))
+                draft.lay(scene.network)
     lanes = entry_lanes(scene, passer)
     if comes_back or passed.entry_lane in lanes:
         passer.entry_lane = passed.entry_lane
@@ -86,24 +107,37 @@ def pass_drive(
     ]
 
 
+def _is_to_stray(scene: Scene, passer: DriveDraft) -> bool:
+    """Whether one who overtakes is said to do so through the oncoming lane."""
+    return any(
+        hazard.kind is HazardKind.ONCOMING_LANE and passer.id in hazard.by
+        for hazard in scene.functional.hazards
+    )
+
+
 def pass_standing(
     scene: Scene,
     passer: DriveDraft,
     middle_m: float,
     body: Body,
+    *,
+    over_m: tuple[float, float] | None = None,
 ) -> None:
-    """``passer`` goes round one who stands in its lane, its centre at ``middle_m`` of the way.
+    """``passer`` goes round what stands in its lane, its centre at ``middle_m`` of the way.
+
+    It changes lanes out and back over ``over_m``, or as its speed in towns asks for.
 
     Raises:
         NeedsLongerArms: there is no room before or behind it.
     """
     lane = passer.entry_lane
     aside = neighbour_lane(scene, passer, oncoming=True)
-    change = change_length_m(min(passer.cruise_mps, 10.0))
+    usual = change_length_m(min(passer.cruise_mps, 10.0))
+    change, again = over_m or (usual, usual)
     half = (passer.body.length_m + body.length_m) / 2
     centre = middle_m - passer.body.centre_ahead_m
     out = centre - half - _BEHIND_M - change
     if out < passer.body.rear_m + 2.0:
         raise NeedsLongerArms(15.0 - out, passer.id)
-    back = (centre + half + _BEHIND_M, change, lane)
+    back = (centre + half + _BEHIND_M, again, lane)
     change_lanes(scene, passer, [(out, change, aside), back])

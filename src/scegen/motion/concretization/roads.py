@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from scegen.errors import RoadInfeasibleError
+from scegen.motion.concretization.abreast import crosses_beside
+from scegen.motion.concretization.turning_ways import lanes_to_turn_back, with_turns
 from scegen.motion.lanes import is_ring
 from scegen.road import build_network, plan_road
 from scegen.road.model import RoadNetwork
@@ -10,10 +12,11 @@ from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.control import has_crosswalk
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
+from scegen.scenario.speed_limits import implied_limit_mps
 from scegen.scenario.vocabulary import FROM_BESIDE, HazardKind, JunctionKind, Maneuver
 
 FIRST_ARM_M = 100.0
-LONGEST_ARM_M = 900.0
+LONGEST_ARM_M = 1500.0
 _RING_CHANGE_ROOM_M = 16.0
 _RING_RADII_M = (20.0, 24.0, 28.0, 32.0, 36.0, 40.0, 50.0)
 _SIDE_BY_SIDE = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
@@ -27,14 +30,17 @@ def plan(
 ) -> RoadParameters:
     """Road parameters with the lanes, strips and ring that the scenario needs."""
     kinds = {hazard.kind for hazard in functional.hazards}
+    limit = round(implied_limit_mps(functional), 6)
+    turning_back = [drive for drive in logical.drives if drive.entry == drive.exit]
     parameters = plan_road(
-        functional.junction,
+        functional.junction.model_copy(update={"speed_limit_mps": limit}),
         arm_length_m=arm_length_m,
-        min_lanes=_min_lanes(functional, logical),
+        min_lanes=max(_min_lanes(functional, logical), lanes_to_turn_back(functional, logical)),
         crosswalks=_crosswalks(functional, logical),
         parking_lanes=frozenset(s.arm for s in logical.standings if not s.in_lane),
-        u_turns=frozenset(d.entry for d in logical.drives if d.entry == d.exit),
+        u_turns=frozenset(drive.entry for drive in turning_back),
     )
+    parameters = with_turns(functional, logical, parameters)
     if functional.junction.kind is not JunctionKind.ROUNDABOUT or HazardKind.CUT_IN not in kinds:
         return parameters
     return _with_wide_ring(parameters)
@@ -63,8 +69,13 @@ def _min_lanes(functional: FunctionalScenario, logical: LogicalScenario) -> int:
     beside_kinds = _SIDE_BY_SIDE_HAZARDS | (FROM_BESIDE if plain else frozenset())
     together = len(set(entries)) < len(entries) and bool(kinds & beside_kinds)
     oncoming = HazardKind.ONCOMING_LANE in kinds
+    across = crosses_beside(functional)
     swerves = roundabout and bool(kinds & _SWERVING_HAZARDS)
-    wide = sideways or swerves or (together and not roundabout)
+    crossed = any(
+        drive.participant in across and _among(drive, drives) and drive.turn is Maneuver.STRAIGHT
+        for drive in drives
+    )
+    wide = sideways or swerves or (together and not roundabout) or (crossed and plain)
     return 2 if beside or (wide and not oncoming) else 1
 
 

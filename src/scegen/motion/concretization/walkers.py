@@ -4,18 +4,20 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import dataclass
+from math import sqrt
 
 from scegen.errors import MotionInfeasibleError
-from scegen.motion.concretization.drafts import DriveDraft, Scene, WalkDraft
+from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.limits import (
     CYCLING_MPS,
     WALKING_MPS,
     WALKING_START_MPS2,
 )
 from scegen.motion.concretization.meetings import MeetingPoint, meeting_point
+from scegen.motion.concretization.others import WalkDraft
 from scegen.motion.standing import crossing_path
 from scegen.road.model import LaneType
-from scegen.scenario.bodies import BODIES
+from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.concrete import AtTime, CrossingMotion, SpeedPhase, Travelled
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing, Side
@@ -26,12 +28,16 @@ _BEYOND_STRIP_M = 1.0
 _UNMARKED_M = 4.0
 _STRAIGHT_M = 5.0
 _BEYOND_PARKED_M = 1.2
+_BEHIND_SCREEN_M = 0.8
+"""The front of one whom a thing is to hide is so far from the carriageway: it needs room there."""
 _STOP_SHORT_M = 0.15
 _INTO_PATH_M = 1.0
 """The walker is in the driver's line when the bumper is this close (both at their speed)."""
 _STEPS_OFF_M = 0.5
 _SETTLE_S = 0.5
 _ABREAST_M = 0.9
+_OF_PEAK = 0.9
+"""Of the pace at which one who sets off must begin to stop, the share that is used."""
 
 _HAZARD = {
     ParticipantKind.PEDESTRIAN: HazardKind.CROSSING_PEDESTRIAN,
@@ -60,7 +66,7 @@ def place_walkers(scene: Scene) -> None:
             arm=crossing.arm,
             start_side=crossing.start,
             from_junction_m=round(max(0.0, _from_junction_m(scene, crossing) + aside), 3),
-            setback_m=_setback_m(scene, crossing.arm),
+            setback_m=_setback_m(scene, crossing.arm, BODIES[participant.kind]),
         )
         path = crossing_path(scene.network, motion, participant.id)
         speed = _speed(scene, participant)
@@ -77,19 +83,23 @@ def _abreast_m(number: int) -> float:
 def _speed(scene: Scene, participant: Participant) -> float:
     usual = WALKING_MPS if participant.kind is ParticipantKind.PEDESTRIAN else CYCLING_MPS
     low, high = scene.allowed(f"{participant.id}.speed_mps", (0.9 * usual, 1.2 * usual))
-    speed = float(scene.rng.uniform(max(low, 0.9 * usual), max(min(high, 1.2 * usual), low)))
+    least = min(max(low, 0.9 * usual), high)
+    speed = float(scene.rng.uniform(least, max(min(high, 1.2 * usual), least)))
     speed = min(max(speed, low, 0.3), max(high, 0.3))
     scene.note(f"{participant.id}.speed_mps", speed, "usual pace")
     return round(speed, 3)
 
 
-def _setback_m(scene: Scene, arm: int) -> float:
+def _setback_m(scene: Scene, arm: int, body: Body) -> float:
+    hidden = any(h.kind is HazardKind.OCCLUSION and not h.by for h in scene.functional.hazards)
+    behind = body.front_m + _BEHIND_SCREEN_M if hidden else 0.0
     strip = [
         lane.width_m
         for lane in scene.network.arm_road(arm).lanes
         if lane.type in {LaneType.PARKING, LaneType.SHOULDER}
     ]
-    return max(strip) + _BEYOND_STRIP_M if strip else _SETBACK_M
+    usual = max(strip) + _BEYOND_STRIP_M if strip else _SETBACK_M
+    return max(usual, behind)
 
 
 def _from_junction_m(scene: Scene, crossing: Crossing) -> float:
@@ -153,8 +163,11 @@ def _rendezvous(draft: DriveDraft, walk: WalkDraft, point: MeetingPoint) -> tupl
     """(place of the driver, way of the walker) to be reached at the same time.
 
     The walker is in the driver's line when its bumper comes; where the driver brakes for it,
-    the walker leaves the kerb just then.
+    the walker leaves the kerb just then. Behind one that reverses it is where the tail will be.
     """
+    if draft.backs_to == walk.id:
+        begins_s, ends_s = draft.laid.path.backwards[0]
+        return (begins_s + ends_s) / 2, point.second_s_m
     for mark in draft.marks:
         if mark.hold_s is not None and mark.s_m < point.first_s_m - draft.body.front_m:
             return mark.s_m, max(0.0, walk.motion.setback_m - _STEPS_OFF_M)
@@ -203,5 +216,7 @@ def _stop_in_the_way(scene: Scene, walk: WalkDraft, point: MeetingPoint) -> None
     length = min(point.second_s_m + _STOP_SHORT_M, walk.path.length_m)
     if length <= 0:
         raise MotionInfeasibleError("stops before it has started", where=walk.id)
+    # Nobody reaches its full pace on a way too short to stop from it.
+    walk.speed_mps = round(min(walk.speed_mps, _OF_PEAK * sqrt(WALKING_START_MPS2 * length)), 3)
     walk.motion = walk.motion.model_copy(update={"stops_after_m": round(length, 3)})
     walk.path = crossing_path(scene.network, walk.motion, walk.id)

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import accumulate, pairwise
 
-from scegen.checking.opendrive.arms import Arm
+from scegen.checking.opendrive.arms import STRIPS, Arm
 from scegen.checking.opendrive.locate import OnLane
+from scegen.checking.openscenario.rules.trajectories import backwards_m
 from scegen.checking.openscenario.situation import Situation
 from scegen.checking.openscenario.storyboard import Trajectory
 from scegen.checking.results import Finding, error
 from scegen.scenario.concrete import CrossingMotion, DriveMotion
+from scegen.scenario.reversing import BacksOut
 
 
 def check_paths(situation: Situation) -> Iterator[Finding]:
@@ -38,8 +41,12 @@ def _drive(
     situation: Situation, name: str, motion: DriveMotion, trajectory: Trajectory
 ) -> Iterator[Finding]:
     under = situation.lanes_at([vertex.point for vertex in trajectory.points])
+    inward = situation.arms[motion.entry].inward
+    pulls_out = motion.entry_lane > max((abs(lane) for lane in inward), default=0)
+    usable = {"driving", *STRIPS} if pulls_out else {"driving"}
+    beside = _comes_from_beside(motion, trajectory)
     for number, (vertex, lanes) in enumerate(zip(trajectory.points, under, strict=True)):
-        if all(lane.type != "driving" for lane in lanes):
+        if number >= beside and all(lane.type not in usable for lane in lanes):
             message = f"vertex {number} ({vertex.x:.2f}, {vertex.y:.2f}) lies on no driving lane"
             yield error("xosc.off_road", name, message)
             break
@@ -50,6 +57,16 @@ def _drive(
         said = ", ".join(f"road {x.road} lane {x.lane}" for x in under[-1]) or "no lane"
         message = f"ends on {said} instead of arm {motion.exit} ({arm.place}) lane {sorted(wanted)}"
         yield error("xosc.exit", name, message)
+
+
+def _comes_from_beside(motion: DriveMotion, trajectory: Trajectory) -> int:
+    """How many vertices lead one that backs out from beside the road onto it."""
+    reversal = motion.reversal
+    if not isinstance(reversal, BacksOut) or reversal.side is None:
+        return 0
+    last = max((ends for _, ends in backwards_m(trajectory)), default=0.0)
+    passed = accumulate(abs(b.point - a.point) for a, b in pairwise(trajectory.points))
+    return sum(way < last - 0.01 for way in passed) + 1
 
 
 def _crossing(

@@ -34,11 +34,11 @@ def check_ego(situation: Situation) -> Iterator[Finding]:
 
 
 def check_participants(situation: Situation) -> Iterator[Finding]:
-    """``xosc.participants``: the entities are the participants of the concrete scenario."""
+    """``xosc.participants``: the entities are those of the concrete scenario, objects included."""
     if situation.concrete is None:
         return
     found = {entity.name for entity in situation.storyboard.entities}
-    wanted = {participant.id for participant in situation.concrete.participants}
+    wanted = {entity.id for entity in situation.concrete.entities}
     for name in sorted(wanted - found):
         yield error("xosc.participants", name, "is in concrete.yaml but not among the entities")
     for name in sorted(found - wanted):

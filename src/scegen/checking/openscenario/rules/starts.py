@@ -9,12 +9,16 @@ from scegen.checking.opendrive.locate import OnLane
 from scegen.checking.openscenario.situation import Situation
 from scegen.checking.results import Finding, error
 from scegen.scenario.concrete import ConcreteParticipant, CrossingMotion, DriveMotion
+from scegen.scenario.reversing import BacksOut
 
 RULE = "xosc.start"
 
 
 def check_starts(situation: Situation) -> Iterator[Finding]:
-    """``xosc.start``: each entity is placed; drivers on their entry lane, the rest at their arm."""
+    """``xosc.start``: each entity is placed; drivers on their entry lane, the rest at their arm.
+
+    The entry lane of one who pulls out is the strip beside the lanes.
+    """
     for entity in situation.storyboard.entities:
         position = situation.in_world(situation.storyboard.start(entity.name))
         if position is None:
@@ -34,9 +38,14 @@ def _where_asked(
     participant: ConcreteParticipant, arms: dict[int, Arm], lanes: list[OnLane]
 ) -> Iterator[Finding]:
     motion = participant.motion
+    reversal = motion.reversal if isinstance(motion, DriveMotion) else None
     if isinstance(motion, CrossingMotion):
         return  # starts outside the carriageway: its path is checked instead
     number = motion.entry if isinstance(motion, DriveMotion) else motion.arm
+    if isinstance(reversal, BacksOut):
+        if reversal.arm is None:
+            return  # likewise
+        number = reversal.arm
     arm = arms[number]
     here = [lane for lane in lanes if lane.road == arm.road.id]
     if not here:
@@ -45,7 +54,8 @@ def _where_asked(
         yield error(RULE, participant.id, message)
         return
     if isinstance(motion, DriveMotion):
-        wanted = {lane for lane in arm.inward if abs(lane) == motion.entry_lane}
+        wanted = {lane for lane in (*arm.inward, *arm.strips) if abs(lane) == motion.entry_lane}
+        wanted = set(arm.outward) if isinstance(reversal, BacksOut) else wanted
         if not wanted & {lane.lane for lane in here}:
             message = f"starts on lane {here[0].lane} of {arm.place}, not on {sorted(wanted)}"
             yield error(RULE, participant.id, message)

@@ -36,6 +36,11 @@ def _keep_going(scene: Scene, hazard: Hazard) -> None:
         draft.stops_at_line = False
 
 
+def _stopping_by_itself(scene: Scene, hazard: Hazard) -> list[DriveDraft]:
+    """Those who cause it, but for those who stop to reverse: they do anyway."""
+    return [draft for draft in culprits(scene, hazard) if draft.reversal is None]
+
+
 def _rest_m(draft: DriveDraft, mark: Mark) -> float:
     """Where one who brakes from a mark comes to rest."""
     return mark.s_m + draft.course.speed_at(mark.s_m) ** 2 / (2 * mark.rate_mps2)
@@ -72,7 +77,7 @@ def _for_walkers(scene: Scene, draft: DriveDraft) -> tuple[float, float] | None:
 
 
 def _hard(scene: Scene, hazard: Hazard) -> None:
-    for draft in culprits(scene, hazard):
+    for draft in _stopping_by_itself(scene, hazard):
         rate = draft.braking_mps2(float(scene.rng.uniform(*HARD_BRAKING_MPS2)))
         walkers = _for_walkers(scene, draft)
         hold = _HARD_HOLD_S
@@ -89,26 +94,27 @@ def _hard(scene: Scene, hazard: Hazard) -> None:
             hold = max(hold, clear - braking + _AFTER_WALKER_S)
         else:
             stop = event_s_m(scene, draft, hazard)
-            if draft is scene.ego:
+            if draft is scene.ego and draft.rests_at_m is None:
                 # The ego brakes to avoid, the others brake in its way.
                 stop -= draft.body.length_m / 2 + _CLEAR_OF_OTHER_M
         _stop_at(draft, stop, rate, HazardKind.HARD_BRAKING, hold)
 
 
 def _late(scene: Scene, hazard: Hazard) -> None:
-    for draft in culprits(scene, hazard):
+    for draft in _stopping_by_itself(scene, hazard):
         rate = draft.braking_mps2(HARD_BRAKING_MPS2[0])
         event = event_s_m(scene, draft, hazard)
-        for victim in victims(scene, hazard, draft):
+        for victim in victims(scene, hazard, draft) if draft.rests_at_m is None else ():
             point = drives_meet(draft, victim)
             event = point.first_s_m if point is not None else event
         speed = draft.course.speed_at(event - draft.cruise_mps)
-        start = max(3.0, event - _LATE * speed**2 / (2 * rate))
+        left = _LATE if draft.rests_at_m is None else 1.0
+        start = max(3.0, event - left * speed**2 / (2 * rate))
         draft.add_mark(Mark(start, 0.0, rate, HazardKind.DELAYED_BRAKING, hold_s=_HARD_HOLD_S))
 
 
 def _stopping(scene: Scene, hazard: Hazard) -> None:
-    for draft in culprits(scene, hazard):
+    for draft in _stopping_by_itself(scene, hazard):
         rate = draft.braking_mps2(STOPPING_MPS2)
         event = event_s_m(scene, draft, hazard)
         _stop_at(draft, event, rate, HazardKind.STOPPING, _STOP_HOLD_S)

@@ -8,8 +8,15 @@ front of another: they meet.
 from __future__ import annotations
 
 from scegen.errors import MotionInfeasibleError
+from scegen.motion.concretization.abreast import is_outward
 from scegen.motion.concretization.drafts import DriveDraft, Scene
-from scegen.motion.concretization.hazards.rule import Rule, culprits, pairs, same_arm
+from scegen.motion.concretization.hazards.rule import (
+    Rule,
+    brake_behind,
+    culprits,
+    pairs,
+    same_arm,
+)
 from scegen.motion.concretization.lane_choice import (
     change_lanes,
     choose_ring_lane,
@@ -28,11 +35,13 @@ from scegen.motion.concretization.room import NeedsLongerArms
 from scegen.motion.lanes import is_ring
 from scegen.motion.stretches import Stretch
 from scegen.scenario.functional import Hazard
-from scegen.scenario.vocabulary import HazardKind, JunctionKind
+from scegen.scenario.vocabulary import HazardKind, JunctionKind, ParticipantKind
 
 _RING_MARGIN_M = 0.25
 _LEAST_RING_CHANGE_M = 7.0
 _SAME_LINE_M = 2.0
+_MUCH_FASTER_MPS = 3.5
+_GAP_M = 1.5
 
 
 def _prepare(scene: Scene, hazard: Hazard) -> None:
@@ -55,12 +64,15 @@ def come_in(scene: Scene, hazard: Hazard) -> list[Meeting]:
             meetings += _in_ring(scene, culprit, victim)
             done.add(culprit.id)
         elif same_arm(culprit, victim) and lanes_in(scene, culprit) > 1:
-            meetings += _on_arm(scene, culprit, victim)
+            meetings += on_arm(scene, culprit, victim, HazardKind.CUT_IN)
             done.add(culprit.id)
     return meetings
 
 
-def _on_arm(scene: Scene, culprit: DriveDraft, victim: DriveDraft) -> list[Meeting]:
+def on_arm(
+    scene: Scene, culprit: DriveDraft, victim: DriveDraft, kind: HazardKind
+) -> list[Meeting]:
+    """Into the sufferer's lane, close before it; one who is much faster brakes late."""
     lanes = [n for n in entry_lanes(scene, culprit) if n in entry_lanes(scene, victim)]
     if not lanes:
         raise MotionInfeasibleError(
@@ -68,10 +80,10 @@ def _on_arm(scene: Scene, culprit: DriveDraft, victim: DriveDraft) -> list[Meeti
             "where they go",
             where=culprit.id,
         )
-    target = lanes[0]
+    target, start = _lanes(scene, culprit, victim, lanes)
     victim.entry_lane = target
     victim.lay(scene.network)
-    culprit.entry_lane = target - 1 if target > 1 else target + 1
+    culprit.entry_lane = start
     length = change_length_m(culprit.cruise_mps, ABRUPT_LANE_CHANGE_S)
     if scene.network.junctions:
         end = min(slowing_s_m(culprit), slowing_s_m(victim)) - 5.0
@@ -79,8 +91,34 @@ def _on_arm(scene: Scene, culprit: DriveDraft, victim: DriveDraft) -> list[Meeti
         end = culprit.laid.path.length_m / 2
     if end - length < 10.0:
         raise NeedsLongerArms(15.0 - (end - length), culprit.id)
-    change_lanes(scene, culprit, [(end - length, length, target)], HazardKind.CUT_IN)
-    return [_close_behind(scene, culprit, victim, end, end)]
+    change_lanes(scene, culprit, [(end - length, length, target)], kind)
+    if victim.cruise_mps - culprit.cruise_mps < _MUCH_FASTER_MPS:
+        return [_close_behind(scene, culprit, victim, end, end)]
+    place = end - culprit.body.rear_m - _GAP_M - victim.body.front_m
+    brake_behind(scene, victim, place, culprit.cruise_mps)
+    reason = f"comes up behind {culprit.id}"
+    return [Meeting(STRUCTURAL, culprit.id, victim.id, end, place, 0.0, reason)]
+
+
+def _lanes(
+    scene: Scene, culprit: DriveDraft, victim: DriveDraft, lanes: list[int]
+) -> tuple[int, int]:
+    """(the sufferer's lane, the one it is cut in from): as they drive, or on the side said.
+
+    Where nothing is said, the cut-in comes from the inside, a rider's from the kerb.
+    """
+    own, other = culprit.entry_lane, victim.entry_lane
+    if abs(own - other) == 1 and other in lanes:
+        return other, own
+    outward = is_outward(scene.functional, culprit.id, victim.id)
+    if outward is None:
+        outward = culprit.kind is ParticipantKind.BICYCLE
+    count = lanes_in(scene, culprit)
+    inner = [lane for lane in lanes if lane < count]
+    if outward and inner:
+        return inner[0], inner[0] + 1
+    target = lanes[0]
+    return target, target - 1 if target > 1 else target + 1
 
 
 def _close_behind(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.motion.concretization.drafts import DriveDraft, Scene
 from scegen.motion.concretization.hazards.rule import Rule, culprits
+from scegen.motion.concretization.hazards.swerving import meet_at_centre_line
 from scegen.motion.concretization.lane_choice import change_lanes, entry_lanes
 from scegen.motion.concretization.limits import ABRUPT_LANE_CHANGE_S, LANE_CHANGE_S
 from scegen.motion.concretization.meetings import Meeting
@@ -37,6 +38,7 @@ def _stray(scene: Scene, draft: DriveDraft) -> None:
 def _shape(scene: Scene, hazard: Hazard) -> list[Meeting]:
     for draft in culprits(scene, hazard):
         if not draft.lane_changes and not blocked_lane_ahead(scene, draft):
+            meet_at_centre_line(scene, hazard, draft)
             _stray(scene, draft)
     return []
 

@@ -6,7 +6,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from scegen.motion.concretization.drafts import DriveDraft, Scene
+from scegen.motion.concretization.limits import HARD_BRAKING_MPS2, LATE_BRAKING_MPS2
+from scegen.motion.concretization.marks import Mark
 from scegen.motion.concretization.meetings import Meeting, drives_meet
+from scegen.motion.concretization.room import NeedsLongerArms
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
 
@@ -91,12 +94,43 @@ def in_line_before(scene: Scene, draft: DriveDraft) -> list[DriveDraft]:
     return sorted(ahead, key=lambda other: other.drive.rank)
 
 
+BRAKES = (HazardKind.DELAYED_BRAKING, HazardKind.HARD_BRAKING)
+
+
+def braking_of(scene: Scene, draft: DriveDraft) -> tuple[HazardKind | None, float]:
+    """The danger that a driver's braking is, if one is asked for, and how hard it brakes."""
+    for kind in BRAKES:
+        if any(h.kind is kind and draft.id in h.by for h in scene.functional.hazards):
+            return kind, draft.braking_mps2(HARD_BRAKING_MPS2[0])
+    return None, draft.braking_mps2(LATE_BRAKING_MPS2)
+
+
+def brake_behind(scene: Scene, draft: DriveDraft, place_m: float, pace_mps: float) -> None:
+    """Come down to another's pace, late, by the place where it is close behind; then keep to it.
+
+    Raises:
+        NeedsLongerArms: there is no room to brake.
+    """
+    hazard, rate = braking_of(scene, draft)
+    before = draft.cruise_mps
+    if before <= pace_mps:
+        return
+    begins = place_m - (before**2 - pace_mps**2) / (2 * rate)
+    if begins < draft.body.rear_m + before:
+        raise NeedsLongerArms(before - begins + 10.0, draft.id)
+    draft.add_mark(Mark(begins, pace_mps, rate, hazard))
+    draft.approach_mps = draft.resume_mps = pace_mps
+    draft.comes_up = True
+
+
 def event_s_m(scene: Scene, draft: DriveDraft, hazard: Hazard) -> float:
     """Where on its way a driver's danger happens.
 
-    Where it meets a sufferer; else two thirds along its entry arm, before it slows to turn; on
-    a road without a junction, in the middle.
+    Short of a thing in its way; where it meets a sufferer; else two thirds along its entry arm,
+    before it slows to turn; on a road without a junction, in the middle.
     """
+    if draft.rests_at_m is not None:
+        return draft.rests_at_m
     for victim in victims(scene, hazard, draft):
         point = drives_meet(draft, victim)
         if point is not None:

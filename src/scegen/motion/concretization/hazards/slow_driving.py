@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.motion.concretization.drafts import DriveDraft, Scene
-from scegen.motion.concretization.hazards.rule import Rule, culprits, same_arm
+from scegen.motion.concretization.hazards.rule import Rule, culprits, in_line_before, same_arm
 from scegen.motion.concretization.limits import SLOW_FACTOR, STOPPING_MPS2
 from scegen.scenario.concrete import DistanceBelow, SpeedPhase
 from scegen.scenario.functional import Hazard
@@ -21,11 +21,23 @@ def _prepare(scene: Scene, hazard: Hazard) -> None:
             f"{draft.id}.speed_mps", speed, "slow driving: obstructs others", draft.cruise_mps
         )
         draft.cruise_mps = speed
+    for draft in sorted(culprits(scene, hazard), key=lambda slow: slow.drive.rank):
+        ahead = [d for d in in_line_before(scene, draft) if _is_slow(scene, d)]
+        if ahead:
+            # A line of slow ones drives as fast as its first.
+            draft.cruise_mps = ahead[-1].cruise_mps
+
+
+def _is_slow(scene: Scene, draft: DriveDraft) -> bool:
+    return any(
+        hazard.kind is HazardKind.SLOW_DRIVING and draft.id in hazard.by
+        for hazard in scene.functional.hazards
+    )
 
 
 def _comes_up_behind(slow: DriveDraft, other: DriveDraft) -> bool:
     """Whether another stays or ends behind the slow one in its lane, and is faster."""
-    if not same_arm(slow, other) or other is slow or other.reactions:
+    if not same_arm(slow, other) or other is slow or other.reactions or other.comes_up:
         return False
     if other.cruise_mps <= slow.cruise_mps:
         return False

@@ -6,6 +6,7 @@ from scegen.motion.concretization.drafts import Scene
 from scegen.motion.concretization.hazards.rule import Rule, culprits
 from scegen.motion.concretization.limits import FAST_LATERAL_MPS2, SPEEDING_FACTOR
 from scegen.scenario.functional import Hazard
+from scegen.scenario.speed_limits import limit_for_kind_mps
 
 _CLEARLY = 1.1
 
@@ -13,16 +14,17 @@ _CLEARLY = 1.1
 def _prepare(scene: Scene, hazard: Hazard) -> None:
     for draft in culprits(scene, hazard):
         factor = float(scene.rng.uniform(*SPEEDING_FACTOR))
-        wanted = factor * scene.limit_mps
+        limit = limit_for_kind_mps(draft.kind, scene.limit_mps)
+        wanted = factor * limit
         low, high = scene.allowed(f"{draft.id}.speed_mps", (wanted, wanted))
         inside = min(max(wanted, low), high)
         # A range that ends at the limit would undo the danger that the text asks for.
-        speed = inside if inside >= _CLEARLY * scene.limit_mps else wanted
+        speed = inside if inside >= _CLEARLY * limit else wanted
         speed = min(speed, draft.body.top_speed_mps)
         scene.note(
             f"{draft.id}.speed_mps",
             speed,
-            f"speeding: {speed / scene.limit_mps:.2f} times the limit",
+            f"speeding: {speed / limit:.2f} times the limit",
             draft.cruise_mps,
         )
         draft.cruise_mps = speed

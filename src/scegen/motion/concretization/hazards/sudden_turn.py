@@ -11,7 +11,6 @@ from scegen.motion.concretization.hazards.swerving import swerve
 from scegen.motion.concretization.limits import FAST_LATERAL_MPS2
 from scegen.motion.concretization.meetings import Meeting
 from scegen.scenario.functional import Hazard
-from scegen.scenario.vocabulary import HazardKind
 
 _BEND_RAD = 0.35
 
@@ -24,10 +23,12 @@ def _prepare(scene: Scene, hazard: Hazard) -> None:
 
 
 def _shape(scene: Scene, hazard: Hazard) -> list[Meeting]:
-    for draft in culprits(scene, hazard):
-        if not _bends(draft) and not draft.lane_changes:
-            swerve(scene, draft, HazardKind.SUDDEN_TURN)
-    return []
+    return [
+        meeting
+        for draft in culprits(scene, hazard)
+        if not _bends(draft)
+        for meeting in swerve(scene, draft, hazard)
+    ]
 
 
 def _bends(draft: DriveDraft) -> bool:

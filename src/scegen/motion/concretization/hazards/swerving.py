@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from scegen.motion.concretization.drafts import DriveDraft, Scene
-from scegen.motion.concretization.hazards.rule import Rule, culprits
-from scegen.motion.concretization.lane_choice import change_lanes, neighbour_lane
-from scegen.motion.concretization.limits import ABRUPT_LANE_CHANGE_S, HARD_BRAKING_MPS2
+from scegen.motion.concretization.hazards.rule import Rule, culprits, same_arm, victims
+from scegen.motion.concretization.lane_choice import change_lanes, entry_lanes, neighbour_lane
+from scegen.motion.concretization.limits import (
+    ABRUPT_LANE_CHANGE_S,
+    CUT_IN_HEADWAY_S,
+    HARD_BRAKING_MPS2,
+)
 from scegen.motion.concretization.marks import Mark
-from scegen.motion.concretization.meetings import Meeting
+from scegen.motion.concretization.meetings import STRUCTURAL, Meeting
 from scegen.motion.concretization.passing import change_length_m, slowing_s_m
 from scegen.motion.concretization.room import NeedsLongerArms
 from scegen.scenario.functional import Hazard
@@ -16,14 +20,14 @@ from scegen.scenario.vocabulary import HazardKind, JunctionKind
 _STAYS_M = 1.0
 
 
-def swerve(scene: Scene, draft: DriveDraft, kind: HazardKind) -> None:
+def swerve(scene: Scene, draft: DriveDraft, hazard: Hazard) -> list[Meeting]:
     """Out of the lane and back before the junction, or around the middle of a plain road.
 
-    One that leaves its lane for another danger (cuts in, strays into oncoming traffic) does both
-    in one.
+    Towards the sufferer, if it drives in a lane beside, and close before it. One that leaves its
+    lane for another danger (cuts in, strays into oncoming traffic) does both in one.
     """
     if draft.lane_changes:
-        return
+        return []
     length = change_length_m(draft.cruise_mps, ABRUPT_LANE_CHANGE_S)
     whole = 2 * length + _STAYS_M
     if scene.network.junctions:
@@ -34,20 +38,57 @@ def swerve(scene: Scene, draft: DriveDraft, kind: HazardKind) -> None:
     if start < 10.0:
         raise NeedsLongerArms(15.0 - start, draft.id)
     lane = draft.entry_lane
-    aside = neighbour_lane(scene, draft, oncoming=scene.road.kind is not JunctionKind.ROUNDABOUT)
-    change_lanes(scene, draft, [(start, length, aside), (end - length, length, lane)], kind)
+    beside = sufferer_beside(scene, hazard, draft)
+    if beside is not None:
+        aside = beside.entry_lane
+    elif meet_at_centre_line(scene, hazard, draft):
+        lane, aside = draft.entry_lane, 0
+    else:
+        ring = scene.road.kind is JunctionKind.ROUNDABOUT
+        aside = neighbour_lane(scene, draft, oncoming=not ring)
+    ways = [(start, length, aside), (end - length, length, lane)]
+    change_lanes(scene, draft, ways, hazard.kind)
+    return [] if beside is None else [close_before(scene, draft, beside, start + length)]
+
+
+def sufferer_beside(scene: Scene, hazard: Hazard, draft: DriveDraft) -> DriveDraft | None:
+    """The sufferer in a lane next to one who causes a danger, on the same arm."""
+    for other in victims(scene, hazard, draft):
+        if same_arm(draft, other) and abs(other.entry_lane - draft.entry_lane) == 1:
+            return other
+    return None
+
+
+def meet_at_centre_line(scene: Scene, hazard: Hazard, draft: DriveDraft) -> bool:
+    """Put one who strays and those who come towards it next to the centre line, if any come."""
+    oncoming = [
+        other
+        for other in victims(scene, hazard, draft)
+        if other.drive.entry == draft.drive.exit and other.drive.exit == draft.drive.entry
+    ]
+    for each in (draft, *oncoming) if oncoming else ():
+        inner = min(entry_lanes(scene, each))
+        if inner != each.entry_lane and not each.lane_changes:
+            each.entry_lane = inner
+            each.lay(scene.network)
+    return bool(oncoming) and draft.entry_lane == 1
+
+
+def close_before(scene: Scene, draft: DriveDraft, other: DriveDraft, place_m: float) -> Meeting:
+    """At a place of its way, one is as close before another as a cut-in."""
+    place = draft.laid.path_s_m(place_m)
+    headway = float(scene.rng.uniform(*CUT_IN_HEADWAY_S))
+    gap = headway * other.cruise_mps + draft.body.rear_m + other.body.front_m
+    reason = f"comes into its lane {headway:.2f} s ahead"
+    return Meeting(STRUCTURAL, draft.id, other.id, place, max(0.0, place - gap), 0.0, reason)
 
 
 def _swerving(scene: Scene, hazard: Hazard) -> list[Meeting]:
-    for draft in culprits(scene, hazard):
-        swerve(scene, draft, HazardKind.SWERVING)
-    return []
+    return [m for draft in culprits(scene, hazard) for m in swerve(scene, draft, hazard)]
 
 
 def _losing(scene: Scene, hazard: Hazard) -> list[Meeting]:
-    for draft in culprits(scene, hazard):
-        swerve(scene, draft, HazardKind.LOSS_OF_CONTROL)
-    return []
+    return [m for draft in culprits(scene, hazard) for m in swerve(scene, draft, hazard)]
 
 
 def _brake(scene: Scene, hazard: Hazard) -> None:

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from scegen.errors import MotionInfeasibleError
 from scegen.motion.concretization.hazards.braking import DELAYED_BRAKING, HARD_BRAKING, STOPPING
-from scegen.motion.concretization.hazards.conflict import ARRIVES_TOGETHER, STANDS_OR_WALKS
+from scegen.motion.concretization.hazards.conflict import (
+    ARRIVES_TOGETHER,
+    CROSSES,
+    STANDS_OR_WALKS,
+)
 from scegen.motion.concretization.hazards.cut_in import CUT_IN
 from scegen.motion.concretization.hazards.oncoming_lane import ONCOMING_LANE
 from scegen.motion.concretization.hazards.overtaking import OVERTAKING
+from scegen.motion.concretization.hazards.reversing import REVERSING
 from scegen.motion.concretization.hazards.rule import Rule
 from scegen.motion.concretization.hazards.slow_driving import SLOW_DRIVING
 from scegen.motion.concretization.hazards.speeding import SPEEDING
@@ -19,6 +23,7 @@ from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
 
 RULES: dict[HazardKind, Rule] = {
+    HazardKind.REVERSING: REVERSING,
     HazardKind.SPEEDING: SPEEDING,
     HazardKind.SLOW_DRIVING: SLOW_DRIVING,
     HazardKind.SUDDEN_ACCELERATION: SUDDEN_ACCELERATION,
@@ -37,25 +42,14 @@ RULES: dict[HazardKind, Rule] = {
     HazardKind.RED_LIGHT_RUNNING: ARRIVES_TOGETHER,
     HazardKind.FAILURE_TO_YIELD: ARRIVES_TOGETHER,
     HazardKind.CROSSING_PEDESTRIAN: STANDS_OR_WALKS,
-    HazardKind.CROSSING_CYCLIST: STANDS_OR_WALKS,
+    HazardKind.CROSSING_CYCLIST: CROSSES,
     HazardKind.OCCLUSION: STANDS_OR_WALKS,
     HazardKind.OBSTACLE: STANDS_OR_WALKS,
 }
 
 
 def ordered_rules(hazards: tuple[Hazard, ...]) -> list[tuple[Rule, Hazard]]:
-    """The rules of some hazards, in the order of the table.
-
-    Raises:
-        MotionInfeasibleError: a hazard has no rule.
-    """
-    for hazard in hazards:
-        if hazard.kind not in RULES:
-            raise MotionInfeasibleError(
-                f"{hazard.kind} is not supported yet: paths lead forwards only",
-                where="hazards",
-                hint="Leave this danger out or choose another.",
-            )
+    """The rules of some hazards, in the order of the table."""
     kinds = list(RULES)
     ranked = sorted(hazards, key=lambda hazard: kinds.index(hazard.kind))
     return [(RULES[hazard.kind], hazard) for hazard in ranked]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import hypot
 
 from scegen.motion.concretization.drafts import DriveDraft, Scene
-from scegen.motion.concretization.hazards.rule import Rule, pairs, same_arm
+from scegen.motion.concretization.hazards.rule import Rule, brake_behind, pairs, same_arm
 from scegen.motion.concretization.limits import HARD_BRAKING_MPS2, TAILGATING_HEADWAY_S
 from scegen.motion.concretization.meetings import STRUCTURAL, Meeting
 from scegen.scenario.concrete import DistanceBelow, SpeedPhase, StoodStill
@@ -28,13 +28,17 @@ def _shape(scene: Scene, hazard: Hazard) -> list[Meeting]:
     for follower, leader in _couples(scene, hazard):
         headway = float(scene.rng.uniform(*TAILGATING_HEADWAY_S))
         follower.entry_lane = leader.entry_lane
-        follower.cruise_mps = leader.cruise_mps
+        comes_up = _comes_up_fast(scene, follower, leader)
+        if not comes_up:
+            follower.cruise_mps = leader.cruise_mps
         follower.lateral_mps2 = leader.lateral_mps2
         follower.stops_at_line = leader.stops_at_line
         follower.lay(scene.network)
         gap = max(_LEAST_GAP_M, headway * leader.cruise_mps)
         bodies = leader.body.rear_m + follower.body.front_m
         place = leader.junction_s_m * _PLACE
+        if comes_up:
+            brake_behind(scene, follower, place - gap - bodies, leader.cruise_mps)
         scene.note(f"{follower.id}.headway_s", headway, f"tailgating {leader.id}")
         meetings.append(
             Meeting(
@@ -48,6 +52,14 @@ def _shape(scene: Scene, hazard: Hazard) -> list[Meeting]:
             )
         )
     return meetings
+
+
+def _comes_up_fast(scene: Scene, follower: DriveDraft, leader: DriveDraft) -> bool:
+    """Whether the follower is said to be speeding, and the leader is not."""
+    speeding = [h.by for h in scene.functional.hazards if h.kind is HazardKind.SPEEDING]
+    fast = any(follower.id in by for by in speeding)
+    alone = not any(leader.id in by for by in speeding)
+    return fast and alone and follower.cruise_mps > leader.cruise_mps
 
 
 def _distance_m(follower: DriveDraft, leader: DriveDraft, time_s: float) -> float:

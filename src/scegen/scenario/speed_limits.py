@@ -1,0 +1,55 @@
+"""The speed limit that a description implies where it names none."""
+
+from __future__ import annotations
+
+from math import ceil
+
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.vocabulary import HazardKind, JunctionKind, ParticipantKind
+
+URBAN_LIMIT_MPS = 50 / 3.6
+"""The urban limit of the Vienna Convention's countries."""
+ROUNDABOUT_LIMIT_MPS = 30 / 3.6
+_STEP_MPS = 10 / 3.6
+_CLEARLY = 1.02
+_HIGHEST_MPS = 130 / 3.6
+
+
+FAST_FOR_KIND_MPS = {ParticipantKind.BICYCLE: 25 / 3.6}
+"""What counts as the limit for kinds that no road's limit holds back: beyond 25 km/h no electric
+bicycle of the EU's Regulation 168/2013 may help its rider, and few riders go faster."""
+
+
+def limit_for_kind_mps(kind: ParticipantKind, limit_mps: float) -> float:
+    """The speed beyond which one of this kind is speeding."""
+    return min(limit_mps, FAST_FOR_KIND_MPS.get(kind, limit_mps))
+
+
+def implied_limit_mps(functional: FunctionalScenario) -> float:
+    """The limit said; else the usual one, or one that allows the speeds said.
+
+    Who is said to go 100 km/h, and not to be speeding, is on a road for it, and so is everybody
+    else there.
+    """
+    junction = functional.junction
+    if junction.speed_limit_mps is not None:
+        return junction.speed_limit_mps
+    ring = junction.kind is JunctionKind.ROUNDABOUT
+    usual = ROUNDABOUT_LIMIT_MPS if ring else URBAN_LIMIT_MPS
+    speeding = {
+        name
+        for hazard in functional.hazards
+        if hazard.kind is HazardKind.SPEEDING
+        for name in hazard.by
+    }
+    said = [
+        p.speed_mps.high
+        for p in functional.vehicles
+        if p.speed_mps is not None
+        and p.id not in speeding
+        and p.kind is not ParticipantKind.EMERGENCY_VEHICLE
+    ]
+    fastest = max(said, default=0.0)
+    if fastest <= usual * _CLEARLY:
+        return usual
+    return max(min(ceil(round(fastest / _STEP_MPS, 1)) * _STEP_MPS, _HIGHEST_MPS), usual)

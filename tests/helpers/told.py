@@ -1,0 +1,51 @@
+"""Functional scenarios told in short, without the reader, and what becomes of them."""
+
+from __future__ import annotations
+
+from scegen.criticality import raise_criticality
+from scegen.enumeration import enumerate_scenarios
+from scegen.motion import concretize
+from scegen.scenario.functional import ARM_COUNTS, FunctionalScenario
+from scegen.scenario.vocabulary import JunctionKind
+
+
+def who(name, kind="car", approaches=(), maneuvers=(), *, speed=None, parked=False):
+    """A participant; the one called ego is the ego."""
+    return {
+        "id": name,
+        "kind": kind,
+        "role": "ego" if name == "ego" else "other",
+        "parked": parked,
+        "approaches": list(approaches),
+        "maneuvers": list(maneuvers),
+        "speed_mps": None if speed is None else {"low": speed, "high": speed},
+    }
+
+
+def told(kind, people, hazards=(), *, lanes=0, side="right", **junction):
+    """A functional scenario; ``hazards`` as (kind, by, to), one name each."""
+    arms = ARM_COUNTS[JunctionKind(kind)][0]
+    return FunctionalScenario.model_validate(
+        {
+            "description": "by hand",
+            "junction": {
+                "kind": kind,
+                "arms": arms,
+                "lanes": [lanes] * arms if lanes else [],
+                "driving_side": side,
+                **junction,
+            },
+            "participants": list(people),
+            "hazards": [{"kind": k, "by": [by], "to": [to]} for k, by, to in hazards],
+        }
+    )
+
+
+def first(functional, seed=0):
+    """Its first listed scenario, with numbers."""
+    return concretize(functional, enumerate_scenarios(functional).scenarios[0], seed=seed)
+
+
+def raised(functional, seed=0, target="near-miss"):
+    """The same, with its danger raised."""
+    return raise_criticality(functional, first(functional, seed), target=target, seed=seed)

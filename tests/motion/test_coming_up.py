@@ -1,0 +1,87 @@
+"""Coming up behind those who are slower or stand, and straying towards those who come."""
+
+import numpy as np
+import pytest
+from told import first, told, who
+
+from scegen.motion import build_paths, simulate
+from scegen.road import build_network
+from scegen.scenario.bodies import BODIES
+from scegen.scenario.concrete import StandingMotion, StoodStill
+
+
+def traces(concrete):
+    paths = build_paths(concrete, build_network(concrete.road))
+    return simulate(concrete, paths, dt_s=0.02)
+
+
+def gap_m(concrete, follower="ego", leader="x"):
+    """Clear gap of two in one straight lane, by time."""
+    found = traces(concrete)
+    one, two = found[follower], found[leader]
+    bodies = BODIES[one.kind].front_m + BODIES[two.kind].rear_m
+    return np.hypot(one.x_m - two.x_m, one.y_m - two.y_m) - bodies
+
+
+@pytest.mark.parametrize("speed", [3.0, 5.0, 8.0])
+def test_it_is_close_behind_when_both_are_equally_fast(speed):
+    rider = who("x", "bicycle", ["ahead"], ["straight"], speed=speed)
+    concrete = first(told("straight", [who("ego", maneuvers=["straight"]), rider]))
+    gap = gap_m(concrete)
+    assert 0.5 < gap.min() < 2.0
+    after = traces(concrete)["ego"].speed_mps[int(gap.argmin()) :]
+    assert after.max() <= speed + 0.5
+
+
+def test_one_who_is_as_fast_does_not_brake():
+    people = [who("ego", speed=10.0), who("x", "car", ["ahead"], speed=10.0)]
+    assert first(told("straight", people)).ego.speed_program == ()
+
+
+def test_a_queue_stands_until_somebody_stops_behind_it():
+    queue = [who(name, "car", ["ahead"], ["stay"]) for name in ("x", "y", "z")]
+    concrete = first(told("straight", [who("ego", speed=27.8), *queue]))
+    found = traces(concrete)
+    stops = int(np.flatnonzero(found["ego"].speed_mps == 0.0)[0])
+    leaves = []
+    for name in ("x", "y", "z"):
+        participant = concrete.participant(name)
+        assert participant.speed_mps == 0.0
+        (phase,) = participant.speed_program
+        assert isinstance(phase.trigger, StoodStill)
+        assert phase.trigger.participant == "ego"
+        moving = np.flatnonzero(found[name].speed_mps > 0.0)
+        leaves.append(int(moving[0]))
+    assert min(leaves) > stops
+    assert len(set(leaves)) == 3
+    assert all(trace.s_m[-1] > 20.0 for trace in found.values())
+
+
+def test_slow_ones_in_a_line_are_equally_slow():
+    people = [who("ego", speed=25.0), who("x", "car", ["ahead"]), who("y", "car", ["ahead"])]
+    slow = [("slow_driving", "x", "ego"), ("slow_driving", "y", "ego")]
+    concrete = first(told("straight", people, slow))
+    assert concrete.participant("x").speed_mps == concrete.participant("y").speed_mps
+    assert concrete.road.arms[0].length_m < 400.0
+
+
+@pytest.mark.parametrize("speed", [10.0, 17.0, 25.0, 33.0])
+def test_a_stray_is_met_as_it_comes_back(speed):
+    people = [who("ego", speed=speed), who("x", "car", ["opposite"], ["straight"])]
+    concrete = first(told("straight", people, [("oncoming_lane", "x", "ego")]))
+    found = traces(concrete)
+    ego, x = found["ego"], found["x"]
+    nearest = int(np.hypot(ego.x_m - x.x_m, ego.y_m - x.y_m).argmin())
+    back = concrete.participant("x").motion.lane_changes[1]
+    place = concrete.participant("x").motion.start_m + x.s_m[nearest]
+    assert back.position_m < place < back.position_m + back.length_m + 0.25 * speed + 5.0
+
+
+@pytest.mark.parametrize("maneuver", ["overtake", "lane_change"])
+def test_one_who_stays_is_gone_round(maneuver):
+    people = [who("ego", maneuvers=[maneuver]), who("x", "car", ["ahead"], ["stay"])]
+    concrete = first(told("straight", people))
+    assert concrete.ego.motion.lane_changes
+    x = concrete.participant("x")
+    assert isinstance(x.motion, StandingMotion)
+    assert x.motion.in_lane

@@ -1,0 +1,57 @@
+"""What is parked pulls out when the one in whose way it is has come near."""
+
+import numpy as np
+import pytest
+from told import first, told, who
+
+from scegen.errors import MotionInfeasibleError
+from scegen.motion import build_paths, simulate
+from scegen.road import build_network
+from scegen.scenario.concrete import StandingMotion, Travelled
+
+EGO = who("ego", maneuvers=["straight"])
+
+
+def parked(name, kind="car", approach="ahead", maneuvers=("straight",)):
+    return who(name, kind, [approach], maneuvers, parked=True)
+
+
+@pytest.mark.parametrize("kind", ["straight", "four_way", "t", "roundabout"])
+@pytest.mark.parametrize("vehicle", ["car", "bus", "bicycle"])
+def test_it_stands_then_drives_into_the_lane(kind, vehicle):
+    concrete = first(
+        told(kind, [EGO if kind != "roundabout" else who("ego"), parked("x", vehicle)])
+    )
+    x = concrete.participant("x")
+    assert not x.parked
+    assert x.speed_mps == 0.0
+    assert x.motion.entry_lane == concrete.road.arms[x.motion.entry].lanes_in + 1
+    assert x.motion.lane_changes[0].lane_after == x.motion.entry_lane - 1
+    trigger = x.speed_program[0].trigger
+    assert isinstance(trigger, Travelled)
+    assert trigger.participant == "ego"
+    network = build_network(concrete.road)
+    trace = simulate(concrete, build_paths(concrete, network), dt_s=0.02)
+    sets_off = int(np.flatnonzero(trace["x"].speed_mps > 0.0)[0])
+    assert trace["x"].time_s[sets_off] >= 1.0
+    assert trace["ego"].s_m[sets_off] >= trigger.distance_m - 0.5
+    assert trace["x"].s_m[-1] > 20.0
+
+
+def test_the_rest_of_the_row_stays():
+    people = [EGO, parked("a", maneuvers=["stay"]), parked("x"), parked("b", maneuvers=["stay"])]
+    concrete = first(told("straight", people, [("cut_in", "x", "ego")]))
+    assert isinstance(concrete.participant("a").motion, StandingMotion)
+    assert isinstance(concrete.participant("b").motion, StandingMotion)
+    change = concrete.participant("x").motion.lane_changes[0]
+    assert str(change.hazard) == "cut_in"
+
+
+def test_who_is_parked_and_said_to_stay_stays():
+    concrete = first(told("straight", [EGO, parked("x", maneuvers=["stay"])]))
+    assert isinstance(concrete.participant("x").motion, StandingMotion)
+
+
+def test_on_the_other_side_it_is_in_nobodys_way():
+    with pytest.raises(MotionInfeasibleError, match="on the other side of the road"):
+        first(told("straight", [EGO, parked("x", approach="left")]))

@@ -1,0 +1,90 @@
+"""Who reverses is seen and read to do so."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from lxml import etree
+
+from scegen.enumeration import enumerate_scenarios
+from scegen.motion import build_paths, concretize, simulate
+from scegen.report.preview import preview_png
+from scegen.report.tile import describe, tile_svg
+from scegen.report.words import participant_words
+from scegen.road import build_network
+from scegen.scenario.functional import FunctionalScenario, Hazard, Junction, Participant
+from scegen.scenario.logical import Reverses
+from scegen.scenario.vocabulary import HazardKind, JunctionKind, Role
+
+WORDS = {
+    Reverses.BACKS_UP: ("backs up", "m back from"),
+    Reverses.FROM_RIGHT: ("backs out from the right", "comes out backwards from the right"),
+    Reverses.FROM_LEFT: ("backs out from the left", "comes out backwards from the left"),
+    Reverses.OUT_OF_ARM: ("backs out, ", "comes backwards out of arm "),
+}
+
+
+def listed(kind, arms):
+    functional = FunctionalScenario(
+        description="for tests",
+        junction=Junction(kind=kind, arms=arms),
+        participants=(Participant(id="car"), Participant(id="ego", role=Role.EGO)),
+        hazards=(Hazard(kind=HazardKind.REVERSING, by=("car",), to=("ego",)),),
+    )
+    return functional, enumerate_scenarios(functional).scenarios
+
+
+@pytest.fixture(scope="module")
+def found():
+    """One scenario for every way to reverse."""
+    ways = {}
+    for kind, arms in ((JunctionKind.STRAIGHT, 2), (JunctionKind.T, 3)):
+        functional, scenarios = listed(kind, arms)
+        for scenario in scenarios:
+            ways.setdefault(scenario.assignment("car").reverses, (functional, scenario))
+    return ways
+
+
+def texts_of(scenario, functional):
+    return [text.text for text in etree.fromstring(tile_svg(scenario, functional).encode()).iter()]
+
+
+@pytest.mark.parametrize("how", [*Reverses])
+def test_tiles_and_tables_say_how(found, how):
+    functional, scenario = found[how]
+    listed_as, driven_as = WORDS[how]
+    assert listed_as in describe(scenario)
+    texts = texts_of(scenario, functional)
+    assert texts.count("R") == 1
+    car = concretize(functional, scenario).participant("car")
+    assert driven_as in participant_words(car)
+
+
+def test_who_does_not_reverse_has_no_mark(found):
+    functional, scenario = found[Reverses.BACKS_UP]
+    drives = tuple(a.model_copy(update={"reverses": None}) for a in scenario.assignments)
+    plain = scenario.model_copy(update={"assignments": drives})
+    assert "R" not in [
+        text.text for text in etree.fromstring(tile_svg(plain, functional).encode()).iter()
+    ]
+
+
+def test_the_preview_marks_the_way_back(found):
+    functional, scenario = found[Reverses.FROM_RIGHT]
+    concrete = concretize(functional, scenario)
+    network = build_network(concrete.road)
+    paths = build_paths(concrete, network)
+    picture = preview_png(concrete, network, paths)
+    assert picture == preview_png(concrete, network, paths)
+    unmarked = {**paths, "car": replace(paths["car"], heading_rad=_way_of_travel(paths["car"]))}
+    assert not unmarked["car"].backwards
+    traces = simulate(concrete, paths)
+    assert preview_png(concrete, network, paths, traces) == picture
+    assert preview_png(concrete, network, unmarked, traces) != picture
+
+
+def _way_of_travel(path):
+    heading = np.arctan2(np.diff(path.y_m), np.diff(path.x_m))
+    return np.append(heading, heading[-1])
