@@ -8,8 +8,8 @@ from scegen.understanding.context import Context
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lookahead import BOUNDARIES
 
-_CONCEDING = frozenset({"against", "although", "though", "despite", "even", "in", "regardless", "with",
-                        "while", "notwithstanding"})  # fmt: skip
+_CONCEDING = frozenset({"against", "although", "though", "despite", "even", "in", "regardless",
+                        "with", "while", "notwithstanding"})  # fmt: skip
 _SAYING = frozenset({"turn", "light", "encounter", "inert", "unknown", "stay", "move"})
 """Verbs that say of a light which colour it shows."""
 _HALTING = frozenset({"stop", "slow", "brake", "wait"})
