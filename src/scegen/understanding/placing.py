@@ -256,7 +256,8 @@ class Placer:
             return
         if prep.outer == "from" and isinstance(target, Mention) and event is not None:
             return
-        approaches = {Approach(prep.value)}
+        comes = target is None and (prep.outer, prep.value) == ("from", "ahead")
+        approaches = {Approach.OPPOSITE if comes else Approach(prep.value)}
         reference: Entity | None = None
         if isinstance(target, Mention):
             if not target.entities:
