@@ -132,6 +132,10 @@ class ClauseReader:
             state.between.add(f"{word.cat}:{word.value}")
             return
         release(self._state)
+        if word.cat == "dir" and state.events and "neg:not" in state.between:
+            state.between.discard("neg:not")
+            state.events[-1].denied_ways.add(word.value)
+            return  # "turns right, not left"
         after_event = isinstance(state.anchor, Event) and not (state.between - {"either", "or"})
         following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
         before_event = event_follows(self._chunks, k)

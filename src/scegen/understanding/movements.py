@@ -45,7 +45,8 @@ def turn(scene: Scene, context: Context) -> None:
     cyclists = [e for e in scene.drivers if context.is_cyclist(e) and not e.ego]
     if cyclists and cyclists == scene.drivers and ways.across_the_road(event, context):
         return  # they cross the road, see the dangers
-    values = set(directions) or {Maneuver.LEFT, Maneuver.RIGHT}
+    denied = {ways.DIRECTIONS[d] for d in event.denied_ways if d in ways.DIRECTIONS}
+    values = set(directions) or ({Maneuver.LEFT, Maneuver.RIGHT} - denied) or {Maneuver.STRAIGHT}
     alike = _as_others_do(scene, context) if not directions else set()
     if alike:
         values = alike
@@ -53,7 +54,8 @@ def turn(scene: Scene, context: Context) -> None:
         made = event.parent is not None and event.parent.name in {"light", "try"}
         if any(entity.maneuvers for entity in scene.actors) or (event.nominal and not made):
             return
-        basis = Basis(basis.i, basis.j, "the text does not say which way it turns")
+        if not denied:
+            basis = Basis(basis.i, basis.j, "the text does not say which way it turns")
     context.crossing_implied(basis, "vehicles turn")
     apply(scene, context, values, basis)
 

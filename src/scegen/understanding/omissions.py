@@ -7,6 +7,7 @@ from scegen.understanding import breaches
 from scegen.understanding.chunks import Mention, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.negation import rule_out
 
 _SIGNED = frozenset({Control.STOP, Control.ALL_WAY_STOP})
 _SIGNS = frozenset({"stop_sign", "stop_line", "yield_sign"})
@@ -33,6 +34,8 @@ def not_done(scene: Scene, context: Context) -> None:
     """
     event = scene.event
     basis = Basis(event.i, event.j)
+    if not event.unable and rule_out(scene):
+        return
     if event.unable:
         _unable(scene, context)
     elif (
