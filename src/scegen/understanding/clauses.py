@@ -75,7 +75,7 @@ class ClauseReader:
         elif word.cat in GOVERNING or only_a_noun_follows(word, k, self._chunks):
             preposition(word, k, self._chunks, state)
         elif word.cat in ADVERBS or word.cat == "state":
-            if not self._heading_of_a_noun(word, k):
+            if not (self._denied_way(word) or self._heading_of_a_noun(word, k)):
                 self._adverb(word, k)
         elif word.value == "either" and state.prep is not None:
             return  # "from either the left or the right"
@@ -132,10 +132,6 @@ class ClauseReader:
             state.between.add(f"{word.cat}:{word.value}")
             return
         release(self._state)
-        if word.cat == "dir" and state.events and "neg:not" in state.between:
-            state.between.discard("neg:not")
-            state.events[-1].denied_ways.add(word.value)
-            return  # "turns right, not left"
         after_event = isinstance(state.anchor, Event) and not (state.between - {"either", "or"})
         following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
         before_event = event_follows(self._chunks, k)
@@ -167,6 +163,16 @@ class ClauseReader:
             state.ahead.append(word.term)  # "Suddenly a van …"
         elif self.events and not state.mentions:
             self.events[-1].mods.append(word.term)
+
+    def _denied_way(self, word: Word) -> bool:
+        """``turns right, not left``."""
+        state = self._state
+        denied = word.cat == "dir" and bool(state.events) and "neg:not" in state.between
+        if denied:
+            release(state)
+            state.between.discard("neg:not")
+            state.events[-1].denied_ways.add(word.value)
+        return denied
 
     def _heading_of_a_noun(self, word: Word, k: int) -> bool:
         """``the path of V2, eastbound on Elm Street``."""

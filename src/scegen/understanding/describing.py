@@ -12,7 +12,7 @@ from scegen.understanding.tokens import Token
 _ONLY_VEHICLES = frozenset(
     {"brake", "hard_brake", "overtake", "merge", "lane_change", "accelerate", "tailgate", "cut_off",
      "cut_in", "pull_out", "park", "swerve", "u_turn", "pull_over", "undertake", "unpark",
-     "door"}
+     "door", "reverse"}
 )  # fmt: skip
 _UNDERWAY = frozenset({"use", "enter", "bypass", "pass", "move", "turn", "leave", "approach",
                        "follow", "speed"})  # fmt: skip
@@ -272,6 +272,8 @@ def _along(mention: Mention) -> bool:
         return False
     definite = bool(mention.mods) and (mention.mods[0].cat, mention.mods[0].value) == ("det", "def")
     known = definite or "vague" in head.data or head.form == "s"
+    if definite and "opposite" in mention.dirs:
+        return True  # "the bloke opposite"
     for prep in mention.pps if known else []:
         lane = isinstance(prep.target, Place) and prep.target.kind == "lane"
         if lane and (prep.value == "in" and isinstance(prep.target, Place) and prep.target.dirs):

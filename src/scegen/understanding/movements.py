@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 from scegen.understanding import courses, ways
-from scegen.understanding.chunks import Event, Mention, Place
+from scegen.understanding.chunks import Event, Mention, Place, Thing
 from scegen.understanding.context import Context, Scene, span
 from scegen.understanding.draft import Basis
 from scegen.understanding.lane_moves import (
@@ -125,8 +125,9 @@ def overtake(scene: Scene, context: Context) -> None:
         if (by or event.pps) and not behind:
             move(scene, context)  # "waits for the bus to go past"
             return
-    if event.name == "bypass" and isinstance(event.object, Place):
-        return
+    dodges = isinstance(event.object, Thing) and any(context.oncoming(e) for e in scene.drivers)
+    if event.name == "bypass" and (isinstance(event.object, Place) or dodges):
+        return  # "an oncoming moped swerves round a pothole"
     if not ways.overtaking(scene, context):
         move(scene, context)
         return

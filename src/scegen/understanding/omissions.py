@@ -34,12 +34,11 @@ def not_done(scene: Scene, context: Context) -> None:
     """
     event = scene.event
     basis = Basis(event.i, event.j)
-    if not event.unable and rule_out(scene):
-        return
     if event.unable:
         _unable(scene, context)
     elif (
-        _no_distance(scene, context)
+        rule_out(scene)
+        or _no_distance(scene, context)
         or _overlooks(scene, context)
         or (event.name in _SEEING and breaches.breach(scene, context))
     ):
