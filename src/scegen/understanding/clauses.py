@@ -24,6 +24,7 @@ from scegen.understanding.lookahead import (
     main_verb_follows,
     only_a_noun_follows,
     phrase_follows,
+    spoken_of,
     view_of,
 )
 from scegen.understanding.nominals import read_mention, read_noun
@@ -205,17 +206,6 @@ class ClauseReader:
         fronted = bool(self._state.fronted) or (adverb and opens)
         return fronted and finite and isinstance(following, Mention)
 
-    def _is_spoken_of(self, event: Event, k: int) -> bool:
-        """``so that overtaking is impossible``: a doing that the clause is about, not done."""
-        before, after = (
-            self._chunks[m] if 0 <= m < len(self._chunks) else None for m in (k - 1, k + 1)
-        )
-        opens = before is None or (
-            isinstance(before, Word) and before.cat in {"sub", "conj", "punct"}
-        )
-        said = isinstance(after, Word) and (after.cat, after.value) == ("aux", "be")
-        return event.form == "ing" and opens and said
-
     def _by_a_stranger(self, event: Event, k: int) -> bool:
         """``roadworks blocking the lane``, ``a steward waves``: no participant does it."""
         before = self._chunks[k - 1] if k else None
@@ -266,7 +256,7 @@ class ClauseReader:
         if relatives.close(event, state):
             self.events.append(event)
             return
-        if self._is_spoken_of(event, k):
+        if spoken_of(event, k, self._chunks):
             event.name, event.nominal = "inert", True
         elif self._inverted(event, k):
             event.finite = True
