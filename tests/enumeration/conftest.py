@@ -13,7 +13,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from scegen.scenario.arms import arm_angles_deg, seen_from, turn_name
+from scegen.scenario.arms import arm_angles_deg, seen_from, turn_deg, turn_name
 from scegen.scenario.functional import FunctionalScenario, Junction
 from scegen.scenario.vocabulary import (
     Approach,
@@ -152,7 +152,16 @@ def _choices(functional, vehicle, entry):
             found |= {
                 (d, "plain") for d in range(junction.arms) if turn_name(angles, entry, d) is word
             }
+            if word is Maneuver.STRAIGHT and not _leads_straight(angles):
+                bends = [(abs(turn_deg(angles, entry, d)), d) for d in moves]
+                found.add((min(bends)[1], "plain"))
     return sorted(found)
+
+
+def _leads_straight(angles) -> bool:
+    """Whether from any arm a way goes straight on."""
+    arms = range(len(angles))
+    return any(turn_name(angles, e, d) is Maneuver.STRAIGHT for e in arms for d in arms if d)
 
 
 def _places(functional, index, entries, ego):

@@ -60,3 +60,27 @@ def test_other_contradictions_are_told_as_they_were(describe):
     with pytest.raises(NoScenarioError) as refused:
         enumerate_scenarios(functional)
     assert "to not said" not in str(refused.value)
+
+
+def test_a_guess_about_the_only_other_one_gives_way(describe):
+    """One who turns left is overtaken from behind; nobody comes the other way."""
+    turning = {"id": "ego", "role": "ego", "maneuvers": ["left"]}
+    car = {"id": "car", "approaches": ["behind"], "maneuvers": ["overtake"]}
+    left = {"kind": "unprotected_left_turn", "by": ["ego"], "to": ["car"]}
+    functional = describe("four_way", 4, [turning, car], [left])
+    with pytest.raises(NoScenarioError):
+        enumerate_scenarios(functional)
+    guess = Evidence(
+        field="hazards.unprotected_left_turn.to", source="inferred", reason="the only other"
+    )
+    found = enumerate_scenarios(functional.model_copy(update={"evidence": (guess,)}))
+    assert found.functional.hazards[0].to == ()
+    again = enumerate_scenarios(found.functional)
+    assert again.scenarios == found.scenarios
+
+
+def test_straight_on_at_a_y_is_the_way_that_bends_least(describe):
+    functional = describe("y", 3, [EGO])
+    assert {d.turn.value for s in enumerate_scenarios(functional).scenarios for d in s.drives} == {
+        "right"
+    }

@@ -132,3 +132,12 @@ def test_going_backwards_is_reversing():
 def test_slowing_for_a_turn_is_no_hard_braking():
     text = "A cyclist overtakes the ego as it slows for a right turn."
     assert HazardKind.HARD_BRAKING not in hazards_of(text)
+
+
+def test_whoever_faces_red_and_does_not_slow_down_runs_it():
+    text = "The ego goes straight; a van on its right, though facing red, does not slow down."
+    assert HazardKind.RED_LIGHT_RUNNING in hazards_of(text)
+
+
+def test_somebody_who_reverses_drives():
+    assert other_of("Somebody reversed out of their drive in front of me.").kind.value == "car"

@@ -185,6 +185,12 @@ class To(Predicate):
     id: ConstantStr
 
 
+class LeftOpen(Predicate, name="left_open"):
+    """A guess about who suffers it was given up."""
+
+    statement: int
+
+
 class DefaultPlace(Predicate, name="default_place"):
     """Nothing else being said, a crosser crosses where the ego drives."""
 

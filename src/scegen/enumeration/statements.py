@@ -139,12 +139,15 @@ def _places(words: list[Approach]) -> list[Approach]:
 
 
 def _hazards(out: Stated, functional: FunctionalScenario) -> None:
+    explained = {evidence.field for evidence in functional.evidence}
     for hazard in functional.hazards:
         by, to = ", ".join(hazard.by) or "not said", ", ".join(hazard.to) or "not said"
         number = out.number(f"hazard {hazard.kind} (by {by}; to {to})")
         out.facts.append(p.Hazard(number, hazard.kind.value))
         out.facts += [p.By(number, name) for name in hazard.by]
         out.facts += [p.To(number, name) for name in hazard.to]
+        if not hazard.to and f"hazards.{hazard.kind}.to" in explained:
+            out.facts.append(p.LeftOpen(number))  # see guesses.py
 
 
 def _either(words: tuple[int, ...] | list[Maneuver] | list[Approach]) -> str:

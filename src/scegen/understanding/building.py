@@ -14,6 +14,7 @@ from scegen.scenario.vocabulary import JunctionKind, Role
 from scegen.understanding.draft import Basis, Danger, Draft, Entity
 from scegen.understanding.junctions import JunctionReading
 from scegen.understanding.layout import Layout
+from scegen.understanding.left_turns import onto_the_road
 from scegen.understanding.open_road import abreast, both_change_lanes, from_the_strip, in_the_way
 from scegen.understanding.proving import Proofs
 from scegen.understanding.surroundings import Surroundings
@@ -49,6 +50,7 @@ class Builder:
         ego, ego_basis = choose_ego(self._draft)
         relations = settle_positions(self._draft, ego)
         junction = self._layout.build()
+        onto_the_road(self._draft, junction.driving_side)
         if junction.kind is JunctionKind.STRAIGHT:
             in_the_way(self._draft, ego)
             abreast(self._draft, ego)

@@ -131,6 +131,14 @@ def swerve_around(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.SWERVING, scene.words, others, scene.targets)
 
 
+def cut_bend(scene: Scene, context: Context) -> None:
+    """``an oncoming truck cuts the bend``: through the lane of the others."""
+    by = [e for e in scene.drivers if context.oncoming(e)]
+    meet = context.junction.crossing or context.draft.crossing_implied is not None
+    if by and not meet:
+        context.draft.hazard(HazardKind.ONCOMING_LANE, scene.words, by)
+
+
 def reverse(scene: Scene, context: Context) -> None:
     """Driving backwards."""
     context.draft.hazard(HazardKind.REVERSING, scene.words, scene.drivers)
@@ -191,6 +199,7 @@ DANGERS: dict[str, Callable[[Scene, Context], None]] = {
     "undertake": undertake,
     "return": returning.pull_back,
     "use": breaches.take_priority,
+    "cut_bend": cut_bend,
     "reverse": reverse,
     "lose_control": lose_control,
     "delay": braking.delay,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention
+from scegen.understanding.chunks import Event, Mention, NounPhrase
 from scegen.understanding.state import State
 
 _OPENING = frozenset({"against", "in", "with", "of"})
@@ -134,7 +134,9 @@ def infinitive(event: Event, state: State) -> None:
         event.modal = "aux:have" in state.between
         return
     if parent is None:
-        event.subject = chain(anchor) if isinstance(anchor, Mention) else []
+        owner = anchor.owner if isinstance(anchor, NounPhrase) else None
+        owned = [owner] if owner is not None else []  # "the ego's attempt to get past"
+        event.subject = chain(anchor) if isinstance(anchor, Mention) else owned
         if not event.subject:
             state.pending.append(event)  # "to get past the bus, the car …"
         return
@@ -169,6 +171,10 @@ def gerund(event: Event, state: State) -> None:
         event.subject = chain(anchor) if isinstance(anchor, Mention) else []
         if not event.subject:
             state.pending.append(event)
+        return
+    who = state.candidate if not state.candidate_done else None
+    if who is not None and parent.j <= who.i and state.anchor is not parent and prep in _OPENING:
+        event.subject = chain(who)  # "a man crosses while the ego is in the middle of turning"
         return
     depend(event, parent, "ing")
     prevented = prep == "from" and isinstance(parent.object, Mention)

@@ -278,6 +278,8 @@ def _along(mention: Mention) -> bool:
         return False
     definite = bool(mention.mods) and (mention.mods[0].cat, mention.mods[0].value) == ("det", "def")
     known = definite or "vague" in head.data or head.form == "s"
+    if definite and "opposite" in mention.dirs:
+        return True  # "the bloke opposite"
     for prep in mention.pps if known else []:
         lane = isinstance(prep.target, Place) and prep.target.kind == "lane"
         if lane and (prep.value == "in" and isinstance(prep.target, Place) and prep.target.dirs):

@@ -8,7 +8,7 @@ from scegen.understanding.terms import Term
 
 _HIDING = frozenset({"behind", "between"})
 _OPENERS = frozenset({"det", "possessive"})
-_DESCRIBING = frozenset({"unknown", "label", "inert", "state", "noted"})
+_DESCRIBING = frozenset({"unknown", "label", "inert", "state", "noted", "env"})
 _ENDS = frozenset({"prep", "conj", "sub", "rel", "aux", "locus", "punct", "manner", "copy"})
 _LONGEST = 5
 

@@ -26,6 +26,7 @@ def positions(scenes: list[Scene], context: Context) -> None:
         context: the scenario in the making.
     """
     for scene in scenes:
+        oncoming.faced(scene, context)
         _driven_up_to(scene, context)
         parked = [e for e in scene.targets if e.parked]
         if scene.event.name == "bypass" and not scene.targets and scene.drivers:
@@ -38,7 +39,6 @@ def positions(scenes: list[Scene], context: Context) -> None:
         oncoming.overtaken(scene, context)
         oncoming.from_behind(scene, context)
         oncoming.met(scene, context)
-        oncoming.faced(scene, context)
         _cuts_out(scene, context)
         _revealed(scene, context)
         _across(scene, context)

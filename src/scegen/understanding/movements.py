@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 from scegen.understanding import courses, ways
-from scegen.understanding.chunks import Event, Mention, Place
+from scegen.understanding.chunks import Event, Mention, Place, Thing
 from scegen.understanding.context import Context, Scene, span
 from scegen.understanding.draft import Basis
 from scegen.understanding.lane_moves import (
@@ -45,7 +45,8 @@ def turn(scene: Scene, context: Context) -> None:
     cyclists = [e for e in scene.drivers if context.is_cyclist(e) and not e.ego]
     if cyclists and cyclists == scene.drivers and ways.across_the_road(event, context):
         return  # they cross the road, see the dangers
-    values = set(directions) or {Maneuver.LEFT, Maneuver.RIGHT}
+    denied = {ways.DIRECTIONS[d] for d in event.denied_ways if d in ways.DIRECTIONS}
+    values = set(directions) or ({Maneuver.LEFT, Maneuver.RIGHT} - denied) or {Maneuver.STRAIGHT}
     alike = _as_others_do(scene, context) if not directions else set()
     if alike:
         values = alike
@@ -53,7 +54,8 @@ def turn(scene: Scene, context: Context) -> None:
         made = event.parent is not None and event.parent.name in {"light", "try"}
         if any(entity.maneuvers for entity in scene.actors) or (event.nominal and not made):
             return
-        basis = Basis(basis.i, basis.j, "the text does not say which way it turns")
+        if not denied:
+            basis = Basis(basis.i, basis.j, "the text does not say which way it turns")
     context.crossing_implied(basis, "vehicles turn")
     apply(scene, context, values, basis)
 
@@ -123,8 +125,9 @@ def overtake(scene: Scene, context: Context) -> None:
         if (by or event.pps) and not behind:
             move(scene, context)  # "waits for the bus to go past"
             return
-    if event.name == "bypass" and isinstance(event.object, Place):
-        return
+    dodges = isinstance(event.object, Thing) and any(context.oncoming(e) for e in scene.drivers)
+    if event.name == "bypass" and (isinstance(event.object, Place) or dodges):
+        return  # "an oncoming moped swerves round a pothole"
     if not ways.overtaking(scene, context):
         move(scene, context)
         return

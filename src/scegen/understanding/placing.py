@@ -108,7 +108,10 @@ def _at_its_side(prep: Prep, event: Event | None) -> bool:
 def _ends_there(event: Event, prep: Prep) -> bool:
     """``swerves behind the ego``, ``sweeps left in front of the bus``: where it gets to."""
     turns = any(d.value in _SIDES for d in event.dirs)
-    return (event.name, prep.value) == ("swerve", "behind") or (turns and prep.value == "ahead")
+    onto = event.name == "swerve" and any(p.value == "into" for p in event.pps)
+    return (event.name, prep.value) == ("swerve", "behind") or (
+        (turns or onto) and prep.value == "ahead"
+    )
 
 
 def _same_way(prep: Prep) -> bool:
@@ -258,7 +261,8 @@ class Placer:
             return
         if prep.outer == "from" and isinstance(target, Mention) and event is not None:
             return
-        approaches = {Approach(prep.value)}
+        comes = target is None and (prep.outer, prep.value) == ("from", "ahead")
+        approaches = {Approach.OPPOSITE if comes else Approach(prep.value)}
         reference: Entity | None = None
         if isinstance(target, Mention):
             if not target.entities:

@@ -8,10 +8,11 @@ from scegen.understanding.context import Context
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lookahead import BOUNDARIES
 
-_CONCEDING = frozenset({"although", "though", "despite", "even", "in", "regardless", "with",
-                        "while", "notwithstanding"})  # fmt: skip
+_CONCEDING = frozenset({"against", "although", "though", "despite", "even", "in", "regardless",
+                        "with", "while", "notwithstanding"})  # fmt: skip
 _SAYING = frozenset({"turn", "light", "encounter", "inert", "unknown", "stay", "move"})
 """Verbs that say of a light which colour it shows."""
+_HALTING = frozenset({"stop", "slow", "brake", "wait"})
 _GOING = frozenset({"enter", "cross", "move", "turn", "accelerate", "speed", "pull_out", "approach",
                     "sharp_turn", "cut_in"})  # fmt: skip
 
@@ -35,7 +36,7 @@ def on_red(chunks: list[Chunk], events: list[Event], context: Context) -> None:
             or _of_the_cross_street(k, chunks, events, context)
         )
         drivers = _drivers(event) if event is not None else []
-        if event is not None and drivers and not event.negated:
+        if event is not None and drivers and (not event.negated or event.name in _HALTING):
             basis = Basis(min(event.i, chunk.i), max(event.j, chunk.j))
             context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, drivers)
 
@@ -65,7 +66,8 @@ def _whose_light(
         return None
     who = set(map(id, owner.entities))
     after = (e for e in events if e.i > chunks[k].i and e is not facing)
-    return next((e for e in after if _goes(e) and who & set(map(id, _drivers(e)))), None)
+    own = [e for e in after if who & set(map(id, _drivers(e)))]
+    return next((e for e in own if _goes(e) or (e.negated and e.name in _HALTING)), None)
 
 
 def _of_the_cross_street(

@@ -41,7 +41,7 @@ def refers_to_nobody(mention: Mention) -> bool:
     if gathered and prep == "with" and mention.head and "mass" in mention.head.data:
         return True  # "travels with the flow of traffic"
     place = mention.pronoun == "ordinal" and prep == "in"  # "at the first junction …, the second"
-    return place or mention.negated or mention.pronoun == "reflexive"
+    return place or mention.negated or mention.pronoun in {"reflexive", "nobody"}
 
 
 def kin(reading: Reading, mention: Mention) -> bool:

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.describing import describe
 from scegen.understanding.discourse import Discourse
+from scegen.understanding.generic import mark_generic
 from scegen.understanding.located import share_places
-from scegen.understanding.lookahead import BOUNDARIES
-from scegen.understanding.terms import Term
+from scegen.understanding.on_sides import sides_of
 
-_A_PAIR = 2
-"""Of two sides named, there may still be any number of vehicles."""
 _CLOSING_IN = frozenset({"avoid"})
 _BEHIND = frozenset({"follow", "tailgate"})
-_LETTING_BY = frozenset({"wait", "yield", "stop", "brake", "slow", "hard_brake", "react"})
 _BACK = frozenset({"it", "him", "they"})
 _PARTS = frozenset({"one", "count", "both", "other", "another", "ordinal"})
 
@@ -28,7 +25,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     """
     describe(chunks, events, discourse.tokens)
     share_places(chunks)
-    _generic(chunks, events)
+    mark_generic(chunks, events)
     objects = {id(e.object) for e in events}
     subjects = {
         id(m)
@@ -37,7 +34,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         if e.finite or not (id(m) in objects or m.prep is not None)
     }  # "meets a van blocking the lane", "waits for a van to pass": not about the van
     acted_on = {id(e.object): e for e in events if e.object is not None}
-    everywhere = _sides(events, chunks)
+    everywhere = sides_of(events, chunks)
     beside = _beside(chunks)
     settled = _settled(events)
     around = {
@@ -126,49 +123,6 @@ def _named_later(pronoun: Mention, chunks: list[Chunk]) -> bool:
             return False
         if isinstance(chunk, Mention) and chunk.i > pronoun.i and chunk.heads:
             return opened
-    return False
-
-
-def _is_view(chunk: Chunk) -> bool:
-    """``the view of oncoming traffic``."""
-    return isinstance(chunk, Thing) and chunk.kind == "view"
-
-
-def _generic(chunks: list[Chunk], events: list[Event]) -> None:
-    """``red for cross traffic``, ``looks for oncoming traffic``: nobody in particular.
-
-    Traffic that somebody waits for, or gives way to, is there.
-    """
-    entered = {id(e.object) for e in events if e.name in {"enter", "merge", "inert"}}
-    met = {id(p.target) for e in events if e.name in _LETTING_BY for p in e.pps}
-    for k, chunk in enumerate(chunks):
-        if not isinstance(chunk, Mention) or chunk.head is None:
-            continue
-        if id(chunk) in entered and "mass" in chunk.head.data and not chunk.mods:
-            chunk.negated = True  # "entering traffic from a driveway, a van …"
-        if chunk.prep is None:
-            chunk.negated = chunk.negated or _only_the_scene(chunk, k, chunks)
-            continue
-        several = chunk.head.form == "s" and chunk.mod("det", "num", "quant") is None
-        lit = any(isinstance(c, Place) and c.kind == "signal" for c in chunks[max(0, k - 4) : k])
-        anybody = "mass" in chunk.head.data or (several and lit)
-        met_head_on = "opposite" in chunk.dirs and chunk.prep.value == "against"
-        purpose = (chunk.prep.value in {"for", "against"} and not met_head_on) or (
-            chunk.prep.value == "of" and any(_is_view(c) for c in chunks[max(0, k - 2) : k])
-        )
-        chunk.negated = chunk.negated or (anybody and purpose and id(chunk) not in met)
-
-
-def _only_the_scene(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
-    """``Stop-and-go traffic on a ring road; the car ahead …``: where it all takes place."""
-    opens = k == 0 or getattr(chunks[k - 1], "value", "") in BOUNDARIES
-    if not opens or mention.head is None or "mass" not in mention.head.data or mention.dirs:
-        return False
-    for chunk in chunks[k + 1 :]:
-        if isinstance(chunk, Event | Mention):
-            return False
-        if isinstance(chunk, Word) and chunk.value in BOUNDARIES:
-            return any(isinstance(c, Mention) for c in chunks if c.i > chunk.i)
     return False
 
 
@@ -267,47 +221,3 @@ def _beside(chunks: list[Chunk]) -> dict[int, Mention]:
         for prep in chunk.pps
         if prep.word.cat == "locus" and isinstance(prep.target, Mention)
     }
-
-
-def from_everywhere(prep: Prep) -> bool:
-    """``from all directions``, ``from every side``."""
-    target = prep.target
-    if prep.value not in {"from", "in"} or not isinstance(target, Place):
-        return False
-    quantified = any(m.cat == "quant" and m.value == "all" for m in target.mods)
-    return quantified and target.kind in {"direction", "side", "exit", "leg", "road"}
-
-
-def each_side(prep: Prep) -> bool:
-    """``from each side``: one from the left, one from the right.
-
-    Args:
-        prep: a phrase of place.
-    """
-    target = prep.target
-    single = isinstance(target, Place) and target.head is not None and target.head.form != "s"
-    return from_everywhere(prep) and single and isinstance(target, Place) and target.kind == "side"
-
-
-def _sides(events: list[Event], chunks: list[Chunk]) -> dict[int, int]:
-    """Mentions of those who come one from each of some sides -> how many sides; 0: all."""
-    found: dict[int, int] = {}
-    for event in events:
-        sides = {m.value for p in event.pps if p.value == "from" for m in _compass(p)}
-        if any(each_side(p) for p in event.pps):
-            found |= {id(m): _A_PAIR for m in event.subject}
-        elif any(from_everywhere(p) for p in event.pps):
-            found |= {id(m): 0 for m in event.subject}
-        elif len(sides) > _A_PAIR:
-            found |= {id(m): len(sides) for m in event.subject}
-    for chunk in chunks:
-        if isinstance(chunk, Mention) and any(each_side(p) for p in chunk.pps):
-            found[id(chunk)] = _A_PAIR
-        elif isinstance(chunk, Mention) and any(from_everywhere(p) for p in chunk.pps):
-            found[id(chunk)] = 0
-    return found
-
-
-def _compass(prep: Prep) -> list[Term]:
-    target = prep.target
-    return [m for m in target.mods if m.cat == "compass"] if isinstance(target, Place) else []

@@ -68,7 +68,8 @@ def _told_of(entity: Entity, draft: Draft) -> bool:
     """``Vehicle is turning left at …``: the one that a text without articles begins with."""
     i, j = entity.basis.i, entity.basis.j
     first = draft.tokens[0].low if draft.tokens else ""
-    return i == 0 and j == 1 and first in _BARE
+    ahead = _placed(draft, entity, Approach.AHEAD)  # "Vehicle in front turns …"
+    return i == 0 and j == 1 and first in _BARE and not ahead
 
 
 def _added(draft: Draft, reason: str) -> tuple[Entity, Basis]:
