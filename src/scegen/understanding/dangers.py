@@ -82,7 +82,7 @@ def swerve(scene: Scene, context: Context) -> None:
 
 def oncoming_lane(scene: Scene, context: Context) -> None:
     """A movement into or along the lane of oncoming traffic."""
-    sources = {id(p.target) for p in scene.event.pps if p.value == "from"}
+    sources = {id(p.target) for p in scene.event.pps if p.value in {"from", "against"}}
     for place in scene.places():
         if id(place) in sources:
             continue  # "coming from opposite lanes": where one belongs
