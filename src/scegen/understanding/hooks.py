@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.tokens import Token
 
@@ -26,7 +26,10 @@ def alongside(draft: Draft, ego: Entity, tokens: list[Token]) -> None:
             continue
         side = next(iter(entity.approaches)) if len(entity.approaches) == 1 else None
         turn = _TURNS.get(side) if side is not None else None
-        goes_on = entity.maneuvers <= {Maneuver.STRAIGHT, Maneuver.CROSS}
+        crosses = any(
+            d.kind is HazardKind.CROSSING_CYCLIST and entity in d.by for d in draft.dangers
+        )
+        goes_on = entity.maneuvers <= {Maneuver.STRAIGHT} and not crosses
         words = [t.low for t in tokens[basis.i : basis.j]]
         comes_from = words[0] == "from" or "front" in words or entity.by_heading is not None
         if turn is None or ego.maneuvers != {turn} or not goes_on or comes_from:
@@ -34,5 +37,3 @@ def alongside(draft: Draft, ego: Entity, tokens: list[Token]) -> None:
         reason = f"beside the ego, on the {side}: it turns across its way"
         entity.approaches = {Approach.ADJACENT, *entity.approaches}
         entity.approach_basis = Basis(basis.i, basis.j, reason)
-        if Maneuver.CROSS in entity.maneuvers:
-            entity.maneuvers = {Maneuver.STRAIGHT}
