@@ -152,6 +152,7 @@ class Event:
         perfect: it is over ("had slowed").
         late: it comes too late for the one in front ("failed to stop and hit its rear").
         modal: obliged, forced or reacting ("must stop", "causing it to stop").
+        denied_ways: where it does not lead ("turns neither left nor right").
     """
 
     name: str
@@ -182,6 +183,7 @@ class Event:
     embedded: bool = False
     sentence: int = 0
     premod_of: Mention | None = None
+    denied_ways: set[str] = field(default_factory=set)
 
     @property
     def dirs(self) -> list[Term]:

@@ -24,6 +24,7 @@ from scegen.understanding.lookahead import (
     main_verb_follows,
     only_a_noun_follows,
     phrase_follows,
+    spoken_of,
     view_of,
 )
 from scegen.understanding.nominals import read_mention, read_noun
@@ -75,7 +76,7 @@ class ClauseReader:
         elif word.cat in GOVERNING or only_a_noun_follows(word, k, self._chunks):
             preposition(word, k, self._chunks, state)
         elif word.cat in ADVERBS or word.cat == "state":
-            if not self._heading_of_a_noun(word, k):
+            if not (self._denied_way(word) or self._heading_of_a_noun(word, k)):
                 self._adverb(word, k)
         elif word.value == "either" and state.prep is not None:
             return  # "from either the left or the right"
@@ -164,6 +165,16 @@ class ClauseReader:
         elif self.events and not state.mentions:
             self.events[-1].mods.append(word.term)
 
+    def _denied_way(self, word: Word) -> bool:
+        """``turns right, not left``."""
+        state = self._state
+        denied = word.cat == "dir" and bool(state.events) and "neg:not" in state.between
+        if denied:
+            release(state)
+            state.between.discard("neg:not")
+            state.events[-1].denied_ways.add(word.value)
+        return denied
+
     def _heading_of_a_noun(self, word: Word, k: int) -> bool:
         """``the path of V2, eastbound on Elm Street``."""
         before = self._chunks[max(0, k - 2) : k]
@@ -194,17 +205,6 @@ class ClauseReader:
         opens = opener is None or (isinstance(opener, Word) and opener.cat in _OPENERS)
         fronted = bool(self._state.fronted) or (adverb and opens)
         return fronted and finite and isinstance(following, Mention)
-
-    def _is_spoken_of(self, event: Event, k: int) -> bool:
-        """``so that overtaking is impossible``: a doing that the clause is about, not done."""
-        before, after = (
-            self._chunks[m] if 0 <= m < len(self._chunks) else None for m in (k - 1, k + 1)
-        )
-        opens = before is None or (
-            isinstance(before, Word) and before.cat in {"sub", "conj", "punct"}
-        )
-        said = isinstance(after, Word) and (after.cat, after.value) == ("aux", "be")
-        return event.form == "ing" and opens and said
 
     def _by_a_stranger(self, event: Event, k: int) -> bool:
         """``roadworks blocking the lane``, ``a steward waves``: no participant does it."""
@@ -256,7 +256,7 @@ class ClauseReader:
         if relatives.close(event, state):
             self.events.append(event)
             return
-        if self._is_spoken_of(event, k):
+        if spoken_of(event, k, self._chunks):
             event.name, event.nominal = "inert", True
         elif self._inverted(event, k):
             event.finite = True

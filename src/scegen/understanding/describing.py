@@ -64,6 +64,7 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     vague = mention.head is not None and "vague" in mention.head.data
     turns = vague or event.name in {"turn", "sharp_turn"}
     turns = turns and any(d.value in {"left", "right"} for d in event.dirs)
+    turns = turns or ((_person(mention) or vague) and _comes_the_other_way(event))
     it = mention.pronoun == "it" and tokens[mention.i].low == "it"
     turns = turns or (it and event.name in _UNDERWAY and not event.passive)
     mention.drives = mention.drives or failing or alone or turns
@@ -79,6 +80,11 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     mention.sides |= _sides([p for p in event.pps if p.value == "from"])
     if any(p.value == "from" and isinstance(p.target, Place) for p in event.pps):
         mention.elsewhere = mention.pronoun is None
+
+
+def _comes_the_other_way(event: Event) -> bool:
+    """``the woman coming the other way``, ``… driving towards us``: along the road, in traffic."""
+    return event.name == "move" and any(d.value == "opposite" for d in event.dirs)
 
 
 def _person(mention: Mention) -> bool:

@@ -6,7 +6,7 @@ from scegen.scenario.vocabulary import JunctionKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.junctions import JunctionReading
-from scegen.understanding.resolving import from_everywhere
+from scegen.understanding.on_sides import from_everywhere
 
 _FEWEST = 3
 _BY_ARMS = {3: JunctionKind.T, 4: JunctionKind.FOUR_WAY}

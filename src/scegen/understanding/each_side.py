@@ -19,6 +19,7 @@ def both_sides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         chunks: the chunks of the text.
         tokens: its tokens.
     """
+    chunks = _each_of(chunks)
     found: list[Chunk] = []
     k = 0
     while k < len(chunks):
@@ -49,6 +50,21 @@ def both_sides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             continue
         found.append(chunks[k])
         k += 1
+    return found
+
+
+def _each_of(chunks: list[Chunk]) -> list[Chunk]:
+    """``in each of the two adjacent lanes``: in each adjacent lane."""
+    found: list[Chunk] = []
+    for k, chunk in enumerate(chunks):
+        one, word = (chunks[m] if m >= 0 else None for m in (k - 2, k - 1))
+        parted = isinstance(one, Mention) and one.pronoun in {"all", "both"}
+        of = isinstance(word, Word) and (word.cat, word.value) == ("prep", "of")
+        if isinstance(chunk, Place) and parted and of and found[-2:] == [one, word]:
+            del found[-2:]
+            quant = Term("quant", "all", chunk.i, chunk.i)
+            chunk.mods = [quant, *(m for m in chunk.mods if m.cat not in {"det", "num"})]
+        found.append(chunk)
     return found
 
 

@@ -87,13 +87,24 @@ def of_both(reading: Reading, groups: list[Group], entities: list[Entity]) -> li
         entities: everybody so far.
     """
     ego = next((e for e in entities if e.ego), None)
-    if reading.plural or not (reading.ego or "adversary" in reading.labels):
+    placed = bool(reading.dirs) and reading.dirs <= {"ahead", "behind"} and reading.det == "def"
+    if reading.plural or not (reading.ego or placed or "adversary" in reading.labels):
         return []
     for group in groups:
         taken = [e for e in group.members if e.claimed and e is not ego]
-        if not group.both or taken or (ego is not None and ego not in group.members):
+        left = [e for e in group.members if e not in taken]
+        if not group.both or (ego is not None and ego not in group.members):
+            continue
+        if len(taken) == 1 and ego is None and not any("adversary" in e.labels for e in taken):
+            left[0].ego, left[0].claimed = reading.ego, True
+            left[0].named_by |= {"ego"} if reading.ego else set()
+            return left  # "the follower hits the leader": of both, the one who is left
+        if taken:
             continue
         own = ego or group.members[0]
+        if placed and ego is None and not reading.ego:
+            group.members[-1].claimed = True  # "both cars are fast; the leader brakes"
+            return [group.members[-1]]
         own.ego = True
         own.named_by.add("ego")
         chosen = own if reading.ego else next(e for e in group.members if e is not own)

@@ -179,3 +179,17 @@ def view_of(before: list[Chunk]) -> Thing | None:
         first = before[0]
         return first if isinstance(first, Thing) and first.kind == "view" else None
     return None
+
+
+def spoken_of(event: Event, k: int, chunks: list[Chunk]) -> bool:
+    """``so that overtaking is impossible``: a doing that the clause is about, not done.
+
+    Args:
+        event: a verb.
+        k: its index.
+        chunks: the chunks of the text.
+    """
+    before, after = (chunks[m] if 0 <= m < len(chunks) else None for m in (k - 1, k + 1))
+    opens = before is None or (isinstance(before, Word) and before.cat in {"sub", "conj", "punct"})
+    said = isinstance(after, Word) and (after.cat, after.value) == ("aux", "be")
+    return event.form == "ing" and opens and said

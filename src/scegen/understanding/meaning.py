@@ -27,12 +27,12 @@ from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.movements import MOVEMENTS
 from scegen.understanding.omissions import not_done
+from scegen.understanding.on_sides import from_everywhere
 from scegen.understanding.out_of_turn import out_of_turn
 from scegen.understanding.placing import Placer
 from scegen.understanding.reactions import mark_answers, mark_late
 from scegen.understanding.recasting import recast
 from scegen.understanding.reciprocal import towards_each_other
-from scegen.understanding.resolving import from_everywhere
 from scegen.understanding.roadside import read_thing
 from scegen.understanding.scenes import scene_of
 from scegen.understanding.setting_off import set_off

@@ -65,7 +65,8 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
     count, vague, reason = _count(mention, tokens, plural, arms)
     det = next((m for m in mention.mods if m.cat in {"det", "possessive"}), None)
     numbered = mention.mod("num")
-    det_value = det.value if det else ("one" if numbered and count == 1 else "bare")
+    single = numbered is not None and numbered.data["number"] == 1  # "one in each lane", too
+    det_value = det.value if det else ("one" if single else "bare")
     if det and det.cat == "possessive":
         det_value = "indef" if _a_strangers(mention) else "def"
     labels = {h.data["label"] for h in heads if "label" in h.data}
@@ -102,7 +103,8 @@ def _mine(mention: Mention, kind: ParticipantKind) -> bool:
     first = mention.mods[0] if mention.mods else None
     mine = first is not None and (first.cat, first.value) == ("possessive", "first_person")
     named = mention.head is not None and mention.head.value in KINDS
-    return mine and named and kind is not ParticipantKind.PEDESTRIAN
+    person = mention.head is not None and mention.head.value == "pedestrian"  # "my neighbour"
+    return mine and named and not person and kind is not ParticipantKind.PEDESTRIAN
 
 
 def _name(label: str, kind: ParticipantKind) -> str:

@@ -13,10 +13,10 @@ from scegen.understanding.lane_moves import (
     apply,
     forced,
     lane_change,
-    merge,
     swerve,
     use_oncoming_lane,
 )
+from scegen.understanding.onto_roads import join, onto_a_road
 
 _ASIDE = frozenset({"move", "shift", "steer", "edge", "ease"})
 """Verbs that on an open road mean a shift to the side, not a turn."""
@@ -45,7 +45,8 @@ def turn(scene: Scene, context: Context) -> None:
     cyclists = [e for e in scene.drivers if context.is_cyclist(e) and not e.ego]
     if cyclists and cyclists == scene.drivers and ways.across_the_road(event, context):
         return  # they cross the road, see the dangers
-    values = set(directions) or {Maneuver.LEFT, Maneuver.RIGHT}
+    denied = {ways.DIRECTIONS[d] for d in event.denied_ways if d in ways.DIRECTIONS}
+    values = set(directions) or ({Maneuver.LEFT, Maneuver.RIGHT} - denied) or {Maneuver.STRAIGHT}
     alike = _as_others_do(scene, context) if not directions else set()
     if alike:
         values = alike
@@ -53,7 +54,8 @@ def turn(scene: Scene, context: Context) -> None:
         made = event.parent is not None and event.parent.name in {"light", "try"}
         if any(entity.maneuvers for entity in scene.actors) or (event.nominal and not made):
             return
-        basis = Basis(basis.i, basis.j, "the text does not say which way it turns")
+        if not denied:
+            basis = Basis(basis.i, basis.j, "the text does not say which way it turns")
     context.crossing_implied(basis, "vehicles turn")
     apply(scene, context, values, basis)
 
@@ -146,7 +148,8 @@ def overtake(scene: Scene, context: Context) -> None:
 
 
 def pull_around(scene: Scene, context: Context) -> None:
-    """``pulls out around a parked van``: past it."""
+    """``pulls out around a parked van``: past it; onto a road to one side, a turn."""
+    onto_a_road(scene, context)
     for prep in scene.event.pps:
         around = context.tokens[prep.word.i].low in {"around", "round", "past"}
         passed = prep.target.entities if isinstance(prep.target, Mention) else []
@@ -249,6 +252,7 @@ def through_junction(scene: Scene, context: Context) -> None:
         entity.moves = entity.moves or Basis(event.i, event.j)
     if event.name == "enter" and ways.next_lane(event, context):
         lane_change(scene, context)
+    onto_a_road(scene, context)
     onward = next((d for d in event.dirs if d.value == "straight"), None)
     if onward is not None:
         apply(scene, context, {Maneuver.STRAIGHT}, Basis(onward.i, onward.j))
@@ -288,7 +292,7 @@ MOVEMENTS: dict[str, Callable[[Scene, Context], None]] = {
     "brake": courses.stay,
     "hard_brake": courses.stay,
     "park": courses.park,
-    "merge": merge,
+    "merge": join,
     "approach": through_junction,
     "enter": through_junction,
     "speed": move,

@@ -64,6 +64,9 @@ class Namer:
             mention.label, mention.label_at = name, term.i
             found += [Word(self.terms[m]), mention]
             m += 2
+        for one in (first, *(c for c in found if isinstance(c, Mention))):
+            counts = bool(found)  # "two cars A and B": the names say who the two are
+            one.mods = [t for t in one.mods if not (counts and t.cat in {"num", "quant"})]
         return found, m
 
     def numbered(self, head: Term, m: int) -> bool:

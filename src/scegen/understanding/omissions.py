@@ -7,6 +7,7 @@ from scegen.understanding import breaches
 from scegen.understanding.chunks import Mention, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.negation import rule_out
 
 _SIGNED = frozenset({Control.STOP, Control.ALL_WAY_STOP})
 _SIGNS = frozenset({"stop_sign", "stop_line", "yield_sign"})
@@ -36,7 +37,8 @@ def not_done(scene: Scene, context: Context) -> None:
     if event.unable:
         _unable(scene, context)
     elif (
-        _no_distance(scene, context)
+        rule_out(scene)
+        or _no_distance(scene, context)
         or _overlooks(scene, context)
         or (event.name in _SEEING and breaches.breach(scene, context))
     ):

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.negation import everybody
 from scegen.understanding.ordinals import POSITIONS
 from scegen.understanding.roster import Roster
 from scegen.understanding.tokens import Token
@@ -40,10 +41,14 @@ class Pronouns:
         """
         which = mention.pronoun
         basis = Basis(mention.i, mention.j)
+        if which == "everybody":
+            return everybody(mention, self.draft)
         if which in {"it", "him"}:
             return self._single(mention, exclude)
         if which == "they" and not mention.walks and all(e.ego for e in self.draft.entities):
             return self._new_driver(mention)
+        if which == "neither" and self.tokens[mention.i].low == "none":
+            return everybody(mention, self.draft)
         if which in {"they", "both", "all", "neither"}:
             return self.roster.together(exclude)
         if which == "other":
@@ -135,6 +140,9 @@ class Pronouns:
 
     def _counted(self, mention: Mention, exclude: list[Entity], basis: Basis) -> list[Entity]:
         which = mention.pronoun
+        if mention.whole is not None and mention.whole.entities:  # "one of the cars": no truck
+            whole = mention.whole.entities
+            exclude = [*exclude, *(e for e in self.draft.entities if e not in whole)]
         count = 1
         if which in {"count", "others", "further"}:
             count = int(mention.mods[0].data["number"])

@@ -21,6 +21,7 @@ from scegen.understanding.hiders import name_hiders
 from scegen.understanding.junctions import JunctionReading, read_junction
 from scegen.understanding.leftovers import report
 from scegen.understanding.meaning import Interpreter
+from scegen.understanding.negation import deny_of_everybody
 from scegen.understanding.relevance import require_traffic
 from scegen.understanding.repeated import repeat
 from scegen.understanding.resolving import resolve_mentions
@@ -73,6 +74,7 @@ def read(text: str) -> FunctionalScenario:
     chunks = spell_out(both_sides(name_hiders(Chunker(terms, tokens).run()), tokens))
     chunks = repeat(silence(chunks), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
+    deny_of_everybody(events)
     draft = Draft(text, tokens)
     shared = share_arms(chunks, events)
     resolve_mentions(chunks, events, Discourse(draft, tokens, _arms(junction)))

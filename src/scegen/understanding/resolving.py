@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.describing import describe
 from scegen.understanding.discourse import Discourse
 from scegen.understanding.generic import mark_generic
 from scegen.understanding.located import share_places
-from scegen.understanding.terms import Term
+from scegen.understanding.on_sides import sides_of
 
-_A_PAIR = 2
-"""Of two sides named, there may still be any number of vehicles."""
 _CLOSING_IN = frozenset({"avoid"})
 _BEHIND = frozenset({"follow", "tailgate"})
 _BACK = frozenset({"it", "him", "they"})
@@ -36,7 +34,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         if e.finite or not (id(m) in objects or m.prep is not None)
     }  # "meets a van blocking the lane", "waits for a van to pass": not about the van
     acted_on = {id(e.object): e for e in events if e.object is not None}
-    everywhere = _sides(events, chunks)
+    everywhere = sides_of(events, chunks)
     beside = _beside(chunks)
     settled = _settled(events)
     around = {
@@ -81,7 +79,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     for chunk in chunks:
         if isinstance(chunk, Place | Thing) and any(m.value == "first_person" for m in chunk.mods):
             discourse.observer(chunk.i, chunk.j)
-        if isinstance(chunk, Word) and discourse.tells(chunk.i, chunk.j):
+        if isinstance(chunk, Word | Event) and discourse.tells(chunk.i, chunk.j):
             discourse.observer(chunk.i, chunk.j)
         if not isinstance(chunk, Mention) or (id(chunk) in owners and _on_no_road(chunk)):
             continue
@@ -223,47 +221,3 @@ def _beside(chunks: list[Chunk]) -> dict[int, Mention]:
         for prep in chunk.pps
         if prep.word.cat == "locus" and isinstance(prep.target, Mention)
     }
-
-
-def from_everywhere(prep: Prep) -> bool:
-    """``from all directions``, ``from every side``."""
-    target = prep.target
-    if prep.value not in {"from", "in"} or not isinstance(target, Place):
-        return False
-    quantified = any(m.cat == "quant" and m.value == "all" for m in target.mods)
-    return quantified and target.kind in {"direction", "side", "exit", "leg", "road"}
-
-
-def each_side(prep: Prep) -> bool:
-    """``from each side``: one from the left, one from the right.
-
-    Args:
-        prep: a phrase of place.
-    """
-    target = prep.target
-    single = isinstance(target, Place) and target.head is not None and target.head.form != "s"
-    return from_everywhere(prep) and single and isinstance(target, Place) and target.kind == "side"
-
-
-def _sides(events: list[Event], chunks: list[Chunk]) -> dict[int, int]:
-    """Mentions of those who come one from each of some sides -> how many sides; 0: all."""
-    found: dict[int, int] = {}
-    for event in events:
-        sides = {m.value for p in event.pps if p.value == "from" for m in _compass(p)}
-        if any(each_side(p) for p in event.pps):
-            found |= {id(m): _A_PAIR for m in event.subject}
-        elif any(from_everywhere(p) for p in event.pps):
-            found |= {id(m): 0 for m in event.subject}
-        elif len(sides) > _A_PAIR:
-            found |= {id(m): len(sides) for m in event.subject}
-    for chunk in chunks:
-        if isinstance(chunk, Mention) and any(each_side(p) for p in chunk.pps):
-            found[id(chunk)] = _A_PAIR
-        elif isinstance(chunk, Mention) and any(from_everywhere(p) for p in chunk.pps):
-            found[id(chunk)] = 0
-    return found
-
-
-def _compass(prep: Prep) -> list[Term]:
-    target = prep.target
-    return [m for m in target.mods if m.cat == "compass"] if isinstance(target, Place) else []

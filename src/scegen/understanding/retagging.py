@@ -36,6 +36,8 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     if term.value == "genitive":
         term = _shortened(term, terms, tokens)
     term = role_alone(term, terms, tokens)
+    if (term.cat, term.value, term.form) == ("verb", "approach", "s") and _counted(terms):
+        term = Term("leg", "leg", term.i, term.j, "s")
     if _does_not(tokens, term):
         term = replace(term, cat="aux", value="do")
     if terms and measured(tokens, terms, term):
@@ -137,6 +139,15 @@ def _speed(term: Term) -> bool:
     return term.cat in {"quantity", "num"} or (
         term.cat == "manner" and term.value in {"fast", "slow"}
     )
+
+
+def _counted(terms: list[Term]) -> bool:
+    """``with five approaches``, ``the three approaches``: roads, no doing."""
+    if len(terms) < 2 or terms[-1].cat not in {"num", "quant"}:
+        return False
+    number = terms[-1].data.get("number", 0) if terms[-1].cat == "num" else 2
+    opened = terms[-2].cat in {"prep", "det"} or terms[-2].value in {"have", ",", "be"}
+    return number > 1 and opened
 
 
 def _at_a(terms: list[Term], tokens: list[Token]) -> bool:

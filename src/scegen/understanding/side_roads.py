@@ -6,7 +6,7 @@ from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Event, Place, Prep
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.resolving import each_side
+from scegen.understanding.on_sides import each_side
 
 _WITHIN = frozenset({"in", "inside", "within", "through", "near", "around", "past", "by"})
 _LEAVING = frozenset({"reverse", "pull_out", "leave", "unpark"})

@@ -7,6 +7,7 @@ from dataclasses import replace
 from scegen.understanding.choosing import choose, is_adverb
 from scegen.understanding.collectives import gather
 from scegen.understanding.labels import named_at
+from scegen.understanding.lettered import name_letters
 from scegen.understanding.lexicon import Entry
 from scegen.understanding.nominal import ORDINALS
 from scegen.understanding.numbers import number_at
@@ -37,7 +38,7 @@ _NOUNS = ("actor", "place", "thing", "inert")
 _CROSSED = frozenset({"access", "road", "lane", "path", "highway", "crosswalk", "exit", "leg"})
 _HELPS = frozenset({"is", "are", "was", "were", "be", "been", "being", "has", "have", "had"})
 _STEERED = frozenset({"driven", "ridden"})
-_UNIT_WORDS = frozenset({"unit", "veh", "v"})
+_UNIT_WORDS = frozenset({"unit", "veh", "v", "party"})
 
 
 def _first_person(token: Token) -> bool:
@@ -106,7 +107,8 @@ def tag(tokens: list[Token]) -> list[Term]:
         term = retag(term, terms, tokens)
         terms.append(term)
         i = terms[-1].j
-    return with_articles(_crossings(gather(from_side_to_side(terms), tokens), tokens), tokens)
+    crossed = _crossings(gather(from_side_to_side(terms), tokens), tokens)
+    return with_articles(name_letters(crossed, tokens), tokens)
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:

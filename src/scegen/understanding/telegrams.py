@@ -28,7 +28,7 @@ def spell_out(chunks: list[Chunk]) -> list[Chunk]:
     Args:
         chunks: the chunks of the text.
     """
-    chunks = _told_by_nobody(_after_headings(_from_titles(chunks)))
+    chunks = _told_by_nobody(_after_headings(_cast(_from_titles(chunks))))
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Event) and not chunk.nominal and _named_doing(chunks, k):
             chunk.nominal = True
@@ -68,6 +68,32 @@ def _after_headings(chunks: list[Chunk]) -> list[Chunk]:
         if _ends(chunk):
             begin = k + 1
     return kept
+
+
+def _cast(chunks: list[Chunk]) -> list[Chunk]:
+    """``Conflict partner: a bus from the left``: the noun after the colon plays the role."""
+    kept: list[Chunk] = []
+    for k, chunk in enumerate(chunks):
+        role, actor = _at(chunks, k - 1), _at(chunks, k + 1)
+        opens = _ends(_at(chunks, k - 2)) or _is(_at(chunks, k - 2), ",")
+        if _is(chunk, ":") and opens and isinstance(role, Mention) and isinstance(actor, Mention):
+            single = all(m.head is not None and m.head.form != "s" for m in (role, actor))
+            listed = any(m.pronoun or m.mod("num", "quant") for m in (role, actor))
+            if single and not listed and _is_role(role) and not _is_role(actor):
+                actor.same_as = role
+                continue
+        kept.append(chunk)
+    return kept
+
+
+def _is_role(mention: Mention) -> bool:
+    """Whether a noun only says which part somebody plays: "the adversary", "lead vehicle"."""
+    head = mention.head
+    if head is None or mention.mod("verb", "state", "manner") is not None:
+        return False
+    plays = head.data.get("label") == "adversary" or bool(head.data.get("ego"))
+    placed = head.value == "car" and set(mention.dirs) & {"ahead", "behind"}
+    return plays or bool(placed)
 
 
 def _from_titles(chunks: list[Chunk]) -> list[Chunk]:

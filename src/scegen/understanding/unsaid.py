@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.scenario.functional import Junction
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.negation import ways_left
 
 _OUT_OF_THE_ACCESS = frozenset({HazardKind.FAILURE_TO_YIELD, HazardKind.REVERSING,
                                 HazardKind.CROSSING_CYCLIST})  # fmt: skip
@@ -25,7 +26,11 @@ def maneuvers_of(entity: Entity, junction: Junction, draft: Draft) -> set[Maneuv
         return entity.maneuvers
     found = _followed(entity, junction, draft)
     if found is None:
-        return set()
+        left = ways_left(entity) if junction.kind is not JunctionKind.ROUNDABOUT else set()
+        basis = entity.excluded_basis
+        if left and basis is not None:
+            entity.maneuver_basis = Basis(basis.i, basis.j, "the other ways are ruled out")
+        return left
     maneuver, words, reason = found
     entity.maneuver_basis = Basis(words.i, words.j, reason)
     return {maneuver}
