@@ -139,9 +139,10 @@ def _own_vehicles(events: list[Event], tokens: list[Token]) -> None:
         who = event.subject[-1]
         whose = what.mods[0] if what.mods else None
         own = whose is not None and whose.cat == "possessive" and whose.value == "its"
-        driven = (_is_person(who) or who.pronoun is not None or tells(who)) and tokens[
-            event.i
-        ].forms[-1][0] in _OPERATING
+        operates = tokens[event.i].forms[-1][0] in _OPERATING
+        party = (who.label or "").startswith("#")  # "driver 2, who was riding a motorcycle"
+        driven = operates and (_is_person(who) or who.pronoun is not None or tells(who) or party)
+        driven = driven or (event.name == "reverse" and _is_person(who))  # "a man backs a van out"
         if what.heads and not what.label and (own or driven):
             what.same_as = who
             who.drives = True

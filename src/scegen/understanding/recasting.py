@@ -8,6 +8,7 @@ is to pull out. On foot, whoever jumps out crosses.
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, Control
+from scegen.understanding import numbered_lanes
 from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.ways import into_lane
@@ -41,6 +42,10 @@ def recast(scene: Scene, context: Context) -> str:
     shoved = context.tokens[event.i].forms[-1][0] in {"shove", "barge", "push"}
     if event.name == "dash" and shoved and isinstance(event.object, Mention):
         return "send"  # "shoved us into the junction"
+    if event.name in {"wait", "stop"} and scene.drivers and _close_behind(scene):
+        return "tailgate"
+    if numbered_lanes.leaves_it(event, scene.drivers, context.tokens):
+        return "lane_change"
     if event.name == "inert" and _turns_off(scene, context):
         return "turn"
     if event.name in _MAKING and _into_a_turn(event):
@@ -60,6 +65,19 @@ def recast(scene: Scene, context: Context) -> str:
     if not scene.drivers:
         return event.name
     return _by_path(scene, context, riding=_riding(scene, context))
+
+
+def _close_behind(scene: Scene) -> bool:
+    """``sits so close behind me``: stays there while both drive."""
+    behind = [
+        p.target
+        for p in scene.event.pps
+        if (p.word.cat, p.value) == ("locus", "behind") and isinstance(p.target, Mention)
+    ]
+    close = scene.how("close") is not None and not scene.event.negated
+    if close and behind:
+        scene.targets = [e for m in behind if isinstance(m, Mention) for e in m.entities]
+    return close and bool(behind)
 
 
 def _over_it(scene: Scene, context: Context) -> bool:
