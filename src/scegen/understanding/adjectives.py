@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from scegen.understanding.terms import Term
 
+_ROADS = frozenset({"highway", "road", "ramp"})
+
 
 def loose_modifier(terms: list[Term], m: int, opened: bool) -> bool:
     """Participles before a noun, and nouns or weather words used as adjectives.
@@ -20,6 +22,9 @@ def loose_modifier(terms: list[Term], m: int, opened: bool) -> bool:
     nounlike = follows in {"actor", "place", "thing", "view", "verb", "inert", "shape"}
     if term.cat == "inert":
         return opened and term.value == "adjective" and nounlike
+    if term.cat == "place" and term.value in _ROADS:
+        mass = follows == "actor" and "mass" in terms[m + 1].data  # "slow highway traffic"
+        return mass and not (m and terms[m - 1].value == "def")
     if term.cat == "env":
         return follows in {"place", "actor"}
     return opened and term.cat == "unknown" and follows in {"actor", "place", "unknown", "thing"}

@@ -19,14 +19,16 @@ def on_the_road(mention: Mention, context: Context) -> None:
         context: the scenario in the making.
     """
     walkers = [e for e in mention.entities if not e.is_vehicle]
-    if not walkers:
-        return
+    cyclists = [e for e in mention.entities if context.is_cyclist(e) and not e.ego]
     for prep in mention.pps:
         place = prep.target
         on = prep.value == "in" and isinstance(place, Place) and place.kind in _WAY
         if on and isinstance(place, Place) and context.tokens[prep.word.i].low in _UPON:
             basis = Basis(mention.i, place.j)
-            context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, basis, walkers)
+            if walkers:
+                context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, basis, walkers)
+            if cyclists and place.kind == "crosswalk":
+                context.draft.hazard(HazardKind.CROSSING_CYCLIST, basis, cyclists)
 
 
 def comes_from_the_side(mention: Mention, context: Context) -> None:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Event, Mention, Place, Prep
 
+_LEAVING = frozenset({"turn", "sharp_turn", "u_turn", "leave", "cross", "cut_in", "dash"})
+
 
 def facing(mention: Mention, prep: Prep) -> bool:
     """``oncoming traffic in the target lane``: it comes from the front, whatever the lane.
@@ -47,3 +49,15 @@ def is_side(prep: Prep) -> bool:
         prep: a phrase of place.
     """
     return isinstance(prep.target, Place) and prep.target.kind == "side"
+
+
+def from_the_wrong_lane(prep: Prep, event: Event | None) -> bool:
+    """``turns right from the wrong lane``: from one that is not for turning, not an oncoming one.
+
+    Args:
+        prep: a phrase of place.
+        event: the event that it belongs to, if any.
+    """
+    place = prep.target
+    wrong = isinstance(place, Place) and place.head is not None and "dir" in place.head.data
+    return wrong and prep.value == "from" and event is not None and event.name in _LEAVING

@@ -83,9 +83,11 @@ def _across_somebody(scene: Scene, context: Context) -> bool:
 
 def lane_change(scene: Scene, context: Context) -> None:
     """A lane change is a cut-in when abrupt or unsafe, or when it ends in another's lane."""
-    if not scene.drivers:
-        return
     sudden = scene.how("sudden", "emergency", "aggressive")
+    if not scene.drivers:
+        if sudden is not None and scene.event.nominal and not scene.event.subject:
+            context.draft.hazard(HazardKind.CUT_IN, sudden, [])  # "dense traffic, a sudden …"
+        return
     met = scene.event.object
     if isinstance(met, Mention) and "opposite" in met.dirs:
         context.draft.hazard(HazardKind.ONCOMING_LANE, scene.words, scene.drivers)

@@ -44,7 +44,7 @@ def coordinate(event: Event, state: State) -> None:
         verbs = outer or verbs  # "finds a spot where two cars stand, and has to change lanes"
     alike = [e for e in verbs if _shape(e) == wanted]
     alike = alike or [e for e in verbs if wanted == "finite" and e.finite and e.modal]
-    exact = [e for e in alike if wanted == "finite" and e.form == event.form and not e.perfect]
+    exact = [e for e in alike if wanted == "finite" and _as_finite(e, event) and not e.perfect]
     parallel = next(reversed(exact or alike), None)
     if parallel is None:
         parallel = next((e for e in reversed(verbs) if e.finite), None)
@@ -62,6 +62,11 @@ def coordinate(event: Event, state: State) -> None:
         event.parent, event.link = parallel.parent, parallel.link
         event.modal = event.modal or parallel.modal
     alternative(event, parallel, state)
+
+
+def _as_finite(first: Event, second: Event) -> bool:
+    """``does not slow and swings out``: "do" bears the ending that the second verb bears."""
+    return first.form == second.form or (first.form == "base" and not first.modal)
 
 
 def _agree(verb: Event, subject: list[Mention]) -> bool:

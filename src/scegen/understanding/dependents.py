@@ -35,6 +35,17 @@ def depend(event: Event, parent: Event, link_kind: str) -> None:
     event.modal = event.modal or parent.modal or parent.name in {"cause", "prevent"}
 
 
+def granting(event: Event, before: Event) -> Event:
+    """``lets a van already turning pass``: the bare verb hangs on "lets", not on the participle.
+
+    Args:
+        event: a verb.
+        before: the verb right before it.
+    """
+    let = before.parent if before.form == "ing" and event.form == "base" else None
+    return let if let is not None and let.control == "object" else before
+
+
 def _share_subject(event: Event, other: Event, state: State) -> None:
     """Who does the one does the other, also if they come later ("while making a turn, …")."""
     event.subject = other.subject

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind
-from scegen.understanding.chunks import Mention, Place
+from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
 from scegen.understanding.walking import keep_along
@@ -12,10 +12,13 @@ _HIDING = frozenset({"behind", "between"})
 _CARRIAGEWAY = frozenset({"road", "crosswalk", "highway"})
 _WAY = frozenset({"crosswalk", "road", "lane", "path", "highway"})
 _OVER = frozenset({"over", "across"})
+_ALONG_A_CROSSWALK = frozenset({"through", "on", "along", "via", "in", "over", "across"})
+_UNDERWAY = frozenset({"move", "speed", "accelerate", "crawl", "dash", "pass", "leave"})
 _CROSSED = _WAY | {"exit", "leg", "junction"}
 _ALONG_IT = frozenset({"turn", "sharp_turn", "u_turn", "hide", "block", "park", "locate", "look",
                        "inert", "see", "encounter", "lane_change", "wait"})  # fmt: skip
 _TAKING = frozenset({"use", "block", "enter"})
+_MERGED = frozenset({HazardKind.CUT_IN, HazardKind.MERGING_CONFLICT, HazardKind.ONCOMING_LANE})
 _REMAINING = frozenset({"stop", "wait", "locate", "inert", "unknown", "slow"})
 
 
@@ -83,10 +86,20 @@ def _across_by_any_verb(scene: Scene, context: Context) -> bool:
         return True
     if own & _OVER and direct is None and scene.walkers:
         return not any(m.value == "halfway" for m in event.mods)
-    return any(
+    return _on_a_crosswalk(event, context) or any(
         context.tokens[p.word.i].low in _OVER
         and isinstance(p.target, Place)
         and p.target.kind in _CROSSED
+        for p in event.pps
+    )
+
+
+def _on_a_crosswalk(event: Event, context: Context) -> bool:
+    """``rides through the crosswalk``: whoever is underway on one crosses."""
+    return event.name in _UNDERWAY and any(
+        context.tokens[p.word.i].low in _ALONG_A_CROSSWALK
+        and isinstance(p.target, Place)
+        and p.target.kind == "crosswalk"
         for p in event.pps
     )
 
@@ -118,10 +131,23 @@ def answered(scene: Scene, context: Context) -> None:
 
 def struck(scene: Scene, context: Context) -> None:
     """``was hit on the crosswalk``: whoever is hit there on foot was crossing."""
+    _struck_aside(scene, context)
     there = any(p.kind == "crosswalk" for p in scene.places())
     walkers = [e for e in scene.targets if not e.is_vehicle]
     if there and walkers:
         context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, scene.words, walkers)
+
+
+def _struck_aside(scene: Scene, context: Context) -> None:
+    """``changed lanes and struck its side``: no room was left for the change of lane."""
+    hit = scene.event.object
+    owner = hit.owner if isinstance(hit, Place) else None
+    whom = [*scene.targets, *(owner.entities if owner is not None else [])]
+    changed = [e for e in scene.drivers if e.maneuvers == {Maneuver.LANE_CHANGE} and not e.ego]
+    cut = {e.index for d in context.draft.dangers if d.kind in _MERGED for e in d.by}
+    moved = [e for e in whom if e.moving_vehicle]
+    if changed and moved and not context.junction.crossing and not cut & {e.index for e in changed}:
+        context.draft.hazard(HazardKind.CUT_IN, scene.words, changed, moved)
 
 
 def walk(scene: Scene, context: Context) -> None:

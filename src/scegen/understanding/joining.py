@@ -21,14 +21,14 @@ def joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     anchor = state.anchor
     _doing_the_same(mention, k, chunks, state)
     listed = "and" in state.between or "or" in state.between or state.between == {","}
-    if not (isinstance(anchor, Mention) and listed) or "sub" in state.between:
+    if not (isinstance(anchor, Mention) and listed) or state.between & {"sub", "copy"}:
         return False
     if mention.pronoun in {"count", "one", "another"} and "," in state.between:
         return False  # "four vans, two turning left": some of them, not further ones
     waiting = anchor is state.candidate and not state.candidate_done
     waiting = waiting and not any(anchor in event.subject for event in state.events)
-    said = {"aux:be", "aux:have"} & state.between  # "I'm here and a van …"
-    complete = bool(said) and finite_follows(chunks, k)
+    said = bool({"aux:be", "aux:have"} & state.between) or _is_somewhere(anchor, k, chunks)
+    complete = said and finite_follows(chunks, k)  # "I'm here and a van …"
     if complete or (state.between == {","} and not (waiting and _list_goes_on(k, chunks))):
         return False
     let = _let(anchor, k, chunks, state)
@@ -49,6 +49,14 @@ def joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     state.anchor = mention
     state.between = set()
     return True
+
+
+def _is_somewhere(who: Mention, k: int, chunks: list[Chunk]) -> bool:
+    """``we're in the left lane of the motorway and a van …``: a clause of its own, without verb."""
+    since = [c for c in chunks[:k] if c.i >= who.j]
+    if any(isinstance(c, Event) or (isinstance(c, Word) and c.cat == "rel") for c in since):
+        return False
+    return any(isinstance(c, Word) and (c.cat, c.value) == ("aux", "be") for c in since)
 
 
 def _doing_the_same(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:

@@ -103,7 +103,8 @@ def _mine(mention: Mention, kind: ParticipantKind) -> bool:
     first = mention.mods[0] if mention.mods else None
     mine = first is not None and (first.cat, first.value) == ("possessive", "first_person")
     named = mention.head is not None and mention.head.value in KINDS
-    return mine and named and kind is not ParticipantKind.PEDESTRIAN
+    person = mention.head is not None and mention.head.value == "pedestrian"  # "my neighbour"
+    return mine and named and not person and kind is not ParticipantKind.PEDESTRIAN
 
 
 def _name(label: str, kind: ParticipantKind) -> str:

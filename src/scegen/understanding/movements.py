@@ -13,10 +13,10 @@ from scegen.understanding.lane_moves import (
     apply,
     forced,
     lane_change,
-    merge,
     swerve,
     use_oncoming_lane,
 )
+from scegen.understanding.onto_roads import join, onto_a_road
 
 _ASIDE = frozenset({"move", "shift", "steer", "edge", "ease"})
 """Verbs that on an open road mean a shift to the side, not a turn."""
@@ -148,7 +148,8 @@ def overtake(scene: Scene, context: Context) -> None:
 
 
 def pull_around(scene: Scene, context: Context) -> None:
-    """``pulls out around a parked van``: past it."""
+    """``pulls out around a parked van``: past it; onto a road to one side, a turn."""
+    onto_a_road(scene, context)
     for prep in scene.event.pps:
         around = context.tokens[prep.word.i].low in {"around", "round", "past"}
         passed = prep.target.entities if isinstance(prep.target, Mention) else []
@@ -251,6 +252,7 @@ def through_junction(scene: Scene, context: Context) -> None:
         entity.moves = entity.moves or Basis(event.i, event.j)
     if event.name == "enter" and ways.next_lane(event, context):
         lane_change(scene, context)
+    onto_a_road(scene, context)
     onward = next((d for d in event.dirs if d.value == "straight"), None)
     if onward is not None:
         apply(scene, context, {Maneuver.STRAIGHT}, Basis(onward.i, onward.j))
@@ -290,7 +292,7 @@ MOVEMENTS: dict[str, Callable[[Scene, Context], None]] = {
     "brake": courses.stay,
     "hard_brake": courses.stay,
     "park": courses.park,
-    "merge": merge,
+    "merge": join,
     "approach": through_junction,
     "enter": through_junction,
     "speed": move,

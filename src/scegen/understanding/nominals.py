@@ -45,6 +45,7 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
     whole = partitive_before(k, chunks)
     if whole is not None and (mention.mods == [] or mention.mods[0].value == "indef"):
         mention.same_as = whole
+        _resume(whole, state)
         return
     if further_ones(mention, k, chunks, state):
         mention.pronoun = "further"
@@ -63,6 +64,16 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
     state.anchor = mention
     state.between = set()
     state.last_pp = None
+
+
+def _resume(part: Mention, state: State) -> None:
+    """``four cars, one of them a taxi, meet``: the four meet, not the one."""
+    before = next((m for m in reversed(state.mentions) if m.i < part.i), None)
+    if before is None or state.candidate is not part:
+        return
+    state.candidate = state.anchor = before
+    state.candidate_done = any(before in e.subject for e in state.events)
+    state.between = set()
 
 
 def _undergo(verb: Event, mention: Mention) -> None:

@@ -10,10 +10,14 @@ from scegen.understanding.tokens import Token
 _ARTICLES = frozenset({"a", "an", "the"})
 _ZONE = frozenset({"zone", "limit", "area", "stretch", "road", "street"})
 _OVER = {"over": "fast", "above": "fast", "under": "slow", "below": "slow"}
-_PACING = frozenset({"do", "go", "drive", "travel", "hit", "come", "move", "ride", "roll"})
+_PACING = frozenset({"do", "go", "drive", "travel", "hit", "come", "move", "ride", "roll",
+                     "pootle", "potter", "crawl", "trundle", "dawdle", "chug", "toddle", "tootle",
+                     "bimble", "race", "fly", "tear", "speed", "zoom", "barrel", "cruise",
+                     "creep", "amble", "hurtle", "bomb", "roar"})  # fmt: skip
 _VAGUELY = frozenset({"about", "around", "only", "maybe", "at", "barely", "nearly", "over", "just",
-                      "well", "like", "least", "most", "close", "to", "almost", "up", "some",
-                      "roughly", "approximately", "easily", "really", "very", "so",
+                      "well", "like", "along", "down", "past", "least", "most", "close", "to",
+                      "almost", "up", "some", "roughly", "approximately", "easily", "really",
+                      "very", "so",
                       "too", "rather", "quite", "pretty", "awfully", "extremely", "fairly",
                       "unusually", "terribly", "far", "way", "much"})  # fmt: skip
 _RATES = frozenset({"speed", "speeds", "velocity", "velocities", "pace", "rate", "lick", "clip",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, Maneuver, ParticipantKind
+from scegen.understanding.bearing import from_the_wrong_lane
 from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.located import landmark
@@ -173,7 +174,8 @@ class Placer:
             bound = "bound" in compass.data  # "from southbound Elm Street"
             back = prep.value == "from" and not bound
             heading = _FROM[compass.value] if back else compass.value
-            if bound and prep.value == "to":
+            own = event is not None and any(m.cat == "compass" for m in event.mods)
+            if (bound and prep.value == "to") or (own and prep.value == "in"):
                 return  # "turned onto eastbound Elm Street": where it gets to
             self._head(entities, heading, basis)
             return
@@ -185,7 +187,7 @@ class Placer:
         facing = target.kind in {"direction", "side"} and "opposite" in target.dirs
         allowed = _STEADY | ({"cross", "turn"} if facing else {"cross"})
         steady = event is None or event.name in allowed
-        if prep.value == "in" and not steady:
+        if (prep.value == "in" and not steady) or from_the_wrong_lane(prep, event):
             return
         if len(entities) > 1 and _differ(target):
             self._apart(entities, basis)

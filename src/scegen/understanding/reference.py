@@ -76,6 +76,8 @@ def elsewhere(reading: Reading, mention: Mention, entity: Entity) -> bool:
     if entity.ego and reading.called - entity.named_by and "speaks" in entity.named_by:
         return True  # "this Audi": not the one who tells it
     person = mention.head is not None and mention.head.value == "pedestrian" and reading.driver
+    if person and entity.ego and any(m.value == "first_person" for m in mention.mods[:1]):
+        return True  # "my neighbour": not the one who tells it
     if person and (mention.pps or mention.narrowed) and entity.is_vehicle:
         return not reading.called & entity.named_by  # "the bloke behind me"
     bare = reading.det == "bare" and not reading.dirs and reading.kind is entity.kind

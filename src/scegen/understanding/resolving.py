@@ -79,7 +79,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     for chunk in chunks:
         if isinstance(chunk, Place | Thing) and any(m.value == "first_person" for m in chunk.mods):
             discourse.observer(chunk.i, chunk.j)
-        if isinstance(chunk, Word) and discourse.tells(chunk.i, chunk.j):
+        if isinstance(chunk, Word | Event) and discourse.tells(chunk.i, chunk.j):
             discourse.observer(chunk.i, chunk.j)
         if not isinstance(chunk, Mention) or (id(chunk) in owners and _on_no_road(chunk)):
             continue

@@ -224,7 +224,7 @@ class Roster:
             rides = entity.kind is ParticipantKind.BICYCLE and not reading.plural
             kind = entity.kind in _MOTOR and (not rides or reading.kind is _RIDDEN)
         else:
-            kind = entity.kind is reading.kind
+            kind = entity.kind is reading.kind or self._motorbike(entity, reading)
         adversary = reading.labels == {"adversary"} and not reading.plural
         if adversary:
             if entity.ego or (reading.generic is False and not kind):
@@ -235,6 +235,12 @@ class Roster:
         if contradict(entity.named_by, reading.called):
             return False
         return kind and (entity.parked or not reading.parked)
+
+    def _motorbike(self, entity: Entity, reading: Reading) -> bool:
+        """``a motorcyclist … the bike``: where no bicycle is about, the motorcycle."""
+        named = reading.called == {"bike"} and reading.det == "def"
+        kinds = {e.kind for e in self.draft.entities}
+        return named and entity.kind is _RIDDEN and ParticipantKind.BICYCLE not in kinds
 
     def cast(self, reading: Reading, *, narrowed: bool, loci: set[str]) -> list[Entity]:
         """``a leading car … the adversarial leading car``: somebody known gets the role.

@@ -8,6 +8,7 @@ from scegen.understanding.dependents import (
     chain,
     depend,
     gerund,
+    granting,
     infinitive,
     nominal,
 )
@@ -26,12 +27,7 @@ _DESCRIBING = PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate"
 
 
 def link(event: Event, state: State) -> None:
-    """Gives the event its subject, its parent verb and its mood.
-
-    Args:
-        event: the event just read.
-        state: what the clause reader remembers.
-    """
+    """Gives the event its subject, its parent verb and its mood."""
     interrupts = {"rel", ","} <= state.between and bool(state.mentions) and event.form == "ing"
     state.relating = _antecedent(state) if interrupts else state.relating
     _link(event, state)
@@ -150,7 +146,7 @@ def _clause(event: Event, state: State) -> None:
     elif isinstance(anchor, Event) and event.finite and _waits(state):
         event.subject = chain(state.candidate) if state.candidate else []
     elif isinstance(anchor, Event):
-        depend(event, anchor, "ing")
+        depend(event, granting(event, anchor), "ing")
         event.subject = anchor.subject
         event.negated = anchor.name == "prevent"  # "oncoming cars prevent overtaking"
     else:

@@ -38,7 +38,7 @@ _NOUNS = ("actor", "place", "thing", "inert")
 _CROSSED = frozenset({"access", "road", "lane", "path", "highway", "crosswalk", "exit", "leg"})
 _HELPS = frozenset({"is", "are", "was", "were", "be", "been", "being", "has", "have", "had"})
 _STEERED = frozenset({"driven", "ridden"})
-_UNIT_WORDS = frozenset({"unit", "veh", "v"})
+_UNIT_WORDS = frozenset({"unit", "veh", "v", "party"})
 
 
 def _first_person(tokens: list[Token], i: int) -> bool:
