@@ -41,6 +41,8 @@ _SHORT_OF = 2
 _PHRASE = 8
 _FEWEST, _MOST = 3, 200
 _LOWEST_LIMIT = 10
+_MOTORWAY = 50
+_GUESS_REACH = 7
 
 
 def pace_at(tokens: list[Token], i: int) -> Term | None:
@@ -68,6 +70,8 @@ def pace_at(tokens: list[Token], i: int) -> Term | None:
     merely = {t.low for t in tokens[max(0, i - _SHORT_OF) : i]} & _MERELY
     if merely and speed and quantity is not None:
         return Term("manner", "slow", i, j, data={"pace": True, "quantity": quantity})
+    if number.value >= _MOTORWAY and not speed and _must_have_been(tokens, i):
+        return Term("manner", "fast", i, j, data={"pace": True})
     posted = _posted(tokens)
     if posted is not None and not speed and number.value > posted:
         return Term("manner", "fast", i, j, data={"pace": True})
@@ -78,6 +82,12 @@ def pace_at(tokens: list[Token], i: int) -> Term | None:
         ends = end >= len(tokens) or tokens[end].kind == "punct" or end > j + 1
         return Term("manner", _OVER[tokens[j].low], i, end, data={"pace": True}) if ends else None
     return None
+
+
+def _must_have_been(tokens: list[Token], i: int) -> bool:
+    """``must've been doing eighty``: a speed that is told because it was too high."""
+    before = [t.low for t in tokens[max(0, i - _GUESS_REACH) : i]]
+    return bool({"must", "easily"} & set(before)) and bool({"doing", "going"} & set(before))
 
 
 def _posted(tokens: list[Token]) -> float | None:
