@@ -12,6 +12,7 @@ from scegen.scenario.functional import (
 )
 from scegen.scenario.vocabulary import JunctionKind, Role
 from scegen.understanding.draft import Basis, Danger, Draft, Entity
+from scegen.understanding.hooks import alongside
 from scegen.understanding.junctions import JunctionReading
 from scegen.understanding.layout import Layout
 from scegen.understanding.left_turns import onto_the_road
@@ -56,6 +57,8 @@ class Builder:
             abreast(self._draft, ego)
             both_change_lanes(self._draft, ego)
             from_the_strip(self._draft, ego)
+        else:
+            alongside(self._draft, ego, self._draft.tokens)
         self._name(ego)
         participants = tuple(
             self._participant(e, ego_basis, junction) for e in self._draft.entities

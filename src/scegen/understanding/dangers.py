@@ -15,7 +15,7 @@ from scegen.understanding import (
     returning,
     screens,
 )
-from scegen.understanding.chunks import Mention
+from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.draft import Basis
 from scegen.understanding.reactions import endangered
@@ -140,8 +140,22 @@ def cut_bend(scene: Scene, context: Context) -> None:
 
 
 def reverse(scene: Scene, context: Context) -> None:
-    """Driving backwards."""
+    """Driving backwards; out of a driveway one comes from the side."""
     context.draft.hazard(HazardKind.REVERSING, scene.words, scene.drivers)
+    event, draft = scene.event, context.draft
+    out_of = [p.target for p in event.pps if p.value in {"of", "from"}]
+    met = any(e.moving_vehicle and e not in scene.actors for e in draft.entities)
+    if not met or not any(isinstance(p, Place) and p.kind == "access" for p in out_of):
+        return
+    for entity in [e for e in scene.drivers if not e.ego]:
+        # "in front of the ego" says where it gets to, not where it comes from
+        draft.placements[:] = [
+            p
+            for p in draft.placements
+            if p.entity is not entity or p.approaches != {Approach.AHEAD}
+        ]
+        if not any(p.entity is entity for p in draft.placements):
+            draft.place(entity, None, {Approach.LEFT, Approach.RIGHT}, scene.words)
 
 
 def lose_control(scene: Scene, context: Context) -> None:
