@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.bystanders import mark_bystanders, put_there
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
+from scegen.understanding.driving_people import in_traffic
 from scegen.understanding.reference import tells
 from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
@@ -61,7 +62,7 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     vague = mention.head is not None and "vague" in mention.head.data
     turns = vague or event.name in {"turn", "sharp_turn"}
     turns = turns and any(d.value in {"left", "right"} for d in event.dirs)
-    turns = turns or ((_person(mention) or vague) and _comes_the_other_way(event))
+    turns = turns or ((_person(mention) or vague) and in_traffic(event, tokens))
     it = mention.pronoun == "it" and tokens[mention.i].low == "it"
     turns = turns or (it and event.name in _UNDERWAY and not event.passive)
     mention.drives = mention.drives or failing or alone or turns
@@ -77,11 +78,6 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     mention.sides |= _sides([p for p in event.pps if p.value == "from"])
     if any(p.value == "from" and isinstance(p.target, Place) for p in event.pps):
         mention.elsewhere = mention.pronoun is None
-
-
-def _comes_the_other_way(event: Event) -> bool:
-    """``the woman coming the other way``, ``… driving towards us``: along the road, in traffic."""
-    return event.name == "move" and any(d.value == "opposite" for d in event.dirs)
 
 
 def _person(mention: Mention) -> bool:
@@ -255,7 +251,8 @@ def _people_in_traffic(chunks: list[Chunk], events: list[Event]) -> None:
         if isinstance(chunk, Mention) and chunk.head is not None and chunk.head.data.get("aboard"):
             chunk.negated = id(chunk) not in walking
         if isinstance(chunk, Mention) and id(chunk) not in walking:
-            chunk.drives = chunk.drives or _along(chunk)
+            wrong = any(m.cat == "manner" and m.value == "wrong_way" for m in chunk.mods)
+            chunk.drives = chunk.drives or wrong or _along(chunk)
 
 
 def _along(mention: Mention) -> bool:

@@ -131,7 +131,7 @@ def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -
     named = (mention.label or "").startswith("#")
     if "aux:be" not in state.between or mention.pronoun or named or not bare:
         return False
-    if state.between & {"copy", "conj", "sub"} or who.pronoun in {"it", "they"}:
+    if state.between & {"copy", "conj", "sub", ","} or who.pronoun in {"it", "they"}:
         return False
     return not finite_follows(chunks, k)
 

@@ -43,6 +43,8 @@ _FEWEST, _MOST = 3, 200
 _LOWEST_LIMIT = 10
 _CRAWL = 40
 """What nobody drives on a motorway, be it in mph or in km/h."""
+_MOTORWAY = 50
+_GUESS_REACH = 7
 
 
 def pace_at(tokens: list[Token], i: int) -> Term | None:
@@ -72,6 +74,8 @@ def pace_at(tokens: list[Token], i: int) -> Term | None:
     merely = {t.low for t in tokens[max(0, i - _SHORT_OF) : i]} & _MERELY
     if merely and speed and quantity is not None:
         return Term("manner", "slow", i, j, data={"pace": True, "quantity": quantity})
+    if number.value >= _MOTORWAY and not speed and _must_have_been(tokens, i):
+        return Term("manner", "fast", i, j, data={"pace": True})
     posted = _posted(tokens)
     if posted is not None and not speed and number.value > posted:
         return Term("manner", "fast", i, j, data={"pace": True})
@@ -91,6 +95,12 @@ def _on_a_highway(tokens: list[Token], j: int) -> bool:
         return False
     found = longest_match(tokens, k)
     return found is not None and any(e.value == "highway" for e in found.entries)
+
+
+def _must_have_been(tokens: list[Token], i: int) -> bool:
+    """``must've been doing eighty``: a speed that is told because it was too high."""
+    before = [t.low for t in tokens[max(0, i - _GUESS_REACH) : i]]
+    return bool({"must", "easily"} & set(before)) and bool({"doing", "going"} & set(before))
 
 
 def _posted(tokens: list[Token]) -> float | None:

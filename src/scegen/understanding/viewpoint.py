@@ -58,8 +58,9 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     led = any(_placed(draft, e, Approach.AHEAD) for e in candidates)
     still = {e.index for d in draft.dangers if d.kind is HazardKind.STOPPING for e in d.by}
     sides = _SIDEWAYS if alone else _ALONG
-    behind = walkers and len(candidates) == 1 and _placed(draft, candidates[0], Approach.BEHIND)
-    sides = frozenset() if behind else sides  # "a car comes from behind": behind the jogger
+    exposed = walkers or len(candidates) < len(movers)
+    met = exposed and len(candidates) == 1 and _met(draft, candidates[0])
+    sides = frozenset() if met else sides  # "a car comes from behind": behind the jogger
     screens = {e.index for d in draft.dangers if d.kind is HazardKind.OCCLUSION for e in d.by}
     if walkers and all(e.index in screens & still for e in candidates):
         return _added(draft, "somebody comes out from behind what stands; a car is added")
@@ -90,6 +91,14 @@ def _placed(draft: Draft, entity: Entity, approach: Approach) -> bool:
         p.entity is entity and p.reference is None and p.approaches == {approach}
         for p in draft.placements
     )
+
+
+def _met(draft: Draft, entity: Entity) -> bool:
+    """``a pedestrian … and an approaching car``: it comes towards the one who is no car."""
+    if _placed(draft, entity, Approach.BEHIND):
+        return True
+    named = {t.low for t in draft.tokens[entity.basis.i or 0 : entity.basis.j or 0]}
+    return _placed(draft, entity, Approach.OPPOSITE) and "approaching" in named
 
 
 def _seen(draft: Draft, entity: Entity, seen: frozenset[Approach]) -> bool:
