@@ -99,3 +99,20 @@ def test_a_single_car_that_approaches_people_is_the_ego():
     scenario = read("A boy crosses the road; an approaching taxi brakes too late.")
     assert [p.kind.value for p in scenario.participants if p.role.value == "ego"] == ["car"]
     assert len(scenario.participants) == 2
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A van came across two lanes right in front of me to reach the slip road.",
+        "A taxi shot across three lanes in front of the ego.",
+        "She came across all the lanes just ahead of us.",
+    ],
+)
+def test_across_lanes_in_front_of_somebody_is_cutting_in(text):
+    assert hazards(text) == {"cut_in"}
+
+
+def test_people_run_across_lanes_on_foot():
+    text = "A pedestrian ran across two lanes in front of the ego."
+    assert hazards(text) == {"crossing_pedestrian"}

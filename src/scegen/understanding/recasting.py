@@ -26,6 +26,7 @@ _ACROSS = frozenset({"across", "over"})
 _HURRYING = frozenset({"move", "speed", "dash"})
 _SPRINGING = frozenset({"shoot", "burst", "bolt", "fly", "race", "dart", "jump", "spring", "lurch",
                         "tear", "pop", "whip", "launch", "dash"})  # fmt: skip
+_SWEEPING = frozenset({"encounter", "move", "cross", "speed", "dash"})
 _ASIDE = frozenset({"access", "parking", "bus_stop", "sidewalk", "junction"})
 _TURNED = frozenset({"side", "access", "road", "junction", "exit", "leg", "highway"})
 _ROADS = frozenset({"road", "junction", "crosswalk", "highway", "path"})
@@ -57,6 +58,9 @@ def recast(scene: Scene, context: Context) -> str:
     afoot = _on_foot(scene, context)
     if afoot is not None:
         return afoot
+    if _over_lanes(scene, context):
+        ahead = any(p.word.cat == "locus" and p.value == "ahead" and p.target for p in event.pps)
+        return "cut_in" if ahead else "lane_change"
     driven = _driven(scene, context) if scene.drivers else None
     if driven is not None:
         return driven
@@ -78,6 +82,20 @@ def _close_behind(scene: Scene) -> bool:
     if close and behind:
         scene.targets = [e for m in behind if isinstance(m, Mention) for e in m.entities]
     return close and bool(behind)
+
+
+def _over_lanes(scene: Scene, context: Context) -> bool:
+    """``came across two lanes in front of me``: from lane to lane where no roads meet."""
+    event = scene.event
+    if event.name not in _SWEEPING or context.junction.crossing or not scene.drivers:
+        return False
+    own = {t.low for t in context.tokens[event.i : event.j]} & _ACROSS
+    lanes: list[object] = [event.object] if own else []
+    lanes += [p.target for p in event.pps if context.tokens[p.word.i].low in _ACROSS]
+    several = [n for n in lanes if isinstance(n, Place) and n.kind == "lane" and n.head is not None]
+    several = [n for n in several if n.head and n.head.form == "s" and "opposite" not in n.dirs]
+    others = [e for e in scene.drivers if not context.is_cyclist(e) and not context.oncoming(e)]
+    return bool(several) and bool(others)
 
 
 def _over_it(scene: Scene, context: Context) -> bool:
