@@ -45,15 +45,11 @@ def recast(scene: Scene, context: Context) -> str:
         return "send"  # "shoved us into the junction"
     if event.name in {"wait", "stop"} and scene.drivers and _close_behind(scene):
         return "tailgate"
-    if numbered_lanes.leaves_it(event, scene.drivers, context.tokens):
-        return "lane_change"
-    if event.name == "inert" and _turns_off(scene, context):
-        return "turn"
-    if event.name in _MAKING and _into_a_turn(event):
+    if _turned(scene, context):
         return "turn"
     if event.name == "walk" and scene.drivers and _runs_it(scene, context):
         return "breach"
-    if event.name == "pass" and not scene.targets and _into_next_lane(event):
+    if _next_lane(scene, context):
         return "lane_change"
     afoot = _on_foot(scene, context)
     if afoot is not None:
@@ -69,6 +65,20 @@ def recast(scene: Scene, context: Context) -> str:
     if not scene.drivers:
         return event.name
     return _by_path(scene, context, riding=_riding(scene, context))
+
+
+def _turned(scene: Scene, context: Context) -> bool:
+    """``turns off to the right``, ``makes a left``."""
+    if scene.event.name == "inert":
+        return _turns_off(scene, context)
+    return scene.event.name in _MAKING and _into_a_turn(scene.event)
+
+
+def _next_lane(scene: Scene, context: Context) -> bool:
+    """``passes into the left lane``, ``a van in lane 1 moves out``."""
+    if scene.event.name == "pass":
+        return not scene.targets and _into_next_lane(scene.event)
+    return numbered_lanes.leaves_it(scene.event, scene.drivers, context.tokens)
 
 
 def _close_behind(scene: Scene) -> bool:
