@@ -70,3 +70,49 @@ def test_the_bike_is_the_motorcycle_where_there_is_no_other():
     text = "A motorcyclist takes the bend too fast and the bike slides into the oncoming lane."
     assert [p.kind.value for p in read(text).participants if p.id != "ego"][:1] == ["motorcycle"]
     assert not any(p.kind.value == "bicycle" for p in read(text).participants)
+
+
+def test_it_is_what_the_sentence_is_about():
+    text = "The ego comes to a bend where two vans have stopped, and it changes lanes."
+    assert does(text)["ego"][1] == {"lane_change"}
+
+
+def test_nouns_after_a_comma_do_not_say_what_the_subject_is():
+    told = does("I was in the left lane, a van on my right, a bus behind me.")
+    assert told["van_1"][0] == {"adjacent"}
+    assert told["bus_1"][0] == {"behind"}
+    assert read("I was in the left lane, a bus behind me.").participants[0].kind.value == "car"
+
+
+def test_one_side_and_the_other():
+    told = does("The ego drives along, a tanker on one side, a coach on the other.")
+    assert told["truck_1"][0] == told["bus_1"][0] == {"adjacent"}
+
+
+def test_and_then_begins_a_clause():
+    text = "A bus is in the left lane, a van behind it, and then the car ahead brakes hard."
+    hard = next(h for h in read(text).hazards if h.kind.value == "hard_braking")
+    assert hard.by == ("car_1",)
+
+
+def test_a_single_car_that_approaches_people_is_the_ego():
+    scenario = read("A boy crosses the road; an approaching taxi brakes too late.")
+    assert [p.kind.value for p in scenario.participants if p.role.value == "ego"] == ["car"]
+    assert len(scenario.participants) == 2
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A van came across two lanes right in front of me to reach the slip road.",
+        "A taxi shot across three lanes in front of the ego.",
+        "She came across all the lanes just ahead of us.",
+    ],
+)
+def test_across_lanes_in_front_of_somebody_is_cutting_in(text):
+    assert hazards(text) == {"cut_in"}
+
+
+def test_people_run_across_lanes_on_foot():
+    text = "A pedestrian ran across two lanes in front of the ego."
+    assert hazards(text) == {"crossing_pedestrian"}

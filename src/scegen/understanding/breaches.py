@@ -122,7 +122,9 @@ def breach(scene: Scene, context: Context) -> bool:
     """
     before = len(context.draft.dangers)
     driven_through = {
-        id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low == "through"
+        id(p.target)
+        for p in scene.event.pps
+        if context.tokens[p.word.i].low in {"through", "against"}
     }
     through = [p.target for p in scene.event.pps if id(p.target) in driven_through]
     ignored = any(isinstance(m, Mention) for m in (scene.event.object, *through))

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention
+from scegen.understanding.chunks import Chunk, Event, Mention, Thing, Word
+from scegen.understanding.tokens import Token
 
 _REFERRING = frozenset({"it", "him", "they"})
+_PEOPLE = frozenset({"driver", "pedestrian", "rider"})
+_PUT = frozenset({"left", "placed", "put", "dumped", "erected", "abandoned", "forgotten", "dropped",
+                  "lost", "set", "installed"})  # fmt: skip
+_PUT_REACH = 3
 
 
 def mark_bystanders(chunks: list[Chunk], events: list[Event]) -> None:
@@ -57,3 +62,21 @@ def _his(mention: Mention) -> bool:
     owned = whose is not None and (whose.cat, whose.value) == ("possessive", "its")
     people = {"pedestrian", "driver"}
     return owned and bool(mention.heads) and not any(h.value in people for h in mention.heads)
+
+
+def put_there(chunks: list[Chunk], tokens: list[Token]) -> None:
+    """``a cone left behind by workers``: they are not about any more.
+
+    Args:
+        chunks: the chunks of the text.
+        tokens: its tokens.
+    """
+    for k, chunk in enumerate(chunks):
+        by, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
+        put = any(t.low in _PUT for t in tokens[max(0, chunk.i - _PUT_REACH) : chunk.j])
+        before = any(isinstance(c, Thing) for c in chunks[max(0, k - _PUT_REACH) : k])
+        agent = isinstance(by, Word) and by.value == "by" and isinstance(who, Mention)
+        if not (agent and isinstance(who, Mention) and put and before):
+            continue
+        if any(h.value in _PEOPLE for h in who.heads):
+            who.negated = True

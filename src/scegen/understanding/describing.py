@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import ParticipantKind
-from scegen.understanding.bystanders import mark_bystanders
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, Word
+from scegen.understanding.bystanders import mark_bystanders, put_there
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
+from scegen.understanding.driving_people import in_traffic
 from scegen.understanding.reference import tells
 from scegen.understanding.terms import Term
 from scegen.understanding.tokens import Token
@@ -21,9 +22,6 @@ _WALKING = frozenset({"walk", "jog", "stroll"})
 _OPERATING = frozenset({"drive", "ride", "operate", "pilot"})
 _DRIVEN = _ONLY_VEHICLES | {"reverse", "move", "turn", "stop", "speed", "lose_control"}
 _ALONG = frozenset({"behind", "ahead", "adjacent", "opposite"})
-_PUT = frozenset({"left", "placed", "put", "dumped", "erected", "abandoned", "forgotten", "dropped",
-                  "lost", "set", "installed"})  # fmt: skip
-_PUT_REACH = 3
 _ABOARD = frozenset({"in", "on", "aboard", "inside"})
 _BY_TRADE = frozenset({"bus", "truck", "van", "car", "emergency_vehicle", "motorcycle", "bicycle"})
 
@@ -51,7 +49,7 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
     _ridden(chunks, events, tokens)
     _towed(events)
     _left_standing(events, tokens)
-    _put_there(chunks, tokens)
+    put_there(chunks, tokens)
 
 
 def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
@@ -64,7 +62,7 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     vague = mention.head is not None and "vague" in mention.head.data
     turns = vague or event.name in {"turn", "sharp_turn"}
     turns = turns and any(d.value in {"left", "right"} for d in event.dirs)
-    turns = turns or ((_person(mention) or vague) and _comes_the_other_way(event))
+    turns = turns or ((_person(mention) or vague) and in_traffic(event, tokens))
     it = mention.pronoun == "it" and tokens[mention.i].low == "it"
     turns = turns or (it and event.name in _UNDERWAY and not event.passive)
     mention.drives = mention.drives or failing or alone or turns
@@ -80,11 +78,6 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     mention.sides |= _sides([p for p in event.pps if p.value == "from"])
     if any(p.value == "from" and isinstance(p.target, Place) for p in event.pps):
         mention.elsewhere = mention.pronoun is None
-
-
-def _comes_the_other_way(event: Event) -> bool:
-    """``the woman coming the other way``, ``… driving towards us``: along the road, in traffic."""
-    return event.name == "move" and any(d.value == "opposite" for d in event.dirs)
 
 
 def _person(mention: Mention) -> bool:
@@ -145,9 +138,10 @@ def _own_vehicles(events: list[Event], tokens: list[Token]) -> None:
         who = event.subject[-1]
         whose = what.mods[0] if what.mods else None
         own = whose is not None and whose.cat == "possessive" and whose.value == "its"
-        driven = (_is_person(who) or who.pronoun is not None or tells(who)) and tokens[
-            event.i
-        ].forms[-1][0] in _OPERATING
+        operates = tokens[event.i].forms[-1][0] in _OPERATING
+        party = (who.label or "").startswith("#")  # "driver 2, who was riding a motorcycle"
+        driven = operates and (_is_person(who) or who.pronoun is not None or tells(who) or party)
+        driven = driven or (event.name == "reverse" and _is_person(who))  # "a man backs a van out"
         if what.heads and not what.label and (own or driven):
             what.same_as = who
             who.drives = True
@@ -222,17 +216,6 @@ def _left_standing(events: list[Event], tokens: list[Token]) -> None:
             what.mods = [*what.mods, Term("state", "parked", event.i, event.j)]
 
 
-def _put_there(chunks: list[Chunk], tokens: list[Token]) -> None:
-    """``a cone left behind by workers``: they are not about any more."""
-    for k, chunk in enumerate(chunks):
-        by, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
-        put = any(t.low in _PUT for t in tokens[max(0, chunk.i - _PUT_REACH) : chunk.j])
-        before = any(isinstance(c, Thing) for c in chunks[max(0, k - _PUT_REACH) : k])
-        agent = isinstance(by, Word) and by.value == "by" and isinstance(who, Mention)
-        if agent and isinstance(who, Mention) and put and before and _is_person(who):
-            who.negated = True
-
-
 def _stands_for(who: Mention, what: object) -> None:
     if isinstance(what, Mention) and _vehicle(what) and what.same_as is None and what is not who:
         what.same_as = who
@@ -268,7 +251,8 @@ def _people_in_traffic(chunks: list[Chunk], events: list[Event]) -> None:
         if isinstance(chunk, Mention) and chunk.head is not None and chunk.head.data.get("aboard"):
             chunk.negated = id(chunk) not in walking
         if isinstance(chunk, Mention) and id(chunk) not in walking:
-            chunk.drives = chunk.drives or _along(chunk)
+            wrong = any(m.cat == "manner" and m.value == "wrong_way" for m in chunk.mods)
+            chunk.drives = chunk.drives or wrong or _along(chunk)
 
 
 def _along(mention: Mention) -> bool:

@@ -154,14 +154,14 @@ class Discourse:
         """
         return any(t.low in {"my", "our"} for t in self.tokens[i:j])
 
-    def observer(self, i: int, j: int) -> None:
+    def observer(self, i: int, j: int) -> Entity:
         """``our lane``: whoever tells it takes part.
 
         Args:
             i: index of the first token of the words.
             j: index after the last one.
         """
-        self._ego(ParticipantKind.CAR, Basis(i, j))
+        return self._ego(ParticipantKind.CAR, Basis(i, j))
 
     def _ego(self, kind: ParticipantKind, basis: Basis, *, told: bool = False) -> Entity:
         """The ego; what it drives may be said later than who it is."""

@@ -46,6 +46,8 @@ class Entity:
     maneuvers: set[Maneuver] = field(default_factory=set)
     maneuver_basis: Basis | None = None
     turn_alternative: int | None = None
+    lane: int | None = None
+    lane_basis: Basis | None = None
     excluded: set[Maneuver] = field(default_factory=set)
     excluded_basis: Basis | None = None
     entries: set[int] = field(default_factory=set)

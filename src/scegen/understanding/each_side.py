@@ -19,7 +19,7 @@ def both_sides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         chunks: the chunks of the text.
         tokens: its tokens.
     """
-    chunks = _each_of(chunks)
+    chunks = _one_and_the_other(_each_of(chunks))
     found: list[Chunk] = []
     k = 0
     while k < len(chunks):
@@ -66,6 +66,34 @@ def _each_of(chunks: list[Chunk]) -> list[Chunk]:
             chunk.mods = [quant, *(m for m in chunk.mods if m.cat not in {"det", "num"})]
         found.append(chunk)
     return found
+
+
+def _one_and_the_other(chunks: list[Chunk]) -> list[Chunk]:
+    """``a bus on one side, a truck on the other``: beside whoever is between them."""
+    found = list(chunks)
+    first: Place | None = None
+    for k, chunk in enumerate(chunks[1:], 1):
+        before, after = chunks[k - 1], chunks[k + 1] if k + 1 < len(chunks) else None
+        on = isinstance(before, Word) and (before.cat, before.value) == ("prep", "in")
+        road = isinstance(after, Word) and after.value == "of"
+        if isinstance(chunk, Word) and chunk.value in {".", ";"}:
+            first = None
+        if not on or road:
+            continue
+        if isinstance(chunk, Place) and chunk.kind == "side" and not chunk.dirs:
+            values = {m.value for m in chunk.mods}
+            first = chunk if values == {"one"} else first
+            if first is not None and first is not chunk and values & {"other"}:
+                found[k] = _beside(chunk, first)
+        elif isinstance(chunk, Mention) and chunk.pronoun == "other" and first is not None:
+            found[k] = _beside(Place(chunk.i, chunk.j, list(chunk.mods), None, kind="side"), first)
+    return found
+
+
+def _beside(second: Place, first: Place) -> Place:
+    for place in (first, second):
+        place.mods = [*place.mods, Term("dir", "adjacent", place.i, place.j)]
+    return second
 
 
 def _each(place: Place, tokens: list[Token], *, either: bool) -> bool:

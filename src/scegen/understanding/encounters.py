@@ -230,17 +230,6 @@ def cyclists_cross(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.CROSSING_CYCLIST, basis, cyclists)
 
 
-def cause(scene: Scene, context: Context) -> None:
-    """A parked vehicle that makes others react stands in their way."""
-    parked = [e for e in scene.actors if e.parked]
-    if parked:
-        context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
-    let = context.tokens[scene.event.i].forms[-1][0] == "let"
-    walkers = [e for e in scene.targets if not e.is_vehicle]
-    if let and walkers and not scene.event.negated:
-        context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, scene.words, walkers)
-
-
 def door(scene: Scene, context: Context) -> None:
     """An opened door stands in the way."""
     basis = scene.words

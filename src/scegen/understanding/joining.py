@@ -23,6 +23,9 @@ def joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     listed = "and" in state.between or "or" in state.between or state.between == {","}
     if not (isinstance(anchor, Mention) and listed) or state.between & {"sub", "copy"}:
         return False
+    joint = chunks[k - 1]
+    if isinstance(joint, Word) and "next" in joint.term.data and finite_follows(chunks, k):
+        return False  # "…, and then the van brakes": what happens next
     if mention.pronoun in {"count", "one", "another"} and "," in state.between:
         return False  # "four vans, two turning left": some of them, not further ones
     waiting = anchor is state.candidate and not state.candidate_done

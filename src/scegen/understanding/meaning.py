@@ -15,6 +15,7 @@ from scegen.understanding import (
     encounters,
     implied,
     lane_moves,
+    numbered_lanes,
     red_lights,
     roles,
     rows,
@@ -98,6 +99,7 @@ class Interpreter:
             )
         }
         set_off(events, self._context)
+        numbered_lanes.note_lanes(chunks, events, self._context.tokens)
         handled = {
             id(e.object) for e in events if e.name in {"inert", "send"} and not e.passive
         }  # "kicks a ball"

@@ -8,7 +8,7 @@ from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place
 from scegen.understanding.joining import joins
 from scegen.understanding.lookahead import copula_follows, finite_follows
 from scegen.understanding.partitives import further_ones, partitive_before
-from scegen.understanding.phrases import also_from, apposed_to, bracketed, whose
+from scegen.understanding.phrases import also_from, apposed_to, bracketed, relative_noun, whose
 from scegen.understanding.state import State
 
 _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
@@ -118,7 +118,7 @@ def _described(mention: Mention, k: int, chunks: list[Chunk], state: State) -> M
         return state.candidate
     if bracketed(chunks, k) and anchor is not None:
         return anchor
-    return apposed_to(chunks, k, state)
+    return relative_noun(chunks, k) or apposed_to(chunks, k, state)
 
 
 def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
@@ -131,7 +131,7 @@ def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -
     named = (mention.label or "").startswith("#")
     if "aux:be" not in state.between or mention.pronoun or named or not bare:
         return False
-    if state.between & {"copy", "conj", "sub"} or who.pronoun in {"it", "they"}:
+    if state.between & {"copy", "conj", "sub", ","} or who.pronoun in {"it", "they"}:
         return False
     return not finite_follows(chunks, k)
 

@@ -85,7 +85,7 @@ def _unable(scene: Scene, context: Context) -> None:
         signed = any(p.kind in _SIGNS | {"signal"} for p in scene.places())
         if not (skids or signed or _too_near(event.i, context)):
             context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
-    elif event.name == "encounter":
+    elif event.name == "encounter" and not any(m.cat == "noted" for m in event.mods):
         context.draft.hazard(HazardKind.OCCLUSION, basis, _in_the_way(scene, context))
     elif event.name not in _HARMLESS:
         context.draft.note(event.i, event.j, "said not to happen; left out")

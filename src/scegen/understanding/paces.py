@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding.numbers import number_at
 from scegen.understanding.quantities import quantity_at
-from scegen.understanding.terms import Term
+from scegen.understanding.terms import Term, longest_match
 from scegen.understanding.tokens import Token
 
 _ARTICLES = frozenset({"a", "an", "the"})
@@ -41,6 +41,10 @@ _SHORT_OF = 2
 _PHRASE = 8
 _FEWEST, _MOST = 3, 200
 _LOWEST_LIMIT = 10
+_CRAWL = 40
+"""What nobody drives on a motorway, be it in mph or in km/h."""
+_MOTORWAY = 50
+_GUESS_REACH = 7
 
 
 def pace_at(tokens: list[Token], i: int) -> Term | None:
@@ -65,9 +69,13 @@ def pace_at(tokens: list[Token], i: int) -> Term | None:
             end += 1
         value = "fast" if number.value > limit.value else "slow"
         return Term("manner", value, i, end, data={"pace": True})
+    if number.value <= _CRAWL and j < len(tokens) and _on_a_highway(tokens, j):
+        return Term("manner", "slow", i, j, data={"pace": True})
     merely = {t.low for t in tokens[max(0, i - _SHORT_OF) : i]} & _MERELY
     if merely and speed and quantity is not None:
         return Term("manner", "slow", i, j, data={"pace": True, "quantity": quantity})
+    if number.value >= _MOTORWAY and not speed and _must_have_been(tokens, i):
+        return Term("manner", "fast", i, j, data={"pace": True})
     posted = _posted(tokens)
     if posted is not None and not speed and number.value > posted:
         return Term("manner", "fast", i, j, data={"pace": True})
@@ -78,6 +86,21 @@ def pace_at(tokens: list[Token], i: int) -> Term | None:
         ends = end >= len(tokens) or tokens[end].kind == "punct" or end > j + 1
         return Term("manner", _OVER[tokens[j].low], i, end, data={"pace": True}) if ends else None
     return None
+
+
+def _on_a_highway(tokens: list[Token], j: int) -> bool:
+    """``doing 30 on the motorway``: far below what is usual there."""
+    k = j + 1 + (j + 1 < len(tokens) and tokens[j + 1].low in _ARTICLES)
+    if tokens[j].low not in {"on", "down"} or k >= len(tokens):
+        return False
+    found = longest_match(tokens, k)
+    return found is not None and any(e.value == "highway" for e in found.entries)
+
+
+def _must_have_been(tokens: list[Token], i: int) -> bool:
+    """``must've been doing eighty``: a speed that is told because it was too high."""
+    before = [t.low for t in tokens[max(0, i - _GUESS_REACH) : i]]
+    return bool({"must", "easily"} & set(before)) and bool({"doing", "going"} & set(before))
 
 
 def _posted(tokens: list[Token]) -> float | None:

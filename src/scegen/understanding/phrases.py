@@ -5,6 +5,9 @@ from __future__ import annotations
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
 from scegen.understanding.state import State
 
+_RELATIVE = 3
+"""A noun, "which", and "is"."""
+
 
 def apposed_to(chunks: list[Chunk], k: int, state: State) -> Mention | None:
     """``vehicle 1, a sedan, was …``: the second only describes the first.
@@ -86,6 +89,27 @@ def bracketed(chunks: list[Chunk], k: int) -> bool:
     """
     around = [*chunks[max(0, k - 1) : k], *chunks[k + 1 : k + 2]]
     return [c.value for c in around if isinstance(c, Word)] == ["(", ")"]
+
+
+def relative_noun(chunks: list[Chunk], k: int) -> Mention | None:
+    """``struck vehicle 2, which was a taxi``: the noun says what vehicle 2 is.
+
+    Args:
+        chunks: the chunks of the text.
+        k: index of the noun.
+
+    Returns:
+        Whom it describes, if it does.
+    """
+    noun = chunks[k]
+    before = [c for c in chunks[max(0, k - 4) : k] if getattr(c, "value", "") != ","]
+    if len(before) < _RELATIVE or not isinstance(noun, Mention) or not noun.mods:
+        return None
+    who, joint, copula = before[-_RELATIVE:]
+    relative = isinstance(joint, Word) and joint.cat == "rel"
+    said = isinstance(copula, Word) and (copula.cat, copula.value) == ("aux", "be")
+    single = noun.mods[0].value == "indef" or any(h.data.get("ego") for h in noun.heads)
+    return who if relative and said and single and isinstance(who, Mention) else None
 
 
 def _names_before(chunks: list[Chunk], k: int, state: State) -> bool:

@@ -294,9 +294,3 @@ class Placer:
         self._head(entities, term.value, Basis(term.i, term.j))
         for entity in entities if "bound" in term.data else []:
             entity.bound = True
-
-
-def thing_sides(entity: Entity, draft: Draft) -> set[Approach]:
-    """The sides at which a participant stands, as far as said."""
-    seen = [p for p in draft.placements if p.entity is entity and p.reference is None]
-    return {a for p in seen for a in p.approaches}

@@ -8,6 +8,7 @@ is to pull out. On foot, whoever jumps out crosses.
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, Control
+from scegen.understanding import numbered_lanes
 from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.context import Context, Scene
 from scegen.understanding.ways import into_lane
@@ -25,6 +26,7 @@ _ACROSS = frozenset({"across", "over"})
 _HURRYING = frozenset({"move", "speed", "dash"})
 _SPRINGING = frozenset({"shoot", "burst", "bolt", "fly", "race", "dart", "jump", "spring", "lurch",
                         "tear", "pop", "whip", "launch", "dash"})  # fmt: skip
+_SWEEPING = frozenset({"encounter", "move", "cross", "speed", "dash"})
 _ASIDE = frozenset({"access", "parking", "bus_stop", "sidewalk", "junction"})
 _TURNED = frozenset({"side", "access", "road", "junction", "exit", "leg", "highway"})
 _ROADS = frozenset({"road", "junction", "crosswalk", "highway", "path"})
@@ -41,17 +43,20 @@ def recast(scene: Scene, context: Context) -> str:
     shoved = context.tokens[event.i].forms[-1][0] in {"shove", "barge", "push"}
     if event.name == "dash" and shoved and isinstance(event.object, Mention):
         return "send"  # "shoved us into the junction"
-    if event.name == "inert" and _turns_off(scene, context):
-        return "turn"
-    if event.name in _MAKING and _into_a_turn(event):
+    if event.name in {"wait", "stop"} and scene.drivers and _close_behind(scene):
+        return "tailgate"
+    if _turned(scene, context):
         return "turn"
     if event.name == "walk" and scene.drivers and _runs_it(scene, context):
         return "breach"
-    if event.name == "pass" and not scene.targets and _into_next_lane(event):
+    if _next_lane(scene, context):
         return "lane_change"
     afoot = _on_foot(scene, context)
     if afoot is not None:
         return afoot
+    if _over_lanes(scene, context):
+        ahead = any(p.word.cat == "locus" and p.value == "ahead" and p.target for p in event.pps)
+        return "cut_in" if ahead else "lane_change"
     driven = _driven(scene, context) if scene.drivers else None
     if driven is not None:
         return driven
@@ -60,6 +65,47 @@ def recast(scene: Scene, context: Context) -> str:
     if not scene.drivers:
         return event.name
     return _by_path(scene, context, riding=_riding(scene, context))
+
+
+def _turned(scene: Scene, context: Context) -> bool:
+    """``turns off to the right``, ``makes a left``."""
+    if scene.event.name == "inert":
+        return _turns_off(scene, context)
+    return scene.event.name in _MAKING and _into_a_turn(scene.event)
+
+
+def _next_lane(scene: Scene, context: Context) -> bool:
+    """``passes into the left lane``, ``a van in lane 1 moves out``."""
+    if scene.event.name == "pass":
+        return not scene.targets and _into_next_lane(scene.event)
+    return numbered_lanes.leaves_it(scene.event, scene.drivers, context.tokens)
+
+
+def _close_behind(scene: Scene) -> bool:
+    """``sits so close behind me``: stays there while both drive."""
+    behind = [
+        p.target
+        for p in scene.event.pps
+        if (p.word.cat, p.value) == ("locus", "behind") and isinstance(p.target, Mention)
+    ]
+    close = scene.how("close") is not None and not scene.event.negated
+    if close and behind:
+        scene.targets = [e for m in behind if isinstance(m, Mention) for e in m.entities]
+    return close and bool(behind)
+
+
+def _over_lanes(scene: Scene, context: Context) -> bool:
+    """``came across two lanes in front of me``: from lane to lane where no roads meet."""
+    event = scene.event
+    if event.name not in _SWEEPING or context.junction.crossing or not scene.drivers:
+        return False
+    own = {t.low for t in context.tokens[event.i : event.j]} & _ACROSS
+    lanes: list[object] = [event.object] if own else []
+    lanes += [p.target for p in event.pps if context.tokens[p.word.i].low in _ACROSS]
+    several = [n for n in lanes if isinstance(n, Place) and n.kind == "lane" and n.head is not None]
+    several = [n for n in several if n.head and n.head.form == "s" and "opposite" not in n.dirs]
+    others = [e for e in scene.drivers if not context.is_cyclist(e) and not context.oncoming(e)]
+    return bool(several) and bool(others)
 
 
 def _over_it(scene: Scene, context: Context) -> bool:

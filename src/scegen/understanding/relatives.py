@@ -102,3 +102,16 @@ def close(event: Event, state: State) -> bool:
     state.events.append(event)
     state.anchor, state.between, state.last_pp = about, set(), None
     return True
+
+
+def aside(event: Event, events: list[Event]) -> bool:
+    """``the ego comes to a spot where a van stops, and it …``: not what the sentence is about.
+
+    Args:
+        event: an event.
+        events: all events of the text.
+    """
+    return event.embedded and any(
+        e.finite and e.subject and not e.embedded and e.sentence == event.sentence and e.i < event.i
+        for e in events
+    )

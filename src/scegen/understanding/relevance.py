@@ -67,7 +67,8 @@ def _hints_at_traffic(terms: list[Term], k: int, tokens: list[Token]) -> bool:
     if term.cat == "verb":
         loud = tokens[term.j - 1].forms[-1][0] in _LOUD
         sided = term.value == "turn" and after is not None and after.cat == "dir"
-        return term.value in _HINTS or sided or loud or "way" in term.data
+        towards = term.value == "approach" and after is not None and "me" in after.data
+        return term.value in _HINTS or sided or loud or towards or "way" in term.data
     if term.cat == "locus":
         return after is not None and "me" in after.data
     if term.cat == "manner":

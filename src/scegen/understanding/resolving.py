@@ -8,8 +8,10 @@ from scegen.understanding.discourse import Discourse
 from scegen.understanding.generic import mark_generic
 from scegen.understanding.located import share_places
 from scegen.understanding.on_sides import sides_of
+from scegen.understanding.relatives import aside
 
 _CLOSING_IN = frozenset({"avoid"})
+_DONE_TO = frozenset({"tailgate", "undertake", "cut_off", "cut_in", "overtake"})
 _BEHIND = frozenset({"follow", "tailgate"})
 _BACK = frozenset({"it", "him", "they"})
 _PARTS = frozenset({"one", "count", "both", "other", "another", "ordinal"})
@@ -31,7 +33,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         id(m)
         for e in events
         for m in e.subject
-        if e.finite or not (id(m) in objects or m.prep is not None)
+        if not aside(e, events) and (e.finite or not (id(m) in objects or m.prep is not None))
     }  # "meets a van blocking the lane", "waits for a van to pass": not about the van
     acted_on = {id(e.object): e for e in events if e.object is not None}
     everywhere = sides_of(events, chunks)
@@ -77,10 +79,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     waiting: list[Mention] = []
     early: list[Mention] = []
     for chunk in chunks:
-        if isinstance(chunk, Place | Thing) and any(m.value == "first_person" for m in chunk.mods):
-            discourse.observer(chunk.i, chunk.j)
-        if isinstance(chunk, Word | Event) and discourse.tells(chunk.i, chunk.j):
-            discourse.observer(chunk.i, chunk.j)
+        _told_by_somebody(chunk, discourse)
         if not isinstance(chunk, Mention) or (id(chunk) in owners and _on_no_road(chunk)):
             continue
         if id(chunk) in held:
@@ -103,6 +102,18 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         waiting = []
     for earlier in (*waiting, *early):
         _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
+
+
+def _told_by_somebody(chunk: Chunk, discourse: Discourse) -> None:
+    """``in our lane``, ``sits on my bumper``: whoever tells it takes part."""
+    if isinstance(chunk, Place | Thing) and any(m.value == "first_person" for m in chunk.mods):
+        discourse.observer(chunk.i, chunk.j)
+    if not isinstance(chunk, Word | Event) or not discourse.tells(chunk.i, chunk.j):
+        return
+    ego = discourse.observer(chunk.i, chunk.j)
+    if isinstance(chunk, Event) and chunk.object is None and chunk.name in _DONE_TO:
+        whom = Mention(chunk.i, chunk.j, [], None)
+        chunk.object, whom.entities = whom, [ego]
 
 
 def _parked(mention: Mention, event: Event) -> None:

@@ -5,8 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing, Word
 from scegen.understanding.context import Context, Scene
-from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.placing import thing_sides
+from scegen.understanding.draft import Basis, Draft, Entity
 
 _SIDES = {"left": Approach.LEFT, "right": Approach.RIGHT}
 _BESIDE = frozenset({"side", "sidewalk", "shoulder", "leg"})
@@ -67,14 +66,14 @@ def _place(
     sides = _sides_of(hider, chunks, context)
     for entity in entities:
         on_foot = not entity.is_vehicle or (context.is_cyclist(entity) and not entity.ego)
-        known = thing_sides(entity, context.draft) & set(_SIDES.values())
+        known = _standing(entity, context.draft) & set(_SIDES.values())
         if sides and on_foot and not known:
             context.draft.place(entity, None, sides, Basis(hider.i, hider.j))
 
 
 def _sides_of(hider: NounPhrase, chunks: list[Chunk], context: Context) -> set[Approach]:
     if isinstance(hider, Mention):
-        found = {a for e in hider.entities for a in thing_sides(e, context.draft)}
+        found = {a for e in hider.entities for a in _standing(e, context.draft)}
         if found == {Approach.OPPOSITE} and not context.junction.crossing:
             found = {Approach(context.across)}
         found &= set(_SIDES.values())
@@ -99,3 +98,9 @@ def _named_after(hider: NounPhrase, chunks: list[Chunk]) -> set[Approach]:
         elif not (isinstance(chunk, Thing) or (isinstance(chunk, Mention) and chunk.possessor)):
             return set()
     return set()
+
+
+def _standing(entity: Entity, draft: Draft) -> set[Approach]:
+    """The sides at which a participant stands, as far as said."""
+    seen = [p for p in draft.placements if p.entity is entity and p.reference is None]
+    return {a for p in seen for a in p.approaches}

@@ -41,9 +41,13 @@ _STEERED = frozenset({"driven", "ridden"})
 _UNIT_WORDS = frozenset({"unit", "veh", "v", "party"})
 
 
-def _first_person(token: Token) -> bool:
-    """``i`` is a person only as a capital letter on its own; "i.e." and "I-95" are not."""
-    return token.low != "i" or token.text == "I"
+def _first_person(tokens: list[Token], i: int) -> bool:
+    """``i`` is a person as a capital letter or before a verb; "i.e." and "I-95" are not."""
+    token = tokens[i]
+    if token.low != "i" or token.text == "I":
+        return True
+    following = longest_match(tokens, i + 1) if i + 1 < len(tokens) else None
+    return following is not None and following.has("aux", "verb", "neg", "manner")
 
 
 def _own_form(entry: Entry, match: Match, token: Token) -> str:
@@ -235,7 +239,7 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     if token.low in _UNIT_WORDS and i + 1 < len(tokens) and tokens[i + 1].kind == "number":
         return Term("actor", "car", i, i + 1)
     number = number_at(tokens, i)
-    match = _match_at(tokens, i, previous) if _first_person(token) else None
+    match = _match_at(tokens, i, previous) if _first_person(tokens, i) else None
     counted = number is not None and match is not None and match.has("shape", "label")
     counted = counted and match is not None and match.form == "s"
     if match and not counted and (number is None or match.j > i + number.length):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
+from scegen.understanding import numbered_lanes
 from scegen.understanding.draft import Basis, Danger, Draft, Entity, Placement
 from scegen.understanding.mutual import allow, face_each_other, in_file
 from scegen.understanding.placing import INVERSE
@@ -17,6 +18,8 @@ _ALONG = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE})
 _SEEN_BACK = _ALONG | {Approach.ADJACENT}
 _SIDEWAYS = _ALONG | {Approach.LEFT, Approach.RIGHT}
 """A single vehicle "from the left" is seen by somebody; of two, each may see the other."""
+_PARTIES = ("insured", "claimant")
+"""Whose case a report tells."""
 
 
 def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
@@ -42,6 +45,10 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     if told is not None:
         told.ego = True
         return told, Basis(reason="the text names no ego; it is about this vehicle")
+    party = [e for name in _PARTIES for e in candidates if name in e.labels]
+    if party:
+        party[0].ego = True
+        return party[0], Basis(reason="the text names no ego; it tells this party's case")
     last = next((e for e in candidates if _placed(draft, e, Approach.BEHIND)), None)
     if last is not None and any(_placed(draft, e, Approach.AHEAD) for e in candidates):
         last.ego = True
@@ -51,8 +58,9 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     led = any(_placed(draft, e, Approach.AHEAD) for e in candidates)
     still = {e.index for d in draft.dangers if d.kind is HazardKind.STOPPING for e in d.by}
     sides = _SIDEWAYS if alone else _ALONG
-    behind = walkers and len(candidates) == 1 and _placed(draft, candidates[0], Approach.BEHIND)
-    sides = frozenset() if behind else sides  # "a car comes from behind": behind the jogger
+    exposed = walkers or len(candidates) < len(movers)
+    met = exposed and len(candidates) == 1 and _met(draft, candidates[0])
+    sides = frozenset() if met else sides  # "a car comes from behind": behind the jogger
     screens = {e.index for d in draft.dangers if d.kind is HazardKind.OCCLUSION for e in d.by}
     if walkers and all(e.index in screens & still for e in candidates):
         return _added(draft, "somebody comes out from behind what stands; a car is added")
@@ -83,6 +91,14 @@ def _placed(draft: Draft, entity: Entity, approach: Approach) -> bool:
         p.entity is entity and p.reference is None and p.approaches == {approach}
         for p in draft.placements
     )
+
+
+def _met(draft: Draft, entity: Entity) -> bool:
+    """``a pedestrian … and an approaching car``: it comes towards the one who is no car."""
+    if _placed(draft, entity, Approach.BEHIND):
+        return True
+    named = {t.low for t in draft.tokens[entity.basis.i or 0 : entity.basis.j or 0]}
+    return _placed(draft, entity, Approach.OPPOSITE) and "approaching" in named
 
 
 def _seen(draft: Draft, entity: Entity, seen: frozenset[Approach]) -> bool:
@@ -196,6 +212,7 @@ def settle_positions(
             seen = ego.heading_basis or Basis()
             entity.by_heading = Basis(seen.i, seen.j, f"the ego is headed {ego.heading}")
     _beside(draft, ego)
+    numbered_lanes.beside(draft, ego)
     _in_file(relations)
     ego.approaches = set()
     return relations

@@ -119,6 +119,7 @@ def through(event: Event, context: Context) -> Basis | None:
         place, word = prep.target, context.tokens[prep.word.i].low
         if isinstance(place, Place) and (
             (word in _THROUGH and place.kind in {"junction", "signal"})
+            or (word == "against" and place.kind == "signal")
             or (word == "along" and place.kind == "road")
         ):
             return span(event, prep.word.i, place.j)
