@@ -101,7 +101,7 @@ def test_options_out_of_range(scegen, tmp_path, options, words):
 
 def test_maneuvers_that_no_arm_allows(scegen, tmp_path):
     (tmp_path / "in.yaml").write_text(
-        "level: functional\ndescription: a fifth exit of four\njunction: {kind: roundabout, arms: 4}\n"
+        "level: functional\ndescription: a fifth exit\njunction: {kind: roundabout, arms: 4}\n"
         "participants: [{id: ego, role: ego, maneuvers: [exit_5]}]\n"
     )
     assert_refused(scegen("generate", "in.yaml", "-o", "out"), "ego")
