@@ -7,7 +7,7 @@ from scegen.errors import ScegenError
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.vocabulary import Approach, EvidenceSource, Maneuver
 from scegen.understanding import read, report_on, stretches
-from scegen.understanding.tokens import tokenize
+from scegen.understanding.words.tokens import tokenize
 
 WORDS = tuple(
     word

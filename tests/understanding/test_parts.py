@@ -2,13 +2,13 @@ import pytest
 
 from scegen.errors import InputError
 from scegen.understanding import load_cases
-from scegen.understanding.chunking import Chunker
-from scegen.understanding.clauses import ClauseReader
-from scegen.understanding.lemmas import lemmas
-from scegen.understanding.numbers import number_at
-from scegen.understanding.quantities import quantity_at
-from scegen.understanding.tagging import tag
-from scegen.understanding.tokens import tokenize
+from scegen.understanding.clauses.clauses import ClauseReader
+from scegen.understanding.phrases.chunking import Chunker
+from scegen.understanding.words.lemmas import lemmas
+from scegen.understanding.words.numbers import number_at
+from scegen.understanding.words.quantities import quantity_at
+from scegen.understanding.words.tagging import tag
+from scegen.understanding.words.tokens import tokenize
 
 
 def events(text):

@@ -3,7 +3,7 @@ import pytest
 from scegen.scenario.vocabulary import EvidenceSource
 from scegen.understanding import read
 from scegen.understanding.lexicon import load, load_spelling
-from scegen.understanding.spelling import meant, one_slip
+from scegen.understanding.words.spelling import meant, one_slip
 
 
 @pytest.mark.parametrize(

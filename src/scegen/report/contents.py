@@ -11,7 +11,7 @@ from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
 from scegen.scenario.proof import Proof
-from scegen.understanding.disagreement import Disagreement
+from scegen.understanding.report.disagreement import Disagreement
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from scegen.report.words import hazard_words, plain
 from scegen.scenario.functional import Evidence, FunctionalScenario
 from scegen.understanding import STANDINGS, Finding, report_on, stretches
-from scegen.understanding.disagreement import Disagreement
+from scegen.understanding.report.disagreement import Disagreement
 
 LONGEST_SHOWN = 20_000
 """Characters of a description that are shown."""

@@ -1,8 +1,9 @@
 """From an English description to a functional scenario, by rules, offline."""
 
-from scegen.understanding.cases import Case, load_cases, paper_cases
-from scegen.understanding.explain import Stretch, stretches
-from scegen.understanding.parse_report import (
+from scegen.understanding.reader import MAX_CHARACTERS, read
+from scegen.understanding.report.cases import Case, load_cases, paper_cases
+from scegen.understanding.report.explain import Stretch, stretches
+from scegen.understanding.report.parse_report import (
     STANDINGS,
     Finding,
     ParseReport,
@@ -11,8 +12,7 @@ from scegen.understanding.parse_report import (
     report_on,
     report_on_contradiction,
 )
-from scegen.understanding.reader import MAX_CHARACTERS, read
-from scegen.understanding.scoring import Score, score
+from scegen.understanding.report.scoring import Score, score
 
 __all__ = [
     "MAX_CHARACTERS",

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 from scegen.scenario.vocabulary import ParticipantKind
-from scegen.understanding.terms import Term
+from scegen.understanding.words.terms import Term
 
 
 @dataclass(slots=True, eq=False)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from scegen.errors import InfeasibleError
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
-from scegen.understanding.tokens import Token
+from scegen.understanding.words.tokens import Token
 
 MAX_PARTICIPANTS = 60
 _TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})

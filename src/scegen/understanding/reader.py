@@ -5,33 +5,33 @@ from __future__ import annotations
 from scegen.errors import InputError
 from scegen.scenario.functional import ARM_COUNTS, FunctionalScenario
 from scegen.scenario.vocabulary import DrivingSide, JunctionKind
-from scegen.understanding.angles import read_angles, set_apart
-from scegen.understanding.building import Builder
-from scegen.understanding.chunking import Chunker
-from scegen.understanding.clauses import ClauseReader
-from scegen.understanding.context import Context
-from scegen.understanding.coverage import unattached
-from scegen.understanding.discourse import Discourse
+from scegen.understanding.building.building import Builder
+from scegen.understanding.building.coverage import unattached
+from scegen.understanding.building.leftovers import report
+from scegen.understanding.clauses.clauses import ClauseReader
+from scegen.understanding.clauses.ellipsis import fill_in
+from scegen.understanding.clauses.respectively import share_out
 from scegen.understanding.draft import Draft
-from scegen.understanding.each_arm import count_arms, share_arms
-from scegen.understanding.each_side import both_sides
-from scegen.understanding.ellipsis import fill_in
-from scegen.understanding.headings import silence
-from scegen.understanding.hiders import name_hiders
-from scegen.understanding.junctions import JunctionReading, read_junction
-from scegen.understanding.leftovers import report
-from scegen.understanding.meaning import Interpreter
-from scegen.understanding.negation import deny_of_everybody
-from scegen.understanding.relevance import require_traffic
-from scegen.understanding.repeated import repeat
-from scegen.understanding.resolving import resolve_mentions
-from scegen.understanding.respectively import share_out
-from scegen.understanding.sides import settle_sides
-from scegen.understanding.surroundings import read_surroundings
-from scegen.understanding.tagging import tag
-from scegen.understanding.telegrams import spell_out
-from scegen.understanding.tokens import tokenize
-from scegen.understanding.too_fast import too_fast
+from scegen.understanding.meaning.context import Context
+from scegen.understanding.meaning.hiders import name_hiders
+from scegen.understanding.meaning.meaning import Interpreter
+from scegen.understanding.meaning.too_fast import too_fast
+from scegen.understanding.phrases.chunking import Chunker
+from scegen.understanding.phrases.each_side import both_sides
+from scegen.understanding.phrases.headings import silence
+from scegen.understanding.phrases.repeated import repeat
+from scegen.understanding.phrases.telegrams import spell_out
+from scegen.understanding.reference.discourse import Discourse
+from scegen.understanding.reference.everybody import deny_of_everybody
+from scegen.understanding.reference.resolving import resolve_mentions
+from scegen.understanding.road.each_arm import count_arms, share_arms
+from scegen.understanding.road.junctions import JunctionReading, read_junction
+from scegen.understanding.road.relevance import require_traffic
+from scegen.understanding.road.surroundings import read_surroundings
+from scegen.understanding.words.angles import read_angles, set_apart
+from scegen.understanding.words.sides import settle_sides
+from scegen.understanding.words.tagging import tag
+from scegen.understanding.words.tokens import tokenize
 
 MAX_CHARACTERS = 20_000
 """Longer texts are no descriptions of one situation."""

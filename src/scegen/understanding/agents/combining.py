@@ -11,7 +11,7 @@ from scegen.scenario.functional import FunctionalScenario
 from scegen.understanding.agents.comparing import compare_hazards, compare_people
 from scegen.understanding.agents.deciding import Decider
 from scegen.understanding.agents.stated import Words, miscounted, words_of
-from scegen.understanding.disagreement import Disagreement
+from scegen.understanding.report.disagreement import Disagreement
 
 _SHAPE = ("kind", "arms", "arm_angles_deg", "lanes", "ring_lanes", "crosswalks")
 """Fields of a junction that only fit together."""

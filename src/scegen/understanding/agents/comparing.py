@@ -9,7 +9,7 @@ from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
 from scegen.scenario.vocabulary import ParticipantKind, Role
 from scegen.understanding.agents.deciding import Decider, close, shown
 from scegen.understanding.agents.stated import Words, words_of
-from scegen.understanding.disagreement import Kept
+from scegen.understanding.report.disagreement import Kept
 
 _SAID = ("kind", "parked", "maneuvers", "approaches")
 _NAMING = ("kind", "role", "speed_mps", "maneuvers", "approaches")

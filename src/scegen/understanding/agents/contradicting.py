@@ -8,8 +8,8 @@ from scegen.errors import InfeasibleError, InputError
 from scegen.scenario.functional import FunctionalScenario, Unsupported
 from scegen.understanding.agents.result import Objection, Part
 from scegen.understanding.agents.stated import Words
-from scegen.understanding.disagreement import Disagreement, Kept
-from scegen.understanding.parse_report import report_on_contradiction
+from scegen.understanding.report.disagreement import Disagreement, Kept
+from scegen.understanding.report.parse_report import report_on_contradiction
 
 
 @dataclass(frozen=True, slots=True)

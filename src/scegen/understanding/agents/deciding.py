@@ -10,7 +10,7 @@ from pydantic import ValidationError
 from scegen.scenario.functional import Evidence, FunctionalScenario
 from scegen.scenario.model import Interval
 from scegen.understanding.agents.stated import Words, words_of
-from scegen.understanding.disagreement import Disagreement, Kept
+from scegen.understanding.report.disagreement import Disagreement, Kept
 
 _SAME_WITHIN = 0.02
 """Quantities that differ by less were only rounded."""

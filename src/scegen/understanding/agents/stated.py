@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from scegen.scenario.functional import Evidence, FunctionalScenario
 from scegen.scenario.vocabulary import EvidenceSource, ParticipantKind
 from scegen.understanding.agents.result import Objection, Part
-from scegen.understanding.numbers import number_at
-from scegen.understanding.tokens import tokenize
+from scegen.understanding.words.numbers import number_at
+from scegen.understanding.words.tokens import tokenize
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,172 @@
+"""Builds the scenario from the draft: participants, hazards, and what is left over."""
+
+from __future__ import annotations
+
+from scegen.scenario.functional import (
+    FunctionalScenario,
+    Hazard,
+    Junction,
+    Participant,
+    Relation,
+    Unsupported,
+)
+from scegen.scenario.vocabulary import JunctionKind, Role
+from scegen.understanding.building.hooks import alongside
+from scegen.understanding.building.layout import Layout
+from scegen.understanding.building.left_turns import onto_the_road
+from scegen.understanding.building.open_road import (
+    abreast,
+    both_change_lanes,
+    from_the_strip,
+    in_the_way,
+)
+from scegen.understanding.building.proving import Proofs
+from scegen.understanding.building.unsaid import maneuvers_of
+from scegen.understanding.building.viewpoint import choose_ego, settle_positions, suffers
+from scegen.understanding.draft import Basis, Danger, Draft, Entity
+from scegen.understanding.road.junctions import JunctionReading
+from scegen.understanding.road.surroundings import Surroundings
+from scegen.understanding.words.tokens import Token
+
+
+class Builder:
+    """Puts the parts together.
+
+    Args:
+        draft: participants, hazards and positions.
+        reading: what the text says about the junction.
+        surroundings: what it says about everything else.
+        tokens: the tokens of the text.
+    """
+
+    def __init__(
+        self,
+        draft: Draft,
+        reading: JunctionReading,
+        surroundings: Surroundings,
+        tokens: list[Token],
+    ) -> None:
+        self._draft = draft
+        self._around = surroundings
+        self._proofs = Proofs(draft.text, tokens)
+        self._layout = Layout(draft, reading, surroundings, self._proofs)
+
+    def build(self) -> FunctionalScenario:
+        """The functional scenario with its evidence."""
+        ego, ego_basis = choose_ego(self._draft)
+        relations = settle_positions(self._draft, ego)
+        junction = self._layout.build()
+        onto_the_road(self._draft, junction.driving_side)
+        if junction.kind is JunctionKind.STRAIGHT:
+            in_the_way(self._draft, ego)
+            abreast(self._draft, ego)
+            both_change_lanes(self._draft, ego)
+            from_the_strip(self._draft, ego)
+        else:
+            alongside(self._draft, ego, self._draft.tokens)
+        self._name(ego)
+        participants = tuple(
+            self._participant(e, ego_basis, junction) for e in self._draft.entities
+        )
+        linked = tuple(
+            Relation(participant=a.name, reference=b.name, approaches=frozenset(approaches))
+            for a, b, approaches, _ in relations
+        )
+        for number, relation in enumerate(relations):
+            self._proofs.add(f"relations.{number}", relation[3])
+        hazards = tuple(self._hazard(d, ego) for d in self._draft.dangers)
+        for name, basis in self._around.bases.items():
+            self._proofs.add(f"environment.{name}", basis)
+        return FunctionalScenario(
+            description=self._draft.text,
+            junction=junction,
+            participants=participants,
+            relations=linked,
+            hazards=hazards,
+            environment=self._around.environment(),
+            evidence=self._proofs.evidence,
+            unsupported=self._unsupported(),
+        )
+
+    def _name(self, ego: Entity) -> None:
+        counts: dict[str, int] = {}
+        named = ego.basis.i is not None and ego.ego and not self._designated(ego)
+        for entity in self._draft.entities:
+            if entity is ego and (named or ego.basis.i is None):
+                entity.name = "ego"
+                continue
+            stem = f"parked_{entity.kind.value}" if entity.parked else entity.kind.value
+            counts[stem] = counts.get(stem, 0) + 1
+            entity.name = f"{stem}_{counts[stem]}"
+
+    def _designated(self, ego: Entity) -> bool:
+        return "ego" not in ego.named_by
+
+    def _participant(self, entity: Entity, ego_basis: Basis, junction: Junction) -> Participant:
+        path = f"participants.{entity.name}"
+        self._proofs.add(f"{path}.kind", entity.counted or entity.basis)
+        role = Role.EGO if entity.ego else Role.OTHER
+        if role is Role.EGO:
+            self._proofs.add(f"{path}.role", ego_basis)
+        else:
+            self._proofs.add(f"{path}.role", None, "everybody but the ego")
+        maneuvers = maneuvers_of(entity, junction, self._draft)
+        entries = frozenset(a for a in entity.entries if a < junction.arms)
+        for name, value, basis in (
+            ("parked", entity.parked, entity.parked_basis),
+            ("approaches", entity.approaches, entity.approach_basis),
+            ("maneuvers", maneuvers, entity.maneuver_basis),
+            ("entries", entries, entity.entry_basis),
+            ("speed_mps", entity.speed, entity.speed_basis),
+        ):
+            if value:
+                self._proofs.add(f"{path}.{name}", basis or entity.basis)
+        for basis in self._further_words(entity):
+            self._proofs.add(f"{path}.approaches", basis)
+        return Participant(
+            id=entity.name,
+            kind=entity.kind,
+            role=role,
+            parked=entity.parked,
+            approaches=frozenset(entity.approaches),
+            maneuvers=frozenset(maneuvers),
+            entries=entries,
+            speed_mps=entity.speed,
+        )
+
+    def _further_words(self, entity: Entity) -> list[Basis]:
+        """Other words that say the same of where somebody comes from."""
+        if not entity.approaches:
+            return []
+        found = [entity.by_heading] if entity.by_heading is not None else []
+        found += [
+            p.basis
+            for p in self._draft.placements
+            if p.entity is entity and p.approaches & entity.approaches and p.basis.i is not None
+        ]
+        return [b for b in dict.fromkeys(found) if b != entity.approach_basis]
+
+    def _hazard(self, danger: Danger, ego: Entity) -> Hazard:
+        to = [e for e in danger.to if e not in danger.by]
+        field = f"hazards.{danger.kind.value}"
+        self._proofs.add(field, danger.basis)
+        if not to and danger.by:
+            to, reason = suffers(self._draft, danger, ego)
+            if to:
+                self._proofs.add(f"{field}.to", Basis(reason=reason))
+        return Hazard(
+            kind=danger.kind,
+            by=tuple(e.name for e in danger.by),
+            to=tuple(e.name for e in to),
+        )
+
+    def _unsupported(self) -> tuple[Unsupported, ...]:
+        found = []
+        for note in sorted(self._draft.notes, key=lambda n: (n.i, n.j)):
+            start, end = self._proofs.span(note.i, note.j)
+            found.append(
+                Unsupported(
+                    text=self._draft.text[start:end], start=start, end=end, instead=note.instead
+                )
+            )
+        return tuple(found)

@@ -1,0 +1,68 @@
+"""Nothing is dropped silently: words of manner, place and measure that changed no field."""
+
+from __future__ import annotations
+
+from scegen.scenario.functional import FunctionalScenario, Unsupported
+from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import Token
+
+_INSTEAD = {
+    "manner": "says how it is done; no field holds that here",
+    "dir": "a direction that no rule could attach; left out",
+    "locus": "a position that no rule could attach; left out",
+    "compass": "a direction that no rule could attach; left out",
+    "quantity": "a measure that no rule could attach; left out",
+    "state": "a state that no rule could attach; left out",
+    "env": "conditions are given once; the first counts",
+    "control": "one rule of priority is kept for the whole junction; the strictest counts",
+}
+CONTRADICTS = "contradicts "
+"""How the remark on words begins that say otherwise than words before them."""
+_EMPTY = frozenset({"mild", "same", "respectively"})
+"""Words that stress or order what other words say."""
+_WHO = (".kind", ".role")
+"""Fields that rest on a whole noun phrase, whatever adjectives stand in it."""
+_MOST = 200
+
+
+def unattached(
+    scenario: FunctionalScenario, terms: list[Term], tokens: list[Token]
+) -> FunctionalScenario:
+    """Reports known words of manner, direction, state and measure on which nothing rests.
+
+    Args:
+        scenario: the scenario as understood.
+        terms: the terms of its description.
+        tokens: the tokens of its description.
+    """
+    spans = [
+        (e.start, e.end)
+        for e in scenario.evidence
+        if e.start is not None and not e.field.endswith(_WHO)
+    ]
+    spans += [(u.start, u.end) for u in scenario.unsupported]
+    found = list(scenario.unsupported)
+    for term in terms:
+        start, end = tokens[term.i].start, tokens[term.j - 1].end
+        if term.cat not in _INSTEAD or term.value in _EMPTY or len(found) >= _MOST:
+            continue
+        if any(a <= start and b is not None and end <= b for a, b in spans):
+            continue
+        text = scenario.description[start:end]
+        instead = _otherwise(term, scenario) or _INSTEAD[term.cat]
+        found.append(Unsupported(text=text, start=start, end=end, instead=instead))
+    found.sort(key=lambda u: (u.start, u.end))
+    return scenario.model_copy(update={"unsupported": tuple(found)})
+
+
+def _otherwise(term: Term, scenario: FunctionalScenario) -> str | None:
+    """The remark if the word says otherwise than what a field holds."""
+    if term.cat == "env":
+        held = getattr(scenario.environment, term.data["field"])
+    elif term.cat == "control":
+        held = scenario.junction.control
+    else:
+        return None
+    if held is None or held == term.value:
+        return None
+    return f"{CONTRADICTS}'{held}', which is kept"

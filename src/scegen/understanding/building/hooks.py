@@ -1,0 +1,39 @@
+"""Turns across somebody alongside: "the ego turns right, a cyclist on its right goes straight"."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
+from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.words.tokens import Token
+
+_RIDERS = frozenset({ParticipantKind.BICYCLE, ParticipantKind.MOTORCYCLE})
+_TURNS = {Approach.RIGHT: Maneuver.RIGHT, Approach.LEFT: Maneuver.LEFT}
+
+
+def alongside(draft: Draft, ego: Entity, tokens: list[Token]) -> None:
+    """A rider on the side to which the ego turns, and who goes on, is beside it.
+
+    One who comes *from* that side comes out of the road there.
+
+    Args:
+        draft: the scenario in the making, positions settled.
+        ego: its ego.
+        tokens: the tokens of the text.
+    """
+    for entity in draft.entities:
+        basis = entity.approach_basis
+        if entity is ego or entity.kind not in _RIDERS or basis is None or basis.i is None:
+            continue
+        side = next(iter(entity.approaches)) if len(entity.approaches) == 1 else None
+        turn = _TURNS.get(side) if side is not None else None
+        crosses = any(
+            d.kind is HazardKind.CROSSING_CYCLIST and entity in d.by for d in draft.dangers
+        )
+        goes_on = entity.maneuvers <= {Maneuver.STRAIGHT} and not crosses
+        words = [t.low for t in tokens[basis.i : basis.j]]
+        comes_from = words[0] == "from" or "front" in words or entity.by_heading is not None
+        if turn is None or ego.maneuvers != {turn} or not goes_on or comes_from:
+            continue
+        reason = f"beside the ego, on the {side}: it turns across its way"
+        entity.approaches = {Approach.ADJACENT, *entity.approaches}
+        entity.approach_basis = Basis(basis.i, basis.j, reason)

@@ -1,0 +1,158 @@
+"""Builds the junction: its shape, arms, lanes and control, as said or as implied."""
+
+from __future__ import annotations
+
+from scegen.scenario.functional import ARM_COUNTS, Junction
+from scegen.scenario.vocabulary import Approach, Control, DrivingSide, HazardKind, JunctionKind
+from scegen.understanding.building.proving import Proofs
+from scegen.understanding.draft import Basis, Draft
+from scegen.understanding.road.junctions import JunctionReading
+from scegen.understanding.road.surroundings import Surroundings
+
+_ROUNDABOUT_ARMS = 4
+_ALONG_LANES = frozenset({HazardKind.CUT_IN, HazardKind.OVERTAKING, HazardKind.MERGING_CONFLICT,
+                          HazardKind.SWERVING, HazardKind.TAILGATING})  # fmt: skip
+
+
+class Layout:
+    """Decides what the road looks like.
+
+    Args:
+        draft: participants and what they do, which may imply a junction or lanes.
+        reading: what the text says about the junction.
+        surroundings: what it says about lanes, limits and the driving side.
+        proofs: where the evidence goes.
+    """
+
+    def __init__(
+        self, draft: Draft, reading: JunctionReading, surroundings: Surroundings, proofs: Proofs
+    ) -> None:
+        self._draft = draft
+        self._reading = reading
+        self._around = surroundings
+        self._proofs = proofs
+
+    def build(self) -> Junction:
+        """The junction; each of its fields is proved."""
+        kind, kind_basis = self._kind()
+        arms, arms_basis = self._arms(kind, kind_basis)
+        control = self._reading.control or Control.UNCONTROLLED
+        self._proofs.add("junction.kind", kind_basis, "no junction is named: a straight road")
+        self._proofs.add("junction.arms", arms_basis)
+        self._proofs.add("junction.control", self._reading.control_basis, "no control is named")
+        angles = self._reading.angles_deg if len(self._reading.angles_deg) == arms else ()
+        if angles:
+            self._proofs.add("junction.arm_angles_deg", self._reading.angles_basis)
+        lanes, ring, lanes_basis = self._lanes(kind, arms)
+        self._proofs.add(
+            "junction.lanes", lanes_basis, "one lane per direction unless more are said"
+        )
+        if ring is not None:
+            self._proofs.add("junction.ring_lanes", lanes_basis)
+        if self._around.speed_limit_mps is not None:
+            self._proofs.add("junction.speed_limit_mps", self._around.limit_basis)
+        self._proofs.add("junction.driving_side", self._around.side_basis, "right-hand traffic")
+        return Junction(
+            kind=kind,
+            arms=arms,
+            arm_angles_deg=angles,
+            lanes=lanes,
+            ring_lanes=ring,
+            speed_limit_mps=self._around.speed_limit_mps,
+            driving_side=self._around.side or DrivingSide.RIGHT,
+            control=control,
+        )
+
+    def _kind(self) -> tuple[JunctionKind, Basis | None]:
+        reading = self._reading
+        if reading.kind is not None:
+            return reading.kind, reading.kind_basis
+        if reading.named is not None:
+            reason = "an intersection without a shape is read as four-way"
+            return JunctionKind.FOUR_WAY, Basis(reading.named.i, reading.named.j, reason)
+        access = self._draft.access
+        if access is not None and reading.straight is None:
+            reason = "a side road or driveway meets the road like the stem of a T"
+            return JunctionKind.T, Basis(access.i, access.j, reason)
+        implied = self._draft.crossing_implied or self._lateral() or self._regulated()
+        implied = implied or self._side_road()
+        if implied is not None:
+            reason = f"{implied.reason}: there must be an intersection, read as four-way"
+            return JunctionKind.FOUR_WAY, Basis(implied.i, implied.j, reason)
+        return JunctionKind.STRAIGHT, reading.straight or reading.road
+
+    def _lateral(self) -> Basis | None:
+        lateral = {Approach.LEFT, Approach.RIGHT}
+        for placement in self._draft.placements:
+            if placement.approaches == lateral and placement.entity.moving_vehicle:
+                return Basis(placement.basis.i, placement.basis.j, "a vehicle comes across")
+        for entity in self._draft.entities:
+            crosses = entity.moving_vehicle and entity.approaches & lateral
+            if entity.by_heading is not None and crosses:
+                basis = entity.heading_basis or entity.by_heading
+                return Basis(basis.i, basis.j, "the ways of two vehicles cross")
+        return None
+
+    def _side_road(self) -> Basis | None:
+        """``a bus comes from the left``: not on a highway, and not one that changes lanes."""
+        along = self._reading.straight is not None or self._around.highway is not None
+        lanes = any(d.kind in _ALONG_LANES for d in self._draft.dangers)
+        return None if along or lanes or self._draft.from_kerb else self._draft.side_road
+
+    def _regulated(self) -> Basis | None:
+        basis = self._reading.control_basis
+        if basis is None or self._reading.control is Control.UNCONTROLLED:
+            return None
+        return Basis(basis.i, basis.j, "priority is regulated")
+
+    def _arms(self, kind: JunctionKind, basis: Basis | None) -> tuple[int, Basis]:
+        reading = self._reading
+        if reading.arms is not None:
+            return reading.arms, reading.arms_basis or Basis(reason="from the words")
+        if kind is JunctionKind.ROUNDABOUT:
+            reason = f"the number of exits is not said; {_ROUNDABOUT_ARMS} are assumed"
+            return _ROUNDABOUT_ARMS, Basis(reason=reason)
+        arms = max(ARM_COUNTS[kind][0], 2)
+        if basis is not None and basis.reason is None:
+            return arms, Basis(basis.i, basis.j)
+        return arms, Basis(reason=f"follows from the shape {kind.value}")
+
+    def _lanes(
+        self, kind: JunctionKind, arms: int
+    ) -> tuple[tuple[int, ...], int | None, Basis | None]:
+        around = self._around
+        ring = kind is JunctionKind.ROUNDABOUT
+        implied = self._draft.lanes_implied
+        adjacent = next(
+            (e for e in self._draft.entities if Approach.ADJACENT in e.approaches), None
+        )
+        if implied is None and adjacent is not None:
+            basis = adjacent.approach_basis or adjacent.basis
+            implied = Basis(basis.i, basis.j, "vehicles side by side need a second lane")
+        if around.lanes == 1 and around.lanes_in_all is not None and implied is not None:
+            count = around.lanes_in_all  # "on a two-lane road, a car in the next lane cuts in"
+            reason = f"{count} lanes in one direction: {implied.reason or 'a second one is meant'}"
+            counted = around.lanes_basis or implied
+            return (count,) * arms, None, Basis(counted.i, counted.j, reason)
+        if around.lanes is not None:
+            doubled = 2 if ring and around.lanes > 1 else None
+            return (around.lanes,) * arms, doubled, around.lanes_basis
+        if ring and around.two_lane is not None:
+            return (2,) * arms, 2, around.two_lane
+        passing = self._draft.passing_implied
+        if implied is None and passing is not None:
+            if not ring and self._against_oncoming():
+                reason = "who overtakes uses the oncoming lane"
+                return (1,) * arms, None, Basis(passing.i, passing.j, reason)
+            implied = Basis(passing.i, passing.j, "overtaking needs a second lane")
+        if implied is None and around.highway is not None:
+            reason = "highways have two lanes per direction unless said otherwise"
+            implied = Basis(around.highway.i, around.highway.j, reason)
+        if implied is None:
+            return (), None, None
+        return (2,) * arms, (2 if ring else None), implied
+
+    def _against_oncoming(self) -> bool:
+        """Whether somebody overtakes on a road where others come towards them."""
+        facing = any(Approach.OPPOSITE in e.approaches for e in self._draft.entities)
+        return facing or (self._around.two_lane is not None and self._around.highway is None)

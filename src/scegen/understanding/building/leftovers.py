@@ -1,0 +1,71 @@
+"""Reports words that matter but that no field holds, and words that no rule understood."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention
+from scegen.understanding.draft import Draft
+from scegen.understanding.words.terms import Term
+
+_QUALITIES = frozenset({"colour", "quality"})
+_PLACES = {
+    "ramp": "ramps are not built; merging takes place on the road itself",
+    "bus_stop": "bus stops are not built; the plain road is",
+    "bike_lane": "bicycle lanes are not built; the plain road is",
+    "shoulder": "shoulders are not built; the plain road is",
+    "feature": "this shape of road is not built; a level, plain road is",
+    "parking": "parking spaces are not built; parked vehicles stand at the roadside",
+}
+_NOT_UNDERSTOOD = "not understood, ignored"
+_MOST_NOTES = 200
+
+
+def report(draft: Draft, terms: list[Term], chunks: list[Chunk], events: list[Event]) -> None:
+    """Adds a note for everything that is not expressed.
+
+    Args:
+        draft: the scenario in the making.
+        terms: the terms of the text.
+        chunks: its chunks.
+        events: its events.
+    """
+    labels = {c.label_at for c in chunks if isinstance(c, Mention)}
+    _unknown(draft, [t for t in terms if t.i not in labels])
+    for term in terms:
+        if term.cat == "noted":
+            draft.note(term.i, term.j, term.data["instead"])
+        elif term.cat == "place" and term.value in _PLACES:
+            draft.note(term.i, term.j, _PLACES[term.value])
+        elif term.cat == "manner" and term.value == "aggressive":
+            draft.note(term.i, term.j, "the manner of driving is not modelled; what is done is")
+    for chunk in chunks:
+        if isinstance(chunk, Mention):
+            _mention(draft, chunk)
+    for event in events:
+        if event.name == "collide":
+            draft.note(event.i, event.j, "contact is an outcome; how close it gets is chosen later")
+    del draft.notes[_MOST_NOTES:]
+
+
+def _unknown(draft: Draft, terms: list[Term]) -> None:
+    """Neighbouring unknown words make one note."""
+    start: int | None = None
+    end = 0
+    for term in terms:
+        if "unknown" in {term.cat, term.value}:
+            start = term.i if start is None else start
+            end = term.j
+        elif start is not None:
+            draft.note(start, end, _NOT_UNDERSTOOD)
+            start = None
+    if start is not None:
+        draft.note(start, end, _NOT_UNDERSTOOD)
+
+
+def _mention(draft: Draft, mention: Mention) -> None:
+    """Vehicles outside the vocabulary, and adjectives that no field holds."""
+    for head in mention.heads:
+        if "instead" in head.data:
+            draft.note(head.i, head.j, head.data["instead"])
+    for mod in mention.mods:
+        if mod.cat == "label" and mod.value in _QUALITIES:
+            draft.note(mod.i, mod.j, "colour, age and size are not modelled")

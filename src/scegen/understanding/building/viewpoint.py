@@ -1,0 +1,282 @@
+"""Chooses the ego and restates every position as seen from it."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
+from scegen.understanding.draft import Basis, Danger, Draft, Entity, Placement
+from scegen.understanding.meaning import numbered_lanes
+from scegen.understanding.meaning.mutual import allow, face_each_other, in_file
+from scegen.understanding.meaning.placing import INVERSE
+
+_BARE = frozenset({"vehicle", "car", "driver", "truck", "van", "bus", "motorcycle"})
+_COMPASS = ("north", "east", "south", "west")
+_SEEN = {1: Approach.LEFT, 2: Approach.OPPOSITE, 3: Approach.RIGHT}
+"""Quarter turns clockwise from the ego's heading to the other's -> where the other comes from."""
+_FRAME = {Approach.LEFT: "east", Approach.RIGHT: "west", Approach.OPPOSITE: "south"}
+"""Headings of those who come from a side, for an observer who looks north."""
+_ALONG = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE})
+_SEEN_BACK = _ALONG | {Approach.ADJACENT}
+_SIDEWAYS = _ALONG | {Approach.LEFT, Approach.RIGHT}
+"""A single vehicle "from the left" is seen by somebody; of two, each may see the other."""
+_PARTIES = ("insured", "claimant")
+"""Whose case a report tells."""
+
+
+def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
+    """The ego with the reason for the choice; adds one if no vehicle moves.
+
+    Args:
+        draft: the scenario in the making.
+    """
+    named = next((e for e in draft.entities if e.ego), None)
+    if named is not None:
+        named.parked = False
+        return named, Basis(named.basis.i, named.basis.j)
+    movers = [e for e in draft.entities if e.moving_vehicle]
+    motor = [e for e in movers if e.kind is not ParticipantKind.BICYCLE]
+    crossers = {
+        e.index for d in draft.dangers if d.kind is HazardKind.CROSSING_CYCLIST for e in d.by
+    }
+    riders = [e for e in movers if e.index not in crossers]
+    candidates = motor or riders
+    if not candidates:
+        return _added(draft, "the text names no moving vehicle; a car is added as the ego")
+    told = next((e for e in candidates if _told_of(e, draft)), None)
+    if told is not None:
+        told.ego = True
+        return told, Basis(reason="the text names no ego; it is about this vehicle")
+    party = [e for name in _PARTIES for e in candidates if name in e.labels]
+    if party:
+        party[0].ego = True
+        return party[0], Basis(reason="the text names no ego; it tells this party's case")
+    last = next((e for e in candidates if _placed(draft, e, Approach.BEHIND)), None)
+    if last is not None and any(_placed(draft, e, Approach.AHEAD) for e in candidates):
+        last.ego = True
+        return last, Basis(reason="the text names no ego; this vehicle follows the other")
+    walkers = any(not e.is_vehicle for e in draft.entities)
+    alone = len(candidates) == 1 == len(movers) and not walkers
+    led = any(_placed(draft, e, Approach.AHEAD) for e in candidates)
+    still = {e.index for d in draft.dangers if d.kind is HazardKind.STOPPING for e in d.by}
+    sides = _SIDEWAYS if alone else _ALONG
+    exposed = walkers or len(candidates) < len(movers)
+    met = exposed and len(candidates) == 1 and _met(draft, candidates[0])
+    sides = frozenset() if met else sides  # "a car comes from behind": behind the jogger
+    screens = {e.index for d in draft.dangers if d.kind is HazardKind.OCCLUSION for e in d.by}
+    if walkers and all(e.index in screens & still for e in candidates):
+        return _added(draft, "somebody comes out from behind what stands; a car is added")
+    if all(_seen(draft, e, sides) or (led and e.index in still) for e in candidates):
+        reason = "positions are given as seen from a vehicle that is not named; a car is added"
+        return _added(draft, reason)
+    chosen, reason = _designate(draft, candidates)
+    chosen.ego = True
+    return chosen, Basis(reason=f"the text names no ego; {reason}")
+
+
+def _told_of(entity: Entity, draft: Draft) -> bool:
+    """``Vehicle is turning left at …``: the one that a text without articles begins with."""
+    i, j = entity.basis.i, entity.basis.j
+    first = draft.tokens[0].low if draft.tokens else ""
+    ahead = _placed(draft, entity, Approach.AHEAD)  # "Vehicle in front turns …"
+    return i == 0 and j == 1 and first in _BARE and not ahead
+
+
+def _added(draft: Draft, reason: str) -> tuple[Entity, Basis]:
+    ego = draft.add(ParticipantKind.CAR, Basis(reason=reason))
+    ego.ego = True
+    return ego, Basis(reason=reason)
+
+
+def _placed(draft: Draft, entity: Entity, approach: Approach) -> bool:
+    return any(
+        p.entity is entity and p.reference is None and p.approaches == {approach}
+        for p in draft.placements
+    )
+
+
+def _met(draft: Draft, entity: Entity) -> bool:
+    """``a pedestrian … and an approaching car``: it comes towards the one who is no car."""
+    if _placed(draft, entity, Approach.BEHIND):
+        return True
+    named = {t.low for t in draft.tokens[entity.basis.i or 0 : entity.basis.j or 0]}
+    return _placed(draft, entity, Approach.OPPOSITE) and "approaching" in named
+
+
+def _seen(draft: Draft, entity: Entity, seen: frozenset[Approach]) -> bool:
+    """``the car ahead``, ``an oncoming van``: there is somebody from whom it is seen."""
+    if entity.entries or entity.heading is not None:
+        return False
+    return any(
+        p.entity is entity and p.reference is None and p.approaches <= seen
+        for p in draft.placements
+    )
+
+
+def _designate(draft: Draft, candidates: list[Entity]) -> tuple[Entity, str]:
+    placed = {p.entity.index for p in draft.placements if p.reference is None}
+    free = [e for e in candidates if e.index not in placed] or candidates
+    for danger in draft.dangers:
+        facing = facing_entry(danger, free)
+        if facing is not None:
+            return facing, "this vehicle comes towards the one that turns left"
+    sufferers = {e.index for d in draft.dangers for e in d.to}
+    for entity in free:
+        if entity.index in sufferers:
+            return entity, "this vehicle suffers a hazard"
+    causers = {e.index for d in draft.dangers for e in d.by}
+    for entity in free:
+        if entity.index not in causers and causers:
+            return entity, "this is the first vehicle that causes no hazard"
+    return free[0], "this is the first vehicle"
+
+
+def facing_entry(danger: Danger, candidates: list[Entity]) -> Entity | None:
+    """Who enters opposite the one that turns left, where the text fixes the arms.
+
+    Args:
+        danger: a hazard.
+        candidates: vehicles that may suffer it.
+    """
+    if danger.kind is not HazardKind.UNPROTECTED_LEFT_TURN or len(danger.by) != 1:
+        return None
+    arms = 1 + max((arm for e in (*danger.by, *candidates) for arm in e.entries), default=0)
+    opposite = {(arm + arms // 2) % arms for arm in danger.by[0].entries}
+    if not opposite or arms % 2:
+        return None
+    return next((e for e in candidates if e.entries == opposite and e not in danger.by), None)
+
+
+def suffers(draft: Draft, danger: Danger, ego: Entity) -> tuple[list[Entity], str]:
+    """Whom a hazard threatens where the text does not say, and why.
+
+    Args:
+        draft: the scenario in the making.
+        danger: a hazard with a cause.
+        ego: the ego.
+    """
+    others = [e for e in draft.entities if e.moving_vehicle and e not in danger.by]
+    facing = facing_entry(danger, others)
+    if facing is not None:
+        return [facing], "it comes towards the one that turns left"
+    if any(e.entries for e in danger.by):
+        return [], ""
+    if ego not in danger.by:
+        return [ego], "the text does not say whom it threatens; the ego is taken"
+    if len(others) == 1:
+        return others, "the text does not say whom it threatens; this is the only other vehicle"
+    return [], ""
+
+
+def relative_to(ego: str, other: str) -> set[Approach]:
+    """Where one comes from, by the compass headings of both; empty for the same heading.
+
+    Args:
+        ego: heading of the observer.
+        other: heading of the one observed.
+    """
+    quarters = (_COMPASS.index(other) - _COMPASS.index(ego)) % 4
+    return {_SEEN[quarters]} if quarters in _SEEN else set()
+
+
+def settle_positions(
+    draft: Draft, ego: Entity
+) -> list[tuple[Entity, Entity, set[Approach], Basis]]:
+    """Fills in ``approaches`` of everybody; returns the relations between others.
+
+    Args:
+        draft: the scenario in the making.
+        ego: its ego.
+    """
+    own = _own_side(draft, ego)
+    relations: list[tuple[Entity, Entity, set[Approach], Basis]] = []
+    for placement in draft.placements:
+        entity, reference, approaches = _oriented(placement, ego)
+        if entity is ego:
+            continue
+        if reference is ego:
+            if own is not None and placement.reference is None:
+                approaches = _reframed(own, approaches)
+            allow(entity, approaches, placement.basis)
+        elif not any(r[0] is entity and r[1] is reference for r in relations):
+            relations.append((entity, reference, set(approaches), placement.basis))
+    in_file(relations)
+    face_each_other(draft, ego, relations)
+    _against_the_ego(draft, ego)
+    if ego.heading is not None:
+        for entity in draft.entities:
+            if entity is ego or entity.heading is None or entity.approaches:
+                continue
+            entity.approaches = relative_to(ego.heading, entity.heading)
+            basis = entity.heading_basis or Basis()
+            reason = f"headed {entity.heading}, the ego {ego.heading}"
+            entity.approach_basis = Basis(basis.i, basis.j, reason)
+            seen = ego.heading_basis or Basis()
+            entity.by_heading = Basis(seen.i, seen.j, f"the ego is headed {ego.heading}")
+    _beside(draft, ego)
+    numbered_lanes.beside(draft, ego)
+    _in_file(relations)
+    ego.approaches = set()
+    return relations
+
+
+def _in_file(relations: list[tuple[Entity, Entity, set[Approach], Basis]]) -> None:
+    """``a van from the left, and a bus behind it``: both come from there."""
+    turned = [(b, a, {INVERSE[x] for x in s}, basis) for a, b, s, basis in relations]
+    for entity, leader, approaches, basis in (*relations, *turned):
+        seen = leader.approaches
+        across = len(seen) == 1 and seen <= {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
+        farther = len(seen) == 1 and seen == approaches
+        along = approaches <= {Approach.AHEAD, Approach.BEHIND} and len(approaches) == 1
+        free = not entity.approaches and entity.heading is None and not entity.entries
+        if along and (across or farther) and free and not entity.parked:
+            entity.approaches = set(seen)
+            entity.approach_basis = Basis(basis.i, basis.j, "it is in one file with another")
+
+
+def _against_the_ego(draft: Draft, ego: Entity) -> None:
+    """``while the ego comes from the opposite direction``, ``I'm right alongside``: of whom?"""
+    said = [
+        p
+        for p in draft.placements
+        if p.entity is ego and p.reference is None and p.approaches <= _SEEN_BACK
+    ]
+    others = [e for e in draft.entities if e.moving_vehicle and e is not ego]
+    if said and len(others) == 1 and not others[0].approaches and others[0].heading is None:
+        allow(others[0], {INVERSE[a] for a in said[0].approaches}, said[0].basis)
+
+
+def _beside(draft: Draft, ego: Entity) -> None:
+    """Who cuts in on the ego comes from the next lane, if nothing else is said."""
+    for danger in draft.dangers:
+        if danger.kind is not HazardKind.CUT_IN or (danger.to and ego not in danger.to):
+            continue
+        for entity in danger.by:
+            if entity is not ego and not entity.approaches and entity.moving_vehicle:
+                entity.approaches = {Approach.ADJACENT}
+                reason = "who cuts in comes from the next lane"
+                entity.approach_basis = Basis(danger.basis.i, danger.basis.j, reason)
+
+
+def _own_side(draft: Draft, ego: Entity) -> Approach | None:
+    """The side that an observer gives for the ego itself ("one car from the left, …")."""
+    if "ego" in ego.named_by:
+        return None  # what is said of its place is not a view from outside
+    for placement in draft.placements:
+        if placement.entity is ego and placement.reference is None:
+            side = next(iter(placement.approaches))
+            return side if len(placement.approaches) == 1 and side in _FRAME else None
+    return None
+
+
+def _reframed(own: Approach, approaches: set[Approach]) -> set[Approach]:
+    if len(approaches) != 1:
+        return approaches
+    side = next(iter(approaches))
+    return relative_to(_FRAME[own], _FRAME[side]) if side in _FRAME else approaches
+
+
+def _oriented(placement: Placement, ego: Entity) -> tuple[Entity, Entity, set[Approach]]:
+    """A position of the ego seen from another is a position of the other seen from the ego."""
+    reference = placement.reference or ego
+    if placement.entity is ego and reference is not ego:
+        return reference, ego, {INVERSE[a] for a in placement.approaches}
+    return placement.entity, reference, set(placement.approaches)

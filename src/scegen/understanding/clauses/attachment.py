@@ -1,0 +1,235 @@
+"""Attaches prepositional phrases: to the noun right before them, or to the verb."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import (
+    Chunk,
+    Event,
+    Mention,
+    NounPhrase,
+    Place,
+    Prep,
+    Thing,
+    Word,
+)
+from scegen.understanding.clauses.state import State
+from scegen.understanding.phrases.lookahead import GOVERNING, finite_follows
+
+_SIDES = frozenset({"side", "direction", "lane", "sidewalk", "shoulder", "bike_lane", "access"})
+_MEETING = frozenset({"move", "approach", "appear", "locate", "wait", "stop", "park", "hide",
+                      "walk", "cross", "follow", "brake", "slow"})  # fmt: skip
+"""Verbs that may stand before their subject ("from the left comes a bus")."""
+
+
+def preposition(word: Word, k: int, chunks: list[Chunk], state: State) -> None:
+    """Opens a phrase; what it governs comes next.
+
+    Args:
+        word: the preposition.
+        k: its index among the chunks.
+        chunks: the chunks of the text.
+        state: what the clause reader remembers.
+    """
+    outer = state.prep.value if state.prep is not None else None
+    fronted = state.prep is not None and state.prep.fronted
+    closed = state.prep is not None and (word.cat != "locus" or state.prep.word.cat == "locus")
+    if closed:
+        release(state)
+        outer = None
+    anchor = state.anchor
+    near = anchor if isinstance(anchor, Mention) and not state.between else None
+    near = (_whose_place(near, state) or near) if near is not None else None
+    if state.last_pp is not None and not state.between:
+        near = _whose_place(state.last_pp, state) or state.last_pp
+    state.prep = Prep(word, None, outer, near)
+    state.prep.fronted = fronted or _opens_clause(k, chunks, state)
+
+
+def _whose_place(target: Mention, state: State) -> Mention | None:
+    """``my friend in front of me on his moped``: the friend is on it, not I."""
+    told = target.pronoun is not None or any("me" in h.data for h in target.heads)
+    for mention in reversed(state.mentions) if told else []:
+        if any(p.target is target and p.word.cat == "locus" for p in mention.pps):
+            return mention
+    return None
+
+
+def release(state: State) -> None:
+    """A preposition without a target: "the car ahead", "positioned behind on the right"."""
+    if state.prep is not None:
+        if state.prep.word.cat == "locus":
+            attach(state.prep, state)
+        state.prep = None
+
+
+def attach(prep: Prep, state: State) -> None:
+    """Gives a phrase to who follows it, to the noun right before it, to the verb, or to who acts.
+
+    Args:
+        prep: the phrase, complete.
+        state: what the clause reader remembers.
+    """
+    state.last_prep = prep
+    if prep.fronted:
+        state.fronted.append(prep)
+        return
+    verb = state.events[-1] if state.events else None
+    left = prep.target is None and prep.value == "behind" and verb is not None
+    if left and verb is not None and verb.name == "leave" and verb.object is prep.on_mention:
+        verb.name = "overtake" if prep.on_mention is not None else verb.name
+        return  # "leaves the slow lorry behind"
+    head = _head_of(prep, state)
+    whom = prep.on_mention
+    if whom is not None and _landmark(whom) and prep.value == "from" and state.events:
+        prep.on_mention = None  # "falls onto the road ahead of the ego from the pavement"
+    if head is not None:
+        prep.on_mention = head
+    if prep.on_mention is not None:
+        prep.on_mention.pps.append(prep)
+    described = _described(prep, state)
+    if described is not None:
+        described.pps.append(prep)
+    elif state.events and (prep.on_mention is None or state.anchor is not state.candidate):
+        state.events[-1].pps.append(prep)
+    elif prep.on_mention is None and state.candidate is not None:
+        state.candidate.pps.append(prep)
+
+
+def _landmark(mention: Mention) -> bool:
+    """Whether a noun only says where something is."""
+    return mention.prep is not None and mention.prep.cat == "locus"
+
+
+def _head_of(prep: Prep, state: State) -> Mention | None:
+    """``the car behind the lead vehicle in the next lane``: the car is in that lane."""
+    inner, lane = prep.on_mention, prep.target
+    if inner is None or not isinstance(lane, Place):
+        return None
+    ego = any(h.data.get("ego") for h in inner.heads)
+    if lane.kind != "lane" and not (ego and lane.kind == "side"):
+        return None
+    for mention in state.mentions:
+        if any(p.target is inner and p.word.cat == "locus" for p in mention.pps):
+            return mention
+    towards = state.events[-1] if ego and state.events else None
+    met = towards is not None and towards.name == "approach" and towards.object is inner
+    to = towards is not None and any(p.target is inner for p in towards.pps)
+    if towards is not None and (met or to) and towards.subject:
+        return towards.subject[-1]
+    return None
+
+
+def _described(prep: Prep, state: State) -> Mention | None:
+    """``a van that is behind the ego``, ``and the van is on the left``: no verb but "is"."""
+    if prep.on_mention is not None or not ("aux:be" in state.between or _aside(prep, state)):
+        return None
+    anchor = state.anchor
+    if not isinstance(anchor, Mention):
+        return None
+    if "aux:be" not in state.between:
+        return anchor
+    waiting = anchor is state.candidate and not state.candidate_done
+    return anchor if waiting or "rel" in state.between else None
+
+
+def _aside(prep: Prep, state: State) -> bool:
+    """``a truck, previously behind it, accelerates``: what is put between commas."""
+    who = state.candidate
+    waits = who is not None and who is state.anchor and not state.candidate_done
+    placed = prep.word.cat == "locus" or prep.value in {"in", "from", "into"}
+    return waits and placed and "," in state.between and state.between <= {",", "unknown", "inert"}
+
+
+def _opens_clause(k: int, chunks: list[Chunk], state: State) -> bool:
+    """Whether the phrase that begins here says where the participant after it is.
+
+    "Behind the ego is a truck", "from the left comes a bus, and from the right a van".
+    """
+    begins = not state.events and state.candidate is None and not state.mentions
+    begins = begins and state.anchor is None  # "a kiosk on the left hides a child"
+    joins = {"conj", "sub", ","} & state.between and "or" not in state.between
+    if not begins and not (joins and (state.candidate_done or state.events)):
+        return False
+    m = _phrase_end(k, chunks)
+    if m is None:
+        return False
+    comma = _is(chunks, m, ",")
+    m += comma
+    spoken = comma and not begins and _speaks(chunks, m)
+    if _word_of(chunks, m, frozenset({"aux", "copy"})):
+        m += 1
+    elif m < len(chunks) and not (comma and not begins):
+        m += _stands_before_subject(chunks[m])
+    if m >= len(chunks) or (comma and not begins and not spoken):
+        return False
+    return isinstance(chunks[m], Mention) and not _possessor(chunks[m])
+
+
+def _speaks(chunks: list[Chunk], m: int) -> bool:
+    """Whether a participant with a verb of its own stands here."""
+    here = chunks[m] if m < len(chunks) else None
+    return isinstance(here, Mention) and finite_follows(chunks, m)
+
+
+def _possessor(chunk: Chunk) -> bool:
+    return isinstance(chunk, Mention) and chunk.possessor
+
+
+def _stands_before_subject(chunk: Chunk) -> bool:
+    finite = isinstance(chunk, Event) and not chunk.nominal and chunk.form != "ing"
+    return finite and isinstance(chunk, Event) and chunk.name in _MEETING
+
+
+def _is(chunks: list[Chunk], m: int, mark: str) -> bool:
+    chunk = chunks[m] if m < len(chunks) else None
+    return isinstance(chunk, Word) and chunk.value == mark
+
+
+def _word_of(chunks: list[Chunk], m: int, classes: frozenset[str]) -> bool:
+    chunk = chunks[m] if m < len(chunks) else None
+    return isinstance(chunk, Word) and chunk.cat in classes
+
+
+def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
+    """Index after a phrase of place that begins at chunk ``k``; None if none does."""
+    first = chunks[k]
+    m = k + 1
+    locus = isinstance(first, Word) and first.cat == "locus"
+    while _word_of(chunks, m, GOVERNING):
+        locus = locus or _word_of(chunks, m, frozenset({"locus"}))
+        m += 1
+    target = chunks[m] if m < len(chunks) else None
+    placed = isinstance(target, Place) and (
+        target.kind in _SIDES or any(t.cat == "compass" for t in target.mods)
+    )
+    if not placed and not (locus and isinstance(target, Mention | Thing)):
+        return None
+    m += 1
+    owned = chunks[m] if m < len(chunks) else None
+    if isinstance(target, Mention) and target.possessor and isinstance(owned, NounPhrase):
+        m += 1  # "behind the ego's bumper"
+    aside = isinstance(target, Place) and target.kind == "access" and _is(chunks, m, "in")
+    side = chunks[m + 1] if aside and m + 1 < len(chunks) else None
+    if isinstance(side, Place) and side.kind == "side":
+        m += 2  # "from a driveway on the left a van …"
+    if _side_after(chunks, m):
+        m += 2  # "behind a van on the right a man …"
+    while _is(chunks, m, "of") and isinstance(next(iter(chunks[m + 1 :]), None), Mention | Place):
+        m += 2
+    return m
+
+
+def _side_after(chunks: list[Chunk], m: int) -> bool:
+    side = chunks[m + 1] if m + 1 < len(chunks) else None
+    sided = isinstance(side, Place) and side.kind in {"side", "sidewalk", "shoulder"}
+    return _is(chunks, m, "in") and sided
+
+
+def place_in_front(mention: Mention, state: State) -> None:
+    """Gives the phrases that opened the clause to the participant that they place.
+
+    Args:
+        mention: the first participant after them.
+        state: what the clause reader remembers.
+    """
+    mention.pps += [p for p in state.fronted if p.outer != "from"]

@@ -1,0 +1,292 @@
+"""Reads chunks clause by clause: who does what to whom.
+
+English puts the subject before its verb and the object after it. The reader walks over the
+chunks of a sentence once and remembers the mention that waits for its verb (the candidate),
+the subject of the last finite verb, and the words that stood between the last two phrases;
+these decide who acts in participles ("a car turning left"), infinitives ("tries to merge",
+"forcing the van to stop"), coordinations, relative clauses and clauses without a subject.
+"""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, Word
+from scegen.understanding.clauses import relatives, subjects
+from scegen.understanding.clauses.attachment import preposition, release
+from scegen.understanding.clauses.located import placed_last
+from scegen.understanding.clauses.nominals import read_mention, read_noun
+from scegen.understanding.clauses.state import State
+from scegen.understanding.phrases.absolutes import absolute
+from scegen.understanding.phrases.lookahead import (
+    ADVERBS,
+    BOUNDARIES,
+    GOVERNING,
+    after_a_comma,
+    by_follows,
+    event_follows,
+    main_verb_follows,
+    only_a_noun_follows,
+    phrase_follows,
+    spoken_of,
+    view_of,
+)
+from scegen.understanding.words.terms import Term
+
+_OPENERS = frozenset({"conj", "sub", "punct"})
+LANES = frozenset({"lane", "bike_lane", "shoulder", "sidewalk", "side"})
+
+
+class ClauseReader:
+    """Turns the chunks of a text into events with their participants.
+
+    Args:
+        chunks: the chunks of the text in order.
+    """
+
+    def __init__(self, chunks: list[Chunk]) -> None:
+        self._chunks = chunks
+        self._state = State()
+        self._sentence = 0
+        self.events: list[Event] = []
+
+    def run(self) -> list[Event]:
+        """All events in the order of the text, premodifiers before the events of their noun."""
+        for k, chunk in enumerate(self._chunks):
+            if isinstance(chunk, Word):
+                self._word(chunk, k)
+            elif isinstance(chunk, Mention):
+                self._premodifiers(chunk)
+                read_mention(chunk, k, self._chunks, self._state)
+            elif isinstance(chunk, Event):
+                self._event(chunk, k)
+            else:
+                read_noun(chunk, k, self._chunks, self._state)
+        self._end_sentence()
+        return self.events
+
+    def _end_sentence(self) -> None:
+        release(self._state)
+        main = self._state.main
+        self._state = State(main=main)
+        self._sentence += 1
+
+    def _word(self, word: Word, k: int) -> None:
+        state = self._state
+        if word.cat == "punct" and word.value in BOUNDARIES:
+            self._end_sentence()
+        elif word.cat in GOVERNING or only_a_noun_follows(word, k, self._chunks):
+            preposition(word, k, self._chunks, state)
+        elif word.cat in ADVERBS or word.cat == "state":
+            if not (self._denied_way(word) or self._heading_of_a_noun(word, k)):
+                self._adverb(word, k)
+        elif word.value == "either" and state.prep is not None:
+            return  # "from either the left or the right"
+        else:
+            release(self._state)
+            if word.cat == "punct" and word.value in "()":
+                self._parenthesis(word.value)
+                return
+            self._joint(word, k)
+
+    def _joint(self, word: Word, k: int) -> None:
+        """A word between phrases or clauses: "and", a comma, "where", "that"."""
+        state = self._state
+        state.between.add(word.value if word.cat in {"punct", "conj"} else word.cat)
+        if word.cat == "conj" and word.value != "either":
+            state.between.add("conj")
+            state.between |= {"neg:not"} if word.term.data.get("denies") else set()
+        placed = phrase_follows(k, self._chunks)  # "is half here and half in the next lane"
+        if word.cat == "conj" and word.value in {"and", "but"} and not placed:
+            state.between.discard("aux:be")  # "was tired and did not notice the van"
+        if word.value == "where":
+            self._where(k)
+        if word.cat == "sub" or word.value == ",":
+            state.where = word.value == "where"
+        if word.cat == "rel" and k and _blocks(self._chunks[k - 1]):
+            state.between.add("thing")
+        if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
+            state.candidate = None
+
+    def _where(self, k: int) -> None:
+        """``the next lane, where a van drives``: the van is in that lane."""
+        place = next(
+            (c for c in reversed(self._chunks[max(0, k - 2) : k]) if isinstance(c, Place)), None
+        )
+        who = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
+        it = isinstance(who, Mention) and who.pronoun == "it"  # "moves into the lane, where it …"
+        if place is None or place.kind not in LANES or it:
+            return
+        word = Word(Term("prep", "in", place.i, place.i + 1))
+        self._state.fronted.append(Prep(word, place, fronted=True))
+
+    def _parenthesis(self, mark: str) -> None:
+        """What stands in brackets does not change who acts after them."""
+        state = self._state
+        if mark == "(":
+            state.bracket = (state.anchor, set(state.between))
+        elif state.bracket is not None:
+            state.anchor, state.between = state.bracket
+            state.bracket = None
+
+    def _adverb(self, word: Word, k: int) -> None:
+        state = self._state
+        if word.cat in {"aux", "neg"}:
+            state.between.add(f"{word.cat}:{word.value}")
+            return
+        release(self._state)
+        after_event = isinstance(state.anchor, Event) and not (state.between - {"either", "or"})
+        following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
+        before_event = event_follows(self._chunks, k)
+        waits = after_event and isinstance(state.anchor, Event) and state.anchor.control
+        opens = word.cat == "manner" and isinstance(following, Event) and following.form == "s"
+        if opens and after_event and not state.candidate_done:
+            state.ahead.append(word.term)  # "a cyclist riding ahead suddenly turns"
+            return
+        copular = "aux:be" in state.between and not before_event and word.cat == "manner"
+        if copular and state.candidate is not None and not state.candidate_done:
+            state.candidate.mods.append(word.term)  # "the one behind me is too close"
+            return
+        placed = placed_last(state) if word.value == "close" and not before_event else None
+        if placed is not None:
+            placed.mods.append(word.term)
+            return
+        predicate = not before_event or word.cat in {"dir", "state", "compass"}
+        if "rel" in state.between and state.mentions and predicate:
+            state.mentions[-1].mods.append(word.term)
+        elif before_event and (not after_event or waits) and word.cat not in {"dir", "compass"}:
+            state.ahead.append(word.term)
+        elif state.events and not self._clause_start():
+            state.events[-1].mods.append(word.term)
+            if isinstance(following, Word) and following.value == "or":
+                state.between.discard("or")
+        elif state.candidate is not None:
+            state.candidate.mods.append(word.term)
+        elif before_event or (word.cat == "manner" and isinstance(following, Mention)):
+            state.ahead.append(word.term)  # "Suddenly a van …"
+        elif self.events and not state.mentions:
+            self.events[-1].mods.append(word.term)
+
+    def _denied_way(self, word: Word) -> bool:
+        """``turns right, not left``."""
+        state = self._state
+        denied = word.cat == "dir" and bool(state.events) and "neg:not" in state.between
+        if denied:
+            release(state)
+            state.between.discard("neg:not")
+            state.events[-1].denied_ways.add(word.value)
+        return denied
+
+    def _heading_of_a_noun(self, word: Word, k: int) -> bool:
+        """``the path of V2, eastbound on Elm Street``."""
+        before = self._chunks[max(0, k - 2) : k]
+        noun = before[-1] if before else None
+        if (word.cat, word.value) == ("dir", "opposite") and isinstance(noun, Mention):
+            release(self._state)
+            noun.mods.append(word.term)  # "it is red for the van opposite"
+            return True
+        after = "bound" in word.term.data and after_a_comma(before)
+        if after and isinstance(before[0], Mention):
+            release(self._state)
+            before[0].mods.append(word.term)
+        return after
+
+    def _clause_start(self) -> bool:
+        """The candidate is new: words after it belong to it and not to the verb before."""
+        state = self._state
+        if state.candidate is None or state.anchor is not state.candidate:
+            return False
+        return not any(state.candidate in event.subject for event in state.events)
+
+    def _inverted(self, event: Event, k: int) -> bool:
+        """``from the left comes a bus``, ``along comes a van``: the subject follows its verb."""
+        following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
+        finite = not event.nominal and event.form != "ing"
+        before, opener = (self._chunks[m] if m >= 0 else None for m in (k - 1, k - 2))
+        adverb = isinstance(before, Word) and before.cat == "manner" and event.name == "move"
+        opens = opener is None or (isinstance(opener, Word) and opener.cat in _OPENERS)
+        fronted = bool(self._state.fronted) or (adverb and opens)
+        return fronted and finite and isinstance(following, Mention)
+
+    def _by_a_stranger(self, event: Event, k: int) -> bool:
+        """``roadworks blocking the lane``, ``a steward waves``: no participant does it."""
+        before = self._chunks[k - 1] if k else None
+        if event.nominal or before is None:
+            return False
+        if isinstance(before, Thing) and before.kind in {"object", "obstacle"}:
+            return event.form == "ing" and not self._state.between
+        if absolute(event, k, self._chunks):
+            return True
+        view = view_of(self._chunks[max(0, k - 3) : k])
+        if view is not None and event.form == "ed":
+            event.passive, event.object = True, view  # "its view blocked by a truck"
+            return "aux:be" not in self._state.between
+        unknown = isinstance(before, Word) and before.cat == "unknown" and k > 1
+        if not unknown or (self._state.candidate is not None and not self._state.candidate_done):
+            return False
+        opener = self._chunks[k - 2]
+        named = isinstance(opener, Place) or (isinstance(opener, Word) and opener.cat == "det")
+        return named and event.form in {"s", "ed"}
+
+    def _premodifiers(self, mention: Mention) -> None:
+        """``a speeding car``, ``the left turning truck``: events of the noun itself."""
+        if mention.head is not None and mention.head.data.get("turns"):
+            turn = Event("turn", mention.i, mention.j, "ing", subject=[mention])
+            turn.mods = [m for m in mention.mods if m.value in {"left", "right"}]
+            turn.premod_of, turn.sentence = mention, self._sentence
+            mention.mods = [m for m in mention.mods if m not in turn.mods]
+            self.events.append(turn)
+        for position, mod in enumerate(mention.mods):
+            if mod.cat != "verb":
+                continue
+            before = [m for m in mention.mods[:position] if m.cat in {"dir", "manner"}]
+            event = Event(mod.value, mod.i, mod.j, mod.form, subject=[mention], mods=before)
+            event.premod_of = mention
+            event.passive = mod.form == "ed" and mod.value in subjects.PASSIVE - {"hide"}
+            event.sentence = self._sentence
+            self.events.append(event)
+
+    def _event(self, event: Event, k: int) -> None:
+        state = self._state
+        state.verb_follows = main_verb_follows(self._chunks, k)
+        event.reduced = state.anchor is state.candidate and state.verb_follows
+        if state.prep is not None and state.prep.word.cat == "locus":
+            release(self._state)
+        event.sentence = self._sentence
+        event.mods += state.ahead
+        state.ahead = []
+        if relatives.close(event, state):
+            self.events.append(event)
+            return
+        if spoken_of(event, k, self._chunks):
+            event.name, event.nominal = "inert", True
+        elif self._inverted(event, k):
+            event.finite = True
+            state.pending.append(event)
+        elif not self._by_a_stranger(event, k):
+            subjects.link(event, state)
+            event.pps += state.opening
+            state.opening = []
+        if by_follows(self._chunks, k):
+            subjects.before_by(event, state)
+        negated = any(word.startswith("neg:") for word in state.between)
+        event.negated = negated or event.negated
+        event.unable = event.negated and bool({"neg:unable", "aux:can"} & state.between)
+        denied = any(m.denied or m.pronoun == "neither" for m in event.subject)
+        event.unable = event.unable or (denied and "aux:can" in state.between)
+        event.negated = event.negated or denied
+        event.perfect = "aux:have" in state.between
+        if event.perfect and "aux:modal" in state.between:
+            event.negated = not event.negated  # "where it should have stopped": it did not
+        event.modal = event.modal or "aux:modal" in state.between
+        release(self._state)
+        state.events.append(event)
+        self.events.append(event)
+        state.anchor = event
+        state.between = set()
+        state.last_pp = None
+
+
+def _blocks(chunk: Chunk) -> bool:
+    """``a fallen tree that blocks the lane``: the tree does it."""
+    if not isinstance(chunk, Thing) or (chunk.prep is not None and chunk.prep.value == "with"):
+        return False
+    return chunk.kind in {"obstacle", "object"}

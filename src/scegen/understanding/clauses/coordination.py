@@ -1,0 +1,76 @@
+"""Verbs joined by "and" or "or": whose subject the second one shares."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Event, Mention
+from scegen.understanding.clauses.dependents import alternative, chain
+from scegen.understanding.clauses.state import State
+
+
+def auxiliary(state: State) -> bool:
+    """Whether an auxiliary stands before the verb.
+
+    Args:
+        state: what the clause reader remembers.
+    """
+    return any(word.startswith("aux:") for word in state.between)
+
+
+def _shape(event: Event) -> str:
+    if event.link == "inf" or (event.modal and event.form == "base"):
+        return "inf"
+    return "finite" if event.finite and event.form != "ing" else event.form
+
+
+def coordinate(event: Event, state: State) -> None:
+    """``brakes and turns``, ``to brake and turn``: the verb of like form gives the subject.
+
+    Args:
+        event: the second verb.
+        state: what the clause reader remembers.
+    """
+    helped = auxiliary(state)
+    if event.form == "base" and not helped:
+        wanted = "inf"
+    else:
+        wanted = "ing" if event.form == "ing" and not helped else "finite"
+    verbs = [e for e in state.events if not e.nominal and _agree(event, e.subject)]
+    main = [e for e in verbs if not any(m in state.trailing for m in e.subject)]
+    if "," in state.between and main:
+        verbs = main  # "A van turns as the ego waits, then stops."
+    verbs = [e for e in verbs if e.subject] or verbs
+    outer = [e for e in verbs if not e.embedded]
+    if "," in state.between and "aux:modal" in state.between:
+        verbs = outer or verbs  # "finds a spot where two cars stand, and has to change lanes"
+    alike = [e for e in verbs if _shape(e) == wanted]
+    alike = alike or [e for e in verbs if wanted == "finite" and e.finite and e.modal]
+    exact = [e for e in alike if wanted == "finite" and _as_finite(e, event) and not e.perfect]
+    parallel = next(reversed(exact or alike), None)
+    if parallel is None:
+        parallel = next((e for e in reversed(verbs) if e.finite), None)
+    who = state.candidate if not state.candidate_done else None
+    if who is not None and (parallel is None or (parallel.i < who.i and event.finite and helped)):
+        event.subject = chain(who)  # "… while the ego has green and goes straight"
+        return
+    parallel = parallel or state.events[-1]
+    event.subject = parallel.subject
+    if parallel.name == "pull_out" and event.name in {"overtake", "bypass", "pass"}:
+        parallel.children.append(event)  # "pulls out and goes past the van": in order to
+    if parallel.name in {"inert", "unknown"}:  # "changed his mind at the last moment and turned"
+        event.mods += [m for m in parallel.mods if (m.cat, m.value) == ("manner", "sudden")]
+    if wanted != "finite":
+        event.parent, event.link = parallel.parent, parallel.link
+        event.modal = event.modal or parallel.modal
+    alternative(event, parallel, state)
+
+
+def _as_finite(first: Event, second: Event) -> bool:
+    """``does not slow and swings out``: "do" bears the ending that the second verb bears."""
+    return first.form == second.form or (first.form == "base" and not first.modal)
+
+
+def _agree(verb: Event, subject: list[Mention]) -> bool:
+    """``must wait until two trucks have passed and then turns``: no plural turns."""
+    plural = len(subject) > 1 or any(m.head is not None and m.head.form == "s" for m in subject)
+    numbered = any((m.label or "").startswith("#") for m in subject)
+    return verb.form != "s" or numbered or not plural

@@ -1,0 +1,185 @@
+"""Verbs that make no clause of their own: nouns of events, infinitives, gerunds."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Event, Mention, NounPhrase
+from scegen.understanding.clauses.state import State
+
+_OPENING = frozenset({"against", "in", "with", "of"})
+_ABOUT_OTHERS = frozenset({"cause", "prevent", "block", "hide", "encounter", "overlook"})
+"""Verbs whose object is what others do ("blocks the merge")."""
+
+_MANEUVERS = frozenset({"turn", "u_turn", "lane_change", "overtake", "merge", "cross", "move"})
+"""Nouns of what a vehicle itself does, so that the clause after them says who."""
+
+
+def chain(mention: Mention) -> list[Mention]:
+    """A mention with those that it is joined to ("a car and a truck"), in order."""
+    found = [mention]
+    while found[-1].joined is not None and len(found) < 64:
+        found.append(found[-1].joined)
+    return found[::-1]
+
+
+def depend(event: Event, parent: Event, link_kind: str) -> None:
+    """Hangs a verb on another.
+
+    Args:
+        event: the one that depends.
+        parent: the verb on which it depends.
+        link_kind: ``inf``, ``ing`` or ``noun``.
+    """
+    event.parent = parent
+    event.link = link_kind
+    parent.children.append(event)
+    event.modal = event.modal or parent.modal or parent.name in {"cause", "prevent"}
+
+
+def granting(event: Event, before: Event) -> Event:
+    """``lets a van already turning pass``: the bare verb hangs on "lets", not on the participle.
+
+    Args:
+        event: a verb.
+        before: the verb right before it.
+    """
+    let = before.parent if before.form == "ing" and event.form == "base" else None
+    return let if let is not None and let.control == "object" else before
+
+
+def _share_subject(event: Event, other: Event, state: State) -> None:
+    """Who does the one does the other, also if they come later ("while making a turn, …")."""
+    event.subject = other.subject
+    if any(e is other for e in state.pending) and not event.subject:
+        state.pending.append(event)
+
+
+def alternative(event: Event, other: Event, state: State) -> None:
+    """Marks two doings joined by "or".
+
+    Args:
+        event: the second.
+        other: the first.
+        state: what the clause reader remembers.
+    """
+    if "or" in state.between:
+        other.alternative = other.alternative or id(other)
+        event.alternative = other.alternative
+
+
+def nominal(event: Event, state: State) -> None:
+    """``makes a left turn``, ``before its left turn``: who does what a noun names.
+
+    Args:
+        event: the noun.
+        state: what the clause reader remembers.
+    """
+    anchor = state.anchor
+    owner = next((m for m in reversed(state.mentions) if m.possessor and m.j >= event.i - 1), None)
+    if owner is not None:
+        event.subject = [owner]
+    elif state.main and "sub" in state.between and any(m.cat == "possessive" for m in event.mods):
+        event.subject = state.main  # "before its left turn"
+    if isinstance(anchor, Event) and not (state.between - {"either", "or"}):
+        depend(event, anchor, "noun")
+        during = state.prep is not None  # "can't see during its turn"
+        if not event.subject and (during or anchor.name not in _ABOUT_OTHERS):
+            _share_subject(event, anchor, state)
+    elif event.name == "bypass" and any(m.value == "def" for m in event.mods):
+        return  # "and the detour leads …": anybody's
+    elif "conj" in state.between and state.events:
+        event.subject = event.subject or state.events[-1].subject
+        alternative(event, state.events[-1], state)
+    elif state.prep is not None and not event.subject and not _opens(state):
+        _in_a_phrase(event, state)
+    elif not event.subject and not state.events and ("sub" in state.between or _opens(state)):
+        state.pending.append(event)  # "after a right turn, the car …"
+
+
+def _opens(state: State) -> bool:
+    """``during a left turn, the car …``: who does it comes after."""
+    word = state.prep.value if state.prep is not None else ""
+    return state.candidate is None and not state.mentions and word in _OPENING
+
+
+def _in_a_phrase(event: Event, state: State) -> None:
+    """``is in the middle of a left turn``, ``during its left turn``: whose it is."""
+    who = state.candidate if not state.candidate_done else None
+    last = state.events[-1] if state.events else None
+    own = any(m.cat == "possessive" and m.value == "its" for m in event.mods)
+    agent = state.anchor if isinstance(state.anchor, Mention) and own else None
+    if agent is not None and agent.prep is not None and agent.prep.value == "by":
+        event.subject = chain(agent)  # "is hit by a van during its left turn"
+    elif who is not None and (last is None or last.j <= who.i):
+        event.subject = chain(who)
+    elif last is not None:
+        event.subject = last.subject
+    elif event.name in _MANEUVERS:
+        state.pending.append(event)
+
+
+def infinitive(event: Event, state: State) -> None:
+    """``tries to merge``, ``forces the van to stop``, ``for the van to pass``.
+
+    Args:
+        event: the verb after "to".
+        state: what the clause reader remembers.
+    """
+    parent = state.events[-1] if state.events else None
+    anchor = state.anchor
+    if isinstance(anchor, Event):
+        parent = anchor
+    who = state.candidate if not state.candidate_done else None
+    if who is not None and parent is not None and parent.j <= who.i and anchor is not parent:
+        event.subject = chain(who)  # "a van passes and the ego has a second to brake"
+        event.modal = "aux:have" in state.between
+        return
+    if parent is None:
+        owner = anchor.owner if isinstance(anchor, NounPhrase) else None
+        owned = [owner] if owner is not None else []  # "the ego's attempt to get past"
+        event.subject = chain(anchor) if isinstance(anchor, Mention) else owned
+        if not event.subject:
+            state.pending.append(event)  # "to get past the bus, the car …"
+        return
+    depend(event, parent, "inf")
+    event.negated = parent.negated and parent.control == "subject"
+    controlled = parent.control == "object" and isinstance(parent.object, Mention)
+    prep = anchor.prep if isinstance(anchor, Mention) else None
+    if prep is not None and prep.value == "for" and isinstance(anchor, Mention):
+        event.subject = chain(anchor)
+    elif controlled and isinstance(parent.object, Mention):
+        event.subject = chain(parent.object)
+        event.modal = True
+        event.name = "inert" if parent.name == "inert" else event.name  # "no time to brake"
+    else:
+        _share_subject(event, parent, state)
+
+
+def gerund(event: Event, state: State) -> None:
+    """``blocking the car from returning``, ``without yielding``, ``by turning``.
+
+    Args:
+        event: the verb after a preposition.
+        state: what the clause reader remembers.
+    """
+    prep = state.prep.value if state.prep else ""
+    parent = state.events[-1] if state.events else None
+    event.negated = prep in {"without", "instead"}
+    if prep == "instead" and event.name != "yield":
+        event.name = "inert"  # "speeds up instead of slowing down": only what is owed counts
+    if parent is None:
+        anchor = state.anchor
+        event.subject = chain(anchor) if isinstance(anchor, Mention) else []
+        if not event.subject:
+            state.pending.append(event)
+        return
+    who = state.candidate if not state.candidate_done else None
+    if who is not None and parent.j <= who.i and state.anchor is not parent and prep in _OPENING:
+        event.subject = chain(who)  # "a man crosses while the ego is in the middle of turning"
+        return
+    depend(event, parent, "ing")
+    prevented = prep == "from" and isinstance(parent.object, Mention)
+    if prevented and isinstance(parent.object, Mention):
+        event.subject = chain(parent.object)
+        event.negated = True
+    else:
+        event.subject = parent.subject

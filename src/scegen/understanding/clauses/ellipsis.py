@@ -1,0 +1,144 @@
+"""Fills in verbs that are left out: "one goes left, the other right"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
+from scegen.understanding.clauses.late_braking import late_braking
+from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.phrases.predicates import complete
+from scegen.understanding.words.tokens import Token
+
+_JOINTS = frozenset({"and", "but", ",", "while", "when", ";"})
+_EMPTY = frozenset({"light", "try", "cause", "inert", "unknown", "likewise", "avoid"})
+_DOES = frozenset({"do", "does", "did"})
+_WAYS = frozenset({"left", "right", "straight"})
+_MOST_AFTER = 3
+
+
+def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> list[Event]:
+    """The events with a copy of the verb before for each clause that leaves its verb out.
+
+    Such a clause is a participant after "and" or a comma, followed by nothing but a direction,
+    an exit or a phrase of place: what the verb before says of somebody else.
+
+    Args:
+        chunks: the chunks of the text; an ordinal that stands for an exit is replaced by it.
+        events: its events.
+        tokens: its tokens.
+    """
+    _likewise(events, tokens)
+    acting = {id(m) for e in events for m in (*e.subject, e.object)}
+    found = [*events, *_denied(chunks, events)]
+    for k, chunk in enumerate(chunks):
+        if not isinstance(chunk, Mention) or id(chunk) in acting or chunk.prep is not None:
+            continue
+        joint = chunks[k - 1] if k else None
+        if not isinstance(joint, Word) or joint.value not in _JOINTS:
+            continue
+        if _second_of_two(chunks, k):
+            continue
+        verb = _verb_before(chunk, events)
+        if verb is None or not _ends(chunks, k + 2):
+            continue
+        copy = _copy(verb, chunk, chunks, k + 1)
+        if copy is not None:
+            found.append(copy)
+    return complete(chunks, late_braking(chunks, found, tokens), tokens)
+
+
+def _second_of_two(chunks: list[Chunk], k: int) -> bool:
+    """``between the ego and the lorry``."""
+    first = chunks[k - 2] if k > 1 else None
+    placed = first.prep if isinstance(first, Mention) else None
+    return placed is not None and placed.value == "between"
+
+
+def _likewise(events: list[Event], tokens: list[Token]) -> None:
+    """``and the van ahead does the same``: what somebody else was last said to do."""
+    for k, event in enumerate(events):
+        if event.i and tokens[event.i].low in _DOES and tokens[event.i - 1].low in {"so", "as"}:
+            _turned_round(event)
+        if event.name != "likewise":
+            continue
+        who = set(map(id, event.subject))
+        before = [
+            e
+            for e in events[:k]
+            if e.name not in _EMPTY and e.subject and not who & set(map(id, e.subject))
+        ]
+        if before:
+            model = before[-1]
+            event.name, event.object = model.name, event.object or model.object
+            event.mods = [*event.mods, *(m for m in model.mods if m.cat == "dir")]
+            event.pps = [*event.pps, *(p for p in model.pps if isinstance(p.target, Place))]
+
+
+def _denied(chunks: list[Chunk], events: list[Event]) -> list[Event]:
+    """``has to yield but does not``: the verb before, denied."""
+    found = []
+    for k, chunk in enumerate(chunks[1:], start=1):
+        helper, after = chunks[k - 1], chunks[k + 1] if k + 1 < len(chunks) else None
+        does = isinstance(helper, Word) and (helper.cat, helper.value) == ("aux", "do")
+        denies = isinstance(chunk, Word) and chunk.cat == "neg"
+        ends = after is None or (isinstance(after, Word) and after.value in _JOINTS | BOUNDARIES)
+        before = [e for e in events if e.j <= helper.i and e.subject and not e.nominal]
+        if does and denies and ends and before:
+            again = replace(before[-1], i=helper.i, j=chunk.j, negated=True, modal=False, pps=[])
+            who = chunks[k - 2] if k > 1 else None
+            fresh = isinstance(who, Mention) and who.prep is None
+            again.subject = [who] if isinstance(who, Mention) and fresh else again.subject
+            found.append(replace(again, mods=[], parent=None, children=[], alternative=None))
+    return found
+
+
+def _turned_round(event: Event) -> None:
+    """``and so does the van``: the subject stands after the verb."""
+    if isinstance(event.object, Mention):
+        event.name, event.subject, event.object = "likewise", [event.object], None
+
+
+def _verb_before(mention: Mention, events: list[Event]) -> Event | None:
+    before = [e for e in events if e.j <= mention.i and e.subject and not e.nominal]
+    return before[-1] if before and before[-1].premod_of is None else None
+
+
+def _ends(chunks: list[Chunk], k: int) -> bool:
+    """Whether the clause ends before a verb comes: nothing but a phrase of place may follow."""
+    for chunk in chunks[k : k + _MOST_AFTER]:
+        if isinstance(chunk, Word) and (chunk.value in _JOINTS or chunk.value in BOUNDARIES):
+            return True
+        if isinstance(chunk, Event | Mention) or (isinstance(chunk, Word) and chunk.cat == "aux"):
+            return False
+    return True
+
+
+def _copy(verb: Event, who: Mention, chunks: list[Chunk], k: int) -> Event | None:
+    rest = chunks[k] if k < len(chunks) else None
+    fresh = replace(verb, subject=[who], parent=None, children=[], alternative=None)
+    if isinstance(rest, Word) and rest.cat == "dir" and rest.value in _WAYS:
+        kept = [m for m in verb.mods if m.cat != "dir"]
+        who.mods = [m for m in who.mods if m is not rest.term]
+        return replace(fresh, i=rest.i, j=rest.j, mods=[*kept, rest.term])
+    if isinstance(rest, Mention) and rest.pronoun == "ordinal" and isinstance(verb.object, Place):
+        chunks[k] = place = Place(rest.i, rest.j, rest.mods, verb.object.head, None)
+        place.kind = verb.object.kind
+        return replace(fresh, i=rest.i, j=rest.j, object=place)
+    if isinstance(rest, NounPhrase) and type(rest) is type(verb.object):
+        return replace(fresh, i=rest.i, j=rest.j, object=rest)
+    if isinstance(rest, Word) and rest.cat == "prep" and k + 1 < len(chunks):
+        return _copy_phrase(fresh, rest, chunks[k + 1])
+    return None
+
+
+def _copy_phrase(fresh: Event, word: Word, target: Chunk) -> Event | None:
+    """``a car comes from the left and a van from the right``."""
+    if not isinstance(target, Place):
+        return None
+    alike = any(p.value == word.value for p in fresh.pps)
+    alike = alike and (word.value != "in" or fresh.form != "ing")
+    kept = [p for p in fresh.pps if p.value != word.value]
+    if not alike:
+        return None
+    return replace(fresh, i=word.i, j=target.j, pps=[*kept, Prep(word, target)])

@@ -1,0 +1,103 @@
+"""Nouns joined by "and", "or" or commas: when the second takes the role of the first."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.clauses.state import State
+from scegen.understanding.phrases.lookahead import BOUNDARIES, finite_follows
+
+_COMING = frozenset({"approach", "collide", "overtake", "pass", "cut_in", "cut_off", "follow"})
+
+
+def joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+    """``a car and a truck``: the second takes the role of the first.
+
+    Args:
+        mention: the second noun.
+        k: its index among the chunks.
+        chunks: the chunks of the text.
+        state: what the clause reader remembers.
+    """
+    anchor = state.anchor
+    _doing_the_same(mention, k, chunks, state)
+    listed = "and" in state.between or "or" in state.between or state.between == {","}
+    if not (isinstance(anchor, Mention) and listed) or state.between & {"sub", "copy"}:
+        return False
+    joint = chunks[k - 1]
+    if isinstance(joint, Word) and "next" in joint.term.data and finite_follows(chunks, k):
+        return False  # "…, and then the van brakes": what happens next
+    if mention.pronoun in {"count", "one", "another"} and "," in state.between:
+        return False  # "four vans, two turning left": some of them, not further ones
+    waiting = anchor is state.candidate and not state.candidate_done
+    waiting = waiting and not any(anchor in event.subject for event in state.events)
+    said = bool({"aux:be", "aux:have"} & state.between) or _is_somewhere(anchor, k, chunks)
+    complete = said and finite_follows(chunks, k)  # "I'm here and a van …"
+    if complete or (state.between == {","} and not (waiting and _list_goes_on(k, chunks))):
+        return False
+    let = _let(anchor, k, chunks, state)
+    if not waiting and ((finite_follows(chunks, k) and not let) or "," in state.between):
+        return False
+    if _in_parallel(anchor, k, chunks, state):
+        return False
+    mention.joined = anchor
+    mention.pps += [p for p in anchor.pps if p.fronted]
+    for event in state.events:
+        if event.finite and event.i < anchor.i and event.subject[-1:] == [anchor]:
+            event.subject.append(mention)  # "from the left come a bus and a van"
+    if waiting:
+        state.candidate = mention
+    for event in state.events:
+        if event.object is anchor:
+            event.object = mention
+    state.anchor = mention
+    state.between = set()
+    return True
+
+
+def _is_somewhere(who: Mention, k: int, chunks: list[Chunk]) -> bool:
+    """``we're in the left lane of the motorway and a van …``: a clause of its own, without verb."""
+    since = [c for c in chunks[:k] if c.i >= who.j]
+    if any(isinstance(c, Event) or (isinstance(c, Word) and c.cat == "rel") for c in since):
+        return False
+    return any(isinstance(c, Word) and (c.cat, c.value) == ("aux", "be") for c in since)
+
+
+def _doing_the_same(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
+    """``waits for a van coming from the left and a bus coming from the right``: for both."""
+    last = state.events[-1] if state.events else None
+    following = chunks[k + 1] if k + 1 < len(chunks) else None
+    if last is None or last.form != "ing" or last.finite or "and" not in state.between:
+        return
+    alike = isinstance(following, Event) and following.form == "ing"
+    if alike and last.subject and last.subject[-1].prep is not None and mention.heads:
+        mention.prep = last.subject[-1].prep
+
+
+def _list_goes_on(k: int, chunks: list[Chunk]) -> bool:
+    """``a car, a van and a bus``: a comma alone does not make a list."""
+    for chunk in chunks[k + 1 :]:
+        if isinstance(chunk, Event) or (isinstance(chunk, Word) and chunk.value in BOUNDARIES):
+            return False
+        if isinstance(chunk, Word) and chunk.value in {"and", "or"}:
+            return True
+    return False
+
+
+def _let(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+    """``lets two people and a cyclist cross``: both are let."""
+    last = state.events[-1] if state.events else None
+    if last is None or last.control != "object" or last.object is not anchor:
+        return False
+    verb = next((c for c in chunks[k + 1 : k + 4] if isinstance(c, Event)), None)
+    return verb is not None and verb.form == "base"
+
+
+def _in_parallel(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+    """``a bus hits me from the left and a taxi from the right``: the taxi hits, too."""
+    last = state.events[-1] if state.events else None
+    if last is None or last.object is not anchor or last.name not in _COMING or k < 3:
+        return False
+    before, after = chunks[k - 3], chunks[k + 1] if k + 1 < len(chunks) else None
+    if not isinstance(before, Word) or not isinstance(after, Word) or before.cat != "prep":
+        return False
+    return before.value == after.value and isinstance(chunks[k - 2], Place)

@@ -1,0 +1,288 @@
+"""Reads nouns within a clause: who acts, who is acted on, who is only named along the way."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing, Word
+from scegen.understanding.clauses import relatives
+from scegen.understanding.clauses.attachment import attach, place_in_front
+from scegen.understanding.clauses.joining import joins
+from scegen.understanding.clauses.partitives import further_ones, partitive_before
+from scegen.understanding.clauses.phrases import (
+    also_from,
+    apposed_to,
+    bracketed,
+    relative_noun,
+    whose,
+)
+from scegen.understanding.clauses.state import State
+from scegen.understanding.phrases.lookahead import copula_follows, finite_follows
+
+_BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
+_LEADING = frozenset({"in", "into", "to", "for"})
+_OWNED = frozenset({"side", "lane", "path", "right_of_way"})
+_TURNS = frozenset({"turn", "u_turn"})
+"""Nouns of doings that somebody has before him ("a left turn for the ego")."""
+_INTRANSITIVE = frozenset({"pass", "cross", "move", "walk", "merge", "enter", "turn", "leave"})
+
+
+def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
+    """A participant: as the subject, an object, an apposition, or in a phrase of place.
+
+    Args:
+        mention: the noun.
+        k: its index among the chunks.
+        chunks: the chunks of the text.
+        state: what the clause reader remembers.
+    """
+    if _emphasises(mention, state):
+        return
+    state.mentions.append(mention)
+    within = state.prep is not None and state.prep.value == "of"
+    state.topic = state.topic if within else None  # "the view of the road is blocked"
+    if mention.possessor:
+        return
+    if state.prep is not None:
+        _prepositional(mention, k, chunks, state)
+        return
+    if relatives.opens(mention, k, chunks, state):
+        return
+    anchor = state.anchor
+    direct = isinstance(anchor, Event) and not anchor.nominal and not state.between
+    whole = partitive_before(k, chunks)
+    if whole is not None and (mention.mods == [] or mention.mods[0].value == "indef"):
+        mention.same_as = whole
+        _resume(whole, state)
+        return
+    if further_ones(mention, k, chunks, state):
+        mention.pronoun = "further"
+    if state.fronted or (direct and any(e is anchor and e.finite for e in state.pending)):
+        _start_clause(mention, state)
+    elif isinstance(anchor, Event) and direct and _takes(anchor, k, chunks):
+        _undergo(anchor, mention)
+    elif (described := _described(mention, k, chunks, state)) is not None:
+        mention.same_as = described
+        if described is state.candidate or bracketed(chunks, k):
+            return
+    elif joins(mention, k, chunks, state):
+        return
+    else:
+        _start_clause(mention, state)
+    state.anchor = mention
+    state.between = set()
+    state.last_pp = None
+
+
+def _resume(part: Mention, state: State) -> None:
+    """``four cars, one of them a taxi, meet``: the four meet, not the one."""
+    before = next((m for m in reversed(state.mentions) if m.i < part.i), None)
+    if before is None or state.candidate is not part:
+        return
+    state.candidate = state.anchor = before
+    state.candidate_done = any(before in e.subject for e in state.events)
+    state.between = set()
+
+
+def _undergo(verb: Event, mention: Mention) -> None:
+    """The object of a verb; ``lets pass three cyclists``: they pass, nobody passes them."""
+    parent = verb.parent
+    let = parent is not None and parent.control == "object" and parent.object is None
+    let = let and verb.form == "base" and verb.link == "ing" and verb.name in _INTRANSITIVE
+    if let and parent is not None:
+        verb.subject, parent.object = [mention], mention
+    else:
+        verb.object = mention
+
+
+def _emphasises(mention: Mention, state: State) -> bool:
+    """``the van itself changes lanes``: the pronoun adds nothing to the noun before it."""
+    if mention.pronoun != "reflexive" or state.between or state.prep is not None:
+        return False
+    mention.same_as = state.anchor if isinstance(state.anchor, Mention) else None
+    return mention.same_as is not None
+
+
+def _takes(verb: Event, k: int, chunks: list[Chunk]) -> bool:
+    """Whether a noun after a verb is its object; "he said the van stopped" tells of the van."""
+    if _waits_for_subject(verb, k, chunks):
+        return False
+    tells = verb.says or (verb.control == "subject" and isinstance(chunks[k], Mention))
+    reported = tells and (finite_follows(chunks, k) or copula_follows(chunks, k))
+    return verb.object is None and not reported
+
+
+def _waits_for_subject(verb: Event, k: int, chunks: list[Chunk]) -> bool:
+    """``while passing into the left lane the ego sees a van``: the ego passes and sees."""
+    placed = verb.form == "ing" and not verb.subject and bool(verb.pps or verb.dirs)
+    follows = finite_follows(chunks, k) or copula_follows(chunks, k)
+    return placed and verb.i < chunks[k - 1].i and follows
+
+
+def _described(mention: Mention, k: int, chunks: list[Chunk], state: State) -> Mention | None:
+    """Whom a noun says more of: "V1 is a taxi", "V1 (a taxi)", "V1, a taxi, …"."""
+    anchor = state.anchor if isinstance(state.anchor, Mention) else None
+    if _is_predicate(mention, k, chunks, state):
+        return state.candidate
+    if bracketed(chunks, k) and anchor is not None:
+        return anchor
+    return relative_noun(chunks, k) or apposed_to(chunks, k, state)
+
+
+def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+    """``vehicle 1 is a pickup truck``: the noun after "is" says what the subject is."""
+    who = state.candidate
+    if who is None or state.candidate_done or state.anchor is not who:
+        return False
+    bare = not mention.mods or mention.mods[0].value == "indef" or mention.mods[0].cat != "det"
+    bare = bare or any(h.data.get("ego") for h in mention.heads)  # "the truck is the ego"
+    named = (mention.label or "").startswith("#")
+    if "aux:be" not in state.between or mention.pronoun or named or not bare:
+        return False
+    if state.between & {"copy", "conj", "sub", ","} or who.pronoun in {"it", "they"}:
+        return False
+    return not finite_follows(chunks, k)
+
+
+def _ego(mention: Mention) -> bool:
+    return any(h.data.get("ego") for h in mention.heads)
+
+
+def _start_clause(mention: Mention, state: State) -> None:
+    mention.denied = "neg:not" in state.between
+    exists = "copy" in state.between or ("aux:be" in state.between and bool(state.fronted))
+    others = any(e.finite and e.subject and not _ego(e.subject[-1]) for e in state.events)
+    if "sub" in state.between and others and _ego(mention):
+        state.trailing.append(mention)
+    state.candidate = mention
+    state.candidate_done = exists  # "there is a van": that is all of its clause
+    for event in state.pending:
+        event.subject = event.subject if event.nominal and event.subject else [mention]
+        inverted = event.finite and (bool(state.fronted) or state.anchor is event)
+        event.pps += state.fronted if inverted else []
+        state.candidate_done = state.candidate_done or inverted
+    state.pending = []
+    place_in_front(mention, state)
+    state.opening, state.fronted = ([] if state.candidate_done else state.fronted), []
+
+
+def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
+    prep = state.prep
+    state.prep = None
+    if prep is None:
+        return
+    prep.target = mention
+    mention.prep = prep.word
+    if not (prep.value == "of" and _owns_place(mention, k, chunks)):
+        attach(prep, state)
+    mention.landmark = prep.fronted and prep.word.cat == "locus"
+    if prep.fronted:
+        state.last_pp = mention  # "behind a van on the right a man …": the van is there
+        return
+    last = state.events[-1] if state.events else None
+    done_by = {"by", "of", "for"} if last and last.name in _TURNS else {"by", "of"}
+    undergone = any(e.passive for e in state.events[-2:-1])  # "is forced into a stop by a van"
+    doer = prep.value == "by" and state.anchor is last and not (undergone or state.between)
+    if last and last.nominal and prep.value in done_by and (doer or not last.subject):
+        last.subject = [mention]
+    named = prep.value in {"with", "due", "against"}
+    if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:
+        prep.on_mention.partitive, prep.on_mention.whole = True, mention
+        return
+    pending = state.candidate is not None and not state.candidate_done
+    if pending and finite_follows(chunks, k):
+        state.last_pp = mention
+        return
+    if named and state.candidate is None:
+        _start_clause(mention, state)
+    state.anchor = mention
+    state.between = set()
+    state.last_pp = None
+
+
+def _owns_place(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
+    """``the path of the bus``, ``to the left of the truck``: whose place it is."""
+    place = chunks[k - 2] if k > 1 else None
+    if not isinstance(place, Place) or place.kind not in _OWNED or place.owner is not None:
+        return False
+    place.owner = mention
+    return True
+
+
+def _side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
+    """``a driveway on the right``, ``the lane to its right``: the side at which it lies."""
+    place = chunks[k - 2] if k > 1 else None
+    if not isinstance(noun, Place) or noun.kind != "side":
+        return False
+    behind = isinstance(place, Thing) and place.prep is not None and place.prep.cat == "locus"
+    if isinstance(place, Thing) and behind and set(noun.dirs) & {"left", "right"}:
+        place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
+        return True  # "from behind a hedge on the right"
+    if not isinstance(place, Place):
+        return False
+    if place.kind not in _BESIDE_THE_ROAD and not _lane_beside(place, noun, k, chunks):
+        return False
+    place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
+    place.j = noun.j
+    return True
+
+
+def _lane_beside(lane: Place, side: Place, k: int, chunks: list[Chunk]) -> bool:
+    """``in the lane to the right of the bus``: no movement to the right."""
+    along = lane.kind in {"lane", "bike_lane", "sidewalk", "shoulder"}
+    within = along and (lane.prep is None or lane.prep.value in _LEADING)
+    if not within or not set(side.dirs) & {"left", "right"}:
+        return False
+    whose, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
+    owned = isinstance(whose, Word) and whose.value == "of" and isinstance(who, Mention)
+    if owned and isinstance(who, Mention):
+        lane.beside = who
+    return owned or any(m.cat == "possessive" for m in side.mods)
+
+
+def _left_to(noun: NounPhrase, state: State) -> bool:
+    """``leaving the ego little time to brake``: nobody leaves, and it does not brake."""
+    verb = state.events[-1] if state.events else None
+    if verb is None or verb.name not in {"leave", "cause", "inert"} or not isinstance(noun, Thing):
+        return False
+    whom = verb.object
+    granted = isinstance(whom, Mention) and (
+        whom is state.anchor or any(p.target is state.anchor for p in whom.pps)
+    )
+    if not granted or noun.kind != "noun":
+        return False
+    verb.name, verb.control = "inert", "object"
+    return True
+
+
+def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> None:
+    """A place or thing: what a preposition or verb governs.
+
+    Args:
+        noun: the noun.
+        k: its index among the chunks.
+        chunks: the chunks of the text.
+        state: what the clause reader remembers.
+    """
+    opens = not state.events or bool(state.between & {"sub", ",", "conj"}) or whose(k, chunks)
+    if state.prep is None and opens and finite_follows(chunks, k):
+        opens = not (state.events and "," in state.between and "sub" not in state.between)
+        opens = opens and (state.candidate is None or "sub" in state.between)
+        opens = opens or whose(k, chunks)
+        state.topic = noun if opens else None
+    if state.prep is not None:
+        state.prep.target = noun
+        noun.prep = state.prep.word
+        if not _side_of_place(noun, k, chunks):
+            attach(state.prep, state)
+        state.prep = None
+        return
+    if also_from(noun, state) or _left_to(noun, state):
+        return
+    anchor = state.anchor
+    direct = isinstance(anchor, Event) and anchor.object is None
+    if isinstance(anchor, Event) and direct and not (state.between - {"or", "either"}):
+        anchor.object = noun
+        state.anchor = noun
+        state.between = set()
+    elif not state.events and state.candidate is None:
+        state.anchor = noun
+        state.between = set()

@@ -1,0 +1,117 @@
+"""Relative clauses about their object: "the van that the ego is following brakes"."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.clauses.state import State
+
+_DONE_TO_SOMEBODY = frozenset({"follow", "overtake", "pass", "bypass", "tailgate", "encounter",
+                               "approach", "avoid", "collide", "cut_off", "undertake"})  # fmt: skip
+_GOING = frozenset({"enter", "turn", "move", "approach", "cross", "merge", "leave", "use",
+                    "sharp_turn"})  # fmt: skip
+_REACH = 4
+_FARTHEST = 8
+
+
+def opens(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+    """Whether a noun begins a clause that says what is done to the noun before it.
+
+    Args:
+        mention: who does it ("the ego").
+        k: its index among the chunks.
+        chunks: the chunks of the text.
+        state: what the clause reader remembers; it keeps both nouns.
+    """
+    before = chunks[max(0, k - 3) : k]
+    marked = bool(before) and isinstance(before[-1], Word) and before[-1].cat == "rel"
+    if marked:
+        before.pop()
+        if before and isinstance(before[-1], Word) and before[-1].value == ",":
+            before.pop()
+    about = before[-1] if before else None
+    if isinstance(about, Place) and state.candidate is not None and _travels(k, chunks):
+        state.relative = (mention, about)
+        return True
+    if marked and not isinstance(about, Mention):
+        about = _described_before(chunks[: k - 1])
+    if not isinstance(about, Mention) or not about.heads or about.possessor:
+        return False
+    waits = about is state.candidate and not state.candidate_done and not state.between
+    if not (marked or waits) or not _acts(k, chunks):
+        return False
+    state.relative = (mention, about)
+    return True
+
+
+def _travels(k: int, chunks: list[Chunk]) -> bool:
+    """``the street it is turning into``: which place it is, told by who is about to go there."""
+    be, verb = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
+    after = [c for c in chunks[k + 3 : k + 5] if not isinstance(c, Word) or c.cat != "prep"]
+    copula = isinstance(be, Word) and (be.cat, be.value) == ("aux", "be")
+    told = chunks[k]
+    who = isinstance(told, Mention) and (
+        told.pronoun is not None or any(h.data.get("ego") for h in told.heads)
+    )
+    going = isinstance(verb, Event) and verb.form == "ing" and verb.name in _GOING
+    return who and copula and going and not (after and not isinstance(after[0], Word | Event))
+
+
+def _described_before(chunks: list[Chunk]) -> Chunk | None:
+    """``an excavator doing 15 km/h, which the ego has to overtake``: the excavator."""
+    for chunk in reversed(chunks[-_FARTHEST:]):
+        ends = isinstance(chunk, Word) and chunk.cat in {"sub", "conj", "rel", "copy"}
+        ends = ends or (isinstance(chunk, Event) and chunk.form != "ing")
+        if isinstance(chunk, Mention) or ends:
+            return chunk if isinstance(chunk, Mention) and chunk.prep is None else None
+    return None
+
+
+def _acts(k: int, chunks: list[Chunk]) -> bool:
+    """Whether a verb follows that wants an object and does not get one."""
+    auxiliary = False
+    for m, chunk in enumerate(chunks[k + 1 : k + 1 + _REACH], start=k + 1):
+        if isinstance(chunk, Event):
+            after = chunks[m + 1] if m + 1 < len(chunks) else None
+            passive = auxiliary and chunk.form == "ed"
+            free = not isinstance(after, Mention) and not passive
+            return chunk.name in _DONE_TO_SOMEBODY and free and not chunk.nominal
+        if not isinstance(chunk, Word) or chunk.cat not in {"aux", "manner", "neg"}:
+            return False
+        auxiliary = auxiliary or (chunk.cat, chunk.value) == ("aux", "be")
+    return False
+
+
+def close(event: Event, state: State) -> bool:
+    """Gives the verb of such a clause its subject and object; the clause around it goes on.
+
+    Args:
+        event: the verb.
+        state: what the clause reader remembers.
+
+    Returns:
+        Whether there was such a clause.
+    """
+    if state.relative is None:
+        return False
+    actor, about = state.relative
+    event.subject, event.object = [actor], about
+    kept = isinstance(about, Mention) or event.name == "merge"
+    event.name = event.name if kept else "inert"  # which place it is, not what is done
+    event.negated = any(word.startswith("neg:") for word in state.between)
+    state.relative = None
+    state.events.append(event)
+    state.anchor, state.between, state.last_pp = about, set(), None
+    return True
+
+
+def aside(event: Event, events: list[Event]) -> bool:
+    """``the ego comes to a spot where a van stops, and it …``: not what the sentence is about.
+
+    Args:
+        event: an event.
+        events: all events of the text.
+    """
+    return event.embedded and any(
+        e.finite and e.subject and not e.embedded and e.sentence == event.sentence and e.i < event.i
+        for e in events
+    )

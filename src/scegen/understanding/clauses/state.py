@@ -1,0 +1,59 @@
+"""What the clause reader remembers within a sentence."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Prep
+from scegen.understanding.words.terms import Term
+
+
+@dataclass(slots=True)
+class State:
+    """What the reader remembers within a sentence.
+
+    Attributes:
+        candidate: the mention that waits for, or has got, the verb of its clause.
+        candidate_done: the candidate has a finite verb.
+        main: subject of the last finite verb, kept over sentence ends for fragments.
+        anchor: the last phrase outside prepositional phrases of place.
+        between: classes and values of the words since the anchor.
+        events: events of the sentence so far.
+        pending: events before their subject ("Turning left, the car …").
+        ahead: adverbs that wait for the next verb.
+        prep: the preposition that waits for its target.
+        mentions: mentions of the sentence so far.
+        topic: the thing that the clause is about ("the light turns green"), no participant.
+        last_pp: the mention in the prepositional phrase just read, if it is no anchor.
+        fronted: phrases of place at the start of a clause, for the mention that follows.
+        opening: the same phrases once that mention has come, for its verb.
+        last_prep: the phrase read last.
+        bracket: anchor and words between, as they were when a bracket opened.
+        relating: whom a relative clause is about that is interrupted ("who, looking down, walks").
+        verb_follows: another verb makes the clause after the participle just read.
+        where: a clause has been opened that says what takes place somewhere.
+        trailing: the ego where it opens a clause after that of another ("…, as the ego turns").
+        relative: who acts in a relative clause, and on whom ("the van that the ego follows").
+    """
+
+    candidate: Mention | None = None
+    candidate_done: bool = False
+    main: list[Mention] = field(default_factory=list)
+    anchor: Mention | NounPhrase | Event | None = None
+    between: set[str] = field(default_factory=set)
+    events: list[Event] = field(default_factory=list)
+    pending: list[Event] = field(default_factory=list)
+    ahead: list[Term] = field(default_factory=list)
+    prep: Prep | None = None
+    mentions: list[Mention] = field(default_factory=list)
+    topic: NounPhrase | None = None
+    last_pp: Mention | None = None
+    fronted: list[Prep] = field(default_factory=list)
+    opening: list[Prep] = field(default_factory=list)
+    last_prep: Prep | None = None
+    bracket: tuple[Mention | NounPhrase | Event | None, set[str]] | None = None
+    verb_follows: bool = False
+    where: bool = False
+    trailing: list[Mention] = field(default_factory=list)
+    relative: tuple[Mention, NounPhrase] | None = None
+    relating: Mention | None = None

@@ -1,0 +1,295 @@
+"""Finds the subject of a verb from the words before it."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Event, Mention, NounPhrase
+from scegen.understanding.clauses.coordination import auxiliary, coordinate
+from scegen.understanding.clauses.dependents import (
+    chain,
+    depend,
+    gerund,
+    granting,
+    infinitive,
+    nominal,
+)
+from scegen.understanding.clauses.state import State
+
+PASSIVE = frozenset(
+    {"collide", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate", "cause",
+     "prevent", "precede", "encounter", "overlook", "pass", "cut_in", "cut", "avoid", "approach",
+     "undertake",
+     "enter", "use", "door", "chase", "harm", "send"}
+)  # fmt: skip
+
+_MOVING = frozenset({"enter", "lane_change", "cross", "move", "merge", "swerve", "sharp_turn"})
+_DESCRIBING = PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}
+"""Verbs whose participle describes a noun ("a man hidden behind a van")."""
+
+
+def link(event: Event, state: State) -> None:
+    """Gives the event its subject, its parent verb and its mood."""
+    interrupts = {"rel", ","} <= state.between and bool(state.mentions) and event.form == "ing"
+    state.relating = _antecedent(state) if interrupts else state.relating
+    _link(event, state)
+    if interrupts and state.relating is not None:  # "a man who, looking down, walks on"
+        event.subject = [state.relating]
+
+
+def _link(event: Event, state: State) -> None:
+    if event.nominal:
+        nominal(event, state)
+        return
+    to = state.prep is not None and state.prep.value == "to" and event.form == "base"
+    helped = auxiliary(state)
+    if to:
+        infinitive(event, state)
+    elif state.prep is not None and (event.form == "ing" or _without_ability(state)):
+        gerund(event, state)
+    else:
+        event.finite = event.form in {"s", "ed", "base"} or helped
+        if event.finite and state.topic is not None:
+            _said_of_a_thing(event, state)
+            return
+        _clause(event, state)
+    parent = event.parent
+    if parent is not None and parent.control == "object" and event.form == "base":
+        event.finite = event.finite and helped  # "lets them cross": no clause of its own
+    if _blocked(event, state):
+        return
+    if event.form == "base" and "aux:be" in state.between and event.name in PASSIVE:
+        event.form = "ed"  # "is cut off", "was hit": the participle looks like the base form
+    if event.reduced and event.form == "ed" and not helped:
+        event.finite = False
+        event.passive = event.name in _DESCRIBING & PASSIVE
+        return
+    if event.form == "ed" and event.name in PASSIVE:
+        reduced = isinstance(state.anchor, Mention) and "aux:have" not in state.between
+        event.passive = "aux:be" in state.between or (reduced and _bare_participle(event, state))
+    if event.finite and event.subject:
+        state.main = event.subject
+        waits = "rel" in state.between and event.subject[-1] is state.candidate
+        state.candidate_done = state.candidate_done or not waits
+
+
+def _without_ability(state: State) -> bool:
+    """``without being able to stop``."""
+    return state.prep is not None and state.prep.value == "without" and "aux:can" in state.between
+
+
+def before_by(event: Event, state: State) -> None:
+    """``…, obstructed by a van``: a participle with "by" after it is passive.
+
+    Args:
+        event: the verb form right before "by".
+        state: what the clause reader remembers.
+    """
+    if event.form != "ed" or event.name not in PASSIVE or event.nominal:
+        return
+    event.passive = True
+    finite = [e for e in state.events if e.finite]
+    thing = bool(finite) and not finite[-1].subject and finite[-1] not in state.pending
+    if thing and "," in state.between:
+        event.subject = []  # "a ball rolls out, followed by a boy"
+
+
+def _said_of_a_thing(event: Event, state: State) -> None:
+    """``the view is blocked by a van``: nobody acts but who stands after "by"."""
+    parts = state.topic if isinstance(state.topic, NounPhrase) else None
+    if parts is not None and event.name == "collide" and "aux:be" not in state.between:
+        own = any(m.cat == "possessive" and m.value == "its" for m in parts.mods)
+        event.subject = [parts.owner] if parts.owner is not None else state.main if own else []
+        state.topic = None
+        return  # "the front of the van struck …", "its front struck …"
+    passive = event.form == "ed" or (event.form == "base" and event.name in PASSIVE)
+    if passive and "aux:be" in state.between:
+        event.passive, event.object = event.name in PASSIVE, state.topic
+    state.topic = None
+
+
+def _blocked(event: Event, state: State) -> bool:
+    """``finds its lane blocked by a van``: the place suffers it, not the finder."""
+    anchor = state.anchor
+    if event.form != "ed" or event.name not in PASSIVE or state.between:
+        return False
+    if isinstance(anchor, Mention) or not isinstance(anchor, NounPhrase):
+        return False
+    event.passive, event.object = True, anchor
+    return True
+
+
+def _bare_participle(event: Event, state: State) -> bool:
+    """``the car hit by a truck`` has no auxiliary, but it is not the end of its clause either."""
+    anchor = state.anchor
+    return isinstance(anchor, Mention) and anchor is not state.candidate and not event.finite
+
+
+def _clause(event: Event, state: State) -> None:
+    anchor = state.anchor
+    between = state.between
+    event.embedded = "rel" in between or state.where
+    if "thing" in between:
+        return  # "a fallen tree that blocks the lane"
+    if state.relating is not None and event.finite and between == {","}:
+        event.subject, state.relating = [state.relating], None
+    elif "rel" in between and state.mentions:
+        which = _antecedent(state)
+        singular = event.form == "s" and (which.head is None or which.head.form != "s")
+        event.subject = [which] if singular else chain(which)
+    elif "sub" in between:
+        _subjectless(event, state)
+    elif "conj" in between and state.events:
+        coordinate(event, state)
+    elif "," in between:
+        _after_comma(event, state)
+    elif isinstance(anchor, Mention):
+        _after_mention(event, anchor, state)
+    elif isinstance(anchor, Event) and event.finite and _waits(state):
+        event.subject = chain(state.candidate) if state.candidate else []
+    elif isinstance(anchor, Event):
+        depend(event, granting(event, anchor), "ing")
+        event.subject = anchor.subject
+        event.negated = anchor.name == "prevent"  # "oncoming cars prevent overtaking"
+    else:
+        _subjectless(event, state)
+
+
+def _waits(state: State) -> bool:
+    """``a man with a walking frame crosses``: whether a noun still has no verb of its own."""
+    return state.candidate is not None and not state.candidate_done
+
+
+def _antecedent(state: State) -> Mention:
+    """The noun before "which": the last one that does not merely own something."""
+    return next((m for m in reversed(state.mentions) if not m.possessor), state.mentions[-1])
+
+
+def _subjectless(event: Event, state: State) -> None:
+    """``while turning``: the subject of the clause before, or of the one that follows."""
+    candidate = state.candidate
+    if candidate is not None and not state.candidate_done and event.finite:
+        event.subject = chain(candidate)
+    elif state.events and not event.finite and "," not in state.between:
+        event.subject = state.main or state.events[-1].subject
+    elif state.main and state.events:
+        event.subject = state.main
+    elif candidate is not None:
+        event.subject = chain(candidate)
+    elif state.events:
+        event.subject = state.events[-1].subject
+    else:
+        state.pending.append(event)
+
+
+def _after_comma(event: Event, state: State) -> None:
+    waiting = state.candidate is not None and not state.candidate_done
+    who = state.candidate
+    placed = who is not None and any(p.target is state.anchor for p in who.pps)
+    if waiting and (state.anchor is who or placed) and state.candidate is not None:
+        event.subject = chain(state.candidate)  # "when a van, turning left, fails to yield"
+        return
+    seen = None if event.finite else _agent_before(event, state) or _seen_coming(event, state)
+    if seen is not None:
+        event.subject = chain(seen)
+    elif state.candidate is not None and (event.finite or not state.main):
+        event.subject = chain(state.candidate)
+    elif state.events:
+        event.subject = _main_in_sentence(state)
+        if not event.finite:
+            _inherit_mood(event, state)
+    elif isinstance(state.anchor, Mention):
+        event.subject = chain(state.anchor)
+    else:
+        state.pending.append(event)
+
+
+def _agent_before(event: Event, state: State) -> Mention | None:
+    """``was struck by a van, heading west``: the van was."""
+    anchor = state.anchor
+    last = state.events[-1] if state.events else None
+    if not isinstance(anchor, Mention) or anchor.prep is None or anchor.prep.value != "by":
+        return None
+    passive = last is not None and last.passive and any(p.target is anchor for p in last.pps)
+    return anchor if passive and event.name in {"move", "turn"} else None
+
+
+def _seen_coming(event: Event, state: State) -> Mention | None:
+    """``finds it in its lane, arriving from the left``: who is seen arrives."""
+    right_before = bool(state.events) and state.events[-1].name == "encounter"
+    if event.form != "ing" or event.name not in {
+        "approach",
+        "appear",
+        *(["move"] if right_before else []),
+    }:
+        return None
+    seen = [e.object for e in state.events if e.name == "encounter" and e.finite]
+    last = seen[-1] if seen else None
+    return last if isinstance(last, Mention) else None
+
+
+def _inherit_mood(event: Event, state: State) -> None:
+    """A participle that hangs on an obliged verb is no less obliged."""
+    event.modal = event.modal or state.events[-1].modal
+
+
+def _main_in_sentence(state: State) -> list[Mention]:
+    finite = [e for e in state.events if e.finite and e.subject]
+    if finite:
+        return finite[-1].subject
+    return next((e.subject for e in reversed(state.events) if e.subject), [])
+
+
+def _after_mention(event: Event, anchor: Mention, state: State) -> None:
+    waiting = state.candidate is not None and not state.candidate_done
+    if event.finite and waiting and state.candidate is not None:
+        past = event.form == "ed" and anchor is not state.candidate and not auxiliary(state)
+        if past and not _resumes(event, anchor, state):
+            event.finite = False
+            event.subject = chain(anchor)
+            return
+        event.subject = chain(state.candidate)
+        return
+    if anchor is not state.candidate:
+        event.finite = event.finite and event.form != "ed"
+    last = state.events[-1] if state.events else None
+    within = anchor.prep is not None and anchor.prep.value == "in" and anchor.head is not None
+    if last and within and anchor.head and "mass" in anchor.head.data and event.form == "ing":
+        event.subject = last.subject  # "is stopped in traffic waiting to turn"
+        return
+    if last is not None and last.object is anchor and _by_doing(event, last, anchor):
+        event.subject = last.subject  # "overtakes a bus using the oncoming lane"
+        return
+    if last is not None and last.object is anchor and last.name in {"cause", "prevent"}:
+        depend(event, last, "ing")
+    granted = last is not None and last.object is anchor and last.name in {"leave", "inert"}
+    if granted and "neg:unable" in state.between:
+        event.name = "inert"  # "leaving the ego no time to brake"
+    if last is not None and _pronoun_object(anchor, last) and not event.finite:
+        event.subject = last.subject  # "nearly hit me coming from the right"
+        return
+    event.subject = chain(anchor)
+
+
+def _by_doing(event: Event, last: Event, passed: Mention) -> bool:
+    """Whether a participle says how somebody is passed, and not what the one passed does."""
+    if event.form != "ing" or last.name not in {"overtake", "bypass", "pass", "avoid"}:
+        return False
+    parked = any(m.cat == "state" for m in passed.mods)
+    return event.name == "use" or (parked and event.name in _MOVING)
+
+
+def _resumes(event: Event, anchor: Mention, state: State) -> bool:
+    """``the car coming towards us began …``: the verb of the clause, not said of "us"."""
+    if anchor.pronoun in {"it", "him", "they"} or any("me" in h.data for h in anchor.heads):
+        return True
+    last = state.events[-1] if state.events else None
+    embedded = last is not None and last.object is anchor and last.form == "ing"
+    describing = event.name in _DESCRIBING | PASSIVE | {"stop"}
+    return embedded and not describing and not state.verb_follows
+
+
+def _pronoun_object(anchor: Mention, verb: Event) -> bool:
+    """Pronouns are not described further, except where they are seen to do something."""
+    bare = anchor.pronoun in {"it", "him", "they"} or bool(
+        anchor.head and anchor.head.data.get("me")
+    )
+    return verb.object is anchor and bare and verb.name not in {"encounter", "cause", "prevent"}

@@ -1,0 +1,1 @@
+"""Meaning: what events say about movements, positions and dangers."""

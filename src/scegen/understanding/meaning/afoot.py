@@ -1,0 +1,52 @@
+"""People where they stand or come from, of whom no verb says that they cross."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import HazardKind
+from scegen.understanding.chunks import Mention, Place
+from scegen.understanding.draft import Basis
+from scegen.understanding.meaning.context import Context
+
+_WAY = frozenset({"crosswalk", "road", "lane", "path", "highway"})
+_UPON = frozenset({"on", "in", "over", "across"})
+
+
+def on_the_road(mention: Mention, context: Context) -> None:
+    """``a pedestrian on the crosswalk``, ``brakes for a child``: they cross.
+
+    Args:
+        mention: who is spoken of.
+        context: the scenario in the making.
+    """
+    walkers = [e for e in mention.entities if not e.is_vehicle]
+    cyclists = [e for e in mention.entities if context.is_cyclist(e) and not e.ego]
+    for prep in mention.pps:
+        place = prep.target
+        on = prep.value == "in" and isinstance(place, Place) and place.kind in _WAY
+        if on and isinstance(place, Place) and context.tokens[prep.word.i].low in _UPON:
+            basis = Basis(mention.i, place.j)
+            if walkers:
+                context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, basis, walkers)
+            if cyclists and place.kind == "crosswalk":
+                context.draft.hazard(HazardKind.CROSSING_CYCLIST, basis, cyclists)
+
+
+def comes_from_the_side(mention: Mention, context: Context) -> None:
+    """``pedestrian from the right, hidden by a van``: nothing else is said, so they cross.
+
+    Args:
+        mention: who is spoken of, and does nothing.
+        context: the scenario in the making.
+    """
+    walkers = [e for e in mention.entities if not e.is_vehicle]
+    cyclists = [e for e in mention.entities if context.is_cyclist(e) and not e.ego]
+    for prep in mention.pps:
+        place = prep.target
+        sided = isinstance(place, Place) and place.kind in {"side", "direction", "sidewalk"}
+        if prep.value != "from" or not sided:
+            continue
+        basis = Basis(mention.i, place.j if place is not None else mention.j)
+        if walkers:
+            context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, basis, walkers)
+        if cyclists and place is not None and "sidewalk" in getattr(place, "kind", ""):
+            context.draft.hazard(HazardKind.CROSSING_CYCLIST, basis, cyclists)

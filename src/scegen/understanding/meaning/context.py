@@ -1,0 +1,155 @@
+"""What the rules of meaning share: the scene of one event, and the scenario in the making."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
+from scegen.understanding.chunks import Event, Place
+from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.road.junctions import JunctionReading
+from scegen.understanding.words.tokens import Token
+
+_SPAN_REACH = 6
+_ORDER_REACH = 3
+_ORDER = frozenset({"then", "after", "afterwards", "before", "later", "next", "subsequently",
+                    "finally", "thereafter"})  # fmt: skip
+
+
+@dataclass(slots=True)
+class Scene:
+    """One event with the participants in it.
+
+    Attributes:
+        event: the event.
+        actors: who acts, after passives are turned round.
+        targets: whom it is done to.
+    """
+
+    event: Event
+    actors: list[Entity]
+    targets: list[Entity]
+
+    @property
+    def drivers(self) -> list[Entity]:
+        """Actors that drive."""
+        return [e for e in self.actors if e.moving_vehicle]
+
+    @property
+    def walkers(self) -> list[Entity]:
+        """Actors on foot."""
+        return [e for e in self.actors if not e.is_vehicle]
+
+    @property
+    def alternative(self) -> int | None:
+        """Marks events that the text offers as alternatives ("either … or …")."""
+        node: Event | None = self.event
+        depth = 0
+        while node is not None and depth < 4:
+            if node.alternative is not None:
+                return node.alternative
+            node = node.parent
+            depth += 1
+        return None
+
+    @property
+    def reaction(self) -> bool:
+        """The event answers a danger ("must stop", "forcing it to brake", "to avoid …")."""
+        return self.event.modal or any(c.name == "avoid" for c in self.event.children)
+
+    def how(self, *values: str) -> Basis | None:
+        """Words of manner of the event, joined with the event if they are close."""
+        term = self.event.how(*values)
+        return span(self.event, term.i, term.j) if term is not None else None
+
+    @property
+    def words(self) -> Basis:
+        """The words of the event itself."""
+        return Basis(self.event.i, self.event.j)
+
+    @property
+    def sudden(self) -> Basis | None:
+        """Words that make the event sudden."""
+        return self.how("sudden", "emergency")
+
+    def places(self) -> list[Place]:
+        """Places named with the event."""
+        named = [self.event.object, *(p.target for p in self.event.pps)]
+        return [p for p in named if isinstance(p, Place)]
+
+
+def span(event: Event, i: int, j: int) -> Basis:
+    """The event's words together with further words, or these alone if they are far away."""
+    start, end = min(event.i, i), max(event.j, j)
+    if end - start > _SPAN_REACH + (event.j - event.i):
+        return Basis(i, j)
+    return Basis(start, end)
+
+
+@dataclass(slots=True)
+class Context:
+    """The scenario in the making, as the rules of meaning see it."""
+
+    draft: Draft
+    junction: JunctionReading
+    tokens: list[Token]
+    across: str = "left"
+    """The side of a turn across oncoming traffic: right where traffic keeps left."""
+    screens: list[int] = field(default_factory=list)
+    """Where in the text things are named that one cannot see through."""
+
+    def crossing_implied(self, basis: Basis, reason: str) -> None:
+        """Something takes place that needs a junction."""
+        if self.draft.crossing_implied is None:
+            self.draft.crossing_implied = Basis(basis.i, basis.j, reason)
+
+    def lanes_implied(self, basis: Basis, reason: str) -> None:
+        """Something takes place that needs a second lane."""
+        if self.draft.lanes_implied is None:
+            self.draft.lanes_implied = Basis(basis.i, basis.j, reason)
+
+    def ahead(self, front: list[Entity], back: list[Entity], basis: Basis) -> None:
+        """The first drive ahead of the second."""
+        for leader in front:
+            for follower in back[:1]:
+                if leader is not follower:
+                    self.draft.place(leader, follower, {Approach.AHEAD}, basis)
+
+    def placed(self, entity: Entity, approach: Approach) -> bool:
+        """Whether a participant is said to be, or to come from, somewhere."""
+        return any(p.entity is entity and approach in p.approaches for p in self.draft.placements)
+
+    def oncoming(self, entity: Entity) -> bool:
+        """Whether a vehicle is said to come from the front."""
+        return self.placed(entity, Approach.OPPOSITE)
+
+    def from_the_side(self, entity: Entity) -> bool:
+        """Who comes from a road at the side does not turn across oncoming traffic."""
+        return self.placed(entity, Approach.LEFT) or self.placed(entity, Approach.RIGHT)
+
+    def in_order(self, earlier: Basis | None, event: Event) -> bool:
+        """Whether words of order stand between, or right before, two things that one does."""
+        if earlier is None or earlier.i is None or event.i <= earlier.i:
+            return False
+        between = self.tokens[max(0, earlier.i - _ORDER_REACH) : event.i]
+        return any(t.low in _ORDER for t in between)
+
+    def crosses(self, entity: Entity) -> bool:
+        """Whether a cyclist is said to cross."""
+        return any(
+            d.kind is HazardKind.CROSSING_CYCLIST and entity in d.by for d in self.draft.dangers
+        )
+
+    def is_cyclist(self, entity: Entity) -> bool:
+        """Whether somebody rides a bicycle."""
+        return entity.kind is ParticipantKind.BICYCLE
+
+    def comes_across(self, entity: Entity) -> bool:
+        """Whether a vehicle comes from another arm of a junction than the ego."""
+        across = {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
+        named = [p for p in self.draft.placements if p.entity is entity]
+        lateral = {Approach.LEFT, Approach.RIGHT}
+        met = self.junction.crossing or self.draft.crossing_implied is not None
+        met = met or self.draft.side_road is not None
+        met = met or any(p.approaches == lateral for p in named)  # "on perpendicular roads"
+        return met and any(p.approaches & across for p in named)

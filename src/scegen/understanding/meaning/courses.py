@@ -1,0 +1,76 @@
+"""What leaves a participant on its course: following, keeping a lane, waiting."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver
+from scegen.understanding.chunks import Thing
+from scegen.understanding.draft import Basis
+from scegen.understanding.meaning.context import Context, Scene
+
+
+def hold(scene: Scene, _context: Context) -> None:
+    """``keeps to the left lane``, ``maintains its course``: it drives on."""
+    places = [p for p in scene.places() if p.kind in {"lane", "path", "road", "side"}]
+    course = isinstance(scene.event.object, Thing) and not places
+    for entity in scene.drivers if places or course else []:
+        entity.moves = entity.moves or Basis(scene.event.i, scene.event.j)
+
+
+def follow(scene: Scene, context: Context) -> None:
+    """One drives behind another."""
+    straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in scene.places())
+    for entity in scene.drivers:
+        entity.moves = entity.moves or Basis(scene.event.i, scene.event.j)
+        entity.on_straight = entity.on_straight or straight
+    basis = Basis(scene.event.i, scene.event.j)
+    context.ahead(scene.targets, scene.actors, basis)
+    nobody = scene.event.object is None and not scene.event.passive and not scene.event.pps
+    if nobody and not any(e.ego for e in scene.actors):
+        for entity in scene.drivers:  # "and the car following brakes"
+            context.draft.place(entity, None, {Approach.BEHIND}, basis)
+
+
+def move_off(scene: Scene, context: Context) -> None:
+    """``a parked van drives off``: whoever comes along has to be let through.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    event = scene.event
+    if event.negated or event.passive or event.premod_of is not None:
+        return
+    words = {t.low for t in context.tokens[event.i : event.j]}
+    parking = any(p.kind in {"parking", "sidewalk", "shoulder"} for p in scene.places())
+    away = event.name == "leave" and (parking or bool(words & {"off", "away"}))
+    others = [e for e in scene.drivers if e.pulls_out and not e.ego]
+    if away and others:
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, others)
+
+
+def precede(scene: Scene, context: Context) -> None:
+    """One drives ahead of another."""
+    context.ahead(scene.actors, scene.targets, Basis(scene.event.i, scene.event.j))
+
+
+def stay(scene: Scene, context: Context) -> None:
+    """Whoever waits on foot stays where they are; who drives waits for the light."""
+    basis = Basis(scene.event.i, scene.event.j)
+    held = any(p.kind == "signal" for p in scene.places())
+    lit = context.junction.control is Control.SIGNALS
+    for entity in [e for e in scene.drivers if held or (lit and e.ego)]:
+        entity.waits = entity.waits or basis
+    for entity in scene.actors:
+        if not entity.is_vehicle and not entity.maneuvers:
+            context.draft.maneuver(entity, {Maneuver.STAY}, basis)
+
+
+def park(scene: Scene, _context: Context) -> None:
+    """``is parked``: the vehicle stands for the whole scenario."""
+    if scene.event.form != "ed":
+        return
+    for entity in scene.actors:
+        if entity.is_vehicle and not entity.ego and entity.sets_off < scene.event.i:
+            entity.parked = True
+            entity.parked_basis = Basis(scene.event.i, scene.event.j)
+        entity.pulls_out = entity.pulls_out or entity.sets_off > scene.event.i

@@ -1,0 +1,31 @@
+"""Dangers from forcing others to react."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import HazardKind, Maneuver
+from scegen.understanding.meaning.context import Context, Scene
+
+_ABRUPT = frozenset({HazardKind.CUT_IN, HazardKind.SWERVING, HazardKind.ONCOMING_LANE,
+                     HazardKind.MERGING_CONFLICT})  # fmt: skip
+"""What forces others already, so that nothing more needs to be said."""
+
+
+def cause(scene: Scene, context: Context) -> None:
+    """A parked vehicle that makes others react stands in their way; who changes lanes cuts in."""
+    _cut_in(scene, context)
+    parked = [e for e in scene.actors if e.parked]
+    if parked:
+        context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
+    let = context.tokens[scene.event.i].forms[-1][0] == "let"
+    walkers = [e for e in scene.targets if not e.is_vehicle]
+    if let and walkers and not scene.event.negated:
+        context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, scene.words, walkers)
+
+
+def _cut_in(scene: Scene, context: Context) -> None:
+    """``changes lanes, forcing a van to brake``: close before it."""
+    by = [e for e in scene.drivers if e.maneuvers == {Maneuver.LANE_CHANGE} and not e.ego]
+    known = {e.index for d in context.draft.dangers if d.kind in _ABRUPT for e in d.by}
+    forced = [e for e in scene.targets if e.moving_vehicle]
+    if by and forced and not known & {e.index for e in by} and not scene.event.passive:
+        context.draft.hazard(HazardKind.CUT_IN, scene.words, by, forced)

@@ -1,0 +1,67 @@
+"""Things that no lexicon lists, but that somebody is said to be behind: "behind a poster rack"."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Thing, Word
+from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.words.terms import Term
+
+_HIDING = frozenset({"behind", "between"})
+_OPENERS = frozenset({"det", "possessive"})
+_DESCRIBING = frozenset({"unknown", "label", "inert", "state", "noted", "env"})
+_ENDS = frozenset({"prep", "conj", "sub", "rel", "aux", "locus", "punct", "manner", "copy"})
+_LONGEST = 5
+
+
+def name_hiders(chunks: list[Chunk]) -> list[Chunk]:
+    """The chunks, with unknown nouns after "behind" and "hidden by" as things.
+
+    Args:
+        chunks: the chunks of the text.
+    """
+    found: list[Chunk] = []
+    k = 0
+    while k < len(chunks):
+        found.append(chunks[k])
+        end = _end(chunks, k + 1) if _hides(chunks, k) else None
+        if end is not None:
+            words = chunks[k + 1 : end]
+            first, last = words[0], words[-1]
+            mods = [w.term for w in words[:-1] if isinstance(w, Word)]
+            head = Term("thing", "object", last.i, last.j)
+            found.append(Thing(first.i, last.j, mods, head, kind="object"))
+        k = end if end is not None else k + 1
+    return found
+
+
+def _hides(chunks: list[Chunk], k: int) -> bool:
+    """Whether what stands after this word is something one cannot see through."""
+    word = chunks[k]
+    if not isinstance(word, Word):
+        return False
+    if word.cat == "locus":
+        return word.value in _HIDING
+    before = chunks[max(0, k - 2) : k]
+    hidden = any(isinstance(c, Event) and c.name == "hide" and c.form == "ed" for c in before)
+    return word.value == "by" and hidden
+
+
+def _end(chunks: list[Chunk], k: int) -> int | None:
+    """Where a noun with an article ends whose last word is in no lexicon."""
+    opener = chunks[k] if k < len(chunks) else None
+    if not isinstance(opener, Word) or opener.cat not in _OPENERS:
+        return None
+    m = k + 1
+    while m < len(chunks) and m - k < _LONGEST:
+        chunk = chunks[m]
+        noun_like = isinstance(chunk, Event) and chunk.form == "base" and m > k + 1
+        if not (noun_like or (isinstance(chunk, Word) and chunk.cat in _DESCRIBING)):
+            break
+        m += 1
+    last, after = chunks[m - 1], chunks[m] if m < len(chunks) else None
+    named = m > k + 1 and (isinstance(last, Event) or getattr(last, "cat", "") == "unknown")
+    ends = after is None or (
+        isinstance(after, Word) and (after.cat in _ENDS or after.value in BOUNDARIES)
+    )
+    verb = isinstance(after, Event) and after.form in {"s", "ed", "ing"}
+    return m if named and (ends or verb) and not isinstance(after, Mention) else None

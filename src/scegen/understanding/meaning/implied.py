@@ -1,0 +1,285 @@
+"""Positions that follow from what happens: who is driven up to is ahead."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
+from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
+from scegen.understanding.draft import Basis, Danger, Entity
+from scegen.understanding.meaning import conflicts, oncoming
+from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.meaning.reactions import into_rear
+from scegen.understanding.words.terms import Term
+
+_TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
+_CLOSING = frozenset({"approach", "encounter", "collide", "move", "brake", "hard_brake", "slow"})
+_COMING = frozenset({"move", "approach", "enter", "speed", "accelerate", "collide", "overtake"})
+_TOWARDS = frozenset({"to", "into", "in", "for", "with"})
+_HEAD_ON = frozenset({"towards", "toward"})
+_SLOWER = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
+
+
+def positions(scenes: list[Scene], context: Context) -> None:
+    """Places who is driven up to, and who comes out of the next lane or the oncoming one.
+
+    Args:
+        scenes: what happens, in the order of the text.
+        context: the scenario in the making.
+    """
+    for scene in scenes:
+        oncoming.faced(scene, context)
+        _driven_up_to(scene, context)
+        parked = [e for e in scene.targets if e.parked]
+        if scene.event.name == "bypass" and not scene.targets and scene.drivers:
+            parked = [e for e in context.draft.entities if e.parked and _in_front(e, context)]
+        thing = isinstance(scene.event.object, Thing) and scene.event.object.kind == "object"
+        if scene.event.name == "bypass" and (parked or thing) and not scene.event.negated:
+            context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
+        _owing_to_the_parked(scene, context)
+        oncoming.hidden_behind(scene, context)
+        oncoming.overtaken(scene, context)
+        oncoming.from_behind(scene, context)
+        oncoming.met(scene, context)
+        _cuts_out(scene, context)
+        _revealed(scene, context)
+        _across(scene, context)
+    oncoming.turned_across(context)
+    oncoming.unseen(context)
+    for danger in context.draft.dangers:
+        if danger.kind is HazardKind.ONCOMING_LANE:
+            _around_something(danger, context)
+            _face_to_face(danger, context)
+
+
+def _owing_to_the_parked(scene: Scene, context: Context) -> None:
+    """``has to leave its lane because of a broken-down lorry``: that is in the way."""
+    for prep in scene.event.pps:
+        by = prep.target.entities if isinstance(prep.target, Mention) else []
+        parked = [e for e in by if e.parked]
+        if (
+            prep.value == "due"
+            and parked
+            and scene.event.name not in {"hide", "encounter", "appear"}
+        ):
+            context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
+
+
+def _cuts_out(scene: Scene, context: Context) -> None:
+    """``cuts out``: leaves the lane in which it drove ahead of the ego."""
+    words = {t.low for t in context.tokens[scene.event.i : scene.event.j]}
+    if scene.event.name != "lane_change" or "out" not in words or scene.event.negated:
+        return
+    basis = Basis(scene.event.i, scene.event.j, "who cuts out was ahead in the lane")
+    for entity in scene.drivers:
+        seen = [
+            p for p in context.draft.placements if p.entity is entity and oncoming.by_the_ego(p)
+        ]
+        if not entity.ego and not seen:
+            context.draft.place(entity, None, {Approach.AHEAD}, basis)
+
+
+def _revealed(scene: Scene, context: Context) -> None:
+    """``swerves and exposes a stopped van``: the van is ahead in the lane."""
+    if scene.event.name != "reveal" or context.junction.crossing:
+        return
+    basis = Basis(scene.event.i, scene.event.j, "what comes into view is ahead")
+    for entity in scene.targets:
+        seen = [p for p in context.draft.placements if p.entity is entity]
+        if entity.is_vehicle and not entity.ego and not seen:
+            context.draft.place(entity, None, {Approach.AHEAD}, basis)
+
+
+def _across(scene: Scene, context: Context) -> None:
+    """Who crosses on red, or leaves the side road of a T, comes from the left or the right."""
+    event = scene.event
+    ego = next((e for e in context.draft.entities if e.ego), None)
+    implied = context.draft.access is not None and context.junction.straight is None
+    if ego is None or ego in scene.actors or not (context.junction.crossing or implied):
+        return
+    on_red = event.name == "cross" and any(
+        scene.drivers == d.by and d.kind is HazardKind.RED_LIGHT_RUNNING
+        for d in context.draft.dangers
+    )
+    sources = [*event.pps, *(p for m in event.subject for p in m.pps)]
+    out = event.name in {"pull_out", "reverse", "leave", "appear"}
+    words = {"from", "in", "of"} if out or event.name == "wait" else {"from", "in"}
+    stem = [p.target for p in sources if p.value in words] + ([event.object] if out else [])
+    stem = [p for p in stem if isinstance(p, Place) and p.kind == "access"]
+    along = context.junction.kind is JunctionKind.T and ego.maneuvers == {Maneuver.STRAIGHT}
+    along = along or (not context.junction.crossing and not ego.maneuvers & _TURNS)
+    if not on_red and not (stem and along):
+        return
+    basis = Basis(event.i, event.j, "it comes across the way of the ego")
+    for entity in scene.drivers:
+        if entity.heading is None and not any(p.entity is entity for p in context.draft.placements):
+            context.draft.place(entity, None, {Approach.LEFT, Approach.RIGHT}, basis)
+
+
+def _only_other(scene: Scene, context: Context) -> list[Entity]:
+    """``a man walks along the road, the ego approaches from behind``: the man is approached."""
+    others = [e for e in context.draft.entities if e not in scene.actors]
+    rear = any(p.value == "behind" and p.outer == "from" for p in scene.event.pps)
+    ego = all(e.ego for e in scene.drivers)
+    if not (rear and ego and scene.event.name == "approach" and len(others) == 1):
+        return []
+    basis = Basis(scene.event.i, scene.event.j, "it is approached from behind")
+    if not any(p.entity is others[0] for p in context.draft.placements):
+        context.draft.place(others[0], None, {Approach.AHEAD}, basis)
+    return []
+
+
+def _driven_up_to(scene: Scene, context: Context) -> None:
+    """``closes in on a stopped van``, ``encounters a slow tractor``: it is ahead."""
+    event = scene.event
+    if event.name not in _CLOSING or event.negated or not scene.drivers:
+        return
+    targets = list(scene.targets)
+    for prep in event.pps:
+        towards = prep.value in _TOWARDS or context.tokens[prep.word.i].low == "on"
+        rear = _queue(prep.target) or _from_the_rear(scene, context)
+        towards = towards or (prep.value == "of" and rear)
+        if towards and isinstance(prep.target, Mention):
+            targets += [e for e in prep.target.entities if e not in scene.actors]
+    ends = [event.object, *(p.target for p in event.pps)]
+    owners = [c.owner for c in ends if isinstance(c, Place) and "rear" in c.dirs and c.owner]
+    targets += [e for m in owners for e in m.entities if e not in (*scene.actors, *targets)]
+    struck = event.object
+    if _from_the_rear(scene, context) and isinstance(struck, Place) and struck.owner is not None:
+        targets += [e for e in struck.owner.entities if e not in scene.actors]
+    driver = scene.drivers[0]
+    targets += _only_other(scene, context) if not targets else []
+    if any(e.ego for e in targets):
+        for other in scene.drivers:
+            _comes_towards(scene, other, context)
+        targets = [e for e in targets if not e.ego or _from_the_rear(scene, context)]
+    certain = _from_the_rear(scene, context) or _along_the_road(scene, context)
+    late = [d for d in context.draft.dangers if d.kind is HazardKind.DELAYED_BRAKING]
+    certain = certain or any(driver in d.by for d in late)  # "failed to stop and hit the bus"
+    for target in targets:
+        slower = certain or _slower(target, context)
+        if target.moving_vehicle and _on_the_wrong_side(driver, context):
+            basis = Basis(event.i, event.j, "who drives on the wrong side comes head-on")
+            context.draft.place(driver, target, {Approach.OPPOSITE}, basis)
+            continue
+        crosses = Maneuver.CROSS in target.maneuvers
+        if target.is_vehicle and slower and not crosses and not _placed(target, driver, context):
+            reason = "who is driven up to is ahead"
+            context.ahead([target], [driver], Basis(event.i, event.j, reason))
+
+
+def _in_front(entity: Entity, context: Context) -> bool:
+    return any(
+        p.entity is entity and p.reference is None and p.approaches == {Approach.AHEAD}
+        for p in context.draft.placements
+    )
+
+
+def _queue(target: object) -> bool:
+    """``approaches the tail of a queue``."""
+    head = target.head if isinstance(target, Mention) else None
+    return head is not None and "mass" in head.data
+
+
+def _on_the_wrong_side(entity: Entity, context: Context) -> bool:
+    dangers = [d for d in context.draft.dangers if d.kind is HazardKind.ONCOMING_LANE]
+    passing = Maneuver.OVERTAKE in entity.maneuvers
+    return not passing and any(entity in d.by for d in dangers)
+
+
+def _comes_towards(scene: Scene, driver: Entity, context: Context) -> None:
+    """``drives towards the ego``: head-on, unless it comes from somewhere else."""
+    towards = [p.word.j for p in scene.event.pps if context.tokens[p.word.i].low in _HEAD_ON]
+    towards += [p.word.j for p in scene.event.pps if _at_the_ego(p, scene, context)]
+    towards += [scene.event.j for t in _own(scene.event, context) if t in _HEAD_ON]
+    ego = next(e for e in context.draft.entities if e.ego)
+    if towards and not _placed(driver, ego, context):
+        basis = Basis(scene.event.i, towards[0], "comes towards the ego")
+        context.draft.place(driver, None, {Approach.OPPOSITE}, basis)
+        for place in scene.places():
+            if conflicts.head_on(scene, place, context):
+                words = Basis(place.i, place.j)
+                context.draft.hazard(HazardKind.ONCOMING_LANE, words, [driver], [ego])
+
+
+def _at_the_ego(prep: Prep, scene: Scene, context: Context) -> bool:
+    """``comes straight at the ego``."""
+    goal = context.tokens[prep.word.i].low == "at" and isinstance(prep.target, Mention)
+    return goal and scene.event.name in {"move", "speed", "approach"}
+
+
+def head_on(term: Term, scene: Scene, context: Context) -> None:
+    """``a motorcycle approaches head-on``: who collides so has come from the front, too.
+
+    Args:
+        term: the words for it.
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    coming = scene.event.name in _COMING
+    if len(scene.drivers) > 1 and not scene.targets:
+        for entity in scene.drivers:
+            entity.opposed |= {e.index for e in scene.drivers} - {entity.index}
+        return  # "two trucks meet head-on"
+    for entity in scene.drivers if coming else []:
+        to = next((e for e in scene.targets if e.moving_vehicle), None)
+        context.draft.place(entity, to, {Approach.OPPOSITE}, Basis(term.i, term.j))
+
+
+def _own(event: Event, context: Context) -> set[str]:
+    return {t.low for t in context.tokens[event.i : event.j]}
+
+
+def _from_the_rear(scene: Scene, context: Context) -> bool:
+    """``rear-ends``, ``runs into the back of``."""
+    return scene.event.name == "collide" and into_rear(scene.event, context)
+
+
+def _along_the_road(scene: Scene, context: Context) -> bool:
+    """Closing in on another where no roads meet: in the same lane."""
+    meet = context.junction.crossing or context.draft.crossing_implied is not None
+    towards = any(context.tokens[p.word.i].low in _HEAD_ON for p in scene.event.pps)
+    if _own(scene.event, context) & _HEAD_ON:
+        return False  # "comes towards them"
+    return not meet and (scene.event.name == "approach" or towards)
+
+
+def _slower(entity: Entity, context: Context) -> bool:
+    """Whether somebody stands or drives slowly, so that others close in from behind."""
+    return entity.parked or any(entity in d.by and d.kind in _SLOWER for d in context.draft.dangers)
+
+
+def _placed(entity: Entity, observer: Entity, context: Context) -> bool:
+    """Whether something is already said of where one is, seen from the other or from the ego."""
+    across = {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE, Approach.AHEAD, Approach.BEHIND}
+    for p in context.draft.placements:
+        pair = p.entity is entity and p.reference in {None, observer}
+        turned = p.entity is observer and p.reference is entity
+        if (pair or turned) and p.approaches & across:
+            return True
+    headings = {entity.heading, observer.heading}
+    return None not in headings and len(headings) > 1
+
+
+def _around_something(danger: Danger, context: Context) -> None:
+    """``a parked bus blocks the lane; the ego detours through the oncoming lane``: past it."""
+    draft = context.draft
+    blocked = any(e.parked for e in draft.entities) or any(
+        d.kind in _SLOWER | {HazardKind.OBSTACLE} for d in draft.dangers
+    )
+    for entity in danger.by if blocked else []:
+        if entity.ego and not entity.maneuvers:
+            draft.maneuver(entity, {Maneuver.OVERTAKE}, danger.basis)
+
+
+def _face_to_face(danger: Danger, context: Context) -> None:
+    """Who drives in the lane of oncoming traffic and who suffers it come towards each other."""
+    victims = danger.to or [e for e in context.draft.entities if e.ego and e not in danger.by]
+    for culprit in danger.by:
+        for victim in victims:
+            both = culprit.moving_vehicle and victim.moving_vehicle
+            if (
+                both
+                and not _placed(culprit, victim, context)
+                and not _placed(victim, culprit, context)
+            ):
+                basis = Basis(danger.basis.i, danger.basis.j, "they use the same lane head-on")
+                context.draft.place(culprit, victim, {Approach.OPPOSITE}, basis)

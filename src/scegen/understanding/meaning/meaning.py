@@ -1,0 +1,286 @@
+"""Applies the rules of meaning to the events of a text, in their order."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from scegen.scenario.vocabulary import Approach, HazardKind
+from scegen.understanding.chunks import Chunk, Event, Mention, Prep, Thing
+from scegen.understanding.clauses import bearing
+from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.meaning import (
+    afoot,
+    breaches,
+    courses,
+    dangers,
+    detours,
+    encounters,
+    implied,
+    lane_moves,
+    numbered_lanes,
+    red_lights,
+    roles,
+    rows,
+    screen_sides,
+    screens,
+    side_roads,
+)
+from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.meaning.movements import MOVEMENTS
+from scegen.understanding.meaning.omissions import not_done
+from scegen.understanding.meaning.out_of_turn import out_of_turn
+from scegen.understanding.meaning.placing import Placer
+from scegen.understanding.meaning.reactions import mark_answers, mark_late
+from scegen.understanding.meaning.recasting import recast
+from scegen.understanding.meaning.reciprocal import towards_each_other
+from scegen.understanding.meaning.roadside import read_thing
+from scegen.understanding.meaning.scenes import scene_of
+from scegen.understanding.meaning.setting_off import set_off
+from scegen.understanding.phrases.on_sides import from_everywhere
+from scegen.understanding.words.terms import Term
+
+_RELATIVE = frozenset({"difference", "differential", "relative", "closing", "delta"})
+_DIFFERENCE_REACH = 3
+_BY_MANNER = {
+    "backwards": HazardKind.REVERSING,
+    "fast": HazardKind.SPEEDING,
+    "slow": HazardKind.SLOW_DRIVING,
+    "wrong_way": HazardKind.ONCOMING_LANE,
+    "out_of_control": HazardKind.LOSS_OF_CONTROL,
+}
+_BESIDE = frozenset({"overtake", "pass", "bypass", "undertake", "collide"})
+"""With these verbs a side is where one gets past or is hit, and nobody comes from there."""
+_ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
+_BREACHING = frozenset(
+    {"walk", "follow", "breach", "move", "enter", "cross", "speed", "accelerate", "pass", "bypass"}
+)
+_ON_THE_MOVE = frozenset({"swing_wide", "pull_out", "swerve", "use", "enter", "move", "cross",
+                          "lose_control", "lane_change", "merge", "overtake", "bypass", "turn",
+                          "sharp_turn", "approach", "unknown"})  # fmt: skip
+_UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
+                       "merge", "enter", "follow", "move", "turn", "appear", "swerve",
+                       "pull_out", "collide"})  # fmt: skip
+_TRAVEL = frozenset({"move", "approach", "enter", "merge", "turn", "cross", "follow", "overtake",
+                     "bypass", "leave", "lane_change", "accelerate", "speed", "try"})  # fmt: skip
+
+
+class Interpreter:
+    """Turns events and mentions into statements about the scenario.
+
+    Args:
+        context: the scenario in the making.
+        limit: the quantity that is a speed limit and nobody's speed.
+    """
+
+    def __init__(self, context: Context, limit: Term | None) -> None:
+        self._context = context
+        self._draft = context.draft
+        self._placer = Placer(context.draft)
+        self._limit = limit
+        self._scenes: list[Scene] = []
+        self._of_verbs: set[int] = set()
+
+    def run(self, chunks: list[Chunk], events: list[Event]) -> None:
+        """All statements of a text.
+
+        Args:
+            chunks: its chunks, mentions resolved.
+            events: its events.
+        """
+        self._of_verbs = {
+            id(p)
+            for e in events
+            for p in e.pps
+            if p.on_mention is e.object
+            and (
+                self._starts(e, p)
+                or (e.name in _BESIDE and bearing.is_side(p))
+                or bearing.own_lane(e, p)
+            )
+        }
+        set_off(events, self._context)
+        numbered_lanes.note_lanes(chunks, events, self._context.tokens)
+        handled = {
+            id(e.object) for e in events if e.name in {"inert", "send"} and not e.passive
+        }  # "kicks a ball"
+        acting = {id(m) for e in events for m in e.subject if e.name != "hide"}
+        for chunk in chunks:
+            if isinstance(chunk, Mention) and chunk.entities:
+                self._mention(chunk)
+                if id(chunk) not in acting:
+                    afoot.comes_from_the_side(chunk, self._context)
+            elif isinstance(chunk, Thing) and id(chunk) not in handled:
+                read_thing(chunk, chunks, self._draft)
+                self._context.screens += [chunk.i] if chunk.kind == "object" else []
+        mark_answers(events)
+        mark_late(events, self._context)
+        rows.line_up(chunks, events, self._draft)
+        for event in events:
+            self._event(event)
+        red_lights.on_red(chunks, events, self._context)
+        out_of_turn(chunks, events, self._context)
+        towards_each_other(chunks, events, self._context)
+        screen_sides.share(chunks, self._scenes, self._context)
+        screens.come_out(self._context)
+        detours.get_past(chunks, self._scenes, self._context)
+        implied.positions(self._scenes, self._context)
+        breaches.subsume(self._context)
+
+    def _mention(self, mention: Mention) -> None:
+        self._placer.adjectives(mention)
+        afoot.on_the_road(mention, self._context)
+        sides = [p for p in mention.pps if p.value in {"from", "in"} and bearing.is_side(p)]
+        lane_moves.on_the_wrong_side(mention, self._context)
+        lane_moves.between_lanes(mention, self._context)
+        for prep in mention.pps:
+            if id(prep) in self._of_verbs or bearing.facing(mention, prep):
+                continue  # "approaches the ego from the left": not the ego comes from there
+            shared = len(sides) == len(mention.entities) > 1 and prep in sides
+            whom = [mention.entities[sides.index(prep)]] if shared else mention.entities
+            self._placer.phrase(prep, whom, None)
+            screens.wait_behind(prep, mention.entities, self._context)
+        for term in mention.mods:
+            self._quality(term, mention.entities)
+        at_light = [p.word for p in mention.pps if getattr(p.target, "kind", "") == "signal"]
+        for entity in mention.entities if at_light else []:
+            entity.waits = entity.waits or Basis(mention.i, at_light[0].j)
+        roles.act_by_name(mention, self._context)
+
+    def _quality(self, term: Term, entities: list[Entity]) -> None:
+        basis = Basis(term.i, term.j)
+        drivers = [e for e in entities if e.moving_vehicle]
+        kind = _BY_MANNER.get(term.value) if term.cat == "manner" else None
+        if kind is HazardKind.SLOW_DRIVING:  # the ego under test may drive as slowly as it likes
+            drivers = [e for e in drivers if "ego" not in e.named_by or "speaks" in e.named_by]
+        if kind is not None and drivers:
+            self._draft.hazard(kind, basis, drivers)
+            if "quantity" in term.data:
+                self._quantity(replace(term, cat="quantity", value="speed"), drivers)
+        elif term.cat == "manner" and term.value == "close":
+            follows = [e for e in drivers if self._context.placed(e, Approach.BEHIND)]
+            if follows:
+                self._draft.hazard(HazardKind.TAILGATING, basis, follows)
+        elif term.cat == "quantity":
+            self._quantity(term, entities)
+        elif term.cat == "state" and term.value == "stationary":
+            others = [e for e in drivers if not e.ego]
+            if others:
+                self._draft.hazard(HazardKind.STOPPING, basis, others)
+        elif term.cat == "state" and term.value == "parked":
+            for entity in entities:
+                if not entity.ego and entity.is_vehicle and entity.sets_off < 0:
+                    entity.parked, entity.parked_basis = True, basis
+
+    def _quantity(self, term: Term, entities: list[Entity]) -> None:
+        if term is self._limit:
+            return
+        quantity = term.data["quantity"]
+        before = self._context.tokens[max(0, term.i - _DIFFERENCE_REACH) : term.i]
+        if any(t.low in _RELATIVE for t in before):
+            return  # "speed difference 40 km/h": nobody's speed
+        if term.value != "speed":
+            self._draft.note(
+                term.i, term.j, "distances and times are set when the scenario is made concrete"
+            )
+            return
+        for entity in entities:
+            if entity.moving_vehicle and entity.speed is None:
+                entity.speed = quantity.value
+                entity.speed_basis = Basis(term.i, term.j, quantity.note)
+
+    def _event(self, event: Event) -> None:
+        scene = scene_of(event)
+        courses.move_off(scene, self._context)
+        event.name = recast(scene, self._context)
+        self._scenes.append(scene)
+        for prep in event.pps if not self._ended(event) else []:
+            if from_everywhere(prep):
+                side_roads.spread(prep, scene.actors, self._context)
+            elif self._from_behind_somebody(scene, prep):
+                self._context.ahead(
+                    scene.targets[:1], scene.actors, Basis(prep.word.i, prep.word.j)
+                )
+            elif event.name == "pass" and event.object is None and bearing.bare_side(prep):
+                continue  # "passes on the right": on which side one gets past
+            elif prep.on_mention is None or self._starts(event, prep):
+                turned = event.passive and event.name != "hide"
+                turned = turned and prep.value not in {"behind", "from"}
+                whom = scene.targets if turned else scene.actors
+                self._placer.phrase(prep, whom, event)
+                side_roads.side_road(prep, event, whom, self._context)
+        side_roads.access(scene, self._context)
+        failed = event.parent is not None and event.parent.name == "fail"
+        if event.name in _ANSWERS:
+            encounters.answered(scene, self._context)
+        if event.negated or failed or event.name == "overlook":
+            not_done(scene, self._context)
+            return
+        if event.name in _BREACHING or breaches.may_break(scene, self._context):
+            breaches.breach(scene, self._context)
+        self._manner(scene)
+        movement = MOVEMENTS.get(event.name)
+        if movement is not None:
+            movement(scene, self._context)
+        encounters.onto_the_road(scene, self._context)
+        encounters.after_a_thing(scene, self._context)
+        danger = dangers.DANGERS.get(event.name)
+        if danger is not None and not self._overruled(scene):
+            danger(scene, self._context)
+        if event.name in _ON_THE_MOVE:
+            dangers.oncoming_lane(scene, self._context)
+        screens.from_behind(scene, self._context)
+
+    def _ended(self, event: Event) -> bool:
+        """``ends up in front of the ego``: where it gets to, not where it comes from."""
+        word = self._context.tokens[event.i].forms[-1][0]
+        return event.name == "move" and word in {"end", "finish", "wind", "land"}
+
+    def _from_behind_somebody(self, scene: Scene, prep: Prep) -> bool:
+        """``hits the van from behind``: behind the van."""
+        behind = prep.outer == "from" and prep.value == "behind" and prep.target is None
+        return behind and bool(scene.targets) and scene.event.name in _UNDERWAY
+
+    def _starts(self, event: Event, prep: Prep) -> bool:
+        """``overtakes the bus from the left`` says where the one who moves comes from.
+
+        Verbs without a way of their own leave the phrase to the noun ("yields to a bus from …").
+        """
+        named = prep.on_mention
+        target = named is not None and named not in event.subject
+        moved = event.name in _UNDERWAY and (named is event.object or event.object is None)
+        moved = moved and self._context.tokens[event.i].forms[-1][0] != "meet"
+        source = prep.value == "from" or (prep.outer == "from" and prep.target is None)
+        return source and not (target and not moved)
+
+    def _overruled(self, scene: Scene) -> bool:
+        """``runs the red light`` is no walk."""
+        return (
+            scene.event.name == "walk"
+            and not scene.walkers
+            and any(p.kind in {"signal", "stop_sign"} for p in scene.places())
+        )
+
+    def _manner(self, scene: Scene) -> None:
+        event = scene.event
+        for term in event.mods:
+            if term.cat == "quantity":
+                self._quantity(term, scene.actors)
+            elif term.cat == "compass":
+                self._placer.heading(term, scene.actors)
+            elif term.cat == "dir" and term.value == "opposite" and event.name in _TRAVEL:
+                if self._ended(event):
+                    continue
+                for entity in scene.drivers:
+                    basis = Basis(term.i, term.j)
+                    self._draft.place(entity, None, {Approach.OPPOSITE}, basis)
+            elif term.cat == "state":
+                self._quality(term, scene.actors)
+            elif (term.cat, term.value) == ("manner", "head_on"):
+                implied.head_on(term, scene, self._context)
+        if event.nominal and event.name not in _TRAVEL:
+            return
+        travels = event.name in _TRAVEL and not scene.reaction
+        for term in event.mods:
+            slows = term.value == "slow" and not travels  # "brakes slowly"
+            if term.cat == "manner" and term.value in _BY_MANNER and not slows:
+                self._quality(term, scene.drivers)

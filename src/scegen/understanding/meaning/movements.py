@@ -1,0 +1,300 @@
+"""What an event says about where a participant goes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
+from scegen.understanding.chunks import Event, Mention, Place, Thing
+from scegen.understanding.draft import Basis
+from scegen.understanding.meaning import courses, ways
+from scegen.understanding.meaning.context import Context, Scene, span
+from scegen.understanding.meaning.lane_moves import (
+    apply,
+    forced,
+    lane_change,
+    swerve,
+    use_oncoming_lane,
+)
+from scegen.understanding.meaning.onto_roads import join, onto_a_road
+
+_ASIDE = frozenset({"move", "shift", "steer", "edge", "ease"})
+"""Verbs that on an open road mean a shift to the side, not a turn."""
+_OFF = frozenset({"access", "road", "leg", "junction"})
+"""Places that one turns into."""
+_REACH = 3
+_ORDINALS = {
+    "first": Maneuver.EXIT_1,
+    "second": Maneuver.EXIT_2,
+    "third": Maneuver.EXIT_3,
+    "fourth": Maneuver.EXIT_4,
+    "fifth": Maneuver.EXIT_5,
+    "sixth": Maneuver.EXIT_6,
+}
+
+
+def turn(scene: Scene, context: Context) -> None:
+    """``turns left``, ``a right turn``, ``turns to the left``; without a side, either one."""
+    event = scene.event
+    directions = ways.directions(event)
+    basis = next(iter(directions.values()), Basis(event.i, event.j))
+    if not directions and ways.into_lane(event):
+        return
+    if ways.only_signalled(event, context):
+        return
+    cyclists = [e for e in scene.drivers if context.is_cyclist(e) and not e.ego]
+    if cyclists and cyclists == scene.drivers and ways.across_the_road(event, context):
+        return  # they cross the road, see the dangers
+    denied = {ways.DIRECTIONS[d] for d in event.denied_ways if d in ways.DIRECTIONS}
+    values = set(directions) or ({Maneuver.LEFT, Maneuver.RIGHT} - denied) or {Maneuver.STRAIGHT}
+    alike = _as_others_do(scene, context) if not directions else set()
+    if alike:
+        values = alike
+    elif not directions:
+        made = event.parent is not None and event.parent.name in {"light", "try"}
+        if any(entity.maneuvers for entity in scene.actors) or (event.nominal and not made):
+            return
+        if not denied:
+            basis = Basis(basis.i, basis.j, "the text does not say which way it turns")
+    context.crossing_implied(basis, "vehicles turn")
+    apply(scene, context, values, basis)
+
+
+def _as_others_do(scene: Scene, context: Context) -> set[Maneuver]:
+    """``the car ahead, which is turning as well``: the same way as the one before."""
+    event = scene.event
+    near = [t.low for t in context.tokens[max(0, event.i - _REACH) : event.j + _REACH]]
+    if not {"too", "also", "likewise"} & set(near) and "as well" not in " ".join(near):
+        return set()
+    turns = {Maneuver.LEFT, Maneuver.RIGHT}
+    ways = [e.maneuvers & turns for e in context.draft.entities if e not in scene.actors]
+    told = [way for way in ways if len(way) == 1]
+    return set(told[-1]) if told else set()
+
+
+def move(scene: Scene, context: Context) -> None:
+    """``goes straight``, ``drives``, ``continues to the left``."""
+    event = scene.event
+    directions = ways.directions(event)
+    straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in scene.places())
+    aside = context.tokens[event.i].forms[-1][0] in _ASIDE and not context.junction.crossing
+    aside = aside and not any(
+        p.value in {"into", "to"} and isinstance(p.target, Place) and p.target.kind in _OFF
+        for p in event.pps
+    )
+    sideways = set(directions) & {Maneuver.LEFT, Maneuver.RIGHT}
+    lane = ways.into_lane(event)
+    if ways.next_lane(event, context) or (
+        sideways and (aside or (lane is not None and lane.kind == "lane"))
+    ):
+        lane_change(scene, context)  # "moves left into the next lane"
+        return
+    if any(p.kind == "exit" for p in scene.places()):
+        leave(scene, context)
+    through = ways.through(event, context)
+    for entity in scene.drivers:
+        entity.through = entity.through or through
+        entity.moves = entity.moves or Basis(event.i, event.j)
+        entity.on_straight = entity.on_straight or straight
+    if not directions:
+        return
+    values = set(directions)
+    basis = next(iter(directions.values()))
+    if any(context.tokens[m.i].low == "instead" for m in event.mods):
+        for entity in scene.drivers:
+            entity.maneuvers = set()  # "was waiting to turn left, goes straight instead"
+    if ways.side_to_side(event) and any(not context.is_cyclist(e) for e in scene.drivers):
+        context.crossing_implied(basis, "a vehicle comes across")
+    if values & {Maneuver.LEFT, Maneuver.RIGHT}:
+        context.crossing_implied(basis, "vehicles turn")
+    apply(scene, context, values, basis)
+
+
+def u_turn(scene: Scene, context: Context) -> None:
+    """A U-turn."""
+    basis = Basis(scene.event.i, scene.event.j)
+    apply(scene, context, {Maneuver.U_TURN}, basis)
+
+
+def overtake(scene: Scene, context: Context) -> None:
+    """Overtaking, or passing something that stands in the lane."""
+    event = scene.event
+    if event.name == "bypass" and event.object is None and not event.passive:
+        by = context.tokens[event.j - 1].low == "past"
+        behind = any(context.placed(e, Approach.BEHIND) for e in scene.drivers)
+        if (by or event.pps) and not behind:
+            move(scene, context)  # "waits for the bus to go past"
+            return
+    dodges = isinstance(event.object, Thing) and any(context.oncoming(e) for e in scene.drivers)
+    if event.name == "bypass" and (isinstance(event.object, Place) or dodges):
+        return  # "an oncoming moped swerves round a pothole"
+    if not ways.overtaking(scene, context):
+        move(scene, context)
+        return
+    basis = Basis(event.i, event.j)
+    means = event.parent if event.link == "inf" else None
+    if not (means is not None and _changes_lane(means)):
+        apply(scene, context, {Maneuver.OVERTAKE}, basis)
+    if any(entity.moving_vehicle for entity in scene.targets):
+        draft = context.draft
+        draft.passing_implied = draft.passing_implied or basis
+    stated = {
+        p.entity.index
+        for p in context.draft.placements
+        if p.reference is None or p.reference in scene.targets
+    }
+    if not any(e.index in stated for e in scene.actors):
+        context.ahead(scene.targets, scene.actors, basis)
+
+
+def pull_around(scene: Scene, context: Context) -> None:
+    """``pulls out around a parked van``: past it; onto a road to one side, a turn."""
+    onto_a_road(scene, context)
+    for prep in scene.event.pps:
+        around = context.tokens[prep.word.i].low in {"around", "round", "past"}
+        passed = prep.target.entities if isinstance(prep.target, Mention) else []
+        if around and passed:
+            overtake(Scene(scene.event, scene.actors, list(passed)), context)
+            return
+
+
+def undertake(scene: Scene, context: Context) -> None:
+    """Overtaking on the near side, if it is done to somebody."""
+    if scene.targets:
+        overtake(scene, context)
+
+
+def _changes_lane(event: Event) -> bool:
+    """``changes lanes to get past``: the change of lane is the movement, the rest its purpose."""
+    return event.name == "lane_change" or any(c.name == "lane_change" for c in event.children)
+
+
+def cross(scene: Scene, context: Context) -> None:
+    """Who walks, crosses; a vehicle that crosses a junction goes straight through."""
+    basis = Basis(scene.event.i, scene.event.j)
+    for entity in scene.actors:
+        open_road = not context.junction.crossing and context.draft.crossing_implied is None
+        onto = _onto_road(scene.event) or (open_road and scene.event.object is None)
+        if not entity.is_vehicle or (context.is_cyclist(entity) and onto):
+            context.draft.maneuver(entity, {Maneuver.CROSS}, basis)
+    drivers = [e for e in scene.drivers if Maneuver.CROSS not in e.maneuvers]
+    lanes = isinstance(scene.event.object, Place) and scene.event.object.kind == "lane"
+    if lanes and drivers and not context.junction.crossing:
+        lane_change(scene, context)  # "crosses two lanes to get to the exit"
+        return
+    if ways.directions(scene.event) and drivers:
+        move(scene, context)
+        return
+    for entity in drivers:
+        if not entity.maneuvers and not _onto_road(scene.event):
+            reason = "a vehicle that crosses goes straight through"
+            context.draft.maneuver(
+                entity, {Maneuver.STRAIGHT}, Basis(basis.i, basis.j, reason), scene.alternative
+            )
+
+
+def _onto_road(event: Event) -> bool:
+    """The road itself, a crosswalk or somebody's way is crossed, not a junction."""
+    places = [event.object, *(p.target for p in event.pps)]
+    kinds = {p.kind for p in places if isinstance(p, Place)}
+    return bool(kinds & {"road", "crosswalk", "lane", "path", "highway", "centerline"}) or (
+        not kinds and event.object is None
+    )
+
+
+def leave(scene: Scene, context: Context) -> None:
+    """``takes the second exit`` of a roundabout."""
+    target = scene.event.object
+    exits = [p for p in scene.places() if p.kind == "exit"]
+    target = exits[0] if exits else target
+    if not isinstance(target, Place):
+        _set_off(scene, context)
+        return
+    if target.kind == "side":
+        sides = {ways.DIRECTIONS[d] for d in target.dirs if d in {"left", "right"}}
+        if sides and scene.event.name == "leave" and target.head is not None:
+            drivers = [e for e in scene.drivers if not scene.reaction]
+            context.draft.hazard(HazardKind.LOSS_OF_CONTROL, scene.words, drivers)
+            return  # "departs the right edge of the road"
+        if sides:
+            basis = span(scene.event, target.i, target.j)
+            context.crossing_implied(basis, "vehicles turn")
+            apply(scene, context, sides, basis)
+        return
+    if target.kind != "exit":
+        return
+    ordinal = next((m.value for m in target.mods if m.value in _ORDINALS), None)
+    if ordinal is not None:
+        basis = Basis(target.i, target.j)
+        apply(scene, context, {_ORDINALS[ordinal]}, basis)
+
+
+def _set_off(scene: Scene, context: Context) -> None:
+    """``sets off straight ahead``, ``moves off to the left``: which way it leaves."""
+    found = ways.directions(scene.event) if scene.event.name == "leave" else {}
+    if found and context.junction.kind is not JunctionKind.ROUNDABOUT and not scene.event.nominal:
+        apply(scene, context, set(found), next(iter(found.values())))
+
+
+def use(scene: Scene, context: Context) -> None:
+    """``uses the opposite lane``, ``takes a left``."""
+    target = scene.event.object
+    if isinstance(target, Place) and target.kind == "lane" and "opposite" in target.dirs:
+        use_oncoming_lane(scene, target, context)
+        return
+    leave(scene, context)
+
+
+def through_junction(scene: Scene, context: Context) -> None:
+    """Approaching or entering says no more than that the vehicle moves."""
+    event = scene.event
+    for entity in scene.drivers:
+        entity.moves = entity.moves or Basis(event.i, event.j)
+    if event.name == "enter" and ways.next_lane(event, context):
+        lane_change(scene, context)
+    onto_a_road(scene, context)
+    onward = next((d for d in event.dirs if d.value == "straight"), None)
+    if onward is not None:
+        apply(scene, context, {Maneuver.STRAIGHT}, Basis(onward.i, onward.j))
+    if isinstance(event.object, Mention) and event.name == "approach":
+        targets = [e for e in scene.targets if e.parked]
+        context.ahead(targets, scene.actors, Basis(event.i, event.j))
+
+
+MOVEMENTS: dict[str, Callable[[Scene, Context], None]] = {
+    "turn": turn,
+    "sharp_turn": move,
+    "move": move,
+    "u_turn": u_turn,
+    "lane_change": lane_change,
+    "overtake": overtake,
+    "undertake": undertake,
+    "crawl": move,
+    "bypass": overtake,
+    "pass": overtake,
+    "pull_out": pull_around,
+    "cross": cross,
+    "leave": leave,
+    "try": leave,
+    "light": leave,
+    "use": use,
+    "match": courses.hold,
+    "cause": forced,
+    "send": forced,
+    "swerve": swerve,
+    "follow": courses.follow,
+    "tailgate": courses.follow,
+    "precede": courses.precede,
+    "breach": move,
+    "wait": courses.stay,
+    "stop": courses.stay,
+    "slow": courses.stay,
+    "brake": courses.stay,
+    "hard_brake": courses.stay,
+    "park": courses.park,
+    "merge": join,
+    "approach": through_junction,
+    "enter": through_junction,
+    "speed": move,
+    "accelerate": move,
+}

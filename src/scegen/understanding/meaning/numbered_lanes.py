@@ -1,0 +1,71 @@
+"""Lanes called by number: who drives in lane 1 is beside who drives in lane 2."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Approach
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
+from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.words.numbers import number_at
+from scegen.understanding.words.tokens import Token
+
+_WITHIN = frozenset({"in", "from"})
+_SIDEWAYS = frozenset({"out", "over", "across"})
+
+
+def note_lanes(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
+    """Notes the lane in which somebody is said to drive at first.
+
+    Args:
+        chunks: the chunks of the text, mentions resolved.
+        events: its events.
+        tokens: its tokens.
+    """
+    phrases: list[tuple[list[Entity], Prep]] = [
+        (c.entities, p) for c in chunks if isinstance(c, Mention) for p in c.pps
+    ]
+    phrases += [
+        ([e for m in event.subject for e in m.entities], p)
+        for event in events
+        for p in event.pps
+        if p.on_mention is None
+    ]
+    for entities, prep in phrases:
+        number = _number(prep, tokens)
+        for entity in entities if number is not None else []:
+            if entity.lane is None and not entity.parked:
+                entity.lane, entity.lane_basis = number, Basis(prep.word.i, prep.word.j)
+
+
+def _number(prep: Prep, tokens: list[Token]) -> int | None:
+    place = prep.target
+    if prep.value not in _WITHIN or not isinstance(place, Place) or place.kind != "lane":
+        return None
+    last = number_at(tokens, place.j - 1)
+    named = place.head is not None and place.j > place.head.j
+    return int(last.value) if last is not None and named else None
+
+
+def leaves_it(event: Event, entities: list[Entity], tokens: list[Token]) -> bool:
+    """``a lorry in lane 1 moves out``: into the next one.
+
+    Args:
+        event: a movement.
+        entities: who moves.
+        tokens: the tokens of the text.
+    """
+    aside = event.j < len(tokens) and tokens[event.j].low in _SIDEWAYS
+    known = bool(entities) and all(e.lane is not None for e in entities)
+    return event.name == "move" and aside and known and event.object is None
+
+
+def beside(draft: Draft, ego: Entity) -> None:
+    """Places those in other lanes than the ego's next to it.
+
+    Args:
+        draft: the scenario in the making.
+        ego: its ego.
+    """
+    for entity in draft.entities:
+        lanes = entity.lane is not None and ego.lane is not None and entity.lane != ego.lane
+        if lanes and entity is not ego and not entity.approaches:
+            entity.approaches, entity.approach_basis = {Approach.ADJACENT}, entity.lane_basis

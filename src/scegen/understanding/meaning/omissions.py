@@ -1,0 +1,203 @@
+"""What is said not to happen, or not to be done in time."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver
+from scegen.understanding.chunks import Mention, Thing
+from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.meaning import breaches
+from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.meaning.ruled_out import rule_out
+
+_SIGNED = frozenset({Control.STOP, Control.ALL_WAY_STOP})
+_SIGNS = frozenset({"stop_sign", "stop_line", "yield_sign"})
+_SEEING = frozenset({"encounter", "overlook"})
+_BRAKING = frozenset({"stop", "brake", "slow"})
+_STOPPING = frozenset({"stop", "brake", "wait", "slow"})
+_TO_BRAKE_FOR = frozenset({HazardKind.HARD_BRAKING, HazardKind.STOPPING, HazardKind.OBSTACLE,
+                          HazardKind.SLOW_DRIVING, HazardKind.CROSSING_PEDESTRIAN,
+                          HazardKind.CROSSING_CYCLIST, HazardKind.CUT_IN})  # fmt: skip
+_CROSSING = frozenset({HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_CYCLIST})
+"""What concerns those who come from the front, too."""
+_NEAR = 12
+_PHRASE = 5
+_LEEWAY = frozenset({"time", "chance", "room", "space", "distance", "hope"})
+_HARMLESS = frozenset({"light", "inert", "return", "move", "encounter", "try"})
+
+
+def not_done(scene: Scene, context: Context) -> None:
+    """Not stopping, yielding or braking is a danger; other things that do not happen are noted.
+
+    Args:
+        scene: the event that does not take place.
+        context: the scenario in the making.
+    """
+    event = scene.event
+    basis = Basis(event.i, event.j)
+    if event.unable:
+        _unable(scene, context)
+    elif (
+        rule_out(scene)
+        or _no_distance(scene, context)
+        or _overlooks(scene, context)
+        or (event.name in _SEEING and breaches.breach(scene, context))
+    ):
+        return
+    elif event.name in _SEEING and _late(scene) and scene.drivers:
+        context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
+    elif event.name == "yield" or (event.name in {"stop", "wait"} and _for_people(scene)):
+        breaches.fail_to_yield(scene, context)
+    elif event.name == "obey":
+        breaches.breach(scene, context)
+    elif event.name in _STOPPING and _at_signals(scene, context) and not _rear(scene, context):
+        context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
+    elif event.name in _BRAKING and scene.drivers and _behind_or_late(scene, context):
+        context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
+    elif event.name in _STOPPING and _has_to_wait(scene, context):
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers)
+    elif (event.name in _SEEING and scene.drivers and _ahead(scene, context)) or (
+        event.name in _BRAKING | {"react"}
+        and scene.drivers
+        and ((event.name != "slow" and not _oncoming(scene, context)) or _due(scene, context))
+    ):
+        context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
+    elif event.name == "encounter" and any(0 < event.i - i < _NEAR for i in context.screens):
+        context.draft.hazard(HazardKind.OCCLUSION, basis, [])
+    elif event.name not in _HARMLESS:
+        context.draft.note(event.i, event.j, "said not to happen; left out")
+
+
+def _late(scene: Scene) -> bool:
+    """``did not notice it in time``, ``did not see it and struck its rear``."""
+    return scene.event.late or scene.how("late") is not None
+
+
+def _unable(scene: Scene, context: Context) -> None:
+    """``cannot stop in time``, ``could not see the car because of the van``."""
+    event = scene.event
+    basis = Basis(event.i, event.j)
+    if event.name in {"brake", "stop", "slow"} and scene.drivers:
+        skids = any(
+            d.kind is HazardKind.LOSS_OF_CONTROL and e in d.by
+            for d in context.draft.dangers
+            for e in scene.drivers
+        )
+        signed = any(p.kind in _SIGNS | {"signal"} for p in scene.places())
+        if not (skids or signed or _too_near(event.i, context)):
+            context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
+    elif event.name == "encounter" and not any(m.cat == "noted" for m in event.mods):
+        context.draft.hazard(HazardKind.OCCLUSION, basis, _in_the_way(scene, context))
+    elif event.name not in _HARMLESS:
+        context.draft.note(event.i, event.j, "said not to happen; left out")
+
+
+def _no_distance(scene: Scene, context: Context) -> bool:
+    """``does not keep a safe distance``."""
+    after = {t.low for t in context.tokens[scene.event.j : scene.event.j + _PHRASE]}
+    named = isinstance(scene.event.object, Thing) and bool(after & {"distance", "gap"})
+    if scene.event.name not in {"move", "match"} or not named or not scene.drivers:
+        return False
+    context.draft.hazard(HazardKind.TAILGATING, scene.words, scene.drivers)
+    return True
+
+
+def _overlooks(scene: Scene, context: Context) -> bool:
+    """``overlooks a van coming from the right``: has to give way where that has priority."""
+    right = context.junction.control is Control.PRIORITY_TO_RIGHT
+    due = [e for e in scene.targets if context.placed(e, Approach.RIGHT)]
+    if scene.event.name != "overlook" or not right or not due or not scene.drivers:
+        return False
+    context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, due)
+    return True
+
+
+def _too_near(i: int, context: Context) -> bool:
+    """``has no chance to stop``, ``with no time left to brake``: nobody's fault but the other's."""
+    before = {t.low for t in context.tokens[max(0, i - _PHRASE) : i]}
+    return bool(before & _LEEWAY) and bool(before & {"no", "not", "little", "without"})
+
+
+def _in_the_way(scene: Scene, context: Context) -> list[Entity]:
+    """Who is said to keep somebody from seeing; else the one that is parked there."""
+    named = [
+        e
+        for p in scene.event.pps
+        if isinstance(p.target, Mention) and p.value in {"due", "with", "for", "by"}
+        for e in p.target.entities
+        if e.is_vehicle and not e.ego
+    ]
+    parked = [e for e in context.draft.entities if e.parked and e not in scene.targets]
+    return named or (parked if len(parked) == 1 else [])
+
+
+def _for_people(scene: Scene) -> bool:
+    """``does not stop for him``: people on foot who have to be let across."""
+    waited = [p.target for p in scene.event.pps if p.value in {"for", "to"}]
+    people = [e for t in waited if isinstance(t, Mention) for e in t.entities if not e.is_vehicle]
+    return bool(people and scene.drivers)
+
+
+def _at_signals(scene: Scene, context: Context) -> bool:
+    named = any(p.kind == "signal" for p in scene.places())
+    regulated = scene.event.name == "stop" and context.junction.control is Control.SIGNALS
+    follows = all(context.placed(e, Approach.BEHIND) for e in scene.drivers)
+    return named or (regulated and not (follows and scene.drivers))
+
+
+def _rear(scene: Scene, context: Context) -> bool:
+    """``the car behind it did not stop in time``: for the one in front, not for the light."""
+    named = any(p.kind == "signal" for p in scene.places())
+    behind = bool(scene.drivers) and all(context.placed(e, Approach.BEHIND) for e in scene.drivers)
+    return (behind or not named) and _behind_or_late(scene, context)
+
+
+def _due(scene: Scene, context: Context) -> bool:
+    """``does not slow down``: whether there is something to slow down for."""
+    oncoming = _oncoming(scene, context)
+    owed = _TO_BRAKE_FOR & _CROSSING if oncoming else _TO_BRAKE_FOR
+    return any(
+        d.kind in owed and not any(e in scene.drivers for e in d.by) for d in context.draft.dangers
+    ) or (not oncoming and _ahead(scene, context))
+
+
+def _oncoming(scene: Scene, context: Context) -> bool:
+    return bool(scene.drivers) and all(context.oncoming(e) for e in scene.drivers)
+
+
+def _ahead(scene: Scene, context: Context) -> bool:
+    """Whether what is overlooked drives in front."""
+    overlooked = scene.targets or [e for e in context.draft.entities if e not in scene.actors]
+    return any(context.placed(e, Approach.AHEAD) for e in overlooked)
+
+
+def _behind_or_late(scene: Scene, context: Context) -> bool:
+    """``does not brake in time``: for whoever is in front, not for a sign."""
+    if any(p.kind in _SIGNS for p in scene.places()):
+        return False
+    late = any(context.tokens[m.j - 1].low == "time" for m in scene.event.mods)
+    late = late or scene.event.late
+    crosses = any(Maneuver.CROSS in e.maneuvers or context.crosses(e) for e in scene.drivers)
+    behind = all(context.placed(e, Approach.BEHIND) for e in scene.drivers)
+    return late or (behind and not crosses)
+
+
+def _has_to_wait(scene: Scene, context: Context) -> bool:
+    """A sign, another road, or a crossing that is driven over "without stopping"."""
+    if any(p.kind in _SIGNS for p in scene.places()):
+        return True
+    if scene.event.name not in {"stop", "slow", "brake", "wait"}:
+        return False
+    if context.junction.control in _SIGNED:
+        return True
+    if any(context.comes_across(e) for e in scene.drivers):
+        return True
+    awaited = any(p.value == "for" and isinstance(p.target, Mention) for p in scene.event.pps)
+    awaited = awaited and scene.event.name == "wait"
+    parent = scene.event.parent
+    onto = parent is not None and parent.name in {"enter", "pull_out", "cross", "move"}
+    onto = onto and any(p.value == "into" for p in (parent.pps if parent else []))
+    if scene.event.link == "ing" and (onto or (parent and parent.name == "pull_out")):
+        return True  # "rides onto the road without stopping"
+    joins = context.junction.crossing or context.draft.access is not None
+    joins = joins or context.junction.control is not None
+    return (scene.event.link == "ing" or awaited) and joins

@@ -1,0 +1,44 @@
+"""Who goes at an all-way stop although somebody else came first."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Control, HazardKind
+from scegen.understanding.chunks import Chunk, Event, Mention
+from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.meaning.context import Context
+
+_GOING = frozenset({"move", "turn", "enter", "cross", "pull_out", "cut_in", "accelerate", "leave",
+                    "sharp_turn", "speed", "breach", "dash"})  # fmt: skip
+_STILL = frozenset({"but", "yet", "however", "though", "although", "anyway", "anyhow", "still",
+                    "nevertheless", "nonetheless", "regardless"})  # fmt: skip
+_FIRST = frozenset({"first", "earlier", "turn"})
+
+
+def out_of_turn(chunks: list[Chunk], events: list[Event], context: Context) -> None:
+    """``the ego was at the four-way stop first, but the van goes``: the van had to wait.
+
+    Args:
+        chunks: the chunks of the text, mentions resolved.
+        events: its events.
+        context: the scenario in the making.
+    """
+    if context.junction.control is not Control.ALL_WAY_STOP:
+        return
+    tokens = context.tokens
+    at = next((k for k, t in enumerate(tokens) if t.low in _FIRST), None)
+    if at is None or not _STILL & {t.low for t in tokens}:
+        return
+    who = _who(at, chunks)
+    for event in events:
+        drivers = [e for m in event.subject for e in m.entities if e.moving_vehicle]
+        goes = event.finite and event.name in _GOING and not (event.negated or event.modal)
+        if who and goes and drivers and not any(e in who for e in drivers):
+            basis = Basis(event.i, event.j)
+            context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, drivers, who)
+            return
+
+
+def _who(at: int, chunks: list[Chunk]) -> list[Entity]:
+    """Whom "first" is said of: the participant named last before it, outside phrases."""
+    named = [c for c in chunks if isinstance(c, Mention) and c.i < at and c.prep is None]
+    return list(named[-1].entities) if named else []

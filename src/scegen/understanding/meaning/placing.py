@@ -1,0 +1,296 @@
+"""Where participants come from: "from the right", "in the next lane", "northbound"."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Approach, Maneuver, ParticipantKind
+from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
+from scegen.understanding.clauses.bearing import from_the_wrong_lane
+from scegen.understanding.clauses.located import landmark
+from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.words.terms import Term
+
+_BY_DIR: dict[str, frozenset[Approach]] = {
+    "opposite": frozenset({Approach.OPPOSITE}),
+    "lateral": frozenset({Approach.LEFT, Approach.RIGHT}),
+    "ahead": frozenset({Approach.AHEAD}),
+    "behind": frozenset({Approach.BEHIND}),
+    "adjacent": frozenset({Approach.ADJACENT}),
+    "rear": frozenset({Approach.BEHIND}),
+    "front": frozenset({Approach.AHEAD}),
+}
+INVERSE = {
+    Approach.AHEAD: Approach.BEHIND,
+    Approach.BEHIND: Approach.AHEAD,
+    Approach.LEFT: Approach.RIGHT,
+    Approach.RIGHT: Approach.LEFT,
+    Approach.OPPOSITE: Approach.OPPOSITE,
+    Approach.ADJACENT: Approach.ADJACENT,
+}
+"""How one sees another, by how the other sees the one."""
+_SIDES = {"left": Approach.LEFT, "right": Approach.RIGHT}
+_STEADY = frozenset(
+    {"move", "stop", "brake", "hard_brake", "slow", "locate", "wait", "park", "accelerate",
+     "approach", "speed", "tailgate", "follow", "light", "hide", "appear", "walk",
+     "unknown", "inert", "pass", "lose_control", "swerve", "reverse", "crawl", "merge", "unpark"}
+)  # fmt: skip
+_PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane",
+                     "path", "leg"})  # fmt: skip
+_SIDEWAYS = frozenset({"lane_change", "merge", "cut_in"})
+_AROUND = frozenset({"around", "round", "past"})
+_BY_WAY_OF = frozenset({"via", "through", "across", "over"})
+_OPPOSED = "opposed"
+
+
+def adjective_approaches(dirs: list[str]) -> frozenset[Approach]:
+    """What "oncoming", "leading", "crossing" … before a noun say.
+
+    Args:
+        dirs: directions before the noun.
+    """
+    for value in dirs:
+        if value in _BY_DIR and value not in {"front", "rear"}:
+            return _BY_DIR[value]
+        if value in {"front", "rear"}:
+            return _BY_DIR[value]
+    return frozenset()
+
+
+def _place_approaches(place: Place, prep: str) -> frozenset[Approach]:
+    if place.kind == "access" and prep in {"from", "in"}:
+        return frozenset(_SIDES[d] for d in place.dirs if d in _SIDES)
+    if place.kind not in _PLACES:
+        return frozenset()
+    dirs = place.dirs
+    if prep in _AROUND and {"front", "rear"} & set(dirs):
+        return frozenset()  # "runs around its front": past it, not there
+    sides = {_SIDES[d] for d in dirs if d in _SIDES}
+    if place.kind == "direction" and any(m.cat == "det" and m.value == "other" for m in place.mods):
+        return _BY_DIR["opposite"]
+    if place.kind in {"lane", "bike_lane"}:
+        if "opposite" in dirs:
+            return _BY_DIR["opposite"]
+        if "lateral" in dirs:
+            return frozenset(sides) or _BY_DIR["lateral"]
+        beside = sides or "adjacent" in dirs
+        return _BY_DIR["adjacent"] if beside and prep in {"in", "from"} else frozenset()
+    if sides:
+        rear = {Approach.BEHIND} if "rear" in dirs else set()
+        return frozenset(sides | rear)
+    if "front" in dirs:
+        return frozenset({Approach.OPPOSITE if prep == "from" else Approach.AHEAD})
+    if place.kind == "side" and not dirs and prep == "from" and place.head is not None:
+        other = any((m.cat, m.value) == ("det", "other") for m in place.mods)
+        return _BY_DIR["opposite" if other else "lateral"]
+    return next((_BY_DIR[d] for d in dirs if d in _BY_DIR), frozenset())
+
+
+def _between_lanes(approaches: frozenset[Approach], event: Event | None) -> frozenset[Approach]:
+    """``changes into the lane from the other side``: out of another lane."""
+    sideways = event is not None and event.name in _SIDEWAYS
+    return _BY_DIR["adjacent"] if sideways and approaches == _BY_DIR["lateral"] else approaches
+
+
+def _differ(place: Place) -> bool:
+    """``different arms``, ``each from a different direction``."""
+    apart = any(m.value in {"different", "another"} for m in place.mods)
+    return apart and place.kind in {"leg", "direction", "side", "road"}
+
+
+def _at_its_side(prep: Prep, event: Event | None) -> bool:
+    """``drives to the right of the bus``: where somebody is, not where it goes."""
+    side = prep.target
+    sided = isinstance(side, Place) and side.kind == "side" and bool(set(side.dirs) & set(_SIDES))
+    owned = side is not None and not isinstance(side, Event) and side.owner is not None
+    steady = event is not None and event.name in _STEADY
+    return prep.value == "to" and sided and owned and steady
+
+
+def _ends_there(event: Event, prep: Prep) -> bool:
+    """``swerves behind the ego``, ``sweeps left in front of the bus``: where it gets to."""
+    turns = any(d.value in _SIDES for d in event.dirs)
+    onto = event.name == "swerve" and any(p.value == "into" for p in event.pps)
+    return (event.name, prep.value) == ("swerve", "behind") or (
+        (turns or onto) and prep.value == "ahead"
+    )
+
+
+def _same_way(prep: Prep) -> bool:
+    """``in the same direction as the ego``."""
+    place = prep.target
+    return isinstance(place, Place) and place.kind == "direction" and "same" in place.dirs
+
+
+_FROM = {"north": "south", "south": "north", "east": "west", "west": "east"}
+
+
+class Placer:
+    """Applies words of place to participants.
+
+    Args:
+        draft: the scenario in the making.
+    """
+
+    def __init__(self, draft: Draft) -> None:
+        self._draft = draft
+
+    def adjectives(self, mention: Mention) -> None:
+        """``the oncoming car``, ``a northbound truck``."""
+        approaches = adjective_approaches(mention.dirs)
+        term = mention.mod("dir") or mention.head
+        for entity in mention.entities:
+            if approaches and term is not None:
+                self._draft.place(entity, None, set(approaches), Basis(term.i, term.j))
+        for mod in mention.mods:
+            for entity in mention.entities if "bound" in mod.data else []:
+                entity.bound = True
+            if mod.cat == "compass":
+                self._head(mention.entities, mod.value, Basis(mod.i, mod.j))
+
+    def phrase(self, prep: Prep, entities: list[Entity], event: Event | None) -> None:
+        """One prepositional phrase that belongs to some participants.
+
+        Args:
+            prep: the phrase.
+            entities: whom it places.
+            event: the event that it belongs to; None if it follows a noun.
+        """
+        if prep.word.cat == "locus":
+            self._locus(prep, entities, event)
+            return
+        target = prep.target
+        word = self._draft.tokens[prep.word.i].low
+        through = event is None and word in _BY_WAY_OF  # "gets past a bus via the oncoming lane"
+        if not isinstance(target, Place) or through:
+            return
+        if not self._on_both_sides(prep, target, entities):
+            self._at_place(prep, target, entities, event)
+
+    def _at_place(
+        self, prep: Prep, target: Place, entities: list[Entity], event: Event | None
+    ) -> None:
+        basis = Basis(prep.word.i, target.j)
+        compass = target.mod("compass")
+        if compass is not None and prep.value in {"from", "to", "in"}:
+            bound = "bound" in compass.data  # "from southbound Elm Street"
+            back = prep.value == "from" and not bound
+            heading = _FROM[compass.value] if back else compass.value
+            own = event is not None and any(m.cat == "compass" for m in event.mods)
+            if (bound and prep.value == "to") or (own and prep.value == "in"):
+                return  # "turned onto eastbound Elm Street": where it gets to
+            self._head(entities, heading, basis)
+            return
+        if _at_its_side(prep, event):
+            self._beside(target, entities, basis)
+            return
+        if prep.value not in {"from", "in"} and not (prep.value == "to" and event is None):
+            return
+        facing = target.kind in {"direction", "side"} and "opposite" in target.dirs
+        allowed = _STEADY | ({"cross", "turn"} if facing else {"cross"})
+        steady = event is None or event.name in allowed
+        if (prep.value == "in" and not steady) or from_the_wrong_lane(prep, event):
+            return
+        if len(entities) > 1 and _differ(target):
+            self._apart(entities, basis)
+            return
+        word = self._draft.tokens[prep.word.i].low
+        approaches = _place_approaches(target, word if word in _AROUND else prep.value)
+        approaches = _between_lanes(approaches, event)
+        if not approaches:
+            return
+        plural = target.head is not None and target.head.form == "s"
+        plural = plural or any(m.form == "s" for m in target.mods if m.cat == "dir")
+        if approaches == _BY_DIR["opposite"] and plural and len(entities) > 1:
+            for entity in entities:
+                entity.opposed |= {e.index for e in entities} - {entity.index}
+                entity.approach_basis = basis
+            return
+        seen_by = target.beside or target.owner
+        reference = seen_by.entities[0] if seen_by and seen_by.entities else None
+        wrong = target.kind == "lane" and approaches == _BY_DIR["opposite"]
+        for entity in entities:
+            if wrong and Maneuver.OVERTAKE in entity.maneuvers:
+                continue  # who overtakes is in the oncoming lane, but does not come from there
+            kerb = target.kind in {"sidewalk", "shoulder"} and prep.value == "from"
+            entity.pulls_out = entity.pulls_out or kerb
+            self._draft.place(entity, reference, set(approaches), basis)
+
+    def _on_both_sides(self, prep: Prep, side: Place, entities: list[Entity]) -> bool:
+        """``two vans on either side of the bus``: abreast of it."""
+        both = any(m.cat == "quant" for m in side.mods) or (
+            self._draft.tokens[side.i - 1].low == "either"
+        )
+        owner = side.owner.entities[0] if side.owner and side.owner.entities else None
+        if not both or owner is None or side.dirs or prep.value != "in":
+            return False
+        for entity in entities:
+            if entity.moving_vehicle:
+                basis = Basis(prep.word.i, side.j)
+                self._draft.place(entity, owner, {Approach.ADJACENT}, basis)
+        return True
+
+    def _beside(self, side: Place, entities: list[Entity], basis: Basis) -> None:
+        """``drives to the right of the bus``: abreast; people stand on that side."""
+        owner = side.owner.entities[0] if side.owner and side.owner.entities else None
+        for entity in entities:
+            sides = {_SIDES[d] for d in side.dirs if d in _SIDES}
+            abreast = entity.moving_vehicle and entity.kind is not ParticipantKind.BICYCLE
+            where = {Approach.ADJACENT} if abreast else sides
+            self._draft.place(entity, owner, where, basis)
+
+    def _apart(self, entities: list[Entity], basis: Basis) -> None:
+        """``from different arms``: no two come from the same one."""
+        elsewhere = {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
+        for number, entity in enumerate(entities):
+            for other in entities[:number]:
+                self._draft.place(entity, other, elsewhere, basis)
+
+    def _locus(self, prep: Prep, entities: list[Entity], event: Event | None) -> None:
+        target = landmark(prep.target)
+        basis = Basis(prep.word.i, target.j if isinstance(target, Mention) else prep.word.j)
+        if isinstance(target, Thing | Place):
+            return
+        if prep.value == "between":
+            by = target.entities if isinstance(target, Mention) else []
+            for entity in entities if len(by) == 1 and by[0].ego else []:
+                self._draft.place(entity, None, {Approach.ADJACENT}, basis)
+            return  # "between the ego and the kerb"
+        if event is not None and event.name not in _STEADY and prep.outer != "from":
+            self._behind_the_ego(prep, entities, basis)
+            return
+        if event is not None and target and _ends_there(event, prep):
+            return
+        if prep.outer == "from" and isinstance(target, Mention) and event is not None:
+            return
+        comes = target is None and (prep.outer, prep.value) == ("from", "ahead")
+        approaches = {Approach.OPPOSITE if comes else Approach(prep.value)}
+        reference: Entity | None = None
+        if isinstance(target, Mention):
+            if not target.entities:
+                return
+            reference = target.entities[0]
+        same = event is not None and any(_same_way(p) for p in event.pps)
+        for entity in entities:
+            if entity.is_vehicle or prep.value != "ahead" or same:
+                self._draft.place(entity, reference, approaches, basis)
+        further = target.entities[1:] if isinstance(target, Mention) else []
+        for other in further if len(entities) == 1 else []:
+            self._draft.place(other, entities[0], {INVERSE[a] for a in approaches}, basis)
+
+    def _behind_the_ego(self, prep: Prep, entities: list[Entity], basis: Basis) -> None:
+        """``crosses behind the ego``: on foot, that is where they are."""
+        ego = prep.target if prep.value == "behind" else None
+        seen = isinstance(ego, Mention) and any(e.ego for e in ego.entities)
+        for entity in entities if seen else []:
+            if not entity.is_vehicle:
+                self._draft.place(entity, None, {Approach.BEHIND}, basis)
+
+    def _head(self, entities: list[Entity], heading: str, basis: Basis) -> None:
+        for entity in entities:
+            if entity.heading is None:
+                entity.heading, entity.heading_basis = heading, basis
+
+    def heading(self, term: Term, entities: list[Entity]) -> None:
+        """``travelling northbound``."""
+        self._head(entities, term.value, Basis(term.i, term.j))
+        for entity in entities if "bound" in term.data else []:
+            entity.bound = True

@@ -1,0 +1,78 @@
+"""What somebody does because of something else in the same sentence."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Event, Mention, Place
+from scegen.understanding.meaning.context import Context
+
+_BRAKING = frozenset({"brake", "slow", "stop"})
+_NOTICING = frozenset({"encounter", "overlook", "react"})
+_REAR = frozenset({"rear", "back"})
+
+
+def mark_answers(events: list[Event]) -> None:
+    """``braked but could not avoid the van``: who tries to avoid something brakes as an answer.
+
+    Args:
+        events: the events of a text.
+    """
+    avoiding = [e for e in events if e.name == "avoid"]
+    for event in events:
+        if event.name in _BRAKING and not event.nominal:
+            event.modal = event.modal or any(_together(event, e) for e in avoiding)
+
+
+def mark_late(events: list[Event], context: Context) -> None:
+    """``failed to stop and hit it from behind``: for the one in front, not for a sign.
+
+    Args:
+        events: the events of a text.
+        context: the scenario in the making.
+    """
+    standing = {
+        e.index
+        for event in events
+        if event.name in {"stop", "wait", "park"} and not event.negated and event.finite
+        for m in event.subject
+        for e in m.entities
+    }
+    hits = [e for e in events if e.name == "collide"]
+    rear_ends = [e for e in hits if into_rear(e, context)]
+    stood = [e for e in hits if _into_one_of(e, standing)]
+    for event in events:
+        if event.name in _BRAKING | _NOTICING and not event.nominal:
+            failed = event.link != "ing"  # unlike "rode on without stopping and hit it"
+            event.late = any(_together(event, e) for e in (*rear_ends, *(stood if failed else ())))
+
+
+def into_rear(event: Event, context: Context) -> bool:
+    """``rear-ends``, ``runs into the back of``, ``hits from behind``.
+
+    Args:
+        event: a collision.
+        context: the scenario in the making.
+    """
+    ends = [event.object, *(p.target for p in event.pps)]
+    rear = any(isinstance(c, Place) and "rear" in c.dirs for c in ends)
+    words = {t.low for t in context.tokens[event.i : event.j]}
+    behind = any(p.value == "behind" and p.outer == "from" for p in event.pps)
+    return rear or behind or bool(words & _REAR)
+
+
+def _into_one_of(event: Event, standing: set[int]) -> bool:
+    """Whether somebody is hit who stands."""
+    hit = event.object.entities if isinstance(event.object, Mention) else []
+    return not event.passive and any(e.index in standing for e in hit)
+
+
+def _together(one: Event, other: Event) -> bool:
+    return one.sentence == other.sentence and one.subject == other.subject
+
+
+def endangered(context: Context) -> bool:
+    """Whether others have already put the ego in danger, so that it answers.
+
+    Args:
+        context: the scenario in the making.
+    """
+    return any(d.by and not any(e.ego for e in d.by) for d in context.draft.dangers)

@@ -1,0 +1,73 @@
+"""Vehicles in a row: each drives behind the one named before it."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+from scegen.scenario.vocabulary import Approach
+from scegen.understanding.chunks import Chunk, Event, Mention, Place
+from scegen.understanding.clauses.dependents import chain
+from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.words.terms import Term
+
+_FEWEST = 2
+_NUMBERS = ("first", "second", "third", "fourth", "fifth", "sixth")
+_BRAKING = frozenset({"brake", "hard_brake", "stop", "slow"})
+_ORDERS = {"row": Approach.AHEAD, "abreast": Approach.ADJACENT}
+
+
+def line_up(chunks: list[Chunk], events: list[Event], draft: Draft) -> None:
+    """``three cars in a row``, ``two vans drive one behind the other``.
+
+    Args:
+        chunks: the chunks of the text, mentions resolved.
+        events: its events.
+        draft: the scenario in the making.
+    """
+    for chunk in chunks:
+        if isinstance(chunk, Mention):
+            members = [e for m in chain(chunk) for e in m.entities]
+            _behind_each_other(chunk.mods, members, draft)
+    for event in events:
+        _behind_each_other(event.mods, [e for m in event.subject for e in m.entities], draft)
+    _queue_of_the_numbered(chunks, events, draft)
+
+
+def _queue_of_the_numbered(chunks: list[Chunk], events: list[Event], draft: Draft) -> None:
+    """``first van brakes, second stops, third (the ego) is late``: one behind the other."""
+    numbered = {id(c): c for c in chunks if isinstance(c, Mention) and _ordinal(c) is not None}
+    braking = [m for e in events if e.name in _BRAKING for m in e.subject if id(m) in numbered]
+    if not braking or any(isinstance(c, Place) and c.kind == "junction" for c in chunks):
+        return
+    by_number: dict[int, Entity] = {}
+    for mention in numbered.values():
+        for entity in mention.entities[:1]:
+            by_number.setdefault(_ordinal(mention) or 0, entity)
+    order = [by_number[n] for n in sorted(by_number)]
+    apart = len(set(map(id, order))) == len(order) and all(e.moving_vehicle for e in order)
+    basis = Basis(braking[0].i, braking[0].j, "they brake one after the other")
+    order += [
+        e for e in draft.entities if e.ego and e not in order and not _placed(e, order, draft)
+    ]
+    for leader, follower in combinations(order, 2) if apart else []:
+        draft.place(leader, follower, {Approach.AHEAD}, basis)
+
+
+def _placed(ego: Entity, others: list[Entity], draft: Draft) -> bool:
+    """Whether it is said how the ego and the others stand to each other."""
+    return any(
+        p.entity in others and (p.reference is None or p.reference is ego) for p in draft.placements
+    )
+
+
+def _ordinal(mention: Mention) -> int | None:
+    return next((_NUMBERS.index(m.value) for m in mention.mods if m.value in _NUMBERS), None)
+
+
+def _behind_each_other(mods: list[Term], entities: list[Entity], draft: Draft) -> None:
+    said = next((m for m in mods if m.cat == "manner" and m.value in _ORDERS), None)
+    drivers = [e for e in entities if e.moving_vehicle]
+    if said is None or len(drivers) < _FEWEST:
+        return
+    for leader, follower in combinations(drivers, 2):
+        draft.place(leader, follower, {_ORDERS[said.value]}, Basis(said.i, said.j))

@@ -1,0 +1,106 @@
+"""Who is hidden by something, or comes out from behind it, stands on its side of the road."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Approach
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing, Word
+from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.meaning.context import Context, Scene
+
+_SIDES = {"left": Approach.LEFT, "right": Approach.RIGHT}
+_BESIDE = frozenset({"side", "sidewalk", "shoulder", "leg"})
+_AT = frozenset({"in", "to", "by", "of"})
+_HIDING = frozenset({"behind", "between"})
+_OPAQUE = frozenset({"bus_stop", "feature", "parking"})
+_REACH = 7
+
+
+def share(chunks: list[Chunk], scenes: list[Scene], context: Context) -> None:
+    """Places people and cyclists at the side of what hides them.
+
+    Args:
+        chunks: the chunks of the text, mentions resolved.
+        scenes: what happens, in the order of the text.
+        context: the scenario in the making.
+    """
+    for scene in scenes:
+        event = scene.event
+        hides = event.name == "hide" and not event.negated
+        for prep in event.pps:
+            locus = prep.word.cat == "locus" and (prep.value in _HIDING or prep.outer == "from")
+            by = hides and event.passive and prep.value == "by"
+            out = context.tokens[prep.word.i].low in {"out", "from", "of"}
+            out = out and isinstance(prep.target, Thing)  # "out of a gap in a hedge"
+            if locus or by or out:
+                _place(prep.target, scene.actors, chunks, context)
+        if hides and not event.passive:
+            hiders = [c for c in (*event.subject, _thing_before(event, chunks)) if c is not None]
+            for hider in hiders[:1]:
+                _place(hider, scene.targets, chunks, context)
+    for chunk in chunks:
+        if isinstance(chunk, Mention):
+            for prep in chunk.pps:
+                if prep.word.cat == "locus" and prep.value in _HIDING:
+                    _place(prep.target, chunk.entities, chunks, context)
+
+
+def _thing_before(event: Event, chunks: list[Chunk]) -> NounPhrase | None:
+    """``a hedge on the right screens a man``: what stands before the verb."""
+    k = next((k for k, c in enumerate(chunks) if c is event), 0)
+    for chunk in reversed(chunks[max(0, k - _REACH) : k]):
+        if isinstance(chunk, Thing) or (isinstance(chunk, Place) and chunk.kind in _OPAQUE):
+            return chunk
+        if isinstance(chunk, Event | Mention):
+            return None
+    return None
+
+
+def _place(
+    hider: NounPhrase | Event | None,
+    entities: list[Entity],
+    chunks: list[Chunk],
+    context: Context,
+) -> None:
+    if not isinstance(hider, NounPhrase):
+        return
+    sides = _sides_of(hider, chunks, context)
+    for entity in entities:
+        on_foot = not entity.is_vehicle or (context.is_cyclist(entity) and not entity.ego)
+        known = _standing(entity, context.draft) & set(_SIDES.values())
+        if sides and on_foot and not known:
+            context.draft.place(entity, None, sides, Basis(hider.i, hider.j))
+
+
+def _sides_of(hider: NounPhrase, chunks: list[Chunk], context: Context) -> set[Approach]:
+    if isinstance(hider, Mention):
+        found = {a for e in hider.entities for a in _standing(e, context.draft)}
+        if found == {Approach.OPPOSITE} and not context.junction.crossing:
+            found = {Approach(context.across)}
+        found &= set(_SIDES.values())
+        return found if len(found) == 1 else set()
+    own = {_SIDES[d] for d in hider.dirs if d in _SIDES}
+    return own or _named_after(hider, chunks)
+
+
+def _named_after(hider: NounPhrase, chunks: list[Chunk]) -> set[Approach]:
+    """``a kiosk at the left kerb``, ``a shelter to the ego's right``."""
+    k = next((k for k, c in enumerate(chunks) if c is hider), len(chunks))
+    opened = False
+    for chunk in chunks[k + 1 : k + _REACH]:
+        if isinstance(chunk, Word):
+            if chunk.cat != "prep" or chunk.value not in _AT:
+                return set()
+            opened = True
+        elif isinstance(chunk, Place) and opened:
+            sides = {_SIDES[d] for d in chunk.dirs if d in _SIDES}
+            if sides and chunk.kind in _BESIDE:
+                return sides
+        elif not (isinstance(chunk, Thing) or (isinstance(chunk, Mention) and chunk.possessor)):
+            return set()
+    return set()
+
+
+def _standing(entity: Entity, draft: Draft) -> set[Approach]:
+    """The sides at which a participant stands, as far as said."""
+    seen = [p for p in draft.placements if p.entity is entity and p.reference is None]
+    return {a for p in seen for a in p.approaches}

@@ -1,0 +1,147 @@
+"""Dangers from what hides somebody or blocks the way."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import HazardKind, Maneuver
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
+from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.meaning import encounters
+from scegen.understanding.meaning.context import Context, Scene
+
+_HIDING = frozenset({"behind", "between"})
+_OPAQUE_PLACES = frozenset({"bus_stop", "feature", "parking"})
+_NARROWING = frozenset({"limit", "restrict", "impair", "hinder"})
+_SHELTERING = frozenset({"shield", "cover"})
+_SPRINGING = frozenset({"cross", "appear"})
+_COMING = frozenset({"move", "enter", "pull_out"})
+_WAITING = frozenset({"wait", "locate", "walk", "move", "stop", "park", "appear"})
+
+
+def block(scene: Scene, context: Context) -> None:
+    """Standing in the way, or in the line of sight."""
+    if isinstance(scene.event.object, Thing) and scene.event.object.kind == "view":
+        occlude(scene, context)
+        return
+    if scene.event.nominal and not scene.targets and not scene.places():
+        return  # "in the middle of the block"
+    screened = [e for e in scene.targets if not e.is_vehicle or context.is_cyclist(e)]
+    if scene.event.passive and screened:
+        context.draft.hazard(HazardKind.OCCLUSION, scene.words, scene.actors)
+        return  # "a child obstructed by a van"
+    prevents = any(c.link == "ing" or c.nominal for c in scene.event.children)
+    if prevents and not scene.places():
+        return
+    parked = [e for e in scene.actors if e.parked]
+    if parked:
+        context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
+    moving = [e for e in scene.actors if not e.parked]
+    faster = [d for d in context.draft.dangers if d.kind is HazardKind.SUDDEN_ACCELERATION]
+    if moving and not any(e in d.by for d in faster for e in moving):
+        context.draft.hazard(HazardKind.STOPPING, scene.words, moving)
+
+
+def occlude(scene: Scene, context: Context) -> None:
+    """``hides the pedestrian``, ``is hidden behind a truck``, ``blocks the view``."""
+    seen = scene.event.object
+    narrow = context.tokens[scene.event.i].forms[-1][0] in _NARROWING
+    if narrow and not (isinstance(seen, Thing) and seen.kind == "view"):
+        return  # "limits the space"
+    walkers = [e for e in scene.actors if not e.is_vehicle]
+    by = [e for e in scene.actors if e.is_vehicle and not e.ego]
+    by += [e for e in _behind(scene.event) if e not in by]
+    hidden = bool(scene.targets) and not scene.actors  # "a hedge hiding two cyclists"
+    hidden = hidden or _screened_by_a_thing(scene, context)
+    if walkers or by or hidden or isinstance(scene.event.object, Thing):
+        context.draft.hazard(HazardKind.OCCLUSION, scene.words, by)
+
+
+def _screened_by_a_thing(scene: Scene, context: Context) -> bool:
+    """``whose left side is screened by a wall``: whatever it is, it is out of sight."""
+    sheltered = context.tokens[scene.event.i].forms[-1][0] in _SHELTERING
+    by = [p.target for p in scene.event.pps if p.value in {"by", "behind"}]
+    things = any(isinstance(t, Thing) and t.kind == "object" for t in by)
+    return scene.event.passive and things and not sheltered
+
+
+def _behind(event: Event) -> list[Entity]:
+    """Who is named after "behind", "from behind", "by"."""
+    targets = [
+        p.target
+        for p in event.pps
+        if (p.word.cat == "locus" and p.value in {"behind", "between"}) or p.value in {"by", "due"}
+    ]
+    return [e for t in targets if isinstance(t, Mention) for e in t.entities]
+
+
+def from_behind(scene: Scene, context: Context) -> None:
+    """``emerges from behind a parked van``: until then it was out of sight."""
+    for prep in scene.event.pps:
+        unknown = prep.target is None and prep.outer == "from" and scene.event.name in _SPRINGING
+        people = any(not e.is_vehicle or context.is_cyclist(e) for e in scene.actors)
+        if not _hides(prep) and not (unknown and people):
+            continue
+        out = prep.outer == "from" or context.tokens[prep.word.i].low == "from"
+        sprung = out or scene.event.name == "appear"
+        sprung = sprung or (prep.value == "between" and bool(scene.walkers))
+        still = isinstance(prep.target, Thing) or _stands(prep, context)
+        sprung = sprung or (still and people and scene.event.name == "cross")
+        if sprung:
+            basis, by = _screen(prep, scene.actors)
+            context.draft.hazard(HazardKind.OCCLUSION, basis, by)
+            if scene.event.name in _COMING:
+                encounters.cyclists_cross(scene, context)
+        elif scene.event.name in _WAITING:
+            wait_behind(prep, scene.actors, context)
+
+
+def _stands(prep: Prep, context: Context) -> bool:
+    """``crosses behind a stationary bus``: what hides stands still."""
+    target = prep.target
+    if not isinstance(target, Mention) or not target.entities:
+        return False
+    stopped = [e for d in context.draft.dangers if d.kind is HazardKind.STOPPING for e in d.by]
+    return all(e.parked or e in stopped for e in target.entities)
+
+
+def wait_behind(prep: Prep, entities: list[Entity], context: Context) -> None:
+    """``waits behind a kiosk``: out of sight if they come out later.
+
+    Args:
+        prep: the phrase that says behind what.
+        entities: who is there.
+        context: the scenario in the making.
+    """
+    if not _hides(prep):
+        return
+    basis, by = _screen(prep, entities)
+    for entity in entities:
+        if not entity.is_vehicle or (context.is_cyclist(entity) and not entity.ego):
+            context.draft.screened.append((entity, basis, by))
+
+
+def come_out(context: Context) -> None:
+    """Who waited out of sight and crosses after all was hidden."""
+    backing = [e for d in context.draft.dangers if d.kind is HazardKind.REVERSING for e in d.by]
+    for entity, basis, by in context.draft.screened:
+        seen = bool(by) and all(e in backing for e in by)  # "walks behind a reversing van"
+        if Maneuver.CROSS in entity.maneuvers and not seen:
+            context.draft.hazard(HazardKind.OCCLUSION, basis, by)
+
+
+def _hides(prep: Prep) -> bool:
+    """Behind something that one cannot see through."""
+    if prep.word.cat != "locus" or prep.value not in _HIDING:
+        return False
+    target: NounPhrase | Event | None = prep.target
+    if isinstance(target, Place):
+        return target.kind in _OPAQUE_PLACES
+    if isinstance(target, Mention):
+        return not any(e.ego or not e.is_vehicle for e in target.entities)
+    return isinstance(target, Thing)
+
+
+def _screen(prep: Prep, actors: list[Entity]) -> tuple[Basis, list[Entity]]:
+    target = prep.target
+    by = list(target.entities) if isinstance(target, Mention) else []
+    end = target.j if target is not None else prep.word.j
+    return Basis(prep.word.i, end), [e for e in by if e not in actors]

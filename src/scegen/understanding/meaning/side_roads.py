@@ -1,0 +1,109 @@
+"""Roads that vehicles come out of: at the side, from a driveway, from everywhere."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Approach
+from scegen.understanding.chunks import Event, Place, Prep
+from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.phrases.on_sides import each_side
+
+_WITHIN = frozenset({"in", "inside", "within", "through", "near", "around", "past", "by"})
+_LEAVING = frozenset({"reverse", "pull_out", "leave", "unpark"})
+_COMING = frozenset({"move", "approach", "appear", "enter"})
+
+
+_ROADS = frozenset({"road", "street", "stem", "turning", "arm", "leg", "approach", "driveway"})
+
+
+def side_road(prep: Prep, event: Event, whom: list[Entity], context: Context) -> None:
+    """``a bus comes from the left``: there must be a road on the left.
+
+    Args:
+        prep: a phrase of place.
+        event: the event that it belongs to.
+        whom: whom it places.
+        context: the scenario in the making.
+    """
+    place = prep.target
+    side = isinstance(place, Place) and place.kind == "side" and bool(place.dirs)
+    side = side and set(place.dirs) <= {"left", "right"} if place is not None else False
+    motor = [e for e in whom if e.moving_vehicle and not context.is_cyclist(e)]
+    if prep.value == "from" and side and motor and event.name in _COMING:
+        reason = "a vehicle comes from the side"
+        end = place.j if place is not None else prep.word.j
+        context.draft.side_road = context.draft.side_road or Basis(prep.word.i, end, reason)
+
+
+def access(scene: Scene, context: Context) -> None:
+    """A vehicle that comes out of a side road needs that road.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    described = [
+        p.target
+        for m in scene.event.subject
+        for p in m.pps
+        if p.value in {"from", "in"} and isinstance(p.target, Place) and p.target.kind == "access"
+    ]  # "a van from a side road nudges out"
+    within = {id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low in _WITHIN}
+    for place in (*scene.places(), *described):
+        if place.kind == "lane" and "adjacent" in place.dirs:
+            basis = Basis(place.i, place.j)
+            context.lanes_implied(basis, "there is a lane beside")
+        waits = scene.event.name == "wait" and context.tokens[place.j - 1].low in _ROADS
+        if id(place) in within and not waits:
+            continue  # "reverses in a car park": in it, not out of it
+        left = place.kind in {"bus_stop", "parking"} and scene.event.name in _LEAVING
+        aside = place.kind == "sidewalk" and place is scene.event.object
+        if place.kind == "access" or left or aside:
+            _from_access(place, scene, context)
+        if left and scene.drivers and not context.junction.crossing:
+            context.draft.from_kerb = True
+        if place.kind == "access" and scene.drivers and context.draft.access is None:
+            context.draft.access = Basis(place.i, place.j)
+
+
+def _from_access(place: Place, scene: Scene, context: Context) -> None:
+    """``backs out of a driveway on the right``: it comes from there."""
+    sides = {Approach(d) for d in place.dirs if d in {"left", "right"}}
+    goal = any(p.target is place and p.value in {"to", "into"} for p in scene.event.pps)
+    if sides and not goal:
+        for entity in scene.actors:
+            context.draft.place(entity, None, sides, Basis(place.i, place.j))
+
+
+def stays_there(scene: Scene, context: Context) -> bool:
+    """``a van on the minor road stops, then pulls out``: it stops before it gets in the way.
+
+    Args:
+        scene: somebody stops.
+        context: the scenario in the making.
+    """
+    told = bool(scene.event.pps) or scene.event.object is not None
+    named = [p.target for m in scene.event.subject for p in m.pps if p.value in {"in", "from"}]
+    aside = any(isinstance(p, Place) and p.kind == "access" for p in named)
+    across = context.draft.access is not None and all(context.comes_across(e) for e in scene.actors)
+    return not told and (aside or across)
+
+
+def spread(prep: Prep, actors: list[Entity], context: Context) -> None:
+    """One vehicle to each arm.
+
+    Args:
+        prep: the phrase ("from all directions").
+        actors: the vehicles.
+        context: the scenario in the making.
+    """
+    target = prep.target
+    end = target.j if target is not None else prep.word.j
+    arms = context.junction.arms or max(len(actors), 1)
+    if each_side(prep):
+        for entity, side in zip(actors, (Approach.LEFT, Approach.RIGHT), strict=False):
+            context.draft.place(entity, None, {side}, Basis(prep.word.i, end))
+        return
+    for number, entity in enumerate(actors):
+        entity.entries = {number % arms}
+        entity.entry_basis = Basis(prep.word.i, end)

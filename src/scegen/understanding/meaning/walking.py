@@ -1,0 +1,53 @@
+"""People on foot who keep to their side of the road."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Maneuver
+from scegen.understanding.chunks import Event, Place, Prep
+from scegen.understanding.meaning.context import Context, Scene
+
+_LENGTHWISE = frozenset({"along", "down", "up", "beside"})
+_LEAVING = frozenset({"off", "from"})
+_ACROSS = frozenset({"over", "across", "into", "onto"})
+_WAYS = frozenset({"road", "highway", "side", "shoulder", "lane", "centerline", "middle",
+                   "bike_lane"})  # fmt: skip
+
+
+def keep_along(scene: Scene, context: Context) -> bool:
+    """``walks along the road``, ``runs down the street``, ``on the pavement``: not across.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+
+    Returns:
+        Whether that is said.
+    """
+    event = scene.event
+    words = {context.tokens[p.word.i].low for p in event.pps}
+    words |= {context.tokens[m.j - 1].low for m in event.dirs}  # "straight across"
+    left = {id(p.target) for p in event.pps if context.tokens[p.word.i].low in _LEAVING}
+    aside = any(p.kind == "sidewalk" and id(p) not in left for p in scene.places())
+    along = event.name in {"walk", "move"} and any(_lengthwise(p, context) for p in event.pps)
+    along = along or (_own_word(event, context) in _LENGTHWISE and event.object is not None)
+    if not aside and (not along or words & _ACROSS):
+        return False
+    for entity in scene.walkers:
+        if not entity.maneuvers:
+            context.draft.maneuver(entity, {Maneuver.STRAIGHT}, scene.words)
+    return True
+
+
+def _own_word(event: Event, context: Context) -> str:
+    """The last word of the verb itself ("runs along")."""
+    return context.tokens[event.j - 1].low
+
+
+def _lengthwise(prep: Prep, context: Context) -> bool:
+    place = prep.target
+    if not isinstance(place, Place):
+        return False
+    along = context.tokens[prep.word.i].low in _LENGTHWISE and place.kind in _WAYS
+    same = place.kind == "direction" and "same" in place.dirs
+    edge = place.kind in {"side", "shoulder"} and prep.value == "in" and not place.dirs
+    return along or same or edge

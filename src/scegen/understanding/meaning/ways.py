@@ -1,0 +1,212 @@
+"""Which way a verb of motion leads, by the words around it."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
+from scegen.understanding.chunks import Event, Place, Prep, Thing
+from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.meaning.context import Context, Scene, span
+
+DIRECTIONS = {
+    "left": Maneuver.LEFT,
+    "right": Maneuver.RIGHT,
+    "straight": Maneuver.STRAIGHT,
+}
+BESIDE = frozenset({"adjacent", "left", "right"})
+"""Which lane it is, seen from the one that somebody drives in."""
+_GOALS = frozenset({"side", "leg", "access"})
+"""What lies at one side of a junction, so that whoever goes there turns."""
+_OTHER = {"left": "right", "right": "left"}
+_KEEPING = frozenset({"keep", "stay", "remain", "stick", "hold", "continue"})
+_WAY = frozenset({"road", "lane", "path", "highway"})
+_TO_PASS = frozenset({"pull_out", "try", "accelerate", "lane_change", "swerve", "enter"})
+_LAMPS = frozenset({"indicator", "indicators", "blinker", "blinkers", "signal", "flasher", "lamp"})
+_LAMP_REACH = 6
+_THROUGH = frozenset({"through", "across"})
+
+
+def directions(event: Event) -> dict[Maneuver, Basis]:
+    """Directions that belong to a verb of motion, with their words."""
+    found = {
+        DIRECTIONS[t.value]: span(event, t.i, t.j) for t in event.dirs if t.value in DIRECTIONS
+    }
+    for prep in event.pps:
+        target = prep.target
+        leads_there = prep.value in {"to", "into", "for"}
+        if leads_there and isinstance(target, Place) and target.kind in _GOALS:
+            across = _came_from(event) & {_OTHER.get(d, "") for d in target.dirs}
+            seen = prep.on_mention is not None and any(m.cat == "possessive" for m in target.mods)
+            if target.owner is not None or seen:
+                continue  # "to the right of the bus", "the lorry to its left": where it is
+            for value in target.dirs:
+                if value in {"left", "right"}:
+                    way = Maneuver.STRAIGHT if across else DIRECTIONS[value]
+                    found[way] = span(event, target.i, target.j)
+    goal = event.object
+    if isinstance(goal, Place) and goal.kind in _GOALS and event.name == "move":
+        found |= {
+            DIRECTIONS[d]: span(event, goal.i, goal.j) for d in goal.dirs if d in {"left", "right"}
+        }
+    return found
+
+
+def side_to_side(event: Event) -> bool:
+    """``from left to right``: across the way of whoever sees it.
+
+    Args:
+        event: a verb of motion.
+    """
+    goals = [p.target for p in event.pps if p.value == "to" and isinstance(p.target, Place)]
+    return any(_OTHER.get(d) in _came_from(event) for goal in goals for d in goal.dirs)
+
+
+def _came_from(event: Event) -> set[str]:
+    """``from left to right``: right across, no turn."""
+    sides = [p.target for p in event.pps if p.value == "from" and isinstance(p.target, Place)]
+    return {d for side in sides for d in side.dirs}
+
+
+def into_lane(event: Event) -> Place | None:
+    """The lane or path that a movement ends in ("into the ego's path")."""
+    for prep in event.pps:
+        target = prep.target
+        goal = prep.value in {"into", "to", "for"} and isinstance(target, Place)
+        if goal and isinstance(target, Place) and target.kind in {"lane", "path"}:
+            return target
+    direct = event.object
+    return direct if isinstance(direct, Place) and direct.kind in {"lane", "path"} else None
+
+
+def next_lane(event: Event, context: Context) -> bool:
+    """``swings into the right lane``: on a road without a junction, a change of lane.
+
+    Args:
+        event: a movement.
+        context: the scenario in the making.
+    """
+    lane = into_lane(event)
+    ranked = lane is not None and lane.head is not None and "ranked" in lane.head.data
+    beside = ranked or (lane is not None and lane.kind == "lane" and bool(BESIDE & set(lane.dirs)))
+    beside = beside or _into_a_gap(event) or _from_the_next(event, lane, context)
+    keeps = context.tokens[event.i].forms[-1][0] in _KEEPING
+    return beside and not keeps and not context.junction.crossing
+
+
+def _from_the_next(event: Event, lane: Place | None, context: Context) -> bool:
+    """``the van next to it drifts into the same lane``: from beside, whatever lane it is."""
+    who = [e for m in event.subject for e in m.entities]
+    entered = any(p.target is lane and p.value == "into" for p in event.pps)
+    entered = entered or (event.name == "enter" and event.object is lane)
+    named = lane is not None and lane.kind == "lane" and "opposite" not in lane.dirs
+    return named and entered and any(context.placed(e, Approach.ADJACENT) for e in who)
+
+
+def _into_a_gap(event: Event) -> bool:
+    """``steers into the same gap``: between the vehicles of another lane."""
+    goals = [p.target for p in event.pps if p.value == "into"]
+    goals += [event.object] if event.name == "enter" else []
+    return any(isinstance(g, Thing) and g.head is not None and "gap" in g.head.data for g in goals)
+
+
+def through(event: Event, context: Context) -> Basis | None:
+    """``drives through the intersection``; a roundabout is left by one of its exits."""
+    if context.junction.kind is JunctionKind.ROUNDABOUT:
+        return None
+    words = {t.low for t in context.tokens[event.i : event.j]}
+    if words & _THROUGH and isinstance(event.object, Place) and event.object.kind == "junction":
+        return Basis(event.i, event.object.j)
+    for prep in event.pps:
+        place, word = prep.target, context.tokens[prep.word.i].low
+        if isinstance(place, Place) and (
+            (word in _THROUGH and place.kind in {"junction", "signal"})
+            or (word == "against" and place.kind == "signal")
+            or (word == "along" and place.kind == "road")
+        ):
+            return span(event, prep.word.i, place.j)
+    return None
+
+
+def only_signalled(event: Event, context: Context) -> bool:
+    """``signals a right turn but carries straight on``: a turn that is not made."""
+    after = [t.low for t in context.tokens[event.j : event.j + 2] if t.low != ","]
+    signalled = event.parent is not None and event.parent.name == "inert"
+    before = {t.low for t in context.tokens[max(0, event.i - _LAMP_REACH) : event.i]}
+    signalled = signalled or (event.nominal and bool(before & _LAMPS))
+    return signalled and after[:1] != [] and after[0] in {"but", "yet", "however", "though"}
+
+
+def without_arrow(context: Context) -> bool:
+    """``a plain green, no arrow``: nothing holds the oncoming traffic back.
+
+    Args:
+        context: the scenario in the making.
+    """
+    words = [t.low for t in context.tokens]
+    return any(
+        word in {"arrow", "arrows"} and {"no", "without", "nor"} & set(words[max(0, k - 3) : k])
+        for k, word in enumerate(words)
+    )
+
+
+def overtaking(scene: Scene, context: Context) -> bool:
+    """Whether passing is overtaking: somebody is passed, or who passes was behind somebody.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    if scene.event.name != "pass" or scene.targets:
+        return True
+    if scene.event.link == "inf" and scene.event.parent is not None and scene.drivers:
+        same = scene.event.parent.subject == scene.event.subject
+        if same and scene.event.parent.name in _TO_PASS:
+            return True  # "pulls out to pass", "tries to pass"
+    over = any(p.kind == "centerline" for p in scene.places())
+    if any(p.value == "behind" for p in scene.event.pps):
+        return False  # "passes behind": across the road there
+    return over or any(
+        p.approaches == {Approach.BEHIND} and p.entity in scene.actors
+        for p in context.draft.placements
+    )
+
+
+def across_the_road(event: Event, context: Context) -> bool:
+    """``turns across the ego's lane`` where no roads meet: over the road, not into another.
+
+    Args:
+        event: a turn.
+        context: the scenario in the making.
+    """
+    if context.junction.crossing:
+        return False
+    for prep in event.pps:
+        place, word = prep.target, context.tokens[prep.word.i].low
+        onto = word == "across" or (prep.value == "into" and place is not None)
+        if onto and isinstance(place, Place) and place.kind in _WAY:
+            return place.kind == "path" or word == "across"
+        if prep.word.cat == "locus" and prep.value == "ahead" and place is not None:
+            return True
+    return not any(d.value in DIRECTIONS for d in event.dirs)
+
+
+def leads(prep: Prep, context: Context) -> bool:
+    """``turns left ahead of it``: it drives in front, and does not turn in front of it.
+
+    Args:
+        prep: "ahead of", "in front of".
+        context: the scenario in the making.
+    """
+    return any(t.low == "ahead" for t in context.tokens[prep.word.i : prep.word.j])
+
+
+def against(entity: Entity, place: Place) -> bool:
+    """Whether a lane leads the other way than somebody is headed ("the northbound lane").
+
+    Args:
+        entity: who drives into it.
+        place: the lane.
+    """
+    ways = {m.value for m in place.mods if m.cat == "compass"}
+    opposed = {"north": "south", "south": "north", "east": "west", "west": "east"}
+    heading = entity.heading or ""
+    return place.kind == "lane" and opposed.get(heading, "") in ways

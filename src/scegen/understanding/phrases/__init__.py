@@ -1,0 +1,1 @@
+"""Phrases: terms grouped into noun phrases and events; titles, telegrams, courses."""

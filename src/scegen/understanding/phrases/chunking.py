@@ -1,0 +1,298 @@
+"""Groups terms into noun phrases and events."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, event_of
+from scegen.understanding.phrases.lanes import between_lanes
+from scegen.understanding.phrases.lanes_away import count_lanes
+from scegen.understanding.phrases.naming import Namer
+from scegen.understanding.phrases.split_verbs import with_particles
+from scegen.understanding.words.adjectives import listed, loose_modifier
+from scegen.understanding.words.nominal import (
+    OPENERS,
+    ORDINALS,
+    WAYS,
+    compound_end,
+    ego_owns,
+    governed,
+    has_dir,
+    is_nominal,
+    one_side,
+)
+from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import Token
+
+_MODIFIERS = frozenset(
+    {"dir", "state", "label", "noted", "shape", "control", "compass", "roadmod", "cue", "quantity"}
+)
+_MAX_MODS = 10
+_SIDE_WORDS = 2
+_COMING_FROM = frozenset({"opposite", "ahead", "behind", "lateral", "adjacent"})
+_OF_OWNERS = frozenset({"unknown", "det", "label", "possessive"})
+_SIDE_DIRS = frozenset({"left", "right", "opposite", "front", "rear", "adjacent", "straight"})
+
+
+class Chunker:
+    """Reads the terms once, from left to right.
+
+    Args:
+        terms: the terms of the text.
+        tokens: its tokens, needed for the written form of labels.
+    """
+
+    def __init__(self, terms: list[Term], tokens: list[Token]) -> None:
+        self._terms = terms
+        self._tokens = tokens
+        self._chunks: list[Chunk] = []
+
+    def run(self) -> list[Chunk]:
+        """All chunks in order."""
+        k = 0
+        while k < len(self._terms):
+            k = self._chunk_at(k)
+        chunks = between_lanes(with_particles(self._chunks, self._tokens), self._tokens)
+        return count_lanes(chunks, self._tokens)
+
+    def _chunk_at(self, k: int) -> int:
+        term = self._terms[k]
+        if term.cat == "verb" and term.data.get("noun"):
+            self._chunks.append(self._breach(term))
+            return k + 1
+        if term.cat == "verb" and not term.premod:
+            self._chunks.append(event_of(term, []))
+            return k + 1
+        if term.cat == "pronoun":
+            self._chunks.append(Mention(term.i, term.j, [], term, pronoun=term.value))
+            return k + 1
+        if term.cat == "possessive" and term.value == "genitive":
+            if self._chunks and getattr(self._chunks[-1], "cat", "") == "unknown":
+                return self._of_a_stranger(k)
+            if not self._owns(k):
+                self._chunks.append(Word(term))
+                return k + 1
+            self._mark_possessor()
+        if self._that_of(k):
+            return k + 1
+        reached = self._noun_phrase(k)
+        if reached is None:
+            self._chunks.append(Word(term))
+            return k + 1
+        return reached
+
+    def _of_a_stranger(self, k: int) -> int:
+        """``the vicar's van``: a van, whoever the vicar is."""
+        while self._chunks and getattr(self._chunks[-1], "cat", "") in _OF_OWNERS:
+            self._chunks.pop()
+        self._terms[k] = replace(self._terms[k], cat="det", value="indef")
+        return self._noun_phrase(k) or k + 1
+
+    def _breach(self, term: Term) -> Event:
+        """``red light violation``: a noun of a doing with what it is done to before it."""
+        event = event_of(term, [], nominal=True)
+        before = self._chunks[-1] if self._chunks else None
+        event.object = before if isinstance(before, Place) and before.j == term.i else None
+        return event
+
+    def _that_of(self, k: int) -> bool:
+        """``leaves its lane and enters that of the bus``: a place of the kind named last."""
+        term = self._terms[k]
+        follows = self._terms[k + 1] if k + 1 < len(self._terms) else None
+        mine = term.cat == "possessive" and term.value == "mine"
+        that = self._tokens[term.i].low == "that" and follows is not None and follows.value == "of"
+        if not (mine or that):
+            return False
+        last = next((c for c in reversed(self._chunks) if isinstance(c, Place)), None)
+        mods = [replace(term, value="first_person")] if mine else []
+        kind = last.kind if last is not None else "lane"
+        self._chunks.append(Place(term.i, term.j, mods, None, None, kind=kind))
+        return True
+
+    def _owns(self, k: int) -> bool:
+        """A genitive owns what follows, unless an adverb or auxiliary does (a stray 's)."""
+        if k + 1 >= len(self._terms) or not self._chunks:
+            return False
+        follows = self._terms[k + 1]
+        plain = follows.cat not in {"aux", "neg", "prep", "punct", "det", "pronoun"}
+        return isinstance(self._chunks[-1], Mention) and plain and not self._is_adverb(follows)
+
+    def _mark_possessor(self) -> None:
+        if self._chunks and isinstance(self._chunks[-1], Mention):
+            self._chunks[-1].possessor = True
+
+    def _is_adverb(self, term: Term) -> bool:
+        last = self._tokens[term.j - 1].low
+        return last.endswith("ly") or (term.cat == "manner" and term.value == "mild")
+
+    def _scan(self, k: int) -> tuple[list[Term], int]:
+        """Words before a head from term ``k`` on, and where the head would stand."""
+        mods: list[Term] = []
+        opened = False
+        m = k
+        while m < len(self._terms) and len(mods) < _MAX_MODS:
+            term = self._terms[m]
+            further = self._low(m) == "other" and bool(mods) and mods[-1].cat == "num"
+            closed = mods and mods[-1].cat != "quant" and not further  # "three other cars"
+            if closed and term.cat in {"det", "possessive"}:
+                break
+            if term.cat in OPENERS or term.cat in _MODIFIERS:
+                opened = opened or term.cat in OPENERS
+            elif term.cat == "manner":
+                sided = bool(mods) and mods[-1].cat == "dir"  # "from the left also going on"
+                if self._is_adverb(term) and (sided or not opened):
+                    break
+            elif not (loose_modifier(self._terms, m, opened) or listed(self._terms, m, mods)):
+                break
+            mods.append(term)
+            m += 1
+        return mods, m
+
+    def _noun_phrase(self, k: int) -> int | None:
+        mods, m = self._scan(k)
+        head = self._terms[m] if m < len(self._terms) else None
+        owner = self._owner(mods)
+        if head is not None and head.cat == "actor":
+            if any(m.cat == "manner" for m in mods) and "speaks" in head.data:
+                return self._bare(mods, k)  # "so close I can't see it"
+            if self._side_before_number(mods):
+                return self._side(mods, k)
+            return self._mention(mods, m, owner)
+        if head is not None and head.cat in {"place", "view", "thing", "inert", "leg"}:
+            return self._thing(mods, head, m, owner)
+        if head is not None and is_nominal(
+            mods, head, self._term(m + 1), self._chunks, self._tokens
+        ):
+            coming = head.form == "ing" and mods[-1].value in _COMING_FROM
+            if any(mod.cat == "num" for mod in mods) and (coming or not has_dir(mods)):
+                return self._bare(mods, k)
+            self._chunks.append(event_of(head, mods, nominal=True))
+            return m + 1
+        return self._bare(mods, k)
+
+    def _side_before_number(self, mods: list[Term]) -> bool:
+        """``from the left two cars come``: the number begins a noun phrase of its own."""
+        previous = self._chunks[-1] if self._chunks else None
+        preposed = isinstance(previous, Word) and previous.cat == "prep"
+        pairs = pairwise(mods)
+        return preposed and any(
+            b.cat in {"num", "quant"} and (a.cat == "compass" or a.value in {"left", "right"})
+            for a, b in pairs
+        )
+
+    def _owner(self, mods: list[Term]) -> Mention | None:
+        previous = self._chunks[-1] if self._chunks else None
+        genitive = bool(mods) and mods[0].cat == "possessive" and mods[0].value == "genitive"
+        genitive = genitive or (isinstance(previous, Mention) and previous.possessor)
+        return previous if genitive and isinstance(previous, Mention) else None
+
+    def _bare(self, mods: list[Term], k: int) -> int | None:
+        """Modifiers without a head: "one", "another", "both", "from the right"."""
+        if not mods:
+            return None
+        first = mods[0]
+        if first.cat == "num" and len(mods) == 1 and self._low(k + 1) == "others":
+            self._chunks.append(Mention(first.i, first.j + 1, [first], None, pronoun="others"))
+            return k + 2  # "two others"
+        if first.cat == "num" and len(mods) > 1 and mods[1].value in _COMING_FROM:
+            named = "one" if first.data["number"] == 1 else "count"
+            self._chunks.append(Mention(first.i, mods[1].j, mods[:2], None, pronoun=named))
+            return k + 2  # "one oncoming"
+        if first.cat == "num" and first.data["number"] < 10:
+            return self._stand_alone(first, "one" if first.data["number"] == 1 else "count", k)
+        if first.cat == "det" and first.value in {"another", "other"}:
+            return self._one_after(self._stand_alone(first, first.value, k))
+        second = mods[1] if len(mods) > 1 else None
+        if first.cat == "det" and second is not None and second.cat == "label":
+            ordinal = second.value in ORDINALS
+            last_in_run = len(mods) == 2 or mods[2].cat == "num"
+            if ordinal and last_in_run:
+                mention = Mention(first.i, second.j, mods, None, pronoun="ordinal")
+                mention.label = second.value
+                self._chunks.append(mention)
+                return self._one_after(k + 2)
+        one = next((m for m, mod in enumerate(mods) if mod.value == "one"), 0)
+        side_first = one == _SIDE_WORDS and governed(self._chunks) and self._acts(k + one + 1)
+        if one > 0 and first.value == "def" and mods[one].cat == "num" and not side_first:
+            self._chunks.append(Mention(first.i, mods[one].j, mods[:one], None, pronoun="one"))
+            return k + one + 1  # "the one", "the red one"
+        if first.cat == "quant" and first.value in {"both", "all"} and len(mods) == 1:
+            return self._stand_alone(first, first.value, k)
+        return self._side(mods, k)
+
+    def _acts(self, k: int) -> bool:
+        """``on the left one pulls out``: whether a verb of its own comes here."""
+        term = self._term(k)
+        return term is not None and term.cat == "verb" and term.form == "s"
+
+    def _term(self, k: int) -> Term | None:
+        return self._terms[k] if k < len(self._terms) else None
+
+    def _low(self, k: int) -> str:
+        """The first word of a term, if there is one."""
+        return self._tokens[self._terms[k].i].low if k < len(self._terms) else ""
+
+    def _one_after(self, k: int) -> int:
+        """``the other one``: the numeral adds nothing."""
+        term = self._terms[k] if k < len(self._terms) else None
+        return k + 1 if term is not None and term.cat == "num" and term.value == "one" else k
+
+    def _stand_alone(self, term: Term, pronoun: str, k: int) -> int:
+        self._chunks.append(Mention(term.i, term.j, [term], None, pronoun=pronoun))
+        return k + 1
+
+    def _side(self, mods: list[Term], k: int) -> int | None:
+        """``the right``, ``right front``, ``the north``: a side named without a noun."""
+        length = 0
+        seen = False
+        for mod in mods:
+            side = (mod.cat == "dir" and mod.value in _SIDE_DIRS) or mod.cat == "compass"
+            if not side and (seen or mod.cat not in {"det", "possessive"}):
+                break
+            if seen and mod.value in WAYS and not one_side(mods[length - 1]):
+                break  # "from the right straight on"
+            seen = seen or side
+            length += 1
+        preposed = governed(self._chunks)
+        determined = mods[0].cat in {"det", "possessive"}
+        if not seen or not (preposed or determined):
+            return None
+        used = mods[:length]
+        owner = self._owner(used)
+        self._chunks.append(Place(used[0].i, used[-1].j, used, None, owner, kind="side"))
+        return k + length
+
+    def _mention(self, mods: list[Term], m: int, owner: Mention | None) -> int:
+        heads = [self._terms[m]]
+        m += 1
+        while m < len(self._terms) and self._terms[m].cat == "actor":
+            heads.append(self._terms[m])
+            m += 1
+        start = mods[0].i if mods else heads[0].i
+        mention = Mention(start, heads[-1].j, mods, heads[-1], owner, heads=heads)
+        mention.label = heads[-1].data.get("label") if len(heads) == 1 else None
+        mention.negated = any(mod.cat == "det" and mod.value == "negative" for mod in mods)
+        named = Namer(self._terms, self._tokens)
+        m = named.single(mention, m)
+        following = self._terms[m] if m < len(self._terms) else None
+        mention.possessor = ego_owns(heads, following)
+        self._chunks.append(mention)
+        further, m = named.further(mention, m)
+        self._chunks += further
+        return m
+
+    def _thing(self, mods: list[Term], head: Term, m: int, owner: Mention | None) -> int:
+        start = mods[0].i if mods else head.i
+        if head.cat in {"place", "leg"}:
+            place = Place(start, head.j, mods, head, owner, kind=head.value)
+            self._chunks.append(place)
+            if Namer(self._terms, self._tokens).numbered(head, m + 1):
+                place.j = self._terms[m + 1].j
+                return m + 2
+        else:
+            kind = head.cat if head.cat == "view" else head.value
+            end = compound_end(head, self._term(m + 1))
+            self._chunks.append(Thing(start, end.j, mods, head, owner, kind=kind))
+            return m + 1 + (end is not head)
+        return m + 1

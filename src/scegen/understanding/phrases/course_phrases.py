@@ -1,0 +1,86 @@
+"""Ways that a noun says: "on its way straight ahead", "during the ego's straight passage"."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
+from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import Token
+
+_WAYS = frozenset({"left", "right", "straight"})
+_COURSES = frozenset({"way", "path", "course", "trajectory", "route", "line", "journey", "passage",
+                      "progress", "run", "itinerary", "track"})  # fmt: skip
+_ALONG = frozenset({"on", "along", "during", "by", "throughout", "with", "for", "upon"})
+_HOLDING = frozenset({"match", "follow", "use", "move", "light", "unknown", "try"})
+_BETWEEN = frozenset({"manner", "noted", "inert", "unknown"})
+_OVER = frozenset({"through", "across", "over"})
+
+
+def courses_said(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> list[Event]:
+    """A verb of motion for each noun that says which way somebody goes.
+
+    Args:
+        chunks: the chunks of the text.
+        events: its events; directions that belong to such a noun are taken from them.
+        tokens: the tokens of the text.
+    """
+    found = []
+    for k, chunk in enumerate(chunks):
+        if not isinstance(chunk, NounPhrase) or isinstance(chunk, Mention):
+            continue
+        if tokens[chunk.j - 1].forms[-1][0] not in _COURSES:
+            continue
+        way = _way(chunk, k, chunks, tokens)
+        who = _whose(chunk, k, chunks, events, tokens) if way is not None else []
+        if way is None or not who:
+            continue
+        for event in events:
+            event.mods = [m for m in event.mods if m is not way]
+        last = max((e.sentence for e in events if e.i < chunk.i), default=0)
+        going = Event("move", chunk.i, max(chunk.j, way.j), "ing", mods=[way], subject=who)
+        going.sentence = last
+        found.append(going)
+    return found
+
+
+def _way(noun: NounPhrase, k: int, chunks: list[Chunk], tokens: list[Token]) -> Term | None:
+    named = next((m for m in noun.mods if m.cat == "dir" and m.value in _WAYS), None)
+    if named is not None:
+        return named
+    m = k + 1
+    while m < len(chunks) and getattr(chunks[m], "cat", "") in _BETWEEN:
+        m += 1
+    word, target = (chunks[n] if n < len(chunks) else None for n in (m, m + 1))
+    if not isinstance(word, Word):
+        return None
+    if word.cat == "dir" and word.value in _WAYS:
+        return word.term
+    if word.cat == "prep" and isinstance(target, Place):
+        if word.value == "to" and target.kind == "side":
+            return next((t for t in target.mods if t.value in _WAYS), None)
+        if tokens[word.i].low in _OVER and target.kind == "junction":
+            return Term("dir", "straight", word.i, target.j)
+    return None
+
+
+def _whose(
+    noun: NounPhrase, k: int, chunks: list[Chunk], events: list[Event], tokens: list[Token]
+) -> list[Mention]:
+    verb = next((e for e in events if e.object is noun), None)
+    if verb is not None and noun.owner is not None and verb.name not in _HOLDING:
+        return [noun.owner]  # "blocks the ego's way straight on"
+    if verb is not None:
+        return verb.subject if verb.name in _HOLDING and not verb.passive else []
+    prep = chunks[k - 1] if k else None
+    prep = chunks[k - 2] if isinstance(prep, Mention) and k > 1 else prep
+    if not isinstance(prep, Word) or tokens[prep.i].low not in _ALONG:
+        return []
+    if noun.owner is not None:
+        return [noun.owner]
+    for chunk in reversed(chunks[:k]):
+        if isinstance(chunk, Word) and chunk.value in BOUNDARIES:
+            break
+        if isinstance(chunk, Mention) and (chunk.heads or chunk.pronoun) and not chunk.possessor:
+            return [chunk]
+    after = (c for c in chunks[k + 1 :] if isinstance(c, Mention))
+    return [m for m in [next(after, None)] if m is not None]

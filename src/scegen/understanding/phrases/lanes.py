@@ -1,0 +1,33 @@
+"""Changes of lane that are said by where they begin and end."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.words.tokens import Token
+
+_CHANGING = frozenset({"change", "switch", "shift"})
+_CHANGE_REACH = 7
+
+
+def between_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
+    """``changes from the inner to the outer lane`` is a change of lane.
+
+    Args:
+        chunks: the chunks of the text; verbs of such changes are renamed.
+        tokens: its tokens.
+    """
+    for k, chunk in enumerate(chunks):
+        if not isinstance(chunk, Event) or tokens[chunk.i].forms[-1][0] not in _CHANGING:
+            continue
+        direct = chunks[k + 1] if k + 1 < len(chunks) else None
+        if isinstance(direct, Place) and direct.kind == "lane":
+            chunk.name = "lane_change"  # "has to change two lanes to the right"
+        for before, place in pairwise(chunks[k + 1 : k + 1 + _CHANGE_REACH]):
+            if isinstance(before, Mention | Event) or getattr(before, "cat", "") == "punct":
+                break
+            goal = isinstance(before, Word) and before.value in {"to", "into"}
+            if goal and isinstance(place, Place) and place.kind == "lane":
+                chunk.name = "lane_change"
+    return chunks

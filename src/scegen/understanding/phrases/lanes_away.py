@@ -1,0 +1,130 @@
+"""Lanes that are counted or pointed back at: "two lanes over", "half in the next one"."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
+from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import Token
+
+_OVER = frozenset({"over", "across", "away", "off", "along", "further", "apart"})
+_MOVING = frozenset({"move", "swerve", "try", "dash", "enter", "cross", "sharp_turn", "pull_out"})
+_SIDES = frozenset({"left", "right", "adjacent", "opposite"})
+
+
+def count_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
+    """The chunks with such lanes as places.
+
+    Args:
+        chunks: the chunks of the text.
+        tokens: its tokens.
+    """
+    found: list[Chunk] = []
+    skipped: set[int] = set()
+    for k, chunk in enumerate(chunks):
+        if id(chunk) in skipped:
+            continue
+        if _for_the_others(chunk, chunks, k):
+            skipped |= {id(c) for c in chunks[k + 1 : k + 3]}
+        inside = _inside(chunk, chunks, k)
+        if inside is not None:
+            skipped |= {id(c) for c in chunks[k + 1 : k + 3]}
+            found += inside
+            continue
+        before = found[-1] if found else None
+        lane = _one_of_the_lanes(chunk, chunks, k)
+        if lane is not None:
+            skipped |= {id(c) for c in chunks[k + 1 : k + 3] if c.j <= lane.j}
+            found.append(lane)
+            continue
+        after = chunks[k + 1] if k + 1 < len(chunks) else None
+        if not (isinstance(chunk, Place) and _counted(chunk) and _aside(after, chunks, k, tokens)):
+            found.append(chunk)
+            continue
+        if isinstance(before, Event) and before.name in _MOVING and not before.nominal:
+            before.name = "lane_change"  # "moves two lanes over"
+            found.append(chunk)
+            continue
+        skipped |= {id(after)} if tokens[getattr(after, "i", 0)].low in _OVER else set()
+        changed = isinstance(before, Event) and before.name == "lane_change"
+        if changed or (isinstance(before, Word) and before.cat == "prep"):
+            found.append(chunk)
+            continue
+        side = _side_after(chunks, k)
+        if side is not None:
+            chunk.mods, chunk.j = [*chunk.mods, *_ways(side)], side.j
+            skipped |= {id(c) for c in chunks[k + 1 : k + 3]}
+        chunk.mods = [*chunk.mods, Term("dir", "adjacent", chunk.i, chunk.j)]
+        found += [Word(Term("prep", "in", chunk.i, chunk.i)), chunk]
+    return found
+
+
+def _for_the_others(chunk: Chunk, chunks: list[Chunk], k: int) -> bool:
+    """``the lane for oncoming traffic``: the oncoming lane, and nobody in it."""
+    joint, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
+    led = isinstance(joint, Word) and joint.cat == "prep" and joint.value == "for"
+    if not (isinstance(chunk, Place) and chunk.kind == "lane" and led and isinstance(who, Mention)):
+        return False
+    way = next((m for m in who.mods if m.cat == "dir" and m.value == "opposite"), None)
+    if way is None:
+        return False
+    chunk.mods, chunk.j = [*chunk.mods, way], who.j
+    return True
+
+
+def _inside(chunk: Chunk, chunks: list[Chunk], k: int) -> list[Chunk] | None:
+    """``the target lane's occupant``: who drives in that lane."""
+    joint, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
+    lane = isinstance(chunk, Place) and chunk.kind == "lane" and bool(set(chunk.dirs) & _SIDES)
+    owns = isinstance(joint, Word) and joint.value == "genitive"
+    if not (lane and owns and isinstance(who, Mention) and who.head is not None):
+        return None
+    if "aboard" in who.head.data:
+        head = Term("actor", "car", who.head.i, who.head.j, who.head.form)
+        who.head, who.heads = head, [head]
+    who.mods = who.mods or [Term("det", "indef", who.i, who.i)]
+    return [who, Word(Term("prep", "in", chunk.i, chunk.i)), chunk]
+
+
+def _counted(place: Place) -> bool:
+    return place.kind == "lane" and bool(place.mods) and place.mods[0].cat in {"num", "det"}
+
+
+def _aside(after: Chunk | None, chunks: list[Chunk], k: int, tokens: list[Token]) -> bool:
+    """``two lanes over``, ``one lane to the left``."""
+    if not isinstance(after, Word):
+        return False
+    single = chunks[k].i + 1 < len(tokens) and isinstance(chunks[k], Place)
+    if tokens[after.i].low in _OVER:
+        return single
+    numbered = any(m.cat == "num" for m in getattr(chunks[k], "mods", []))
+    return numbered and _side_after(chunks, k) is not None
+
+
+def _side_after(chunks: list[Chunk], k: int) -> Place | None:
+    """``two lanes to the left``, ``the one on the right``."""
+    word, side = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
+    leads = isinstance(word, Word) and word.cat == "prep" and word.value in {"to", "in"}
+    sided = isinstance(side, Place) and side.kind == "side" and bool(set(side.dirs) & _SIDES)
+    return side if leads and sided and isinstance(side, Place) else None
+
+
+def _ways(side: Place) -> list[Term]:
+    return [m for m in side.mods if m.cat == "dir"]
+
+
+def _one_of_the_lanes(chunk: Chunk, chunks: list[Chunk], k: int) -> Place | None:
+    """``half in its lane and half in the next one``: a lane, not a vehicle."""
+    before = chunks[:k]
+    if not isinstance(chunk, Mention) or chunk.pronoun not in {"one", "other"} or not before:
+        return None
+    governed = isinstance(before[-1], Word) and before[-1].cat == "prep"
+    last = next((c for c in reversed(before) if isinstance(c, NounPhrase)), None)
+    if not governed or not isinstance(last, Place) or last.kind != "lane":
+        return None
+    side = _side_after(chunks, k)
+    if side is not None:
+        return Place(chunk.i, side.j, [*chunk.mods, *_ways(side)], None, None, kind="lane")
+    if chunk.pronoun == "one" and not set(chunk.dirs) & _SIDES:
+        return None
+    mods = chunk.mods if chunk.dirs else [Term("dir", "adjacent", chunk.i, chunk.j)]
+    return Place(chunk.i, chunk.j, mods, None, None, kind="lane")

@@ -1,0 +1,162 @@
+"""Directions and nouns that stand for a verb: "Ego straight, adversary left turn."."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Word
+from scegen.understanding.phrases.course_phrases import courses_said
+from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.phrases.titles import entitle
+from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import Token
+
+_WAYS = frozenset({"left", "right", "straight"})
+_OPENERS = frozenset({",", "and", "but", "while", "when", "(", ":"})
+_ENDS = frozenset({",", "and", "but", "while", "when", "(", ")", "before", "or"})
+_AT = frozenset({"in", "from", "into"})
+_UNSAFE = frozenset({"cut_in", "lane_change", "merge", "hard_brake", "swerve", "cut_off"})
+_ITS_OWN = frozenset({"move", "turn", "u_turn", "sharp_turn", "light", "cross", "leave", "use",
+                      "lane_change", "merge", "swerve", "try", "pull_out"})  # fmt: skip
+"""Verbs that a direction after a comma belongs to."""
+
+
+def complete(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> list[Event]:
+    """The events, with one for each direction that is all that is said of what somebody does.
+
+    Args:
+        chunks: the chunks of the text.
+        events: its events, left-out verbs filled in; nouns of doings get their subject.
+        tokens: the tokens of the text.
+    """
+    found = [*events, *courses_said(chunks, events, tokens)]
+    _titled(chunks, events)
+    entitle(chunks, events)
+    _by_the_other(chunks, events)
+    for k, chunk in enumerate(chunks):
+        if isinstance(chunk, Event) and chunk.nominal and not chunk.subject:
+            chunk.subject = _whose(chunks, k, found)
+        elif isinstance(chunk, Word) and _predicative(chunks, k) and not _has_verb(chunk, found):
+            subject = _whose(chunks, k, found)
+            if subject:
+                found.append(_going(chunk.term, subject, chunks, found))
+    return sorted(found, key=lambda e: (e.sentence, e.i)) if len(found) > len(events) else found
+
+
+def _titled(chunks: list[Chunk], events: list[Event]) -> None:
+    """``Right turn on red: the ego has to wait for …``: the title says what the ego does."""
+    end = next(
+        (k for k, c in enumerate(chunks) if isinstance(c, Word) and c.value in {":", "."}), 0
+    )
+    title, rest = chunks[:end], chunks[end + 1 :]
+    doings = [c for c in title if isinstance(c, Event) and (c.dirs or not c.nominal)]
+    doings = [c for c in doings if c.dirs] or doings
+    if len(doings) != 1 or any(isinstance(c, Mention) for c in title):
+        return
+    doing = doings[0]
+    named = doing.nominal or doing.form == "ing"
+    who = next((c for c in rest if isinstance(c, Mention)), None)
+    ego = who is not None and any(h.data.get("ego") for h in who.heads)
+    if doing.subject or not (named and ego and doing.dirs) or who is None:
+        return
+    for event in events:
+        his = any(h.data.get("ego") for m in event.subject for h in m.heads)
+        if event.name == "turn" and event.i > doing.i and his and not _ways(event):
+            event.mods = [*event.mods, *doing.dirs]  # "An unprotected left: the ego turns …"
+    settled = any(e.i > doing.i and (e.name == "turn" or _ways(e)) for e in events)
+    across = any(getattr(p.target, "kind", "") == "path" for p in doing.pps)
+    if not settled and not across:
+        doing.subject = [who]
+
+
+def _by_the_other(chunks: list[Chunk], events: list[Event]) -> None:
+    """``Cut-in from the left, the ego at 80 km/h, a van …``: done by who is not the ego."""
+    for event in events:
+        if not event.nominal or event.subject or event.parent or event.name not in _UNSAFE:
+            continue
+        before = next((c for c in reversed(chunks) if c.j <= event.i), None)
+        opens = before is None or (isinstance(before, Word) and before.value in BOUNDARIES)
+        told = any(e.name == event.name and e is not event for e in events)
+        others = [c for c in chunks if isinstance(c, Mention) and c.heads and c.i > event.i]
+        egos = [c for c in others if any(h.data.get("ego") for h in c.heads)]
+        others = [c for c in others if c not in egos]
+        if (
+            event.name in {"lane_change", "merge"}
+            and opens
+            and egos
+            and all(map(_has_place, others))
+        ):
+            event.subject = egos[:1]  # the others keep where they are
+            continue
+        if opens and others and not (told and any(c.mods for c in others if _premod(c, event))):
+            event.subject = others[:1]
+
+
+def _has_place(mention: Mention) -> bool:
+    return bool(mention.pps) or bool(mention.dirs) or any(m.value == "def" for m in mention.mods)
+
+
+def _premod(mention: Mention, event: Event) -> bool:
+    return any(m.cat == "verb" and m.value == event.name for m in mention.mods)
+
+
+def _ways(event: Event) -> bool:
+    return any(m.value in _WAYS for m in event.dirs)
+
+
+def _predicative(chunks: list[Chunk], k: int) -> bool:
+    """A bare direction at the end of its clause, or right before a phrase of place."""
+    word, after = chunks[k], chunks[k + 1] if k + 1 < len(chunks) else None
+    if not isinstance(word, Word) or word.cat != "dir" or word.value not in _WAYS:
+        return False
+    if after is None:
+        return True
+    return isinstance(after, Word) and (
+        after.value in _ENDS | BOUNDARIES or (after.cat == "prep" and after.value in _AT)
+    )
+
+
+def _has_verb(word: Word, events: list[Event]) -> bool:
+    """Whether the direction already says which way some verb leads."""
+    return any(word.term in e.mods and e.name in _ITS_OWN for e in events) or any(
+        (e.i, e.j) == (word.i, word.j) for e in events
+    )
+
+
+def _whose(chunks: list[Chunk], k: int, events: list[Event]) -> list[Mention]:
+    """Who does it: the noun right before, or after a comma the one that the clause is about."""
+    m = k - 1
+    while m >= 0 and isinstance(chunks[m], Word) and getattr(chunks[m], "cat", "") == "manner":
+        m -= 1
+    before = chunks[m] if m >= 0 else None
+    acting = {id(who) for e in events for who in e.subject if e.i < chunks[k].i}
+    if isinstance(before, Mention):
+        free = id(before) not in acting and _opens(chunks, m) and before.prep is None
+        return [before] if free and not before.negated else []
+    if not isinstance(before, Word) or before.value != ",":
+        return []
+    for n in range(m - 1, -1, -1):
+        chunk = chunks[n]
+        if isinstance(chunk, Word) and chunk.value in BOUNDARIES:
+            break
+        if isinstance(chunk, Event) and chunk.subject and not chunk.nominal:
+            return chunk.subject
+        first = isinstance(chunk, Mention) and chunk.prep is None and _opens(chunks, n)
+        if first and isinstance(chunk, Mention) and id(chunk) not in acting:
+            return [] if chunk.negated else [chunk]
+    return []
+
+
+def _opens(chunks: list[Chunk], m: int) -> bool:
+    """Whether a noun begins its clause."""
+    before = chunks[m - 1] if m else None
+    return before is None or (isinstance(before, Word) and before.value in _OPENERS | BOUNDARIES)
+
+
+def _going(term: Term, subject: list[Mention], chunks: list[Chunk], events: list[Event]) -> Event:
+    """A verb of motion made of a direction, which no longer belongs to other words."""
+    for chunk in (*chunks, *events):
+        if isinstance(chunk, Mention | Event):
+            chunk.mods = [m for m in chunk.mods if m is not term]
+    sentence = max((e.sentence for e in events if e.i < term.i), default=0)
+    event = Event("move", term.i, term.j, "s", finite=True, mods=[term], subject=subject)
+    event.sentence = sentence
+    return event

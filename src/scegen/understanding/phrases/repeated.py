@@ -1,0 +1,75 @@
+"""Places named again: "the left lane … in that lane", "… travelling there"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import Token
+
+_POINTING = frozenset({"that", "this", "said"})
+_SIDED = frozenset({"side", "direction"})
+_SIDES = frozenset({"left", "right", "opposite"})
+
+
+def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
+    """Gives "that lane", "from that side" and "there" the directions of what was named last.
+
+    Args:
+        chunks: the chunks of the text.
+        tokens: its tokens.
+
+    Returns:
+        The chunks, "there" replaced by "in" and the lane that it stands for.
+    """
+    last: dict[str, Place] = {}
+    found: list[Chunk] = []
+    for chunk in chunks:
+        lane = last.get("lane")
+        if isinstance(chunk, Mention) and "exit" in last and _an_exit(chunk, found, tokens):
+            ordinal = [m for m in chunk.mods if m.cat == "label"]
+            exit_ = Place(chunk.i, chunk.j, ordinal, last["exit"].head, None, kind="exit")
+            found.append(exit_)
+            continue
+        if isinstance(chunk, Word) and lane is not None and _there(chunk, found, tokens):
+            where = Place(chunk.i, chunk.j, list(lane.mods), lane.head, lane.owner, kind="lane")
+            found += [Word(Term("prep", "in", chunk.i, chunk.j)), where]
+            continue
+        found.append(chunk)
+        if not isinstance(chunk, Place):
+            continue
+        kind = "side" if chunk.kind in _SIDED else chunk.kind
+        if kind == "exit":
+            last[kind] = chunk
+        points = chunk.mods and tokens[chunk.mods[0].i].low in _POINTING
+        if kind == "lane" and points and lane is not None and not chunk.dirs:
+            chunk.mods = [*chunk.mods, *(m for m in lane.mods if m.cat == "dir")]
+        elif kind == "side" and points and "side" in last and not chunk.dirs:
+            chunk.mods = [*chunk.mods, *last["side"].mods]
+        elif (kind == "lane" and chunk.dirs) or (kind == "side" and _SIDES & set(chunk.dirs)):
+            last[kind] = replace(
+                chunk, mods=[m for m in chunk.mods if kind == "lane" or m.cat == "dir"]
+            )
+    return found
+
+
+def _an_exit(mention: Mention, before: list[Chunk], tokens: list[Token]) -> bool:
+    """``leaves at the second exit, the ego continues to the third``: an exit, too."""
+    word = before[-1] if before else None
+    if mention.pronoun != "ordinal" or word is None:
+        return False
+    goal = isinstance(word, Word) and tokens[word.i].low in {"to", "at", "by", "via", "onto"}
+    taken = isinstance(word, Event) and word.name in {"leave", "use"}
+    return goal or taken
+
+
+def _there(word: Word, before: list[Chunk], tokens: list[Token]) -> bool:
+    """``the car travelling there``: after a verb or a noun, not "there" at the start."""
+    last = before[-1] if before else None
+    opens = isinstance(last, Word) and last.cat == "conj"  # "but there a van brakes"
+    return (
+        (opens or isinstance(last, Event | Mention))
+        and tokens[word.i].low == "there"
+        and word.j - word.i == 1
+    )

@@ -1,0 +1,264 @@
+"""Telegraphic style: "Ego straight, truck from the left: right turn", "Cut-in by a van".
+
+What is left out is put back before the clauses are read: "goes" before a bare direction, the
+colon after a heading that says who or where, and who does what a noun names.
+"""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.words.terms import Term
+
+_WAYS = frozenset({"left", "right", "straight"})
+_SEPARATORS = frozenset({",", "and", "but", "or", "while", "when", "as", "(", "both"})
+_AFTER = frozenset({"prep", "conj", "sub", "manner", "env", "locus", "control"})
+_WITHIN = frozenset({"prep", "locus", "dir", "manner", "label"})
+_NAMED = frozenset({"cut_in", "lane_change", "merge", "u_turn", "hard_brake", "swerve"})
+_TO = frozenset({"prep", "manner", "locus"})
+_UNDERGONE = frozenset({"park", "hide", "block", "collide", "locate", "follow", "overtake",
+                        "encounter", "cut_off", "cut_in", "cause", "prevent", "stop"})  # fmt: skip
+"""Verbs whose participle says what happened to somebody."""
+_DOER = frozenset({"of", "by"})
+
+
+def spell_out(chunks: list[Chunk]) -> list[Chunk]:
+    """The chunks with what telegraphic style leaves out.
+
+    Args:
+        chunks: the chunks of the text.
+    """
+    chunks = _told_by_nobody(_after_headings(_cast(_from_titles(chunks))))
+    for k, chunk in enumerate(chunks):
+        if isinstance(chunk, Event) and not chunk.nominal and _named_doing(chunks, k):
+            chunk.nominal = True
+    found: list[Chunk] = []
+    for k, chunk in enumerate(chunks):
+        going = _going(chunks, k)
+        leaving = _leaving(chunks, k)
+        found += [leaving, chunk] if leaving is not None else [going or chunk]
+    return found
+
+
+def _is(chunk: Chunk | None, value: str) -> bool:
+    return isinstance(chunk, Word) and chunk.value == value
+
+
+def _ends(chunk: Chunk | None) -> bool:
+    return chunk is None or (isinstance(chunk, Word) and chunk.value in BOUNDARIES)
+
+
+def _at(chunks: list[Chunk], k: int) -> Chunk | None:
+    return chunks[k] if 0 <= k < len(chunks) else None
+
+
+def _after_headings(chunks: list[Chunk]) -> list[Chunk]:
+    """``From the left: a truck``, ``Ego: straight``: the colon adds nothing."""
+    kept: list[Chunk] = []
+    begin = 0
+    comma = 0
+    for k, chunk in enumerate(chunks):
+        comma = k + 1 if _is(chunk, ",") else comma
+        title = chunks[max(begin, comma) : k]
+        if _is(chunk, ":") and title and _adds_nothing(title, chunks, k):
+            if isinstance(title[0], Word) and title[0].cat == "dir":
+                _describe(title[0].term, chunks, k)
+        else:
+            kept.append(chunk)
+        if _ends(chunk):
+            begin = k + 1
+    return kept
+
+
+def _cast(chunks: list[Chunk]) -> list[Chunk]:
+    """``Conflict partner: a bus from the left``: the noun after the colon plays the role."""
+    kept: list[Chunk] = []
+    for k, chunk in enumerate(chunks):
+        role, actor = _at(chunks, k - 1), _at(chunks, k + 1)
+        opens = _ends(_at(chunks, k - 2)) or _is(_at(chunks, k - 2), ",")
+        if _is(chunk, ":") and opens and isinstance(role, Mention) and isinstance(actor, Mention):
+            single = all(m.head is not None and m.head.form != "s" for m in (role, actor))
+            listed = any(m.pronoun or m.mod("num", "quant") for m in (role, actor))
+            if single and not listed and _is_role(role) and not _is_role(actor):
+                actor.same_as = role
+                continue
+        kept.append(chunk)
+    return kept
+
+
+def _is_role(mention: Mention) -> bool:
+    """Whether a noun only says which part somebody plays: "the adversary", "lead vehicle"."""
+    head = mention.head
+    if head is None or mention.mod("verb", "state", "manner") is not None:
+        return False
+    plays = head.data.get("label") == "adversary" or bool(head.data.get("ego"))
+    placed = head.value == "car" and set(mention.dirs) & {"ahead", "behind"}
+    return plays or bool(placed)
+
+
+def _from_titles(chunks: list[Chunk]) -> list[Chunk]:
+    """``Side road on the right: van``, ``Left lane: a bus``, ``Right: a taxi``: from there."""
+    found: list[Chunk] = []
+    begin = comma = 0
+    for k, chunk in enumerate(chunks):
+        comma = k + 1 if _is(chunk, ",") else comma
+        start = max(begin, comma)
+        title, following = chunks[start:k], _at(chunks, k + 1)
+        if _is(chunk, ":") and title and isinstance(following, Mention):
+            place = _titled(title)
+            if place is not None:
+                word = "in" if place.kind == "lane" else "from"
+                found[len(found) - len(title) :] = [
+                    Word(Term("prep", word, place.i, place.i)),
+                    place,
+                    *(c for c in title[1:] if place.kind == "access"),
+                ]
+                continue
+        found.append(chunk)
+        if _ends(chunk):
+            begin = k + 1
+    return found
+
+
+def _titled(title: list[Chunk]) -> Place | None:
+    first = title[0]
+    if isinstance(first, Place) and first.kind in {"access", "lane", "side", "leg"}:
+        simple = all(isinstance(c, Word | Place) for c in title)
+        return first if simple and first.prep is None else None
+    if len(title) == 1 and isinstance(first, Word) and first.cat in {"dir", "compass"}:
+        sided = first.cat == "compass" or first.value in {"left", "right"}
+        return Place(first.i, first.j, [first.term], None) if sided else None
+    return None
+
+
+def _told_by_nobody(chunks: list[Chunk]) -> list[Chunk]:
+    """``Turned right and hit a van``, ``Was going straight``: whoever tells it did."""
+    first = _at(chunks, 0)
+    auxiliary = isinstance(first, Word) and (first.cat, first.value) == ("aux", "be")
+    verb = _at(chunks, 1) if auxiliary else first
+    if not isinstance(verb, Event) or verb.nominal:
+        return chunks
+    past = verb.form == "ing" if auxiliary else verb.form == "ed"
+    following = _at(chunks, chunks.index(verb) + 1)
+    undergone = verb.name in _UNDERGONE and not isinstance(following, Mention)
+    undergone = undergone and (verb.name != "stop" or _subject_later(chunks))
+    if not past or (undergone and not auxiliary) or _is(following, "by"):
+        return chunks
+    term = Term("actor", "ego", verb.i, verb.i, data={"ego": True, "speaks": True})
+    return [Mention(verb.i, verb.i, [], term, heads=[term]), *chunks]
+
+
+def _subject_later(chunks: list[Chunk]) -> bool:
+    """``Stopped at the lights, the car …``: who it was comes after the comma."""
+    for k, chunk in enumerate(chunks):
+        if _ends(chunk) or (k and isinstance(chunk, Event)):
+            return False
+        if isinstance(chunk, Mention) and _is(_at(chunks, k - 1), ","):
+            return isinstance(_at(chunks, k + 1), Event | Word)
+    return False
+
+
+def _leaving(chunks: list[Chunk], k: int) -> Event | None:
+    """``ego 3rd exit``, ``out at the third exit``: takes it."""
+    place = chunks[k]
+    if not isinstance(place, Place) or place.kind != "exit":
+        return None
+    m = k
+    while m and isinstance(_at(chunks, m - 1), Word) and getattr(chunks[m - 1], "cat", "") in _TO:
+        m -= 1
+    opener = _clause_opener(chunks, m)
+    if opener is None and _is(_at(chunks, m - 1), ","):
+        opener = _clause_opener(chunks, m - 1)
+    ordered = any(mod.cat == "label" for mod in place.mods)
+    if opener is None or not ordered:
+        return None
+    return Event("leave", place.i, place.i, "s")
+
+
+def _adds_nothing(title: list[Chunk], chunks: list[Chunk], k: int) -> bool:
+    first, following = title[0], _at(chunks, k + 1)
+    if isinstance(first, Word) and first.cat == "dir":
+        return len(title) == 1 and isinstance(following, Mention)
+    placed = isinstance(first, Word) and first.cat in {"prep", "locus"}
+    if placed:
+        simple = all(isinstance(c, Word | Place) or _ego(c) for c in title)
+        return simple and isinstance(following, Mention)
+    way = isinstance(following, Word) and following.cat == "dir" and following.value in _WAYS
+    named = isinstance(first, Mention) and not any(isinstance(c, Event) for c in title)
+    return way and named
+
+
+def _ego(chunk: Chunk) -> bool:
+    return isinstance(chunk, Mention) and any(h.data.get("ego") for h in chunk.heads)
+
+
+def _describe(term: Term, chunks: list[Chunk], k: int) -> None:
+    """``Oncoming: a van and a bus``: both are."""
+    for chunk in chunks[k + 1 :]:
+        if _ends(chunk) or isinstance(chunk, Event):
+            return
+        if isinstance(chunk, Mention) and chunk.heads and chunk.prep is None and not _ego(chunk):
+            chunk.mods = [*chunk.mods, term]
+
+
+def _named_doing(chunks: list[Chunk], k: int) -> bool:
+    """``Cut-in by a van``, ``Hard braking of the lead car``: a doing, with who does it."""
+    following, who = _at(chunks, k + 1), _at(chunks, k + 2)
+    event = chunks[k]
+    said = isinstance(event, Event) and event.form in {"base", "ing"}
+    opens = _ends(_at(chunks, k - 1))
+    doer = isinstance(following, Word) and following.value in _DOER and isinstance(who, Mention)
+    placed = isinstance(following, Word) and following.cat in {"prep", "locus", "manner"}
+    bare = isinstance(event, Event) and event.form == "base" and event.name in _NAMED
+    return said and opens and (doer or (bare and placed))
+
+
+def _going(chunks: list[Chunk], k: int) -> Event | None:
+    """``ego straight``: goes straight."""
+    way = chunks[k]
+    if not isinstance(way, Word) or way.cat != "dir" or way.value not in _WAYS:
+        return None
+    following = _at(chunks, k + 1)
+    free = _ends(following) or (
+        isinstance(following, Word) and (following.value == "," or following.cat in _AFTER)
+    )
+    opener = _clause_opener(chunks, k)
+    if not free or _is(following, "of") or opener is None:
+        return None
+    return Event("move", way.i, way.j, "s", mods=[way.term], drives=True)
+
+
+def _clause_opener(chunks: list[Chunk], k: int) -> Mention | None:
+    """The participant with which the clause before chunk ``k`` begins, if it has no verb."""
+    opener: Mention | None = None
+    depth = 0
+    preposed = False
+    for m in range(k - 1, -1, -1):
+        chunk = chunks[m]
+        if _is(chunk, ")"):
+            depth += 1
+        elif _is(chunk, "(") and depth:
+            depth -= 1
+        elif isinstance(chunk, Mention):
+            before = _at(chunks, m - 1)
+            preposed = isinstance(before, Word) and before.cat in {"prep", "locus"}
+            opener = None if preposed else chunk
+            if opener is not None and not _introduced(chunks, m - 1):
+                return None
+            if opener is not None:
+                return opener
+        elif isinstance(chunk, Event) or (
+            isinstance(chunk, Word) and chunk.cat not in _WITHIN and not depth
+        ):
+            return None
+    return None
+
+
+def _introduced(chunks: list[Chunk], m: int) -> bool:
+    """Whether a clause begins after chunk ``m``."""
+    before = _at(chunks, m)
+    if _ends(before):
+        return True
+    if not isinstance(before, Word) or before.value not in _SEPARATORS:
+        return False
+    return before.value != "(" and not isinstance(_at(chunks, m - 1), Event)

@@ -1,0 +1,1 @@
+"""Reference: whom a noun or a pronoun means."""

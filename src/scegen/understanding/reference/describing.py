@@ -1,0 +1,285 @@
+"""What clauses say about their nouns: who drives, who comes from elsewhere, whose car it is."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
+from scegen.understanding.phrases.driving_people import in_traffic
+from scegen.understanding.reference.bystanders import mark_bystanders, put_there
+from scegen.understanding.reference.reference import tells
+from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import Token
+
+_ONLY_VEHICLES = frozenset(
+    {"brake", "hard_brake", "overtake", "merge", "lane_change", "accelerate", "tailgate", "cut_off",
+     "cut_in", "pull_out", "park", "swerve", "u_turn", "pull_over", "undertake", "unpark",
+     "door", "reverse"}
+)  # fmt: skip
+_UNDERWAY = frozenset({"use", "enter", "bypass", "pass", "move", "turn", "leave", "approach",
+                       "follow", "speed"})  # fmt: skip
+_CYCLING = frozenset({"cycle", "pedal"})
+_WALKING = frozenset({"walk", "jog", "stroll"})
+_OPERATING = frozenset({"drive", "ride", "operate", "pilot"})
+_DRIVEN = _ONLY_VEHICLES | {"reverse", "move", "turn", "stop", "speed", "lose_control"}
+_ALONG = frozenset({"behind", "ahead", "adjacent", "opposite"})
+_ABOARD = frozenset({"in", "on", "aboard", "inside"})
+_BY_TRADE = frozenset({"bus", "truck", "van", "car", "emergency_vehicle", "motorcycle", "bicycle"})
+
+
+def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
+    """Marks mentions by what they do, before it is decided whom they mean.
+
+    Args:
+        chunks: the chunks of the text.
+        events: its events.
+        tokens: the tokens of the text.
+    """
+    for event in events:
+        for mention in event.subject:
+            _by_doing(mention, event, tokens)
+    for chunk in chunks:
+        if isinstance(chunk, Mention):
+            chunk.sides |= _sides(chunk.pps)
+    _people_in_traffic(chunks, events)
+    mark_bystanders(chunks, events)
+    _chases(events)
+    _own_vehicles(events, tokens)
+    _vehicles_of_parties(chunks)
+    _drivers(events, tokens)
+    _ridden(chunks, events, tokens)
+    _towed(events)
+    _left_standing(events, tokens)
+    put_there(chunks, tokens)
+
+
+def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
+    mention.seated = mention.seated or event.name == "door"
+    failing = event.negated and event.name in {"stop", "yield"}
+    across = event.name == "cut_in" and tokens[event.j - 1].low == "across"
+    across = across or (event.name == "swerve" and _over_the_road(event, tokens))
+    alone = event.drives or (event.name in _ONLY_VEHICLES and not across) or _takes_a_turn(event)
+    alone = alone or _breaks_a_rule(event) or any("pace" in m.data for m in event.mods)
+    vague = mention.head is not None and "vague" in mention.head.data
+    turns = vague or event.name in {"turn", "sharp_turn"}
+    turns = turns and any(d.value in {"left", "right"} for d in event.dirs)
+    turns = turns or ((_person(mention) or vague) and in_traffic(event, tokens))
+    it = mention.pronoun == "it" and tokens[mention.i].low == "it"
+    turns = turns or (it and event.name in _UNDERWAY and not event.passive)
+    mention.drives = mention.drives or failing or alone or turns
+    mention.walks = mention.walks or _on_foot(event)
+    if event.name == "swerve" and _person(mention) and _over_the_road(event, tokens):
+        event.name, mention.drives, mention.walks = "cross", False, True
+    close = 0 <= event.i - mention.j <= 1 and not event.finite and not event.nominal
+    mention.narrowed = mention.narrowed or (close and event.premod_of is None)
+    acted_on = event.object
+    pronoun = isinstance(acted_on, Mention) and acted_on.pronoun in {"it", "him", "they"}
+    mention.besides = mention.besides or (close and pronoun)
+    _by_word(mention, tokens[event.i])
+    mention.sides |= _sides([p for p in event.pps if p.value == "from"])
+    if any(p.value == "from" and isinstance(p.target, Place) for p in event.pps):
+        mention.elsewhere = mention.pronoun is None
+
+
+def _person(mention: Mention) -> bool:
+    return bool(mention.heads) and all(
+        h.value == "pedestrian" and "vague" not in h.data for h in mention.heads
+    )
+
+
+def _over_the_road(event: Event, tokens: list[Token]) -> bool:
+    """``two tourists drift over the road``: on foot, although vehicles drift more often."""
+    return any(
+        tokens[p.word.i].low in {"over", "across", "between"}
+        and not (isinstance(p.target, Place) and p.target.kind in {"centerline", "lane"})
+        for p in event.pps
+    )
+
+
+def _sides(pps: list[Prep]) -> frozenset[str]:
+    """``the one from the left``, ``comes from the right``, ``in the left lane``."""
+    places = [p.target for p in pps if p.value in {"from", "in"}]
+    named = [p for p in places if isinstance(p, Place) and p.owner is None]
+    return frozenset(d for p in named for d in p.dirs if d in {"left", "right", "opposite"})
+
+
+def _breaks_a_rule(event: Event) -> bool:
+    """``runs the light``, ``blows through a stop sign``."""
+    places = [event.object, *(p.target for p in event.pps if p.value == "in")]
+    kinds = {p.kind for p in places if isinstance(p, Place) and not _for_walkers(p)}
+    return event.name in {"breach", "dash", "walk"} and bool(
+        kinds & {"signal", "stop_sign", "yield_sign"}
+    )
+
+
+def _for_walkers(place: Place) -> bool:
+    """``the red man``: a light for people on foot."""
+    return place.head is not None and "walk" in place.head.data
+
+
+def _by_word(mention: Mention, word: Token) -> None:
+    """``the claimant was cycling``, ``the insured walked``: people who are no drivers."""
+    base = word.forms[-1][0]
+    party = any("party" in h.data for h in mention.heads)
+    if base in _CYCLING and mention.heads:
+        mention.goes_by = ParticipantKind.BICYCLE
+    elif base in _WALKING and (party or any("driver" in h.data for h in mention.heads)):
+        mention.goes_by = ParticipantKind.PEDESTRIAN
+
+
+def _own_vehicles(events: list[Event], tokens: list[Token]) -> None:
+    """``a woman backs her van out``, ``a man riding a moped``: they stand for what they drive."""
+    for event in events:
+        what = event.object
+        if event.name == "lose_control":
+            of_what = [p.target for p in event.pps if p.value == "of"]
+            what = next((t for t in of_what if isinstance(t, Mention)), None)
+        if not isinstance(what, Mention) or not event.subject or event.name not in _DRIVEN:
+            continue
+        who = event.subject[-1]
+        whose = what.mods[0] if what.mods else None
+        own = whose is not None and whose.cat == "possessive" and whose.value == "its"
+        operates = tokens[event.i].forms[-1][0] in _OPERATING
+        party = (who.label or "").startswith("#")  # "driver 2, who was riding a motorcycle"
+        driven = operates and (_is_person(who) or who.pronoun is not None or tells(who) or party)
+        driven = driven or (event.name == "reverse" and _is_person(who))  # "a man backs a van out"
+        if what.heads and not what.label and (own or driven):
+            what.same_as = who
+            who.drives = True
+
+
+def _drivers(events: list[Event], tokens: list[Token]) -> None:
+    """``a van driven by a student``: the student drives it."""
+    for event in events:
+        if tokens[event.i].forms[-1][0] not in _OPERATING or event.form != "ed":
+            continue
+        for prep in event.pps if event.subject else []:
+            if prep.value == "by" and isinstance(prep.target, Mention) and _is_person(prep.target):
+                prep.target.same_as = event.subject[-1]
+
+
+def _is_person(mention: Mention) -> bool:
+    return any(h.value in {"driver", "pedestrian", "rider"} for h in mention.heads)
+
+
+def _vehicles_of_parties(chunks: list[Chunk]) -> None:
+    """``the insured's van``, ``driver 2's car``: its owner stands for it."""
+    for chunk in chunks:
+        owner = chunk.owner if isinstance(chunk, Mention) else None
+        if owner is None or not isinstance(chunk, Mention) or not chunk.heads:
+            continue
+        drives = any("driver" in h.data for h in owner.heads)
+        if drives and not _is_person(chunk):
+            chunk.same_as = owner
+
+
+def _chases(events: list[Event]) -> None:
+    """``a boy chases a ball`` over the road; a police car that chases a van follows it."""
+    for event in events:
+        if event.name == "chase":
+            afoot = any(h.value == "pedestrian" for m in event.subject for h in m.heads)
+            event.name = "cross" if afoot and not event.passive else "follow"
+
+
+def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
+    """``I'm on a motorbike``, ``we sit in a coach``: whoever tells it stands for it."""
+    for event in events:
+        for prep in event.pps if event.subject else []:
+            if tokens[prep.word.i].low in _ABOARD and tells(event.subject[-1]):
+                _stands_for(event.subject[-1], prep.target)
+    tellers = [c for c in chunks if isinstance(c, Mention) and tells(c)]
+    for teller in tellers:
+        for prep in teller.pps:
+            if tokens[prep.word.i].low in _ABOARD:
+                _stands_for(teller, prep.target)
+
+
+def _towed(events: list[Event]) -> None:
+    """``a car towing a van``, ``a van towed by a car``: what is towed does not drive."""
+    for event in (e for e in events if e.name == "tow"):
+        if isinstance(event.object, Mention) and not event.passive:
+            event.object.negated = True
+        agents = [p.target for p in event.pps if p.value == "by" and isinstance(p.target, Mention)]
+        for mention in event.subject if agents else []:
+            mention.same_as = agents[0]
+
+
+def _left_standing(events: list[Event], tokens: list[Token]) -> None:
+    """``somebody has left a van on the bend``: a parked van, and nobody about."""
+    for event in events:
+        what, who = event.object, event.subject[-1] if event.subject else None
+        put = tokens[event.i].forms[-1][0] in {"leave", "park", "dump", "abandon"}
+        if not put or who is None or not isinstance(what, Mention) or not _vehicle(what):
+            continue
+        if who.head is not None and who.head.value == "pedestrian" and not event.passive:
+            who.negated = True
+            what.same_as = None
+            what.mods = [*what.mods, Term("state", "parked", event.i, event.j)]
+
+
+def _stands_for(who: Mention, what: object) -> None:
+    if isinstance(what, Mention) and _vehicle(what) and what.same_as is None and what is not who:
+        what.same_as = who
+        who.drives = True
+
+
+def _vehicle(noun: object) -> bool:
+    """Whether a noun names one vehicle."""
+    single = isinstance(noun, Mention) and noun.pronoun is None and noun.owner is None
+    head = noun.head if isinstance(noun, Mention) and single else None
+    return head is not None and head.value in _BY_TRADE and head.form != "s"
+
+
+def _out_of_a_road(event: Event) -> bool:
+    """``he came out of the side road``: whoever drives does."""
+    return any(
+        isinstance(p.target, Place) and p.target.kind in {"access", "junction", "parking"}
+        for p in event.pps
+        if p.value in {"in", "from", "of"}
+    )
+
+
+def _on_foot(event: Event) -> bool:
+    against = any(p.value == "into" and isinstance(p.target, Mention) for p in event.pps)
+    against = against or (event.name == "appear" and _out_of_a_road(event))
+    return event.name in {"cross", "walk", "appear"} and not against
+
+
+def _people_in_traffic(chunks: list[Chunk], events: list[Event]) -> None:
+    """``the guy behind me``: somebody who is behind or in front, and does not walk, drives."""
+    walking = {id(m) for e in events if _on_foot(e) for m in e.subject}
+    for chunk in chunks:
+        if isinstance(chunk, Mention) and chunk.head is not None and chunk.head.data.get("aboard"):
+            chunk.negated = id(chunk) not in walking
+        if isinstance(chunk, Mention) and id(chunk) not in walking:
+            wrong = any(m.cat == "manner" and m.value == "wrong_way" for m in chunk.mods)
+            chunk.drives = chunk.drives or wrong or _along(chunk)
+
+
+def _along(mention: Mention) -> bool:
+    """Placed like a vehicle: behind, in front of, beside or across from the one who tells it."""
+    head = mention.head
+    if head is None:
+        return False
+    definite = bool(mention.mods) and (mention.mods[0].cat, mention.mods[0].value) == ("det", "def")
+    known = definite or "vague" in head.data or head.form == "s"
+    if definite and "opposite" in mention.dirs:
+        return True  # "the bloke opposite"
+    for prep in mention.pps if known else []:
+        lane = isinstance(prep.target, Place) and prep.target.kind == "lane"
+        if lane and (prep.value == "in" and isinstance(prep.target, Place) and prep.target.dirs):
+            return True
+        seen = prep.target is None or (
+            isinstance(prep.target, Mention)
+            and (
+                prep.target.pronoun is not None or any(h.data.get("ego") for h in prep.target.heads)
+            )
+        )
+        if prep.word.cat == "locus" and prep.value in _ALONG and seen:
+            return True
+    return False
+
+
+def _takes_a_turn(event: Event) -> bool:
+    """``makes a left``: who says so means a driver."""
+    target = event.object
+    return event.name == "light" and isinstance(target, Place) and target.kind == "side"

@@ -1,0 +1,291 @@
+"""Decides whom a mention refers to: somebody new, or somebody already known."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.chunks import Mention
+from scegen.understanding.clauses.located import as_the_ego_sees, loci_of
+from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.reference.groups import Group, of_both, opened, vehicle_around
+from scegen.understanding.reference.mention_words import DEFAULT_COUNT, Reading, read_mention
+from scegen.understanding.reference.pronouns import Pronouns
+from scegen.understanding.reference.reference import (
+    elsewhere,
+    is_pronoun,
+    kin,
+    own_vehicle,
+    refers_to_nobody,
+    refine,
+    tells,
+)
+from scegen.understanding.reference.roster import Roster
+from scegen.understanding.words.tokens import Token
+
+_MOST = 20
+_A_PAIR = 2
+
+
+class Discourse:
+    """The participants of a text in the order in which they come up.
+
+    Args:
+        draft: where participants are kept.
+        tokens: the tokens of the text.
+        arms: arms of the junction, for "from all directions".
+    """
+
+    def __init__(self, draft: Draft, tokens: list[Token], arms: int) -> None:
+        self._draft = draft
+        self.tokens = tokens
+        self._arms = arms
+        self._roster = Roster(draft, tokens)
+        self._pronouns = Pronouns(draft, self._roster, tokens)
+
+    def resolve(
+        self,
+        mention: Mention,
+        *,
+        subject: bool,
+        exclude: list[Entity],
+        sides: int | None = None,
+        settled: bool = False,
+    ) -> list[Entity]:
+        """The participants that a mention refers to.
+
+        Args:
+            mention: the mention; its ``entities`` are set.
+            subject: it is the subject of its clause.
+            exclude: participants that it cannot mean (the subject, for an object).
+            sides: its members come one from each of so many sides; 0: from each arm.
+            settled: the text says which way all its members go.
+        """
+        if mention.entities:
+            return mention.entities
+        if mention.same_as is not None:
+            same = mention.same_as  # "riding a moped, I …": whom comes later
+            mention.entities = list(same.entities or self.resolve(same, subject=True, exclude=[]))
+            refine(mention, self._draft)
+            return mention.entities
+        if refers_to_nobody(mention) or self._their_own_queue(mention):
+            return []
+        located = any(p.word.cat == "locus" and is_pronoun(p.target) for p in mention.pps)
+        if located or mention.besides:
+            exclude = [*exclude, *self._roster.subject]  # "the car behind it" is not "it"
+        if mention.pronoun is not None:
+            found = self._we(mention) or self._pronouns.resolve(mention, exclude)
+        else:
+            reading = read_mention(mention, self.tokens, self._arms if sides == 0 else sides)
+            one = of_both(reading, self._roster.groups, self._draft.entities)
+            found = one or self._noun(reading, mention, exclude)
+        mention.entities = list(found)
+        if mention.landmark:
+            self._roster.landmark = list(found)
+        for entity in found:
+            entity.loci |= loci_of(mention)
+            entity.sides |= mention.sides
+        self._roster.spoken_of(found, subject=subject, settled=settled)
+        return found
+
+    def _their_own_queue(self, mention: Mention) -> bool:
+        """``five cars wait in a queue``: they are the queue."""
+        mass = bool(mention.head and mention.head.data.get("mass"))
+        within = mention.prep is not None and mention.prep.value == "in"
+        return mass and within and len(self._roster.subject) > 1
+
+    def _we(self, mention: Mention) -> list[Entity]:
+        """``three of us``: the ego and two more."""
+        whole = mention.whole
+        if mention.pronoun != "count" or whole is None or not any(e.ego for e in whole.entities):
+            return []
+        count, basis = int(mention.mods[0].data["number"]), Basis(mention.i, whole.j)
+        ego = self._ego(ParticipantKind.CAR, basis)
+        further = range(min(count, _MOST) - 1)
+        others = [self._roster.new(ParticipantKind.CAR, basis) for _ in further]
+        if others:
+            self._roster.groups.append(Group(others, vague=False, unnamed=True))
+        return [ego, *others]
+
+    def _noun(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
+        basis = Basis(mention.i, mention.j)
+        if reading.ego and not reading.plural:
+            if mention.prep is None and (mention.joined is not None or not exclude):
+                self._roster.last_is_ego(mention)
+            ego = self._ego(reading.kind, basis, told=not reading.generic)
+            ego.named_by |= {"speaks"} if tells(mention) else set()
+            return [ego]
+        if reading.ego:
+            return self._roster.subject  # "we arrive in our cars"
+        of_whom = next((p.target for p in mention.pps if p.value == "of"), None)
+        if reading.driver and isinstance(of_whom, Mention):
+            vehicle = self.resolve(of_whom, subject=False, exclude=[])
+            out = mention.walks and not mention.drives and any(e.parked for e in vehicle)
+            afoot = ParticipantKind.PEDESTRIAN  # "the driver of the stalled van steps out"
+            return [self._roster.new(afoot, basis)] if out else vehicle
+        parked = opened(reading, mention, self._draft.entities)
+        if parked:
+            return parked
+        inside = vehicle_around(reading, mention)
+        if inside is not None:
+            return self.resolve(inside, subject=False, exclude=[])
+        if own_vehicle(reading, mention, self._roster.subject) and len(self._roster.subject) == 1:
+            owner = self._roster.subject[0]
+            if owner.is_vehicle:
+                owner.parked = owner.parked or (reading.parked and not owner.ego)
+                return [owner]
+        if kin(reading, mention):
+            strangers = [e for e in self._draft.entities if not e.named_by & reading.called]
+            exclude = [*exclude, *strangers]  # "a man with his son"
+        known = self._known(reading, mention, exclude)
+        if known:
+            self._roster.enrich(known, reading)
+            return known
+        found = self._roster.introduce(reading, basis)
+        both = mention.mods and (mention.mods[0].cat, mention.mods[0].value) == ("quant", "both")
+        if both and len(found) == _A_PAIR:
+            self._roster.groups[-1].both = True
+        return found
+
+    def tells(self, i: int, j: int) -> bool:
+        """Whether words name the one who tells it ("on my side of the road").
+
+        Args:
+            i: index of the first token of the words.
+            j: index after the last one.
+        """
+        return any(t.low in {"my", "our"} for t in self.tokens[i:j])
+
+    def observer(self, i: int, j: int) -> Entity:
+        """``our lane``: whoever tells it takes part.
+
+        Args:
+            i: index of the first token of the words.
+            j: index after the last one.
+        """
+        return self._ego(ParticipantKind.CAR, Basis(i, j))
+
+    def _ego(self, kind: ParticipantKind, basis: Basis, *, told: bool = False) -> Entity:
+        """The ego; what it drives may be said later than who it is."""
+        for entity in self._draft.entities:
+            if entity.ego:
+                if told and kind is not entity.kind and entity.kind is ParticipantKind.CAR:
+                    entity.kind, entity.basis = kind, basis
+                return entity
+        entity = self._roster.new(kind, basis)
+        entity.ego = True
+        entity.named_by.add("ego")
+        entity.claimed = True
+        return entity
+
+    def _known(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
+        det = reading.det
+        names = {label for label in reading.labels if label.startswith("#")}
+        if names:
+            known = [e for e in self._draft.entities if names & e.labels][:1]
+            return known or self._roster.named(reading, names, exclude)
+        counted = self._roster.by_order(reading, mention)
+        if counted is not None:
+            return counted
+        included = self._roster.included(reading, mention)
+        if included:
+            return included
+        if reading.plural and det == "other" and mention.mod("num") is not None:
+            return self._roster.claim(reading.count, exclude, reading)
+        if reading.plural:
+            return self._known_plural(reading, mention)
+        if det == "def" and not reading.driver:
+            told = self._roster.told_what(reading, Basis(mention.i, mention.j))
+            if told:
+                return told
+        if det == "other":
+            if not self._draft.entities and not reading.plural:
+                self.observer(mention.i, mention.j)
+                return []  # "the other car": other than mine
+            claimed = self._roster.claim(1, exclude, reading)
+            rest = [e for e in self._roster.rest(exclude) if self._roster.compatible(e, reading)]
+            return claimed or rest
+        if det in {"another", "ordinal"}:
+            return self._another(reading, exclude)
+        if det in {"one", "indef"}:
+            member = self._member(reading, mention, exclude)
+            return member or self._roster.from_title(reading, mention)
+        return self._definite(reading, mention, exclude)
+
+    def _known_plural(self, reading: Reading, mention: Mention) -> list[Entity]:
+        quantity = mention.mod("quant")
+        if quantity is not None and quantity.value == "all":
+            everybody = [e for e in self._draft.entities if self._roster.compatible(e, reading)]
+            counted = mention.mod("num") is None or len(everybody) == reading.count
+            return everybody if len(everybody) > 1 and counted else []
+        if reading.det != "def" and reading.count != DEFAULT_COUNT:
+            return []
+        both = not reading.vague and reading.det in {"bare", "def"}
+        if reading.det != "def" and not (both and not reading.dirs):
+            return []
+        for group in reversed(self._roster.groups):
+            counted = reading.det == "bare" and not reading.vague
+            if counted and (group.settled or len(group.members) != reading.count):
+                continue
+            if all(self._roster.compatible(e, reading) for e in group.members):
+                return list(group.members)
+        fitting = [e for e in self._draft.entities if self._roster.compatible(e, reading)]
+        if reading.det == "bare" and not reading.vague:
+            counted = len(fitting) == reading.count
+            return fitting if counted and not any("speaks" in e.named_by for e in fitting) else []
+        return fitting if len(fitting) > 1 else []
+
+    def _another(self, reading: Reading, exclude: list[Entity]) -> list[Entity]:
+        """A further one: of a group that is being picked apart, else somebody new."""
+        for group in reversed(self._roster.groups):
+            started = len(group.free) < len(group.members)
+            if (started or group.vague) and self._roster.agree(group, reading):
+                return self._roster.claim(1, exclude, reading)
+        return []
+
+    def _member(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
+        """``including one vehicle``, and any single one where only "traffic" was named."""
+        within = mention.prep is not None and mention.prep.value == "with"
+        for group in reversed(self._roster.groups):
+            if not (within or group.vague or reading.det == "one"):
+                continue
+            if group.settled and not within:
+                continue
+            if not self._roster.agree(group, reading):
+                continue
+            if group.dirs and not reading.dirs and (mention.narrowed or mention.pps):
+                continue  # "yields to oncoming traffic. A taxi following it …"
+            claimed = self._roster.claim(1, exclude, reading)
+            if claimed:
+                return claimed
+            free = [e for e in group.free if e not in exclude and e.kind is ParticipantKind.CAR]
+            if free and group.vague and reading.dirs and group.dirs == reading.dirs:
+                free[0].kind = reading.kind
+                free[0].basis = Basis(mention.i, mention.j)
+                free[0].claimed = True
+                return free[:1]
+        return []
+
+    def _definite(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
+        alike = [e for e in reversed(self._roster.recent) if self._roster.compatible(e, reading)]
+        options = [e for e in alike if not (e in exclude or elsewhere(reading, mention, e))]
+        told = any(m.cat in {"verb", "manner", "state"} for m in mention.mods)
+        narrowed = bool(mention.pps) or mention.narrowed or told
+        loci = loci_of(mention)
+        only_placed = bool(loci) and not (mention.narrowed or told) and as_the_ego_sees(mention)
+        options = options or self._roster.cast(
+            reading, narrowed=narrowed, loci=loci if only_placed else set()
+        )
+        if reading.dirs:
+            options = [e for e in options if e.dirs == reading.dirs]
+        options = [e for e in options if not (loci and e.loci) or loci & e.loci]
+        options = [e for e in options if not ("behind" in loci and "opposite" in e.dirs)]
+        elsewise = bool(loci) and not reading.parked  # a parked van is not "the car behind it"
+        options = [e for e in options if not (elsewise and e.parked) or loci & e.loci]
+        options = [e for e in options if not (mention.sides and e.sides) or mention.sides & e.sides]
+        others = [e for e in options if not e.ego]
+        others = [e for e in others if e.named_by & reading.called] or others
+        done = any(m.cat == "verb" and m.form == "ed" for m in mention.mods)  # "the overtaken car"
+        placed = mention.pps or mention.elsewhere or mention.narrowed or done
+        restricted = reading.dirs or reading.labels or placed
+        if others or reading.det == "bare" or restricted:
+            return others[:1]
+        return options[:1]

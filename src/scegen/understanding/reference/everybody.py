@@ -1,0 +1,42 @@
+"""Nobody: subjects that deny their verb of everybody."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.chunks import Event, Mention
+from scegen.understanding.draft import Draft, Entity
+
+_OWED = frozenset({"yield", "stop", "brake", "slow", "wait", "turn", "move", "u_turn", "obey",
+                   "inert", "leave"})  # fmt: skip
+"""What is told of everybody when nobody does it."""
+_KINDS = {kind.value: kind for kind in ParticipantKind}
+
+
+def deny_of_everybody(events: list[Event]) -> None:
+    """``no driver gives way``, ``nobody may turn left``: everybody does not.
+
+    Args:
+        events: the events of the text; mentions not yet resolved.
+    """
+    for event in events:
+        named = [m for m in event.subject if m.negated or m.pronoun in {"nobody", "everybody"}]
+        verbal = not event.nominal and event.name in _OWED
+        if not named or not verbal or event.form == "ing":
+            continue
+        event.negated = True
+        for mention in named:
+            mention.negated, mention.pronoun = False, "everybody"
+
+
+def everybody(mention: Mention, draft: Draft) -> list[Entity]:
+    """Of whom "no driver", "no car" or "nobody" is said.
+
+    Args:
+        mention: the subject.
+        draft: the scenario in the making.
+    """
+    kinds = [_KINDS[h.value] for h in mention.heads if h.value in _KINDS]
+    movers = [e for e in draft.entities if e.moving_vehicle]
+    if not kinds or kinds == [ParticipantKind.CAR]:
+        return movers
+    return [e for e in draft.entities if e.kind in kinds and not e.parked]

@@ -1,0 +1,55 @@
+"""Participants that are named in general: "red for cross traffic", "looks for oncoming cars"."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
+from scegen.understanding.phrases.lookahead import BOUNDARIES
+
+_LETTING_BY = frozenset({"wait", "yield", "stop", "brake", "slow", "hard_brake", "react"})
+
+
+def _is_view(chunk: Chunk) -> bool:
+    """``the view of oncoming traffic``."""
+    return isinstance(chunk, Thing) and chunk.kind == "view"
+
+
+def mark_generic(chunks: list[Chunk], events: list[Event]) -> None:
+    """``red for cross traffic``, ``looks for oncoming traffic``: nobody in particular.
+
+    Traffic that somebody waits for, or gives way to, is there.
+
+    Args:
+        chunks: the chunks of the text; who is nobody in particular is marked as ``negated``.
+        events: its events.
+    """
+    entered = {id(e.object) for e in events if e.name in {"enter", "merge", "inert"}}
+    met = {id(p.target) for e in events if e.name in _LETTING_BY for p in e.pps}
+    for k, chunk in enumerate(chunks):
+        if not isinstance(chunk, Mention) or chunk.head is None:
+            continue
+        if id(chunk) in entered and "mass" in chunk.head.data and not chunk.mods:
+            chunk.negated = True  # "entering traffic from a driveway, a van …"
+        if chunk.prep is None:
+            chunk.negated = chunk.negated or _only_the_scene(chunk, k, chunks)
+            continue
+        several = chunk.head.form == "s" and chunk.mod("det", "num", "quant") is None
+        lit = any(isinstance(c, Place) and c.kind == "signal" for c in chunks[max(0, k - 4) : k])
+        anybody = "mass" in chunk.head.data or (several and lit)
+        met_head_on = "opposite" in chunk.dirs and chunk.prep.value == "against"
+        purpose = (chunk.prep.value in {"for", "against"} and not met_head_on) or (
+            chunk.prep.value == "of" and any(_is_view(c) for c in chunks[max(0, k - 2) : k])
+        )
+        chunk.negated = chunk.negated or (anybody and purpose and id(chunk) not in met)
+
+
+def _only_the_scene(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
+    """``Stop-and-go traffic on a ring road; the car ahead …``: where it all takes place."""
+    opens = k == 0 or getattr(chunks[k - 1], "value", "") in BOUNDARIES
+    if not opens or mention.head is None or "mass" not in mention.head.data or mention.dirs:
+        return False
+    for chunk in chunks[k + 1 :]:
+        if isinstance(chunk, Event | Mention):
+            return False
+        if isinstance(chunk, Word) and chunk.value in BOUNDARIES:
+            return any(isinstance(c, Mention) for c in chunks if c.i > chunk.i)
+    return False

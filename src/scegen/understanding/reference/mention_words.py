@@ -1,0 +1,152 @@
+"""What the words of a mention say about whom it refers to: kind, number, names, places."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.chunks import Mention
+from scegen.understanding.phrases.calling import called
+from scegen.understanding.words.tokens import Token
+
+KINDS = {kind.value: kind for kind in ParticipantKind}
+_VAGUE_COUNTS = {"couple": 2, "pair": 2, "few": 3, "several": 3, "multiple": 3, "various": 3}
+_MANY = 4
+DEFAULT_COUNT = 2
+_GENERIC_WORDS = frozenset({"vehicle", "vehicles", "driver", "motorist"})
+
+
+@dataclass(slots=True)
+class Reading:
+    """What the words of a mention say about whom they refer to."""
+
+    kind: ParticipantKind
+    generic: bool
+    det: str
+    count: int
+    plural: bool
+    vague: bool
+    labels: set[str]
+    dirs: set[str]
+    parked: bool
+    ego: bool
+    driver: bool
+    reason: str | None
+    called: set[str] = field(default_factory=set)
+
+
+def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Reading:
+    """What the words of a mention say.
+
+    Args:
+        mention: a mention with a noun.
+        tokens: the tokens of the text.
+        arms: number of arms if its members come "from all directions".
+    """
+    heads = mention.heads
+    kinds: list[ParticipantKind] = [KINDS[h.value] for h in heads if h.value in KINDS]
+    words = [tokens[h.j - 1] for h in heads]
+    last = words[-1]
+    specific: list[ParticipantKind] = [k for k in kinds if k is not ParticipantKind.CAR]
+    mass = any(h.data.get("mass") for h in heads)
+    driver = any(h.data.get("driver") for h in heads)
+    kind = (specific or kinds or [ParticipantKind.CAR])[0]
+    afoot = any("afoot" in h.data for h in heads)
+    if kind is ParticipantKind.PEDESTRIAN and mention.drives and not afoot:
+        kind, driver, kinds = ParticipantKind.CAR, True, []
+    if heads[-1].value == "rider" and not kinds:
+        kind = ParticipantKind.MOTORCYCLE
+    people = all(h.value in {"driver", "pedestrian", "adversary"} for h in heads) and not afoot
+    if mention.goes_by is not None and people:
+        kind, driver = mention.goes_by, False
+        kinds, specific = [kind], [kind]
+    named = (mention.label or "").startswith("#")
+    plural = mass or "several" in heads[-1].data or (heads[-1].form == "s" and not named)
+    count, vague, reason = _count(mention, tokens, plural, arms)
+    det = next((m for m in mention.mods if m.cat in {"det", "possessive"}), None)
+    numbered = mention.mod("num")
+    single = numbered is not None and numbered.data["number"] == 1  # "one in each lane", too
+    det_value = det.value if det else ("one" if single else "bare")
+    if det and det.cat == "possessive":
+        det_value = "indef" if _a_strangers(mention) else "def"
+    labels = {h.data["label"] for h in heads if "label" in h.data}
+    labels |= {m.value for m in mention.mods if m.cat == "label" and m.value == "adversary"}
+    labels |= {tokens[m.i].low for m in mention.mods if m.cat == "label" and m.value == "colour"}
+    if any(m.cat == "label" and m.value in {"second", "third"} for m in mention.mods):
+        det_value = "ordinal"
+    parked = any(m.cat == "state" and m.value == "parked" for m in mention.mods)
+    return Reading(
+        kind=kind,
+        generic=not specific and (last.forms[-1][0] in _GENERIC_WORDS or not kinds),
+        det=det_value,
+        count=count,
+        plural=count > 1 or plural,
+        vague=vague,
+        labels=labels | ({_name(mention.label, kind)} if mention.label else set()),
+        dirs=set(mention.dirs),
+        parked=parked,
+        ego=any(h.data.get("ego") for h in heads) or _mine(mention, kind),
+        driver=driver and not kinds,
+        reason=reason,
+        called=called(mention, tokens),
+    )
+
+
+def _a_strangers(mention: Mention) -> bool:
+    """``somebody's car``: nobody's that was spoken of."""
+    owner = mention.owner
+    return owner is not None and owner.head is not None and "vague" in owner.head.data
+
+
+def _mine(mention: Mention, kind: ParticipantKind) -> bool:
+    """``my bike``, ``our old lorry``: whoever tells it drives it."""
+    first = mention.mods[0] if mention.mods else None
+    mine = first is not None and (first.cat, first.value) == ("possessive", "first_person")
+    named = mention.head is not None and mention.head.value in KINDS
+    person = mention.head is not None and mention.head.value == "pedestrian"  # "my neighbour"
+    return mine and named and not person and kind is not ParticipantKind.PEDESTRIAN
+
+
+def _name(label: str, kind: ParticipantKind) -> str:
+    """Pedestrian 1 is not vehicle 1: people on foot and bicycles are counted for themselves."""
+    own = {ParticipantKind.PEDESTRIAN: "#p", ParticipantKind.BICYCLE: "#b"}.get(kind, "#")
+    digits = label.lstrip("#ped")
+    return f"{own}{digits}" if digits.isdigit() else label
+
+
+def _count(
+    mention: Mention, tokens: list[Token], plural: bool, arms: int | None
+) -> tuple[int, bool, str | None]:
+    number = mention.mod("num")
+    if arms is not None and not plural and mention.heads and mention.heads[0].value != "ego":
+        return arms, False, f"one from each of the {arms} directions"
+    if number is not None and number.data["number"] >= 1 and (plural or not mention.mod("det")):
+        return int(min(number.data["number"], 10**6)), False, None
+    if mention.joined is not None and _shares_noun(mention):
+        return 1, False, None
+    quant = mention.mod("quant")
+    if arms is not None and plural:
+        return arms, True, f"one from each of the {arms} directions"
+    if quant is not None and quant.value == "vague":
+        word = tokens[quant.j - 1].low
+        words = {t.low for t in tokens[quant.i : quant.j]}
+        count = next((n for w, n in _VAGUE_COUNTS.items() if w in words), _MANY)
+        return count, True, f"'{word}' is read as {count}"
+    if quant is not None and quant.value == "both" and plural:
+        return DEFAULT_COUNT, False, None
+    if "several" in mention.heads[-1].data:
+        return int(mention.heads[-1].data["several"]), False, None
+    head = mention.heads[-1].data if mention.heads else {}
+    if not plural and "count" in head:
+        return int(head["count"]), False, None  # "an old couple"
+    if not plural:
+        return 1, False, None
+    return DEFAULT_COUNT, True, f"no number is given; {DEFAULT_COUNT} are assumed"
+
+
+def _shares_noun(mention: Mention) -> bool:
+    """``the ego and adversary vehicles``: the plural noun belongs to both adjectives."""
+    first = mention.joined
+    if first is None or not first.heads or any(mod.cat == "det" for mod in mention.mods[:1]):
+        return False
+    return len(first.heads) == 1 and first.heads[0].value in {"ego", "adversary"}

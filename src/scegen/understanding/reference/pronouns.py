@@ -1,0 +1,176 @@
+"""Decides whom "it", "they", "one", "the other", "the second" and the like mean."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.chunks import Mention, Place
+from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.reference.everybody import everybody
+from scegen.understanding.reference.roster import Roster
+from scegen.understanding.words.ordinals import POSITIONS
+from scegen.understanding.words.tokens import Token
+
+_PERSONS = ("ist", "rider", "biker", "driver", "courier")
+_MOST = 20
+_PERSONAL = frozenset({"he", "she", "him"})
+_FIRST_PERSON = frozenset({"i", "we", "me", "us", "my", "our", "mine", "ours"})
+
+
+@dataclass(frozen=True, slots=True)
+class Pronouns:
+    """Looks up whom a pronoun means.
+
+    Attributes:
+        draft: where participants are kept.
+        roster: who is known, and who was spoken of last.
+        tokens: the tokens of the text.
+    """
+
+    draft: Draft
+    roster: Roster
+    tokens: list[Token]
+
+    def resolve(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
+        """The participants that a pronoun refers to.
+
+        Args:
+            mention: the pronoun.
+            exclude: participants that it cannot mean.
+        """
+        which = mention.pronoun
+        basis = Basis(mention.i, mention.j)
+        if which == "everybody":
+            return everybody(mention, self.draft)
+        if which in {"it", "him"}:
+            return self._single(mention, exclude)
+        if which == "they" and not mention.walks and all(e.ego for e in self.draft.entities):
+            return self._new_driver(mention)
+        if which == "neither" and self.tokens[mention.i].low == "none":
+            return everybody(mention, self.draft)
+        if which in {"they", "both", "all", "neither"}:
+            return self.roster.together(exclude)
+        if which == "other":
+            rest = self.roster.claim(1, exclude) or self.roster.rest(exclude)
+            if len(self.roster.subject) > 1 and not rest:
+                return []  # "neither can see past the other": of those just spoken of
+            return rest or [self.roster.new(ParticipantKind.CAR, basis)]
+        if which == "ordinal":
+            found = self._ordinal(mention)
+            if found:
+                return found
+            if mention.mods and mention.mods[0].value == "indef":
+                alike = [e.kind for e in self.roster.recent if e.is_vehicle]
+                return [self.roster.new((alike or [ParticipantKind.CAR])[-1], basis)]
+        if which == "another":
+            return self.roster.further(exclude, basis)
+        return self._counted(mention, exclude, basis)
+
+    def _single(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
+        if mention.landmark and mention.pronoun == "it" and self.roster.landmark:
+            return self.roster.landmark
+        subject, recent = self.roster.subject, self.roster.recent
+        word = self.tokens[mention.i].low
+        if word in _PERSONAL and self._told_in_the_first_person():
+            return self._somebody(mention, exclude, subject)
+        if word == "it":
+            recent = [e for e in recent if e.is_vehicle] or recent
+            others = [e for e in recent if "speaks" not in e.named_by]
+            recent = others or recent  # whoever tells it is no "it"
+            subject = [e for e in subject if "speaks" not in e.named_by] if others else subject
+        options = subject if len(subject) == 1 else recent[-1:]
+        if self.tokens[mention.i].low == "it" and any(map(self._person, options)):
+            order = self.roster.recent
+            since = order[order.index(options[0]) + 1 :] if options[0] in order else []
+            others = [e for e in since if not self._person(e) and e not in exclude]
+            options = others[-1:] or options  # "a rider passes the ego as it turns"
+        if not self.draft.entities and word in {"he", "she"}:
+            return self._somebody(mention, exclude, subject)
+        if mention.drives and any(e.parked for e in options):
+            driving = [e for e in recent if e.moving_vehicle and e not in exclude]
+            options = driving[-1:] or options  # "a van is parked in its lane; it has to swerve"
+        before = self.roster.before if len(self.roster.before) == 1 else []
+        left = [e for e in (*before, *reversed(recent)) if e not in exclude]
+        return [e for e in options if e not in exclude] or left[:1]
+
+    def _person(self, entity: Entity) -> bool:
+        """Whether a word for a person named them: "he" or "she" would mean them."""
+        last = self.tokens[(entity.basis.j or 1) - 1].low if entity.basis.i is not None else ""
+        return not entity.is_vehicle or last.endswith(_PERSONS)
+
+    def _new_driver(self, mention: Mention) -> list[Entity]:
+        """``they pulled out in front of me``: somebody who drives, not named before."""
+        if self.tokens[mention.i].low != "they" or not mention.drives:
+            return self.roster.together([])
+        return [self.roster.new(ParticipantKind.CAR, Basis(mention.i, mention.j))]
+
+    def _told_in_the_first_person(self) -> bool:
+        return any(t.low in _FIRST_PERSON and t.text != "i" for t in self.tokens)
+
+    def _somebody(
+        self, mention: Mention, exclude: list[Entity], subject: list[Entity]
+    ) -> list[Entity]:
+        """``he``, ``she``: not the one who tells it; where nobody else is known, somebody new."""
+        others = [e for e in self.roster.recent if not e.ego and e not in exclude and not e.parked]
+        told = [e for e in subject if e in others]
+        if told or others:
+            return told[:1] or others[-1:]
+        if self.tokens[mention.i].low == "him":
+            return []
+        kind = ParticipantKind.CAR
+        if mention.walks and not mention.drives:
+            kind = ParticipantKind.PEDESTRIAN
+        return [self.roster.new(kind, Basis(mention.i, mention.j))]
+
+    def _ordinal(self, mention: Mention) -> list[Entity]:
+        position = POSITIONS[mention.label or "first"]
+        vehicles = [e for e in self.draft.entities if e.moving_vehicle and not e.ego]
+        everybody = vehicles or self.draft.entities
+        group = self.roster.groups[-1].members if self.roster.groups else everybody
+        if position < 0 or mention.label == "former":
+            two = self.roster.recent if len(self.roster.recent) > 1 else group
+            group = list(two[-2:]) if position == 0 or not self.roster.pair else self.roster.pair
+            self.roster.pair = group if position == 0 else []
+            position %= max(len(group), 1)
+        if position >= len(group):
+            return []
+        group[position].claimed = True
+        return [group[position]]
+
+    def _counted(self, mention: Mention, exclude: list[Entity], basis: Basis) -> list[Entity]:
+        which = mention.pronoun
+        if mention.whole is not None and mention.whole.entities:  # "one of the cars": no truck
+            whole = mention.whole.entities
+            exclude = [*exclude, *(e for e in self.draft.entities if e not in whole)]
+        count = 1
+        if which in {"count", "others", "further"}:
+            count = int(mention.mods[0].data["number"])
+        coloured = {self.tokens[m.i].low for m in mention.mods if m.value == "colour"}
+        painted = [e for e in self.roster.recent if coloured & e.labels]
+        if painted and which == "one":
+            return painted[-1:]
+        named = [e for e in self.roster.recent if mention.sides & e.sides and e not in exclude]
+        if named and which == "one" and mention.mods and mention.mods[0].value == "def":
+            return named[-1:]  # "the one from the left"
+        claimed = self.roster.claim(count, exclude) if which != "further" else []
+        if which in {"others", "further"} and not claimed:
+            alike = [e.kind for e in self.roster.recent if e.is_vehicle and which == "further"]
+            kind = (alike or [ParticipantKind.CAR])[-1]
+            return [self.roster.new(kind, basis) for _ in range(min(count, _MOST))]
+        if claimed or which == "count":
+            return claimed
+        definite = which == "one" and any(m.value == "def" for m in mention.mods)
+        if definite and not mention.sides and _placed(mention):
+            others = [e for e in self.roster.recent if not e.ego and e not in exclude]
+            if others:
+                return others[-1:]  # "another waits in the stem; the one in the stem …"
+        new = which != "one" or bool(self.roster.recent)
+        kinds = {e.kind for e in self.draft.entities if not e.ego}
+        afoot = which == "one" and kinds == {ParticipantKind.PEDESTRIAN}
+        kind = ParticipantKind.PEDESTRIAN if afoot else ParticipantKind.CAR
+        return [self.roster.new(kind, basis)] if new else []
+
+
+def _placed(mention: Mention) -> bool:
+    return any(isinstance(p.target, Place) for p in mention.pps)

@@ -1,0 +1,106 @@
+"""What the form of a noun phrase says about whom it can mean."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.chunks import Mention
+from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.reference.mention_words import Reading, read_mention
+
+_MOTOR = frozenset(ParticipantKind) - {ParticipantKind.PEDESTRIAN}
+_DENSITY = frozenset({"manner", "inert", "unknown", "noted"})
+"""Classes of words that say how dense traffic is."""
+_RIDDEN = frozenset({ParticipantKind.MOTORCYCLE, ParticipantKind.BICYCLE})
+
+
+def own_vehicle(reading: Reading, mention: Mention, owners: list[Entity]) -> bool:
+    """``the driver opens the door of his vehicle``: what the driver stands for."""
+    possessed = bool(mention.mods) and mention.mods[0].cat == "possessive"
+    whose = possessed and mention.mods[0].value == "its"
+    riding = reading.kind in _RIDDEN and any(e.kind in _RIDDEN for e in owners)
+    if mention.goes_by is ParticipantKind.PEDESTRIAN:
+        return False  # "its driver walks along the road"
+    return whose and (reading.generic or riding) and not reading.plural and not reading.dirs
+
+
+def is_pronoun(target: object) -> bool:
+    """Whether a noun is "it", "him" or "they"."""
+    return isinstance(target, Mention) and target.pronoun in {"it", "him", "they"}
+
+
+def refers_to_nobody(mention: Mention) -> bool:
+    """``in traffic``, ``no pedestrians``, ``at the second``: words that name no participant."""
+    prep = mention.prep.value if mention.prep is not None else ""
+    mass = bool(mention.head and mention.head.data.get("mass")) and all(
+        m.cat in _DENSITY or (m.cat, m.value) == ("label", "quality") for m in mention.mods
+    )
+    if mass and prep in {"in", "of", "for"}:
+        return True
+    gathered = bool(mention.mods) and mention.mods[0].cat in {"det", "quant"}
+    gathered = gathered and mention.mods[0].j - mention.mods[0].i > 1
+    if gathered and prep == "with" and mention.head and "mass" in mention.head.data:
+        return True  # "travels with the flow of traffic"
+    place = mention.pronoun == "ordinal" and prep == "in"  # "at the first junction …, the second"
+    return place or mention.negated or mention.pronoun in {"reflexive", "nobody"}
+
+
+def kin(reading: Reading, mention: Mention) -> bool:
+    """``her daughter``, ``his two children``: nobody who was called otherwise.
+
+    Args:
+        reading: what the words of the mention say.
+        mention: the mention.
+    """
+    whose = mention.mods[0] if mention.mods else None
+    people = reading.kind is ParticipantKind.PEDESTRIAN and not reading.driver
+    return people and whose is not None and (whose.cat, whose.value) == ("possessive", "its")
+
+
+def tells(mention: Mention) -> bool:
+    """Whether it is the one who tells it ("I", "we").
+
+    Args:
+        mention: a mention.
+    """
+    return any("speaks" in h.data or "me" in h.data for h in mention.heads)
+
+
+def elsewhere(reading: Reading, mention: Mention, entity: Entity) -> bool:
+    """``lead car brakes; car on the left``: a bare noun with a place of its own is another one.
+
+    Args:
+        reading: what the words of the mention say.
+        mention: the mention.
+        entity: somebody known.
+    """
+    if entity.ego and reading.called - entity.named_by and "speaks" in entity.named_by:
+        return True  # "this Audi": not the one who tells it
+    person = mention.head is not None and mention.head.value == "pedestrian" and reading.driver
+    if person and entity.ego and any(m.value == "first_person" for m in mention.mods[:1]):
+        return True  # "my neighbour": not the one who tells it
+    if person and (mention.pps or mention.narrowed) and entity.is_vehicle:
+        return not reading.called & entity.named_by  # "the bloke behind me"
+    bare = reading.det == "bare" and not reading.dirs and reading.kind is entity.kind
+    if bare and reading.called and entity.named_by and not reading.called & entity.named_by:
+        return bool(mention.pps)  # "bus from the left, tram from the right"
+    return bare and bool(mention.pps) and bool(entity.dirs)
+
+
+def refine(mention: Mention, draft: Draft) -> None:
+    """``vehicle 1, a pickup truck, …``: the apposition says what kind it is, or that it is the ego.
+
+    Args:
+        mention: the apposition, resolved.
+        draft: the scenario in the making.
+    """
+    if not mention.heads:
+        return
+    reading = read_mention(mention, draft.tokens, None)
+    afoot = any("afoot" in h.data for h in mention.heads)
+    known = any(e.ego for e in draft.entities)
+    for entity in mention.entities:
+        if not reading.generic and (reading.kind in _MOTOR or afoot):
+            entity.kind, entity.basis = reading.kind, Basis(mention.i, mention.j)
+        entity.ego = entity.ego or (reading.ego and not known)
+        entity.labels |= reading.labels
+        entity.named_by |= reading.called

@@ -1,0 +1,300 @@
+"""The participants of a text so far, singly and in the groups in which they came up."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.chunks import Mention
+from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.phrases.calling import contradict
+from scegen.understanding.reference.groups import Group, in_list
+from scegen.understanding.reference.mention_words import Reading
+from scegen.understanding.words.ordinals import POSITIONS
+from scegen.understanding.words.tokens import Token
+
+_MOTOR = frozenset(ParticipantKind) - {ParticipantKind.PEDESTRIAN}
+_RIDDEN = ParticipantKind.MOTORCYCLE
+_INCLUDING = frozenset({"including", "among", "amongst"})
+
+
+@dataclass(slots=True)
+class Roster:
+    """Who is known, and who was spoken of last.
+
+    Attributes:
+        draft: where participants are kept.
+        tokens: the tokens of the text.
+        groups: participants that came up together.
+        recent: everybody, the one spoken of last at the end.
+        subject: who acted last.
+        before: who acted before them.
+        landmark: who others were placed by last.
+    pair: the two of whom one was called "the former".
+    """
+
+    draft: Draft
+    tokens: list[Token]
+    groups: list[Group] = field(default_factory=list)
+    recent: list[Entity] = field(default_factory=list)
+    subject: list[Entity] = field(default_factory=list)
+    before: list[Entity] = field(default_factory=list)
+    landmark: list[Entity] = field(default_factory=list)
+    pair: list[Entity] = field(default_factory=list)
+
+    def spoken_of(self, found: list[Entity], *, subject: bool, settled: bool) -> None:
+        """Remembers a mention.
+
+        Args:
+            found: whom it means.
+            subject: it is the subject of its clause.
+            settled: the text says which way all of them go.
+        """
+        for group in self.groups[-1:]:
+            group.settled = group.settled or (settled and group.members == found)
+        for entity in found:
+            if entity in self.recent:
+                self.recent.remove(entity)
+            self.recent.append(entity)
+        if subject and found:
+            if found != self.subject:
+                self.before = self.subject
+            self.subject = found
+
+    def new(self, kind: ParticipantKind, basis: Basis) -> Entity:
+        """A new participant."""
+        return self.draft.add(kind, basis)
+
+    def claim(
+        self, count: int, exclude: list[Entity], reading: Reading | None = None
+    ) -> list[Entity]:
+        """Members of an earlier group that nobody has picked out yet."""
+        for group in reversed(self.groups):
+            free = [e for e in group.free if e not in exclude and self.fits(e, reading)]
+            if len(free) >= count:
+                for entity in free[:count]:
+                    entity.claimed = True
+                return free[:count]
+        return []
+
+    def rest(self, exclude: list[Entity]) -> list[Entity]:
+        """The one vehicle besides those just spoken of, if only one is left."""
+        out = {e.index for e in (*exclude, *self.subject)}
+        rest = [e for e in self.draft.entities if e.index not in out and e.is_vehicle]
+        return rest if len(rest) == 1 else []
+
+    def together(self, exclude: list[Entity]) -> list[Entity]:
+        """The last group, or the last two."""
+        if self.groups and len(self.groups[-1].members) > 1:
+            return list(self.groups[-1].members)
+        return [e for e in self.draft.entities if e not in exclude][-2:]
+
+    def further(self, exclude: list[Entity], basis: Basis) -> list[Entity]:
+        """``another``, ``a third one``: of a group that is being picked apart, else a new one."""
+        if any(group.vague or len(group.free) < len(group.members) for group in self.groups):
+            claimed = self.claim(1, exclude)
+            if claimed:
+                return claimed
+        afoot = len(self.subject) == 1 and self.subject[0] is self.draft.entities[-1]
+        alike = [e.kind for e in self.recent if e.is_vehicle or (afoot and e in self.subject)]
+        return [self.new((alike or [ParticipantKind.CAR])[-1], basis)]
+
+    def named(self, reading: Reading, names: set[str], exclude: list[Entity]) -> list[Entity]:
+        """``Two cars collided. Vehicle 1 …``: a new name goes to one without a name."""
+        for group in reversed(self.groups):
+            if group.vague and group.dirs - reading.dirs:
+                continue  # "across oncoming traffic": others than those with a name
+            nameless = [
+                e
+                for e in group.free
+                if e not in exclude
+                and self.fits(e, reading)
+                and not any(n.startswith("#") for n in e.labels)
+            ]
+            if nameless:
+                nameless[0].claimed = True
+                nameless[0].labels |= names
+                return nameless[:1]
+        return []
+
+    def included(self, reading: Reading, mention: Mention) -> list[Entity]:
+        """``five vehicles, including a bus and two trucks``: members get their kind."""
+        head = mention
+        while head.joined is not None and head.joined is not head:
+            head = head.joined
+        word = head.prep
+        listed = word is not None and self.tokens[word.i].low in _INCLUDING
+        listed = listed or (head.i > 0 and self.tokens[head.i - 1].low == ":")
+        listed = listed or self._after_colon(reading, mention)
+        if not listed or reading.generic:
+            return []
+        for group in reversed(self.groups):
+            free = [e for e in group.free if e.kind is ParticipantKind.CAR]
+            if len(free) >= reading.count and not group.specific:
+                for entity in free[: reading.count]:
+                    entity.kind, entity.claimed = reading.kind, True
+                    entity.basis, entity.counted = Basis(mention.i, mention.j), None
+                return free[: reading.count]
+        return []
+
+    def _after_colon(self, reading: Reading, mention: Mention) -> bool:
+        """``three vehicles meet: a bus turns, a taxi waits …``: each is one of the three."""
+        return reading.det in {"indef", "one"} and in_list(self.groups, self.tokens, mention)
+
+    def last_is_ego(self, mention: Mention) -> None:
+        """``three cars: the first …, the second …, and the ego``: the one that is left."""
+        if any(e.ego for e in self.draft.entities):
+            return
+        for group in reversed(self.groups):
+            counted = not group.vague and len(group.members) > 2 and len(group.free) == 1
+            listed = (
+                group is self.groups[-1]
+                and bool(group.free)
+                and in_list(self.groups, self.tokens, mention)
+            )
+            last = group.free[0] if counted or listed else None
+            if last is not None and last.kind is ParticipantKind.CAR and not last.parked:
+                last.ego = last.claimed = True
+                last.named_by.add("ego")
+
+    def told_what(self, reading: Reading, basis: Basis) -> list[Entity]:
+        """``three of us …, the van on my right``: what one of the others drives."""
+        for group in self.groups:
+            if group.unnamed and group.free and not reading.ego:
+                entity = group.free[0]
+                entity.kind, entity.basis, entity.claimed = reading.kind, basis, True
+                return [entity]
+        return []
+
+    def from_title(self, reading: Reading, mention: Mention) -> list[Entity]:
+        """``Lead vehicle stopped: … a stationary lead vehicle …``: a title names nobody new."""
+        colon = next((k for k, t in enumerate(self.tokens) if t.low == ":"), None)
+        if colon is None or mention.i < colon:
+            return []
+        before = [e for e in self.draft.entities if (e.basis.i or 0) < colon and not e.ego]
+        alike = [e for e in before if self.compatible(e, reading) and e.dirs == reading.dirs]
+        return alike[:1]
+
+    def by_order(self, reading: Reading, mention: Mention) -> list[Entity] | None:
+        """``the first car``, ``the second truck``: by the order in which they came up.
+
+        Args:
+            reading: what the words of the mention say.
+            mention: the mention.
+
+        Returns:
+            Whom it means; None if it says nothing of an order.
+        """
+        which = next((m.value for m in mention.mods if m.value in POSITIONS), None)
+        if which is None or reading.det not in {"def", "ordinal"} or reading.plural:
+            return None
+        if mention.mods[0].value != "def":
+            return None
+        for group in reversed(self.groups):
+            alike = [e for e in group.members if self.compatible(e, reading)]
+            if len(alike) > abs(POSITIONS[which]):
+                return self._claimed(alike[POSITIONS[which]])
+        alike = [e for e in self.draft.entities if self.compatible(e, reading)]
+        alike = [e for e in alike if not e.ego]
+        if not alike:
+            return None
+        known = alike[POSITIONS[which] :][:1] if POSITIONS[which] < len(alike) else []
+        return self._claimed(known[0]) if known else []
+
+    def _claimed(self, entity: Entity) -> list[Entity]:
+        """Picks somebody out of a group."""
+        entity.claimed = True
+        return [entity]
+
+    def fits(self, entity: Entity, reading: Reading | None) -> bool:
+        """Whether a member of a group can be meant."""
+        if reading is None:
+            return True
+        generic = reading.generic or reading.driver
+        same = entity.kind is reading.kind or (generic and entity.kind in _MOTOR)
+        return same and entity.parked == reading.parked
+
+    def agree(self, group: Group, reading: Reading) -> bool:
+        """Whether a group comes from where the mention says."""
+        return not reading.dirs or not group.dirs or reading.dirs == group.dirs
+
+    def compatible(self, entity: Entity, reading: Reading) -> bool:
+        """Whether the words of a mention can stand for a known participant."""
+        if reading.driver or reading.generic:
+            rides = entity.kind is ParticipantKind.BICYCLE and not reading.plural
+            kind = entity.kind in _MOTOR and (not rides or reading.kind is _RIDDEN)
+        else:
+            kind = entity.kind is reading.kind or self._motorbike(entity, reading)
+        adversary = reading.labels == {"adversary"} and not reading.plural
+        if adversary:
+            if entity.ego or (reading.generic is False and not kind):
+                return False
+            return "adversary" in entity.labels
+        if reading.labels and not reading.labels <= entity.labels:
+            return False
+        if contradict(entity.named_by, reading.called):
+            return False
+        return kind and (entity.parked or not reading.parked)
+
+    def _motorbike(self, entity: Entity, reading: Reading) -> bool:
+        """``a motorcyclist … the bike``: where no bicycle is about, the motorcycle."""
+        named = reading.called == {"bike"} and reading.det == "def"
+        kinds = {e.kind for e in self.draft.entities}
+        return named and entity.kind is _RIDDEN and ParticipantKind.BICYCLE not in kinds
+
+    def cast(self, reading: Reading, *, narrowed: bool, loci: set[str]) -> list[Entity]:
+        """``a leading car … the adversarial leading car``: somebody known gets the role.
+
+        Args:
+            reading: what the words say.
+            narrowed: further words say which one is meant.
+            loci: where these words put it, if they say no more than that.
+        """
+        if reading.det != "def" or reading.plural or reading.labels != {"adversary"}:
+            return []
+        if any("adversary" in e.labels for e in self.draft.entities):
+            return []
+        others = [e for e in self.draft.entities if not e.ego]
+        lone = len(others) == 1 < len(self.draft.entities) and not narrowed
+        if lone and others[0].kind is reading.kind and not (others[0].parked or reading.dirs):
+            return others
+        alike = [
+            e
+            for e in others
+            if (e.kind is reading.kind or (reading.generic and e.is_vehicle))
+            and e.dirs == reading.dirs
+            and not e.parked
+        ]
+        unclear = narrowed or (reading.generic and not reading.dirs)
+        together = any(all(e in g.members for e in alike) for g in self.groups)
+        certain = len(alike) == 1 or (together and bool(alike))
+        agrees = len(alike) == 1 and bool(loci & alike[0].loci)
+        return alike[:1] if certain and (reading.dirs or agrees or not unclear) else []
+
+    def enrich(self, known: list[Entity], reading: Reading) -> None:
+        """What a further mention says of known participants."""
+        for entity in known:
+            entity.labels |= reading.labels
+            entity.named_by |= reading.called if len(known) == 1 else set()
+            if reading.dirs and not entity.dirs:
+                entity.dirs |= reading.dirs
+
+    def introduce(self, reading: Reading, basis: Basis) -> list[Entity]:
+        """New participants."""
+        found = []
+        for _ in range(reading.count):
+            entity = self.new(reading.kind, basis)
+            entity.labels |= reading.labels
+            entity.named_by |= reading.called
+            entity.dirs |= reading.dirs
+            entity.parked = reading.parked
+            entity.parked_basis = basis if reading.parked else None
+            if reading.reason:
+                entity.counted = Basis(basis.i, basis.j, reading.reason)
+            entity.claimed = reading.count == 1
+            found.append(entity)
+        if len(found) > 1:
+            self.groups.append(
+                Group(found, reading.vague, set(reading.dirs), specific=not reading.generic)
+            )
+        return found

@@ -1,0 +1,1 @@
+"""Reports on a reading: for readers, against labels, and where two readings disagree."""

@@ -1,0 +1,258 @@
+"""Reads the shape, the arms and the control of the junction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from scegen.errors import InfeasibleError
+from scegen.scenario.functional import ARM_COUNTS, MAX_ARMS
+from scegen.scenario.vocabulary import Control, JunctionKind
+from scegen.understanding.draft import Basis
+from scegen.understanding.words import absent
+from scegen.understanding.words.angles import kind_of
+from scegen.understanding.words.shape_words import named_by_letter, only_counted
+from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import Token
+
+_BROKEN = frozenset({"broken", "failed", "inoperative", "malfunctioning", "defective", "faulty",
+                     "dead", "inoperable"})  # fmt: skip
+_OFF = ("out of order", "out of service", "not working", "switched off", "turned off", "not in use")
+_CLAUSES = frozenset({",", ".", ";", "when", "while", "as", "and", "before", "but"})
+_BROKEN_REACH = 7
+_ARM_NOUNS = frozenset({"exit", "road", "leg"})
+_ASSUMED_EXITS = 4
+_OF_SEVERAL = frozenset({"middle", "outside", "inside", "fast", "slow", "overtaking", "center",
+                         "centre", "passing"})  # fmt: skip
+_WINDOW = 6
+_FEWEST_ARMS = 3
+
+
+@dataclass(slots=True)
+class JunctionReading:
+    """What the text says about the junction; None where it says nothing.
+
+    Attributes:
+        kind: its shape.
+        kind_basis: the words for it.
+        arms: number of arms.
+        arms_basis: the words for them, or the reason.
+        control: who regulates priority.
+        control_basis: the words for it.
+        named: some word for a junction occurs, even if not its shape.
+        straight: the words for a straight road.
+        angles_deg: directions of the arms, rising.
+        angles_basis: the words for them.
+        road: the first word for a road.
+        highway: that word is one for a road with several lanes each way.
+    """
+
+    kind: JunctionKind | None = None
+    kind_basis: Basis | None = None
+    arms: int | None = None
+    arms_basis: Basis | None = None
+    control: Control | None = None
+    control_basis: Basis | None = None
+    named: Basis | None = None
+    road: Basis | None = None
+    straight: Basis | None = None
+    highway: bool = False
+    angles_deg: tuple[float, ...] = ()
+    angles_basis: Basis | None = None
+
+    @property
+    def crossing(self) -> bool:
+        """Whether roads meet as far as the words say."""
+        return self.kind not in {None, JunctionKind.STRAIGHT} or self.named is not None
+
+
+def read_junction(terms: list[Term], tokens: list[Token]) -> JunctionReading:
+    """What the text says about its junction.
+
+    Args:
+        terms: the terms of the text.
+        tokens: its tokens, for messages.
+
+    Raises:
+        InfeasibleError: if the words contradict geometry ("a T-intersection with five arms").
+    """
+    reading = JunctionReading()
+    for k, term in enumerate(terms):
+        if term.cat == "place":
+            _place(reading, terms, k, tokens)
+        elif term.cat in {"actor", "manner"} and "control" in term.data:
+            _set_control(reading, Control(term.data["control"]), Basis(term.i, term.j))
+        elif term.cat == "shape":
+            _shape(reading, terms, k, tokens)
+        elif term.cat == "cue":
+            _set_kind(reading, JunctionKind.SKEWED, Basis(term.i, term.j), override=True)
+        elif term.cat == "control" and not absent.negated(terms, k):
+            _set_control(reading, Control(term.value), Basis(term.i, term.j))
+        elif term.cat == "angles":
+            reading.angles_deg = term.data["degrees"]
+            reading.angles_basis = Basis(term.i, term.j)
+        elif term.cat in {"num", "quant"}:
+            _counted_arms(reading, terms, k)
+    _shaped_by_angles(reading)
+    _reconcile(reading, tokens)
+    return reading
+
+
+def _out_of_order(terms: list[Term], k: int, tokens: list[Token]) -> bool:
+    """``non-working traffic lights``, ``traffic lights that are out of order``."""
+    i, j = terms[k].i, terms[k].j
+    before = [t.low for t in tokens[max(0, i - 2) : i]]
+    if before[-1:] and (before[-1] in _BROKEN or before == ["non", "working"]):
+        return True
+    after = [t.low for t in tokens[j : j + _BROKEN_REACH]]
+    ends = [m for m, word in enumerate(after) if word in _CLAUSES]
+    after = after[: ends[0]] if ends else after
+    words = " ".join(after)
+    return bool(_BROKEN & set(after[:4])) or any(phrase in words for phrase in _OFF)
+
+
+def _place(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Token]) -> None:
+    term = terms[k]
+    basis = Basis(term.i, term.j)
+    if term.value == "junction" and (
+        absent.away_from(terms, k) or absent.none_named(terms, k, tokens)
+    ):
+        return
+    if term.value == "junction":
+        reading.named = reading.named or basis
+        if "kind" in term.data:
+            _set_kind(reading, JunctionKind(term.data["kind"]), basis)
+    elif term.value in {"road", "highway", "lane"}:
+        reading.road = reading.road or basis
+        lane = term.value == "lane" and tokens[term.i].low in _OF_SEVERAL
+        reading.highway = reading.highway or term.value == "highway" or lane
+        before = terms[k - 1] if k else None
+        if before is not None and before.value == "straight":
+            reading.straight = Basis(before.i, term.j)
+    control = term.data.get("control")
+    if term.value == "stop_sign" and absent.held(terms, k):
+        return
+    lamps = control == Control.SIGNALS and term.form == "s"
+    if lamps and k and terms[k - 1].cat == "possessive":
+        return  # "its lights" are a vehicle's
+    if control == Control.SIGNALS and _out_of_order(terms, k, tokens):
+        _set_control(reading, Control.UNCONTROLLED, basis)
+    elif control and absent.negated(terms, k):
+        _set_control(reading, Control.UNCONTROLLED, Basis(terms[k - 1].i, term.j))
+    elif control:
+        _set_control(reading, Control(control), basis)
+
+
+def _shape(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Token]) -> None:
+    """A shape counts where a junction is named after it or said to be so."""
+    term = terms[k]
+    counted = only_counted(terms, k, tokens)
+    if counted is not None:
+        reading.arms, reading.arms_basis = counted, Basis(term.i, term.j)
+        return
+    following = next(
+        (t for t in terms[k + 1 : k + 4] if t.cat == "place" and t.value == "junction"), None
+    )
+    letter = term.j - term.i == 1 and term.value in {"t", "y"}
+    named = letter and tokens[term.i].text == "T" and named_by_letter(terms, k)
+    if following is None and (letter or term.value == "four_way") and not named:
+        return
+    end = following.j if following is not None else term.j
+    kind = JunctionKind(term.value)
+    if kind is JunctionKind.SKEWED and following is None and reading.named is None:
+        return
+    _set_kind(reading, kind, Basis(term.i, end), override=True)
+
+
+def _set_kind(
+    reading: JunctionReading, kind: JunctionKind, basis: Basis, *, override: bool = False
+) -> None:
+    if reading.kind is None or (override and reading.kind is JunctionKind.FOUR_WAY):
+        reading.kind, reading.kind_basis = kind, basis
+    reading.named = reading.named or basis
+
+
+_STRENGTH = {
+    Control.ALL_WAY_STOP: 3,
+    Control.SIGNALS: 2,
+    Control.STOP: 1,
+    Control.YIELD: 1,
+    Control.PRIORITY_TO_RIGHT: 1,
+    Control.UNCONTROLLED: 0,
+}
+
+
+def _set_control(reading: JunctionReading, control: Control, basis: Basis) -> None:
+    if reading.control is None or _STRENGTH[control] > _STRENGTH[reading.control]:
+        reading.control, reading.control_basis = control, basis
+
+
+def _counted_arms(reading: JunctionReading, terms: list[Term], k: int) -> None:
+    """``five-way intersection``, ``with 5 exits``, ``where six roads meet``."""
+    number = terms[k]
+    noun = terms[k + 1] if k + 1 < len(terms) else None
+    if noun is None or noun.value not in _ARM_NOUNS or noun.cat not in {"leg", "place"}:
+        return
+    meets = any(t.value == "approach" for t in terms[k + 2 : k + 4])
+    joined = any(t.value == "junction" for t in terms[max(0, k - _WINDOW) : k + 4])
+    if noun.value == "road" and not meets:
+        return
+    if not joined and not meets:
+        return
+    basis = Basis(number.i, noun.j)
+    definite = bool(k) and terms[k - 1].cat == "det" and terms[k - 1].value == "def"
+    if number.cat == "num" and number.data["number"] < _FEWEST_ARMS and definite:
+        return  # "where the two branches meet": some of them
+    if number.cat == "num":
+        reading.arms, reading.arms_basis = int(min(number.data["number"], 999)), basis
+    elif number.value == "vague":
+        reason = f"several exits without a number are read as {_ASSUMED_EXITS}"
+        reading.arms, reading.arms_basis = _ASSUMED_EXITS, Basis(basis.i, basis.j, reason)
+    reading.named = reading.named or basis
+
+
+def _shaped_by_angles(reading: JunctionReading) -> None:
+    """Listed directions say how many arms there are, and the shape unless it is named."""
+    if not reading.angles_deg:
+        return
+    if reading.arms is None:
+        reading.arms, reading.arms_basis = len(reading.angles_deg), reading.angles_basis
+    if reading.kind in {None, JunctionKind.FOUR_WAY}:
+        reading.kind, reading.kind_basis = kind_of(reading.angles_deg), reading.angles_basis
+    reading.named = reading.named or reading.angles_basis
+
+
+def _reconcile(reading: JunctionReading, tokens: list[Token]) -> None:
+    arms = reading.arms
+    if arms is None:
+        return
+    kind = reading.kind
+    if kind is None:
+        kind = {3: JunctionKind.T, 4: JunctionKind.FOUR_WAY}.get(arms, JunctionKind.MULTI_WAY)
+        reading.kind, reading.kind_basis = kind, reading.arms_basis
+    elif kind is JunctionKind.FOUR_WAY and arms != ARM_COUNTS[kind][0]:
+        kind = JunctionKind.MULTI_WAY if _bare_crossing(reading, tokens) else kind
+        reading.kind = kind
+    fewest, most = ARM_COUNTS[kind]
+    if fewest <= arms <= most:
+        return
+    words = _written(reading, tokens)
+    what = "exits" if kind is JunctionKind.ROUNDABOUT else "arms"
+    wanted = f"exactly {fewest}" if fewest == most else f"{fewest} to {min(most, MAX_ARMS)}"
+    msg = f"a {kind.replace('_', '-')} junction cannot have {arms} {what} ({words})"
+    raise InfeasibleError(msg, where="junction", hint=f"It needs {wanted} {what}.")
+
+
+def _bare_crossing(reading: JunctionReading, tokens: list[Token]) -> bool:
+    """Whether it is called "crossroads", which may have any number of roads."""
+    basis = reading.kind_basis
+    return basis is not None and basis.i is not None and tokens[basis.i].low.startswith("cross")
+
+
+def _written(reading: JunctionReading, tokens: list[Token]) -> str:
+    spans = [reading.kind_basis, reading.arms_basis]
+    parts = [
+        " ".join(t.text for t in tokens[b.i : b.j])
+        for b in dict.fromkeys(s for s in spans if s)
+        if b.i is not None
+    ]
+    return " … ".join(f"'{p}'" for p in dict.fromkeys(parts))

@@ -1,0 +1,149 @@
+"""Reads weather, light, road surface, speed limit, lanes and driving side."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from scegen.scenario.functional import Environment
+from scegen.scenario.vocabulary import DrivingSide, RoadSurface, TimeOfDay, Visibility, Weather
+from scegen.understanding.draft import Basis
+from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import Token
+
+_LIMIT_REACH = 4
+_MOST_LANES = 3
+_CARRIAGEWAYS = frozenset({"motorway", "motorways", "carriageway", "carriageways", "autobahn"})
+"""Roads whose lanes are counted in one direction; "a two-lane highway" has one each way."""
+
+
+@dataclass(slots=True)
+class Surroundings:
+    """Conditions with the words that they rest on.
+
+    Attributes:
+        values: field of the environment -> value.
+        bases: field -> words.
+        speed_limit_mps: the limit, if one is given.
+        limit_basis: its words.
+        limit_term: the quantity used, so that it is not read as somebody's speed.
+        lanes: lanes per direction.
+        lanes_basis: the words or the reason.
+        lanes_in_all: what the text counts, where it seems to count both directions together.
+        side: driving side.
+        side_basis: its words.
+        two_lane: the words "two lanes" without "per direction": those of a roundabout's ring.
+    """
+
+    values: dict[str, str] = field(default_factory=dict)
+    bases: dict[str, Basis] = field(default_factory=dict)
+    speed_limit_mps: float | None = None
+    limit_basis: Basis | None = None
+    limit_term: Term | None = None
+    lanes: int | None = None
+    lanes_basis: Basis | None = None
+    lanes_in_all: int | None = None
+    side: DrivingSide | None = None
+    side_basis: Basis | None = None
+    highway: Basis | None = None
+    ramp: Basis | None = None
+    two_lane: Basis | None = None
+
+    def environment(self) -> Environment:
+        """The environment of the scenario."""
+        values = self.values
+        return Environment(
+            weather=Weather(values["weather"]) if "weather" in values else None,
+            time_of_day=TimeOfDay(values["time_of_day"]) if "time_of_day" in values else None,
+            road_surface=RoadSurface(values["road_surface"]) if "road_surface" in values else None,
+            visibility=Visibility(values["visibility"]) if "visibility" in values else None,
+        )
+
+
+def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
+    """The conditions that a text names.
+
+    Args:
+        terms: the terms of the text.
+        tokens: its tokens.
+    """
+    found = Surroundings()
+    for k, term in enumerate(terms):
+        basis = Basis(term.i, term.j)
+        if term.cat == "env":
+            found.values.setdefault(term.data["field"], term.value)
+            found.bases.setdefault(term.data["field"], basis)
+        elif term.cat == "side" and found.side is None:
+            found.side, found.side_basis = DrivingSide(term.value), basis
+        elif term.cat == "limit":
+            _limit(found, terms, k)
+        elif term.cat == "quantity" and term.j < len(tokens) and tokens[term.j].low == "zone":
+            _limit(found, [*terms[: k + 1], term], k)
+        elif term.cat == "num":
+            _lanes(found, terms, k, tokens)
+        elif term.cat == "label" and tokens[term.j - 1].forms[-1][0] == "lane":
+            _two_lanes(found, term, tokens)
+        elif term.cat == "place" and term.value == "highway":
+            found.highway = found.highway or basis
+        elif term.cat == "place" and term.value == "ramp":
+            found.ramp = found.ramp or basis
+    return found
+
+
+def _limit(found: Surroundings, terms: list[Term], k: int) -> None:
+    """The quantity next to "speed limit", after it first ("a limit of 50 km/h")."""
+    near = [*terms[k + 1 : k + 1 + _LIMIT_REACH], *terms[max(0, k - 2) : k]]
+    for term in near:
+        if term.cat == "punct":
+            continue
+        if term.cat == "quantity" and term.value == "speed" and found.limit_term is None:
+            limit = term.data["quantity"].value.high
+            if not 0 < limit <= 70:
+                return
+            found.speed_limit_mps = limit
+            span = sorted((terms[k], term), key=lambda t: t.i)
+            found.limit_basis = Basis(span[0].i, span[1].j)
+            found.limit_term = term
+            return
+
+
+def _two_lanes(found: Surroundings, term: Term, tokens: list[Token]) -> None:
+    """``two lanes per direction``; on a plain road "two lanes" are one for each direction."""
+    basis = Basis(term.i, term.j)
+    after = [t.low for t in tokens[term.j : term.j + 4]]
+    if "direction" in after or "way" in after or "approach" in after:
+        found.lanes, found.lanes_basis = 2, basis
+    found.two_lane = found.two_lane or basis
+
+
+def _lanes(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) -> None:
+    """``two lanes per direction``, ``a four-lane road``."""
+    number = terms[k]
+    noun = next((t for t in terms[k + 1 : k + 3] if t.cat == "place"), None)
+    if noun is None:
+        return
+    words = [t.low for t in tokens[noun.i : noun.j]]
+    if noun.value == "lane":
+        after = [t.low for t in tokens[noun.j : noun.j + 4]]
+        each_way = "direction" in after or "way" in after
+    elif words[0] == "lane":
+        each_way = False
+    else:
+        return
+    count = int(min(number.data["number"], 99))
+    each_way = each_way or noun.form == "s" or _one_way(terms[k + 1 : k + 4], count, tokens)
+    lanes = count if each_way else max(1, count // 2)
+    if not 1 <= lanes <= _MOST_LANES:
+        return
+    basis = Basis(number.i, noun.j)
+    if not each_way:
+        basis = Basis(basis.i, basis.j, f"{count} lanes in both directions together")
+        found.lanes_in_all = count
+    found.lanes, found.lanes_basis = lanes, basis
+
+
+def _one_way(after: list[Term], count: int, tokens: list[Token]) -> bool:
+    """``a three-lane motorway``: the lanes of one carriageway, as always where they are odd."""
+    words = {t.low for term in after for t in tokens[term.i : term.j]}
+    odd = count > 1 and count % 2 == 1
+    fast = any(term.value == "highway" for term in after)
+    return bool(words & _CARRIAGEWAYS) or (fast and odd)

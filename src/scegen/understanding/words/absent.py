@@ -1,0 +1,58 @@
+"""Words for junctions, signs and lights that are not there, or that somebody carries."""
+
+from __future__ import annotations
+
+from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import Token
+
+
+def held(terms: list[Term], k: int) -> bool:
+    """``a worker with a stop sign``: carried, not put up.
+
+    Args:
+        terms: the terms of the text.
+        k: index of the one that names it.
+    """
+    before = [t for t in terms[max(0, k - 3) : k] if t.cat != "det"]
+    carried = bool(before) and (before[-1].value == "with" or before[-1].form == "ing")
+    who = before[-2] if carried and len(before) > 1 else None
+    return who is not None and (who.cat, who.value) == ("actor", "pedestrian")
+
+
+def away_from(terms: list[Term], k: int) -> bool:
+    """``outside a junction``: the road between junctions.
+
+    Args:
+        terms: the terms of the text.
+        k: index of the one that names it.
+    """
+    before = [t for t in terms[max(0, k - 3) : k] if t.cat not in {"det", "shape"}]
+    return bool(before) and before[-1].value == "outside"
+
+
+def none_named(terms: list[Term], k: int, tokens: list[Token]) -> bool:
+    """``no junction``: none right there.
+
+    Args:
+        terms: the terms of the text.
+        k: index of the one that names it.
+        tokens: the tokens of the text.
+    """
+    before = terms[k - 1] if k else None
+    if before is not None and tokens[before.i].low in {"non", "mid"}:
+        return True  # "at a non-junction location"
+    return before is not None and (before.cat, before.value) == ("det", "negative")
+
+
+def negated(terms: list[Term], k: int) -> bool:
+    """``no traffic lights``, ``without a stop sign``.
+
+    Args:
+        terms: the terms of the text.
+        k: index of the one that names it.
+    """
+    before = terms[max(0, k - 3) : k]
+    return any(
+        (t.cat == "det" and t.value == "negative") or (t.cat == "prep" and t.value == "without")
+        for t in before
+    )

@@ -1,0 +1,56 @@
+"""Looks ahead in the words of a text for the noun that an adjective describes."""
+
+from __future__ import annotations
+
+from scegen.understanding.words.terms import Match, longest_match
+from scegen.understanding.words.tokens import Token
+
+
+def noun_follows(tokens: list[Token], j: int) -> bool:
+    """Whether a participant or thing is named at token ``j``, adjectives skipped.
+
+    Args:
+        tokens: the tokens of the text.
+        j: index of a token.
+    """
+    for step in range(3):
+        if j >= len(tokens):
+            return False
+        following = longest_match(tokens, j)
+        if following is None and step == 0 and tokens[j].kind == "word":
+            j += 1  # "a slow milk truck"
+            continue
+        if following is None:
+            return False
+        if following.has("actor", "thing"):
+            return not _needs_no_article(following, tokens, j)
+        if not following.has("state", "label", "dir", "manner", "verb") or following.has("prep"):
+            return following.has("view")
+        if following.has("verb") and following.form not in {"ing", "ed"}:
+            return False
+        j = following.j
+    return False
+
+
+def _needs_no_article(noun: Match, tokens: list[Token], j: int) -> bool:
+    """Pronouns and names ("me", "V1", "vehicle 2"): no participle describes them."""
+    if tokens[j].kind == "label" or any("me" in e.data or "speaks" in e.data for e in noun.entries):
+        return True
+    after = tokens[noun.j] if noun.j < len(tokens) else None
+    named = after is not None and (after.kind == "number" or _letter(after))
+    return named and noun.form == "base"
+
+
+def _letter(token: Token) -> bool:
+    return len(token.text) == 1 and token.text.isupper() and token.text != "I"
+
+
+def of_a_doing(match: Match, tokens: list[Token]) -> bool:
+    """``its slow turn``: how it is done, although "slow" is a verb, too.
+
+    Args:
+        match: a word with its meanings.
+        tokens: the tokens of the text.
+    """
+    doing = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    return match.has("manner") and doing is not None and doing.has("verb") and doing.form == "base"

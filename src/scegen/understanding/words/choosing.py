@@ -1,0 +1,296 @@
+"""Chooses among the meanings that a phrase has by itself, by the words around it."""
+
+from __future__ import annotations
+
+from scegen.understanding.lexicon import Entry
+from scegen.understanding.words.ahead import noun_follows, of_a_doing
+from scegen.understanding.words.measures import names_a_measure
+from scegen.understanding.words.nominal import ORDINALS
+from scegen.understanding.words.sidewords import across_from, creeps, left_or_gone
+from scegen.understanding.words.terms import Match, Term, longest_match
+from scegen.understanding.words.tokens import Token
+
+_NOMINAL_BEFORE = frozenset(
+    {"det", "possessive", "dir", "manner", "num", "quant", "label", "noted", "shape", "quantity"}
+)
+_NO_PREMODIFIER = frozenset({"aux", "actor", "pronoun", "neg", "rel"})
+_VERBAL_BEFORE = frozenset({"actor", "pronoun", "aux", "rel", "neg"})
+_ENTERED = frozenset({"enter", "merge", "leave", "block", "encounter", "avoid", "approach"})
+_OPENING = 10
+_DOINGS = frozenset({"cut_in", "lane_change", "merge", "overtake", "u_turn"})
+_NOUNS = ("place", "inert", "thing", "view", "env", "limit")
+_ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
+
+
+def _attributive(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """Whether a participle stands before the noun that it describes."""
+    owned = previous is not None and previous.cat in {"det", "possessive"}
+    if owned and match.form == "base" and of_a_doing(match, tokens):
+        return True
+    if not (_may_describe(previous) and noun_follows(tokens, match.j)):
+        return False
+    following = longest_match(tokens, match.j)
+    if previous is None and following is not None and _does_it_to(match, following, tokens):
+        return False
+    adverb = previous is not None and previous.cat in {"conj", "manner", "sub"}
+    singular = following is not None and following.has("actor") and following.form == "base"
+    return not (adverb and singular and match.form == "ed")  # "brakes and struck pedestrian"
+
+
+def _does_it_to(match: Match, noun: Match, tokens: list[Token]) -> bool:
+    """``Entering traffic from a side road, a van …``: what the van does, no kind of traffic."""
+    transitive = any(e.value in _ENTERED for e in match.entries)
+    if not transitive or not any("mass" in e.data for e in noun.entries):
+        return False
+    rest = [t.low for t in tokens[noun.j : noun.j + _OPENING]]
+    comma = rest.index(",") if "," in rest else len(rest)
+    return comma + 1 < len(rest) and rest[comma + 1] in {"a", "an", "the", "one", "another"}
+
+
+def _clause_follows(tokens: list[Token], j: int) -> bool:
+    """Whether the next noun has a verb of its own ("because leading vehicle brakes")."""
+    for _ in range(6):
+        if j >= len(tokens) or tokens[j].kind == "punct":
+            return False
+        following = longest_match(tokens, j)
+        if following is None:
+            j += 1
+            continue
+        if following.has("aux") or (following.has("verb") and following.form in {"s", "ed"}):
+            return not following.has("actor")
+        if following.has("sub", "conj"):
+            return False
+        j = following.j
+    return False
+
+
+def is_adverb(token: Token) -> bool:
+    """Whether a word ends like an adverb."""
+    return token.low.endswith("ly")
+
+
+def _may_describe(previous: Term | None) -> bool:
+    """Whether a participle here can describe the noun that follows.
+
+    After a subject or a comma it is a verb: "a van overtaking cars", "…, overtaking cars".
+    """
+    if previous is None:
+        return True
+    return previous.cat not in _NO_PREMODIFIER and previous.value != ","
+
+
+def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
+    """Decides between a verb and the other meanings of its form; says if it is a premodifier."""
+    before = previous.cat if previous else ""
+    verb = match.get("verb")
+    participle = match.form in {"ing", "ed"}
+    infinitive = previous is not None and previous.value == "to" and match.form == "base"
+    named = match.has("actor") and not creeps(match, tokens, previous)
+    if named and not (participle or infinitive) and before not in _VERBAL_BEFORE:
+        return match.get("actor"), False  # "a cycle", not "they cycle"
+    attributive = _attributive(match, tokens, previous)
+    if participle and before in {"conj", "sub"} and match.has("dir"):
+        # "turning left and following vehicle B": without an article it is no adjective
+        attributive = _clause_follows(tokens, match.j)
+    if match.has("place", "dir") and match.get("place").value == "junction":
+        shaped = before in {"shape", "control", "det"} and not attributive
+        return (match.get("place") if shaped else _without_place(match, attributive)), attributive
+    if match.has("dir") and match.get("dir").value == "left":
+        return left_or_gone(match, tokens, previous)
+    if match.form == "base" and before == "aux" and previous is not None and previous.value == "be":
+        return match.get(*_ADJECTIVE_CATS, "verb"), False
+    if participle and attributive:
+        return (match.get(*_ADJECTIVE_CATS) if match.has(*_ADJECTIVE_CATS) else verb), True
+    if match.has("dir", "state", "manner") and attributive and not participle:
+        return match.get("dir", "state", "manner"), True
+    if _must_be_verb(match, tokens, previous):
+        return verb, False
+    if names_a_measure(match, tokens, previous):
+        return match.get("inert"), False
+    if match.has(*_NOUNS) and match.form in {"base", "s"} and _noun_slot(match, tokens, previous):
+        part = match.has("dir") and match.get("dir").value == "rear" and before != "manner"
+        return match.get("dir") if part else match.get(*_NOUNS), False  # "hit the back of it"
+    if match.has("dir") and match.form == "base" and not _second_verb(match, tokens, previous):
+        return match.get("dir"), False
+    return verb, False
+
+
+def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """``one exits``, ``a car from the left speeds through``, ``they both cross``."""
+    if previous is None:
+        return False
+    if previous.cat == "quant" and previous.value in {"all", "both"}:
+        return not (match.has(*_NOUNS) and match.form == "s")
+    if match.form != "s":
+        return False
+    headed = tokens[previous.j - 1].low in {"way", "direction"}
+    if previous.cat in {"dir", "compass"} and (headed or _article(tokens, match.j)):
+        return True  # "a car coming the other way brakes"
+    one = previous.cat == "num" and previous.data.get("number") == 1
+    one = one or (previous.cat == "label" and previous.value in ORDINALS)  # "the first brakes"
+    sided = previous.cat == "dir" and previous.value in {"left", "right"}
+    sided = sided and match.has("inert", "thing")  # "from the left barrels through"
+    if previous.cat == "dir" and match.get("verb").value == "inert" and _way_at(tokens, match.j):
+        return True  # "a car from the front signals right"
+    return one or sided
+
+
+def _way_at(tokens: list[Token], j: int) -> bool:
+    """Whether a side is named there."""
+    return j < len(tokens) and tokens[j].low in {"left", "right"}
+
+
+def _listed_quality(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """``…, slow leader in the same lane``: what somebody is like, no verb."""
+    listed = previous is not None and previous.value in {",", ":", ";"}
+    following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    actor = following is not None and following.has("actor") and following.form == "base"
+    return listed and actor and match.form == "base" and match.has("manner") and match.has("verb")
+
+
+def _article(tokens: list[Token], j: int) -> bool:
+    """Whether an article stands there."""
+    return j < len(tokens) and tokens[j].low in {"a", "an", "the", "its"}
+
+
+def _noun_slot(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """Whether a noun may stand here: after an article, an adjective or a preposition."""
+    if previous is None:
+        return False
+    preposed = previous.cat == "prep" and previous.value != "to"
+    adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
+    compound = previous.cat == "place" and match.form == "base" and match.has("inert")
+    compound = compound or tokens[previous.i].low == "whose"
+    return (previous.cat in _NOMINAL_BEFORE and not adverb) or preposed or compound
+
+
+def _verb_slot(previous: Term | None) -> bool:
+    """Whether a verb is due: after its subject, an auxiliary, "to", or a verb that takes one."""
+    if previous is None:
+        return False
+    controls = previous.cat == "verb" and "control" in previous.data
+    controls = controls and previous.value != "unknown"
+    return controls or previous.cat in _VERBAL_BEFORE or previous.value == "to"
+
+
+def _second_verb(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """Whether a verb is due, also as the second of two ("get off and cross")."""
+    joined = previous is not None and (previous.cat == "conj" or previous.value == ",")
+    joined = joined and match.get("dir").value == "lateral"
+    return _verb_slot(previous) or (joined and not noun_follows(tokens, match.j))
+
+
+def _without_place(match: Match, attributive: bool) -> Entry:
+    """``crossing`` describes a vehicle or is what somebody does, unless it is a shaped one."""
+    return match.get("dir" if attributive else "verb")
+
+
+def _not_inflected(match: Match) -> Match:
+    """``the neighbouring lane``, ``boxed in``: no noun has such a form."""
+    kept = tuple(e for e in match.entries if e.cat not in {"actor", "thing"})
+    inflected = match.form in {"ing", "ed"} and kept
+    return Match(kept, match.j, match.form) if inflected else match
+
+
+def _describes(match: Match, tokens: list[Token]) -> bool:
+    """Whether a role name stands before another adjective and a noun."""
+    following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    if following is None or following.has("actor"):
+        return False
+    return noun_follows(tokens, match.j)
+
+
+def _relates(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """``a bus that turns``, ``a bus from the right that turns``."""
+    if previous is None:
+        return False
+    if match.j < len(tokens) and tokens[match.j].low == ",":
+        return True  # "a taxi that, looking for a fare, brakes"
+    after = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
+    verbal = verbal and after is not None and not after.has("actor", "place")
+    sided = previous.cat in {"dir", "compass"} and verbal
+    return sided or previous.cat in {"actor", "place", "thing", "inert"}
+
+
+def _before_a_noun(match: Match, tokens: list[Token]) -> bool:
+    """``the red car``, ``the red one``: a colour; ``the red`` alone is a light."""
+    following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    if following is not None and following.has("actor", "place", "label"):
+        return True
+    return match.j < len(tokens) and tokens[match.j].low in {"one", "ones"}
+
+
+_PRIORITY = (
+    "noted", "cue", "control", "side", "env", "view", "actor", "possessive", "det", "pronoun",
+    "aux", "neg", "sub", "conj", "quant", "dir", "locus", "state", "place", "prep", "manner",
+    "rel", "shape", "leg", "compass", "thing", "label", "copy", "roadmod", "inert",
+)  # fmt: skip
+
+
+def _relative_or_article(match: Match, tokens: list[Token], previous: Term | None) -> Entry:
+    """``that`` after a noun opens a clause; else it points at the noun that follows."""
+    noun_before = previous is not None and previous.cat in {"actor", "place", "thing", "inert"}
+    after = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
+    sided = previous is not None and previous.cat in {"dir", "compass"}
+    if sided and verbal and after is not None and not after.has("actor", "place"):
+        return match.get("rel")  # "a bus from the right that turns"
+    return match.get("rel" if noun_before else "det")
+
+
+def _of_a_kind(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """``the cut-in vehicle``, ``a lane-change car``: a doing that tells which one is meant."""
+    opens = previous is None or previous.cat in {"det", "punct", "sub"}
+    noun = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    hyphen = match.j - 1 > 0 and tokens[match.j - 1].start == tokens[match.j - 2].end + 1
+    return opens and hyphen and noun is not None and noun.only("actor") and noun.form == "base"
+
+
+def _describes_a_noun(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """Whether the only meaning is a verb that stands before the noun it describes."""
+    entry = match.entries[0]
+    if entry.cat != "verb":
+        return False
+    if entry.value in _DOINGS and match.form == "base":
+        return _of_a_kind(match, tokens, previous)
+    return match.form in {"ing", "ed"} and _attributive(match, tokens, previous)
+
+
+def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
+    """The meaning that fits the words around, and whether it is a participle before a noun.
+
+    Args:
+        match: a phrase with its meanings.
+        tokens: the tokens of the text.
+        previous: the term before.
+    """
+    match = across_from(_not_inflected(match), tokens, previous)
+    if match.has("actor") and match.has("label") and _describes(match, tokens):
+        return match.get("label"), False  # "the adversarial leading car"
+    if match.has("noted") and match.has("actor") and previous and previous.cat == "det":
+        return match.get("noted" if noun_follows(tokens, match.j) else "actor"), False
+    if len(match.entries) == 1:
+        return match.entries[0], _describes_a_noun(match, tokens, previous)
+    if match.has("verb"):
+        listed = _listed_quality(match, tokens, previous)
+        other = _verb_or_other(match, tokens, previous)
+        return (match.get("manner"), False) if listed else other
+    if match.has("rel") and match.has("det"):
+        return match.get("rel" if _relates(match, tokens, previous) else "det"), False
+    if match.has("label") and match.has("place"):
+        return match.get("label" if _before_a_noun(match, tokens) else "place"), False
+    if match.has("neg") and match.has("pronoun"):
+        following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+        listed = following is not None and following.has("det", "actor", "possessive")
+        return match.get("neg" if listed else "pronoun"), False
+    if match.has("leg") and previous is not None and previous.cat == "num":
+        return match.get("leg"), False
+    inside = previous is not None and previous.cat in {"actor", "pronoun", "num", "aux"}
+    if match.has("conj") and match.has("manner") and inside:
+        return match.get("manner"), False  # "a jogger then ran"
+    if match.has("manner") and match.has("label") and previous and previous.cat == "det":
+        return match.get("label"), False
+    if match.has("det") and match.has("inert"):
+        return match.get("det"), False
+    return match.get(*_PRIORITY), False

@@ -1,0 +1,80 @@
+"""Nouns that only gather others: "a steady stream of cars", "the flow of traffic"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import Token
+
+_GATHERING = frozenset({"stream", "flow", "line", "queue", "row", "column", "string", "group",
+                        "convoy", "platoon", "crowd", "tailback", "wave", "procession", "chain",
+                        "file", "cluster", "bunch", "number", "series", "succession"})  # fmt: skip
+_DESCRIBING = frozenset({"unknown", "inert", "label", "manner", "noted", "state", "verb"})
+_TOLD = frozenset({"manner", "state", "verb", "noted"})
+_MOST_ADJECTIVES = 3
+_OPENERS = frozenset({"det", "possessive"})
+
+
+def gather(terms: list[Term], tokens: list[Token]) -> list[Term]:
+    """The terms with such a noun and its "of" made part of the words before the noun after it.
+
+    Args:
+        terms: the terms of the text.
+        tokens: its tokens.
+    """
+    found: list[Term] = []
+    k = 0
+    while k < len(terms):
+        merged = _gathered(terms, k, tokens)
+        if merged is None:
+            found.append(terms[k])
+            k += 1
+            continue
+        described: list[Term] = []
+        while found and _adjective(found[-1], tokens) and _opened(found):
+            described.insert(0, found.pop())
+        opener = found[-1] if found and found[-1].cat in _OPENERS else None
+        if opener is not None:
+            found.pop()
+        start = opener.i if opener is not None else terms[k].i
+        definite = opener is not None and (opener.cat == "possessive" or opener.value == "def")
+        kind = ("det", "def") if definite else ("quant", "vague")
+        told = [t for t in described if t.cat in _TOLD]  # "a slow convoy of lorries" is slow
+        found.append(Term(*kind, start, told[0].i if told else merged))
+        found += told[:-1] + ([replace(told[-1], j=merged)] if told else [])
+        k += 2
+    return found
+
+
+def _gathered(terms: list[Term], k: int, tokens: list[Token]) -> int | None:
+    """Where the words end that only gather; None if the term does nothing of the kind."""
+    term = terms[k]
+    of = terms[k + 1] if k + 1 < len(terms) else None
+    noun = tokens[term.j - 1].forms[-1][0] in _GATHERING and term.j - term.i == 1
+    if not noun or term.cat in {"verb", "quant"} or of is None or of.value != "of":
+        return None
+    for after in terms[k + 2 : k + 2 + _MOST_ADJECTIVES]:
+        if after.cat == "actor":
+            return of.j
+        if after.cat not in {*_DESCRIBING, "dir", "quant"}:
+            return None
+    return None
+
+
+def _adjective(term: Term, tokens: list[Token]) -> bool:
+    if term.cat == "inert" and term.value != "adjective":
+        return False
+    if term.cat == "verb" and not (term.premod or tokens[term.i].low.endswith("ing")):
+        return False
+    return term.cat in _DESCRIBING
+
+
+def _opened(found: list[Term]) -> bool:
+    """Whether an article stands before the adjectives at the end."""
+    for term in reversed(found[-1 - _MOST_ADJECTIVES :]):
+        if term.cat in _OPENERS:
+            return True
+        if term.cat not in _DESCRIBING:
+            return False
+    return False

@@ -1,0 +1,82 @@
+"""Letters and digits that name participants and roads, and people named by age or sex."""
+
+from __future__ import annotations
+
+import re
+
+from scegen.understanding.words.ahead import noun_follows
+from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import Token
+
+_LABELLED = re.compile(r"^(?:v|veh|u|d|car|cv)\d{1,2}$")
+_WALKER = re.compile(r"^(?:p|ped)\d{1,2}$")
+_ROAD = re.compile(r"^(?:a|b|m|i|us|sr|cr|sh|fm|rn|hwy|rte)\d{1,2}$")
+_AGES = frozenset({"age", "aged", "ages"})
+_SEXES = frozenset({"male", "female", "males", "females"})
+
+
+def named_at(tokens: list[Token], i: int) -> Term | None:
+    """A participant or road that has no noun.
+
+    Args:
+        tokens: the tokens of the text.
+        i: where it may begin.
+    """
+    return (
+        _labelled(tokens[i], i)
+        or _hyphened(tokens, i)
+        or _road_number(tokens, i)
+        or _aged(tokens, i)
+    )
+
+
+def _labelled(token: Token, i: int) -> Term | None:
+    """``V1``, ``car2``: a participant called by a short name."""
+    digits = token.low.lstrip("abcdefghijklmnopqrstuvwxyz")
+    if token.kind == "label" and _LABELLED.match(token.low):
+        return Term("actor", "car", i, i + 1, "base", {"label": f"#{digits}"})
+    if token.kind == "label" and _WALKER.match(token.low):
+        return Term("actor", "pedestrian", i, i + 1, "base", {"label": f"#p{digits}"})
+    return None
+
+
+def _hyphened(tokens: list[Token], i: int) -> Term | None:
+    """``D-1``, ``P-2``: the same with a hyphen."""
+    after = tokens[i + 1] if i + 1 < len(tokens) else None
+    joined = after is not None and after.kind == "number" and after.start == tokens[i].end + 1
+    if after is None or not joined or tokens[i].text not in {"V", "U", "D", "P"}:
+        return None
+    if not after.text.isdigit() or len(after.text) > 1:
+        return None
+    if tokens[i].text == "P":
+        return Term("actor", "pedestrian", i, i + 2, "base", {"label": f"#p{after.text}"})
+    return Term("actor", "car", i, i + 2, "base", {"label": f"#{after.text}"})
+
+
+def _road_number(tokens: list[Token], i: int) -> Term | None:
+    """``the A40``, ``I-95``, ``US 1``: a road."""
+    token = tokens[i]
+    if token.kind == "label" and token.text[0].isupper() and _ROAD.match(token.low):
+        return Term("place", "highway" if token.low[0] in "mi" else "road", i, i + 1)
+    after = tokens[i + 1] if i + 1 < len(tokens) else None
+    joined = after is not None and after.kind == "number" and after.start <= token.end + 1
+    if not (joined and token.text.isupper() and _ROAD.match(f"{token.low}1")):
+        return None
+    if token.low == "a" and after is not None and after.start > token.end:
+        return None
+    return Term("place", "highway" if token.low[0] in "mi" else "road", i, i + 2)
+
+
+def _aged(tokens: list[Token], i: int) -> Term | None:
+    """``a 34-year-old cyclist``, ``the 17-year-old``: an age or a sex, or somebody of it."""
+    after = tokens[i + 1] if i + 1 < len(tokens) else None
+    if tokens[i].low in _AGES and after is not None and after.kind == "number":
+        return Term("label", "quality", i, i + 2)  # "a pedestrian, aged 70, …"
+    words = [t.low for t in tokens[i + 1 : i + 3]]
+    aged = words == ["year", "old"] and tokens[i].kind == "number"
+    if not aged and tokens[i].low not in _SEXES:
+        return None
+    j = i + 3 if aged else i + 1
+    if noun_follows(tokens, j) or (j < len(tokens) and tokens[j].low in _SEXES):
+        return Term("label", "quality", i, j)
+    return Term("actor", "pedestrian", i, j)

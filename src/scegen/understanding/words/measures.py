@@ -1,0 +1,25 @@
+"""Nouns that name what is measured: "speed: 50 km/h"."""
+
+from __future__ import annotations
+
+from scegen.understanding.words.terms import Match, Term
+from scegen.understanding.words.tokens import Token
+
+_MEASURES = frozenset({"difference", "differential", "gap", "of", "is", "was", "about", "approx",
+                       "approximately", "around", "up"})  # fmt: skip
+
+
+def names_a_measure(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """``speed 50 km/h``, ``host speed: …``, ``speed difference``: what is measured, not a verb.
+
+    Args:
+        match: the word with its meanings.
+        tokens: the tokens of the text.
+        previous: the term before.
+    """
+    if not match.has("inert") or match.form != "base" or match.get("verb").value != "speed":
+        return False
+    if previous is not None and (previous.cat in {"aux", "pronoun"} or previous.value == "to"):
+        return False
+    following = tokens[match.j] if match.j < len(tokens) else None
+    return following is None or following.kind in {"number", "punct"} or following.low in _MEASURES

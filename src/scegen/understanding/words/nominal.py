@@ -1,0 +1,136 @@
+"""Verb forms that stand as nouns: "a sudden stop", "a left turn"."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import Token
+
+OPENERS = frozenset({"det", "possessive", "num", "quant"})
+WAYS = frozenset({"left", "right", "straight"})
+_SIDE_ONLY = 2
+_NAMED_BY_SIDE = frozenset({"turn", "u_turn", "lane_change", "sharp_turn", "merge", "leave"})
+"""Actions that a side tells apart: "the left turn"."""
+_OWNED = frozenset({"lane", "path", "side"})
+_HAD = frozenset({"dir", "place", "inert"})
+VERBAL_LINKS = frozenset({"prep", "locus"})
+ORDINALS = frozenset({"first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth",
+                      "former", "latter"})  # fmt: skip
+
+
+def is_nominal(
+    mods: list[Term],
+    head: Term,
+    following: Term | None,
+    chunks: list[Chunk],
+    tokens: list[Token],
+) -> bool:
+    """Whether a verb form after these words is a noun ("a sudden stop").
+
+    Args:
+        mods: the words before it.
+        head: the verb form.
+        following: the term after it.
+        chunks: the chunks read so far.
+        tokens: the tokens of the text.
+    """
+    if head.cat != "verb" or head.form == "ed":
+        return False
+    if head.form == "s" and [m.cat for m in mods] == ["possessive", "dir"]:
+        return False  # "the van to the ego's right creeps forward"
+    if mods and mods[-1].cat == "quant" and mods[-1].value in {"both", "all"}:
+        return False  # "both go"
+    named = any(m.cat == "label" for m in mods) and head.form == "base"
+    if not any(m.cat in {*OPENERS, "dir", "manner"} for m in mods) and not named:
+        return False  # "evasive lane change" is one as well
+    previous = chunks[-1] if chunks else None
+    if mods[0].cat == "dir" and isinstance(previous, Event) and previous.control is None:
+        return False
+    if mods[0].cat == "dir" and isinstance(previous, Word) and previous.cat == "aux":
+        return False
+    if mods[0].value == "opposite" and len(mods) == 1 and isinstance(previous, Mention):
+        return False  # "the car opposite turns left"
+    after_prep = isinstance(previous, Word) and previous.cat in VERBAL_LINKS
+    placed = has_dir(mods) or mods[-1].cat == "compass"
+    turned = head.value == "turn" and _way(following)
+    turned = turned or mods[-1].cat == "compass" or mods[-1].value in {"front", "rear"}
+    listed = _after_a_side(chunks)
+    sided = placed and (head.form == "s" or turned or listed)
+    after_prep = after_prep or listed
+    if after_prep and placed and len(mods) <= _SIDE_ONLY and head.value not in _NAMED_BY_SIDE:
+        return False  # "cars from the right enter"
+    if after_prep and (sided or (has_dir(mods) and "control" in head.data)):
+        return False
+    if tokens[mods[-1].i].low == "others":
+        return False  # "two others turn"
+    last = next((m for m in reversed(mods) if m.cat != "manner"), mods[-1])
+    pronominal = last.cat == "num" or last.value in {"another", "other", *ORDINALS}
+    if pronominal and head.form != "base":
+        return False
+    return not (mods[0].cat == "manner" and head.form == "s")
+
+
+def _after_a_side(chunks: list[Chunk]) -> bool:
+    """``from the left and the right stop …``: the second side, not a noun."""
+    if len(chunks) < 2:
+        return False
+    place, joint = chunks[-2:]
+    joined = isinstance(joint, Word) and joint.value in {"and", "or"}
+    if not joined or not isinstance(place, Place) or place.kind != "side":
+        return False
+    return bool(place.mods) and place.mods[0].value != "indef"  # "either a left or a right turn"
+
+
+def _way(follows: Term | None) -> bool:
+    """``cars from the left turn right``: a noun would not say which way."""
+    return follows is not None and follows.cat == "dir"
+
+
+def has_dir(mods: list[Term]) -> bool:
+    """Whether a direction stands among the words before a noun."""
+    return any(m.cat == "dir" for m in mods)
+
+
+def compound_end(head: Term, following: Term | None) -> Term:
+    """``a construction area``: the last noun of a compound, the head itself if it is none.
+
+    Args:
+        head: a noun for a thing.
+        following: the term after it.
+    """
+    if head.value != "obstacle" or following is None:
+        return head
+    return following if (following.cat, following.value) == ("inert", "noun") else head
+
+
+def ego_owns(heads: list[Term], following: Term | None) -> bool:
+    """``the ego lane``, ``the egos left turn``: what follows is the ego's.
+
+    Args:
+        heads: the nouns of a participant.
+        following: the term after them.
+    """
+    if following is None or not any(h.data.get("ego") for h in heads):
+        return False
+    misspelt = heads[-1].form == "s" and following.cat in _HAD
+    return misspelt or (following.cat == "place" and following.value in _OWNED)
+
+
+def governed(chunks: list[Chunk]) -> bool:
+    """Whether a side named next belongs to a preposition ("from left and right").
+
+    Args:
+        chunks: the chunks read so far.
+    """
+    previous = chunks[-1] if chunks else None
+    preposed = isinstance(previous, Word) and previous.cat in VERBAL_LINKS
+    return preposed or _after_a_side(chunks)
+
+
+def one_side(term: Term) -> bool:
+    """Whether a further direction may belong to the same side ("front left").
+
+    Args:
+        term: the direction before it.
+    """
+    return term.value not in WAYS and term.cat != "compass"

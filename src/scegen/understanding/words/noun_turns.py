@@ -1,0 +1,62 @@
+"""Sides that name a turn without the word: "an unprotected left", "during its left"."""
+
+from __future__ import annotations
+
+from scegen.understanding.words.terms import Term, longest_match
+from scegen.understanding.words.tokens import Token
+
+_DURING = frozenset({"for", "during", "before", "after", "of", "through", "into", "to",
+                     "following", "upon"})  # fmt: skip
+_INTO = frozenset({"into", "through", "to", "of", "with"})
+"""Words after which only "a left", not "the left", is a turn."""
+_BEGINNING = frozenset({"start", "begin", "attempt", "try", "commence", "complete", "finish",
+                        "initiate", "perform", "execute", "make", "plan", "want", "risk",
+                        "abort", "await"})  # fmt: skip
+_NOUNS = ("verb", "place", "actor", "dir", "locus", "noted", "thing", "leg", "view")
+_ARTICLES = frozenset({"det", "possessive"})
+
+
+def names_a_turn(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
+    """Whether a bare side is a turn.
+
+    Args:
+        term: "left" or "right".
+        terms: the terms before it.
+        tokens: the tokens of the text.
+    """
+    if term.cat != "dir" or term.value not in {"left", "right"} or not terms:
+        return False
+    if not _bare(tokens, term):
+        return False
+    k = len(terms) - 1
+    qualified = terms[k].cat == "manner" and terms[k].i == terms[k].j - 1
+    if terms[k].value == "unprotected" or tokens[terms[k].i].low in {"protected", "permitted"}:
+        return True
+    while k > 0 and (terms[k].cat == "manner" or tokens[terms[k].i].low.endswith("ed")):
+        k -= 1
+    if terms[k].cat not in _ARTICLES or k == 0:
+        return False
+    before = tokens[terms[k - 1].j - 1]
+    definite = tokens[terms[k].i].low not in {"a", "an", "another"}
+    if terms[k].value == "genitive":
+        before = tokens[terms[k].i - 1]
+        return qualified
+    if before.low in {"to", "on"} and _of_a_lane(terms, k - 2):
+        return False  # "in the lane to its left"
+    if before.low in _DURING:
+        own = (terms[k].cat == "possessive" and before.low != "to") or not definite
+        return own if before.low in _INTO else before.low != "after" or own
+    return before.forms[-1][0] in _BEGINNING and not (definite and terms[k].cat == "det")
+
+
+def _of_a_lane(terms: list[Term], k: int) -> bool:
+    """Whether the side tells which lane or other place is meant."""
+    return k >= 0 and terms[k].cat in {"place", "thing", "actor"}
+
+
+def _bare(tokens: list[Token], term: Term) -> bool:
+    """No noun follows that the side would belong to."""
+    following = longest_match(tokens, term.j) if term.j < len(tokens) else None
+    if following is not None and tokens[term.j].low in {"of", "side", "hand"}:
+        return False
+    return following is None or not following.has(*_NOUNS)

@@ -1,0 +1,69 @@
+"""Number words and digits."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+from text_to_num import text2num
+
+from scegen.understanding.words.tokens import Token
+
+_ATOMS = frozenset(
+    (
+        "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven",
+        "twelve", "thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen",
+        "nineteen", "twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety",
+        "hundred", "thousand",
+    )
+)  # fmt: skip
+_FRACTION_DIGITS = 3
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """A number and how many tokens it takes."""
+
+    value: float
+    length: int
+
+
+@lru_cache(maxsize=1024)
+def _spoken(words: tuple[str, ...]) -> float | None:
+    try:
+        return float(text2num(" ".join(words), "en"))
+    except ValueError:
+        return None
+
+
+def _digits(text: str) -> float:
+    """``1,000`` is a thousand, ``1,5`` one and a half."""
+    head, comma, tail = text.partition(",")
+    if comma and len(tail) == _FRACTION_DIGITS:
+        return float(head + tail)
+    return float(text.replace(",", "."))
+
+
+def number_at(tokens: list[Token], i: int) -> Number | None:
+    """The number that begins at token ``i``, if one does.
+
+    Args:
+        tokens: all tokens of the text.
+        i: index of the token to look at.
+
+    Returns:
+        The number, or None.
+    """
+    token = tokens[i]
+    if token.kind == "number":
+        return Number(_digits(token.text), 1)
+    if token.low not in _ATOMS:
+        return None
+    j = i
+    while j < len(tokens) and tokens[j].low in _ATOMS and j - i < 6:
+        j += 1
+    for end in range(j, i, -1):
+        value = _spoken(tuple(t.low for t in tokens[i:end]))
+        if value is not None:
+            return Number(value, end - i)
+    return None

@@ -1,0 +1,60 @@
+"""Words that are of another class here than most often: "facing", "neither", "left", "yards"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from scegen.understanding.words.particles import a_drive
+from scegen.understanding.words.terms import Term, longest_match
+from scegen.understanding.words.tokens import Token
+
+
+def other_class(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
+    """The term with the class that the words around it ask for.
+
+    Args:
+        term: the term.
+        terms: the terms before it; a number that it measures is taken from them.
+        tokens: the tokens of the text.
+    """
+    if terms and _in_yards(terms, tokens, term):
+        number = terms.pop()
+        return Term("quantity", "other", number.i, term.j, data={"quantity": None})
+    if term.value == "neither" and _negates_a_verb(term, terms, tokens):
+        return replace(term, cat="neg", value="not")
+    if term.value == "left" and term.cat == "dir" and _remains(terms, tokens, term):
+        return replace(term, cat="inert", value="adjective")
+    if term.cat == "verb" and a_drive(tokens, term.i):
+        return Term("place", "access", term.i, term.j, term.form)
+    if tokens[term.i].low == "facing" and _across_from_somebody(term, terms, tokens):
+        return Term("locus", "opposite", term.i, term.j)  # "the truck facing the ego"
+    return term
+
+
+def _in_yards(terms: list[Term], tokens: list[Token], term: Term) -> bool:
+    """``a hundred yards ahead``: a length, not a place."""
+    return tokens[term.i].low in {"yard", "yards", "yds"} and terms[-1].cat == "num"
+
+
+def _negates_a_verb(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
+    """``the van neither brakes nor yields``: its subject stands before it."""
+    after = tokens[term.j].low if term.j < len(tokens) else "of"
+    opens = not terms or terms[-1].cat in {"punct", "conj", "sub", "rel"}
+    return term.j - term.i == 1 and not opens and after != "of"
+
+
+def _remains(terms: list[Term], tokens: list[Token], term: Term) -> bool:
+    """``until a metre is left``: nothing of a side."""
+    ends = term.j >= len(tokens) or tokens[term.j].kind == "punct"
+    copula = bool(terms) and (terms[-1].cat, terms[-1].value) == ("aux", "be")
+    measured = len(terms) > 1 and terms[-2].cat not in {"actor", "pronoun", "rel"}
+    return ends and copula and measured
+
+
+def _across_from_somebody(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
+    """Whether a participant stands right before "facing", and another after it."""
+    after = longest_match(tokens, term.j) if term.j < len(tokens) else None
+    if after is not None and after.has("det", "possessive") and after.j < len(tokens):
+        after = longest_match(tokens, after.j)
+    named = after is not None and after.has("actor", "pronoun")
+    return named and bool(terms) and terms[-1].cat == "actor"

@@ -1,0 +1,147 @@
+"""Speeds as people say them: "doing 25 in a 40", "20 over the limit", "going 90"."""
+
+from __future__ import annotations
+
+from scegen.understanding.words.numbers import number_at
+from scegen.understanding.words.quantities import quantity_at
+from scegen.understanding.words.terms import Term, longest_match
+from scegen.understanding.words.tokens import Token
+
+_ARTICLES = frozenset({"a", "an", "the"})
+_ZONE = frozenset({"zone", "limit", "area", "stretch", "road", "street"})
+_OVER = {"over": "fast", "above": "fast", "under": "slow", "below": "slow"}
+_PACING = frozenset({"do", "go", "drive", "travel", "hit", "come", "move", "ride", "roll",
+                     "pootle", "potter", "crawl", "trundle", "dawdle", "chug", "toddle", "tootle",
+                     "bimble", "race", "fly", "tear", "speed", "zoom", "barrel", "cruise",
+                     "creep", "amble", "hurtle", "bomb", "roar"})  # fmt: skip
+_VAGUELY = frozenset({"about", "around", "only", "maybe", "at", "barely", "nearly", "over", "just",
+                      "well", "like", "along", "down", "past", "least", "most", "close", "to",
+                      "almost", "up", "some", "roughly", "approximately", "easily", "really",
+                      "very", "so",
+                      "too", "rather", "quite", "pretty", "awfully", "extremely", "fairly",
+                      "unusually", "terribly", "far", "way", "much"})  # fmt: skip
+_RATES = frozenset({"speed", "speeds", "velocity", "velocities", "pace", "rate", "lick", "clip",
+                    "rates"})  # fmt: skip
+_MERELY = frozenset({"barely", "only", "just", "merely", "hardly", "scarcely"})
+_DEGREES = {
+    **dict.fromkeys(("low", "lower", "slow", "slower", "reduced", "crawling", "sluggish",
+                     "leisurely", "glacial", "funereal", "walking", "jogging",
+                     "snail's", "modest", "ponderous", "pedestrian"), "slow"),
+    **dict.fromkeys(("high", "higher", "excessive", "great", "greater", "unsafe", "dangerous",
+                     "inappropriate", "illegal", "faster", "reckless", "tremendous", "terrific",
+                     "furious", "frightening", "crazy", "ridiculous", "alarming", "insane", "mad",
+                     "huge", "enormous", "considerable", "breakneck", "unreasonable", "scary",
+                     "terrifying", "incredible", "phenomenal", "frantic", "ferocious", "fierce",
+                     "blistering", "hair-raising", "ludicrous", "lunatic", "rapid", "hellish",
+                     "appalling", "colossal", "rare", "brisk", "motorway", "illegal"), "fast"),
+}  # fmt: skip
+_WITHIN = frozenset({"a", "an", "the", "much", "far", "very", "constant", "steady", "fixed", "way",
+                     "quite", "rather", "such", "even", "still", "too", "uniform"})  # fmt: skip
+_SHORT_OF = 2
+_PHRASE = 8
+_FEWEST, _MOST = 3, 200
+_LOWEST_LIMIT = 10
+_CRAWL = 40
+"""What nobody drives on a motorway, be it in mph or in km/h."""
+_MOTORWAY = 50
+_GUESS_REACH = 7
+
+
+def pace_at(tokens: list[Token], i: int) -> Term | None:
+    """A number that says how fast one drives compared with what is allowed.
+
+    Args:
+        tokens: the tokens of the text.
+        i: index of the token where it begins.
+    """
+    number = number_at(tokens, i)
+    if number is None or not _FEWEST <= number.value <= _MOST or not doing(tokens, i):
+        return None
+    quantity = quantity_at(tokens, i)
+    speed = quantity is not None and quantity.dimension == "speed"
+    j = quantity.j if quantity is not None and speed else i + number.length
+    limit = number_at(tokens, j + 2) if j + 2 < len(tokens) else None
+    lowest = limit is not None and limit.value >= _LOWEST_LIMIT  # "30 km/h on a two-lane road"
+    if limit and lowest and tokens[j].low in {"in", "on"} and tokens[j + 1].low in _ARTICLES:
+        allowed = quantity_at(tokens, j + 2)
+        end = allowed.j if allowed is not None else j + 2 + limit.length
+        while end < len(tokens) and tokens[end].low in _ZONE:
+            end += 1
+        value = "fast" if number.value > limit.value else "slow"
+        return Term("manner", value, i, end, data={"pace": True})
+    if number.value <= _CRAWL and j < len(tokens) and _on_a_highway(tokens, j):
+        return Term("manner", "slow", i, j, data={"pace": True})
+    merely = {t.low for t in tokens[max(0, i - _SHORT_OF) : i]} & _MERELY
+    if merely and speed and quantity is not None:
+        return Term("manner", "slow", i, j, data={"pace": True, "quantity": quantity})
+    if number.value >= _MOTORWAY and not speed and _must_have_been(tokens, i):
+        return Term("manner", "fast", i, j, data={"pace": True})
+    posted = _posted(tokens)
+    if posted is not None and not speed and number.value > posted:
+        return Term("manner", "fast", i, j, data={"pace": True})
+    if j < len(tokens) and tokens[j].low in _OVER:
+        end = j + 1
+        while end < len(tokens) and tokens[end].low in {*_ARTICLES, "speed", "limit"}:
+            end += 1
+        ends = end >= len(tokens) or tokens[end].kind == "punct" or end > j + 1
+        return Term("manner", _OVER[tokens[j].low], i, end, data={"pace": True}) if ends else None
+    return None
+
+
+def _on_a_highway(tokens: list[Token], j: int) -> bool:
+    """``doing 30 on the motorway``: far below what is usual there."""
+    k = j + 1 + (j + 1 < len(tokens) and tokens[j + 1].low in _ARTICLES)
+    if tokens[j].low not in {"on", "down"} or k >= len(tokens):
+        return False
+    found = longest_match(tokens, k)
+    return found is not None and any(e.value == "highway" for e in found.entries)
+
+
+def _must_have_been(tokens: list[Token], i: int) -> bool:
+    """``must've been doing eighty``: a speed that is told because it was too high."""
+    before = [t.low for t in tokens[max(0, i - _GUESS_REACH) : i]]
+    return bool({"must", "easily"} & set(before)) and bool({"doing", "going"} & set(before))
+
+
+def _posted(tokens: list[Token]) -> float | None:
+    """``the limit's 55``: the number that the text gives for the limit."""
+    for k, token in enumerate(tokens):
+        if token.low == "limit":
+            for m in range(k + 1, min(k + 4, len(tokens))):
+                number = number_at(tokens, m)
+                if number is not None and number.value >= _LOWEST_LIMIT:
+                    return float(number.value)
+    return None
+
+
+def speed_at(tokens: list[Token], i: int) -> Term | None:
+    """``at a much lower constant speed``, ``with considerably higher velocity``.
+
+    Args:
+        tokens: the tokens of the text.
+        i: index of the token where it begins.
+    """
+    if tokens[i].low not in {"at", "with"}:
+        return None
+    value = None
+    for k in range(i + 1, min(i + _PHRASE, len(tokens))):
+        low = tokens[k].low
+        value = value or _DEGREES.get(low)
+        if low in _RATES:
+            return Term("manner", value, i, k + 1) if value is not None else None
+        if low not in _DEGREES and low not in _WITHIN and not low.endswith("ly"):
+            return None
+    return None
+
+
+def doing(tokens: list[Token], i: int) -> bool:
+    """Whether a verb of motion stands right before, as in "doing about 50".
+
+    Args:
+        tokens: the tokens of the text.
+        i: index of the number.
+    """
+    k = i - 1
+    while k >= 0 and tokens[k].low in _VAGUELY:
+        k -= 1
+    return k >= 0 and tokens[k].forms[-1][0] in _PACING

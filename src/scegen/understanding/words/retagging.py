@@ -1,0 +1,173 @@
+"""Terms whose class only the words before them tell: "leaves its stop", "doesn't brake"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from scegen.understanding.words.noun_turns import names_a_turn
+from scegen.understanding.words.other_classes import other_class
+from scegen.understanding.words.paces import doing
+from scegen.understanding.words.particles import measured
+from scegen.understanding.words.terms import Term, longest_match
+from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.unnamed_roles import role_alone
+
+_COLOURS = frozenset({"green", "red", "yellow", "amber"})
+_SHORT = frozenset({"only", "half", "within", "of", "just", "barely", "than", "for", "about",
+                    "under", "in"})  # fmt: skip
+
+
+def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
+    """The term as the words before it would have it.
+
+    Args:
+        term: the term.
+        terms: the terms before it; some are changed in its light.
+        tokens: the tokens of the text.
+    """
+    term = other_class(term, terms, tokens)
+    if (term.cat, term.value, term.form) == ("verb", "stop", "base") and _at_a(terms, tokens):
+        term = Term("place", "bus_stop", term.i, term.j)  # "pulls away from the stop"
+    if (term.cat, term.value) == ("verb", "yield") and _a_noun(terms, tokens, term):
+        term = Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
+    if (term.cat, tokens[term.i].low) == ("possessive", "her") and _alone(tokens, term.j):
+        term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
+    term = _of_lights_and_times(term, tokens)
+    if term.value == "genitive":
+        term = _shortened(term, terms, tokens)
+    term = role_alone(term, terms, tokens)
+    if (term.cat, term.value, term.form) == ("verb", "approach", "s") and _counted(terms):
+        term = Term("leg", "leg", term.i, term.j, "s")
+    if _does_not(tokens, term):
+        term = replace(term, cat="aux", value="do")
+    if terms and measured(tokens, terms, term):
+        number = terms.pop()  # "the car two vehicles ahead"
+        term = Term("quantity", "other", number.i, term.j, data={"quantity": None})
+    if names_a_turn(term, terms, tokens):
+        term = replace(term, cat="verb", value="turn", form="base", data={"way": term.value})
+    term = _near_or_far(term, tokens)
+    slow = (term.cat, term.value, term.form) == ("verb", "slow", "base")
+    opened = bool(terms) and terms[-1].cat in {"det", "possessive"} and _word_at(tokens, term.j)
+    if slow and (opened or doing(tokens, term.i)):
+        term = replace(term, cat="manner", data={})  # "a slow convoy", "going really slow"
+    if _speed(term) and doing(tokens, term.i):
+        _as_motion(terms, tokens)
+    if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
+        terms[-1] = replace(terms[-1], value="move", data={})  # "carries straight on"
+    return term
+
+
+_NEAR_OR_FAR = {"near": "near", "nearer": "near", "far": "far", "farther": "far", "further": "far"}
+_KERBS = frozenset({"kerb", "curb", "pavement", "sidewalk", "verge", "footpath", "footway",
+                    "roadside"})  # fmt: skip
+
+
+def _of_lights_and_times(term: Term, tokens: list[Token]) -> Term:
+    if _changes_colour(tokens, term):
+        return replace(term, value="inert", data={})
+    return Term("inert", "noun", term.i, term.j) if _moment(tokens, term) else term
+
+
+def _changes_colour(tokens: list[Token], term: Term) -> bool:
+    """``when it turns green``: the light does."""
+    lit = (term.cat, term.value) == ("verb", "turn") and term.j < len(tokens)
+    return lit and tokens[term.j].low in _COLOURS
+
+
+def _word_at(tokens: list[Token], j: int) -> bool:
+    """Whether a word that may be a noun stands there."""
+    if j >= len(tokens) or tokens[j].kind != "word":
+        return False
+    found = longest_match(tokens, j)
+    return found is None or not found.has("prep", "conj", "aux", "sub", "locus")
+
+
+def _moment(tokens: list[Token], term: Term) -> bool:
+    """``only a second to stop``, ``half a second later``: a time, nobody."""
+    if [t.low for t in tokens[term.i : term.j]] != ["a", "second"]:
+        return False
+    before = tokens[term.i - 1].low if term.i else ""
+    after = tokens[term.j].low if term.j < len(tokens) else ""
+    return before in _SHORT or after in {"later", "ago", "before", "after"}
+
+
+_DONE = frozenset({"left", "parked", "stopped", "pulled", "turned", "stuck", "dumped", "broken"})
+_AFTER = frozenset({"a", "an", "the", "their", "his", "her", "my", "our", "on", "in", "right", "at",
+                    "half", "out", "up", "down", "across", "dead", "over"})  # fmt: skip
+
+
+def _has_done(tokens: list[Token], term: Term) -> bool:
+    """``someone's left a van there``: has left, nothing of theirs."""
+    done, after = (tokens[k].low if k < len(tokens) else "" for k in (term.j, term.j + 1))
+    return done in _DONE and after in _AFTER
+
+
+def _near_or_far(term: Term, tokens: list[Token]) -> Term:
+    """``the far kerb``: the side across the road."""
+    value = _NEAR_OR_FAR.get(tokens[term.i].low) if term.j - term.i == 1 else None
+    kerb = term.j < len(tokens) and tokens[term.j].low in _KERBS
+    return Term("dir", value, term.i, term.j) if value is not None and kerb else term
+
+
+def _shortened(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
+    """``someone's left a van there``, ``the ego, who's forced to brake``: has, is."""
+    if _has_done(tokens, term):
+        return replace(term, cat="aux", value="have")
+    word = tokens[terms[-1].i].low if terms else ""
+    short = word in {"it", "he", "she", "there", "here", "what", "that"}
+    if short or (terms and terms[-1].cat == "rel"):
+        return replace(term, cat="aux", value="be")
+    return term
+
+
+def _does_not(tokens: list[Token], term: Term) -> bool:
+    """``doesn't even brake``: no doing of its own."""
+    after = tokens[term.j] if term.j < len(tokens) else None
+    denied = after is not None and (after.kind == "neg" or after.low == "not")
+    return term.cat == "verb" and tokens[term.i].forms[-1][0] == "do" and denied
+
+
+def _as_motion(terms: list[Term], tokens: list[Token]) -> None:
+    """``doing about fifty``: driving."""
+    k = next((k for k in range(len(terms) - 1, -1, -1) if terms[k].cat == "verb"), None)
+    if k is not None and tokens[terms[k].i].forms[-1][0] == "do":
+        terms[k] = replace(terms[k], value="move", data={"drives": True})
+
+
+def _speed(term: Term) -> bool:
+    """Whether a term says how fast: "50 mph", "40 in a 30", or a bare number after "doing"."""
+    return term.cat in {"quantity", "num"} or (
+        term.cat == "manner" and term.value in {"fast", "slow"}
+    )
+
+
+def _counted(terms: list[Term]) -> bool:
+    """``with five approaches``, ``the three approaches``: roads, no doing."""
+    if len(terms) < 2 or terms[-1].cat not in {"num", "quant"}:
+        return False
+    number = terms[-1].data.get("number", 0) if terms[-1].cat == "num" else 2
+    opened = terms[-2].cat in {"prep", "det"} or terms[-2].value in {"have", ",", "be"}
+    return number > 1 and opened
+
+
+def _at_a(terms: list[Term], tokens: list[Token]) -> bool:
+    """Whether "at the" or "from a" stands before."""
+    if len(terms) < 2 or terms[-1].cat not in {"det", "possessive"}:
+        return False
+    if terms[-1].cat == "possessive" and terms[-2].value in {"leave", "approach", "pull_out"}:
+        return True  # "leaves its stop"
+    return tokens[terms[-2].i].low in {"at", "from"}
+
+
+def _alone(tokens: list[Token], j: int) -> bool:
+    """Whether no noun follows that a possessive could belong to."""
+    if j >= len(tokens) or tokens[j].kind == "punct":
+        return True
+    following = longest_match(tokens, j)
+    return following is not None and following.only("prep", "conj", "sub", "locus", "aux")
+
+
+def _a_noun(terms: list[Term], tokens: list[Token], term: Term) -> bool:
+    """``through the give way``: the sign."""
+    after = tokens[term.j].kind if term.j < len(tokens) else "punct"
+    return bool(terms) and terms[-1].cat == "det" and after == "punct"

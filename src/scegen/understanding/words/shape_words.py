@@ -1,0 +1,51 @@
+"""Words of shape that only count arms, and letters that name a junction by themselves."""
+
+from __future__ import annotations
+
+from scegen.scenario.functional import ARM_COUNTS
+from scegen.scenario.vocabulary import JunctionKind
+from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import Token
+
+_ARMS_SAID = {JunctionKind.T: 3, JunctionKind.FOUR_WAY: 4}
+_COUNTING = frozenset({"arm", "armed", "leg", "legged", "way"})
+
+
+def named_by_letter(terms: list[Term], k: int) -> bool:
+    """``at the T``, ``reaches a T``: the junction itself.
+
+    Args:
+        terms: the terms of the text.
+        k: index of the letter.
+    """
+    before = [t.cat for t in terms[max(0, k - 2) : k]]
+    placed = before[-1:] == ["det"] and before[:1] in (["prep"], ["verb"])
+    return placed and (k + 1 >= len(terms) or terms[k + 1].cat not in {"actor", "place", "num"})
+
+
+def only_counted(terms: list[Term], k: int, tokens: list[Token]) -> int | None:
+    """``a four-arm roundabout``: the arms are counted, the noun says what kind it is.
+
+    Args:
+        terms: the terms of the text.
+        k: index of the word of shape.
+        tokens: the tokens of the text.
+
+    Returns:
+        How many arms; None if the word says more than that.
+    """
+    term = terms[k]
+    kind = JunctionKind(term.value)
+    if kind not in _ARMS_SAID or tokens[term.j - 1].low not in _COUNTING:
+        return None
+    named: str | None = None
+    for after in terms[k + 1 : k + 4]:
+        if after.cat == "shape" or (after.cat == "place" and after.value == "junction"):
+            named = after.value if after.cat == "shape" else after.data.get("kind")
+            break
+    if named is None or named in {kind, JunctionKind.FOUR_WAY}:
+        return None
+    fewest, most = ARM_COUNTS[JunctionKind(named)]
+    if not fewest <= _ARMS_SAID[kind] <= most:
+        return None
+    return _ARMS_SAID[kind]

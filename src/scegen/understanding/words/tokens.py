@@ -1,0 +1,91 @@
+"""Splits text into tokens that keep their place in it."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from scegen.understanding.lexicon import load
+from scegen.understanding.words.lemmas import lemmas
+from scegen.understanding.words.spelling import meant
+
+_TOKEN = re.compile(
+    r"(?P<clock>(?<![\d:])\d{1,2}:\d{2}(?![\d:]))"
+    r"|(?P<bound>\b[NSEWnsew]/[Bb]\b)"
+    r"|(?P<label>[A-Za-z]{1,4}\d{1,2}(?!\w|\.\d))"
+    r"|(?P<ordinal>\d{1,2}(?:st|nd|rd|th)(?!\w))"
+    r"|(?P<number>\d{1,9}(?:[.,]\d{1,6})?)"
+    r"|(?P<neg>n['’]t\b)"
+    r"|(?P<clitic>['’](?:s|re|ll|m|ve|d)?\b|(?<=s)['’])"
+    r"|(?P<word>[^\W\d_]+?(?=n['’]t\b)|[^\W\d_]+)"
+    r"|(?P<punct>[.,;:!?()\[\]\n&])"
+)
+_ORDINALS = {"1st": "first", "2nd": "second", "3rd": "third", "4th": "fourth", "5th": "fifth",
+             "6th": "sixth", "7th": "seventh", "8th": "eighth"}  # fmt: skip
+_POINT = re.compile(
+    r"\b(?i:approx|mr|mrs|ms|hwy|rte|rt|veh|vs|ped|st|ave|av|rd|blvd|dr|ln|ft|hrs?|mins?|secs?|no"
+    r"|a\.m|p\.m|i\.e|e\.g|u\.s)(?P<point>\.)(?=\s*[a-z0-9(,;]|\s[A-Z][-.]?\d)"
+    r"|\b[apieuAPIEU](?P<inner>\.)(?=[megsMEGS]\b)"
+)
+"""A full stop that only shortens a word: a sentence would go on with a capital letter."""
+_MAX_WORD = 40
+"""Longer runs of letters are no words; cutting them keeps look-ups cheap."""
+
+
+_KINDS = {"clock": "word", "bound": "word", "ordinal": "word"}
+
+
+@dataclass(frozen=True, slots=True)
+class Token:
+    """A word, number or mark with its span.
+
+    Attributes:
+        text: as written.
+        low: lower case, curly apostrophes straightened, slips of the pen mended.
+        start: first character offset.
+        end: offset after the last character.
+        kind: ``word``, ``number``, ``label``, ``clitic``, ``neg`` or ``punct``.
+        forms: base forms of a word, see :func:`scegen.understanding.words.lemmas.lemmas`.
+        slip: whether ``low`` is not what is written, but what seems to be meant.
+    """
+
+    text: str
+    low: str
+    start: int
+    end: int
+    kind: str
+    forms: tuple[tuple[str, str], ...]
+    slip: bool = False
+
+
+def tokenize(text: str) -> list[Token]:
+    """Tokens in order; hyphens, slashes and other marks only separate.
+
+    Args:
+        text: any string.
+
+    Returns:
+        The tokens; ``token.text == text[token.start : token.end]`` holds for each.
+    """
+    found: list[Token] = []
+    points = {m.start(m.lastgroup or 0) for m in _POINT.finditer(text)}
+    for match in _TOKEN.finditer(text):
+        if match.start() in points:
+            continue
+        kind = _KINDS.get(match.lastgroup or "", match.lastgroup or "punct")
+        low = match.group().lower().replace("’", "'")
+        low = low.replace("/", "") if match.lastgroup == "bound" else low
+        low = _ORDINALS.get(low, low)
+        known = kind in {"word", "neg", "clitic"} and len(low) <= _MAX_WORD
+        forms = lemmas(low) if known else ((low, "base"),)
+        mended = meant(low) if kind == "word" and _strange(low, forms) else None
+        if mended is not None:
+            low, forms = mended, lemmas(mended)
+        slip = mended is not None
+        found.append(Token(match.group(), low, match.start(), match.end(), kind, forms, slip))
+    return found
+
+
+def _strange(low: str, forms: tuple[tuple[str, str], ...]) -> bool:
+    """Whether no form of the word occurs in the lexicon."""
+    return len(forms) == 1 and low not in load().words

@@ -1,0 +1,76 @@
+"""Ordinals and roles without article or noun: "First lead brakes, second stops"."""
+
+from __future__ import annotations
+
+from scegen.understanding.words.nominal import ORDINALS
+from scegen.understanding.words.terms import Term, longest_match
+from scegen.understanding.words.tokens import Token
+
+_OPENERS = frozenset({"punct", "conj", "sub"})
+_VERBAL = frozenset({"s", "ed"})
+_MINOR = frozenset({"minor", "subordinate", "secondary", "side"})
+_ROADS = _MINOR | {"major", "main", "priority", "principal", "busier", "wider", "narrower"}
+_GOVERNED = frozenset({"of", "to", "matter"})
+"""After these, "the subject" is a topic."""
+
+
+def with_articles(terms: list[Term], tokens: list[Token]) -> list[Term]:
+    """``First car stops, second brakes``: the first car, the second.
+
+    Args:
+        terms: the terms of the text.
+        tokens: its tokens.
+    """
+    found: list[Term] = []
+    listed = sum(_names(terms, k, tokens) for k in range(len(terms))) > 1
+    for k, term in enumerate(terms):
+        word = tokens[term.i].low
+        if _names(terms, k, tokens) and (listed or word != "first"):
+            found += [Term("det", "def", term.i, term.i), Term("label", word, term.i, term.j)]
+        else:
+            found.append(term)
+    return found
+
+
+def _names(terms: list[Term], k: int, tokens: list[Token]) -> bool:
+    """Whether an ordinal that opens a clause stands for a participant."""
+    term = terms[k]
+    if tokens[term.i].low not in ORDINALS or term.j - term.i != 1:
+        return False
+    before, after = terms[k - 1] if k else None, terms[k + 1] if k + 1 < len(terms) else None
+    if term.cat not in {"manner", "label"} or after is None:
+        return False
+    if before is not None and before.cat not in _OPENERS:
+        return False
+    acts = (after.cat == "verb" and after.form in _VERBAL) or after.cat in {"aux", "copy"}
+    return acts or after.cat == "actor" or after.value in {"(", ","}
+
+
+def role_alone(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
+    """``the lead brakes``, ``the subject is late``: the name of a role without "vehicle".
+
+    Args:
+        term: a term.
+        terms: the terms before it.
+        tokens: the tokens of the text.
+    """
+    if term.j - term.i != 1:
+        return term
+    word = tokens[term.i].low
+    after = tokens[term.j].low if term.j < len(tokens) else ""
+    definite = bool(terms) and (terms[-1].cat, terms[-1].value) == ("det", "def")
+    if word == "subject" and definite and after not in _GOVERNED:
+        return Term("actor", "ego", term.i, term.j, data={"ego": True})
+    if word == "one" and tokens[term.i - 1].low in _ROADS and term.i > 1:
+        kind = "access" if tokens[term.i - 1].low in _MINOR else "road"
+        return Term("place", kind, term.i, term.j)  # "from the major road into a minor one"
+    if word == "lead" and term.cat == "dir" and _acts(tokens, term.j):
+        return Term("actor", "driver", term.i, term.j, data={"driver": True, "dir": "ahead"})
+    return term
+
+
+def _acts(tokens: list[Token], j: int) -> bool:
+    following = longest_match(tokens, j) if j < len(tokens) else None
+    if following is None or following.has("actor"):
+        return False
+    return following.has("aux") or (following.has("verb") and following.form in _VERBAL)
