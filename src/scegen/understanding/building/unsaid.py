@@ -90,7 +90,7 @@ def _turned_across(entity: Entity, draft: Draft) -> Basis | None:
             d.basis
             for d in draft.dangers
             if d.kind is HazardKind.UNPROTECTED_LEFT_TURN
-            and (entity in d.to or (not d.to and entity.ego))
+            and (entity in d.to or (not d.to and entity.ego and "ego" in entity.named_by))
             and entity not in d.by
         ),
         None,

@@ -81,7 +81,7 @@ def nominal(event: Event, state: State) -> None:
         event.subject = state.main  # "before its left turn"
     if isinstance(anchor, Event) and not (state.between - {"either", "or"}):
         depend(event, anchor, "noun")
-        during = state.prep is not None  # "can't see during its turn"
+        during = state.prep is not None and state.prep.value != "to"  # "can't see during its turn"
         if not event.subject and (during or anchor.name not in _ABOUT_OTHERS):
             _share_subject(event, anchor, state)
     elif event.name == "bypass" and any(m.value == "def" for m in event.mods):
