@@ -40,3 +40,11 @@ def test_words_that_contradict_each_other_are_told():
     assert reported("In rain a van turns left. In snow a bus turns right.") == {
         "snow": "contradicts 'rain', which is kept"
     }
+
+
+def test_what_hides_somebody_is_not_left_out():
+    """The hedge is placed where it hides the man: nothing of the phrase is unsupported."""
+    scenario = read("A man hidden behind a hedge on the right steps onto the road.")
+    assert not {"behind", "a hedge", "right"} & {u.text for u in scenario.unsupported}
+    words = [e.text for e in scenario.evidence if e.field.endswith(".approaches")]
+    assert words == ["behind a hedge on the right"]

@@ -32,7 +32,7 @@ def share(chunks: list[Chunk], scenes: list[Scene], context: Context) -> None:
             out = context.tokens[prep.word.i].low in {"out", "from", "of"}
             out = out and isinstance(prep.target, Thing)  # "out of a gap in a hedge"
             if locus or by or out:
-                _place(prep.target, scene.actors, chunks, context)
+                _place(prep.target, scene.actors, chunks, context, prep.word.i)
         if hides and not event.passive:
             hiders = [c for c in (*event.subject, _thing_before(event, chunks)) if c is not None]
             for hider in hiders[:1]:
@@ -41,7 +41,7 @@ def share(chunks: list[Chunk], scenes: list[Scene], context: Context) -> None:
         if isinstance(chunk, Mention):
             for prep in chunk.pps:
                 if prep.word.cat == "locus" and prep.value in _HIDING:
-                    _place(prep.target, chunk.entities, chunks, context)
+                    _place(prep.target, chunk.entities, chunks, context, prep.word.i)
 
 
 def _thing_before(event: Event, chunks: list[Chunk]) -> NounPhrase | None:
@@ -60,44 +60,53 @@ def _place(
     entities: list[Entity],
     chunks: list[Chunk],
     context: Context,
+    begin: int | None = None,
 ) -> None:
     if not isinstance(hider, NounPhrase):
         return
-    sides = _sides_of(hider, chunks, context)
+    sides, end = _sides_of(hider, chunks, context)
+    words = Basis(hider.i if begin is None else begin, end)
     for entity in entities:
         on_foot = not entity.is_vehicle or (context.is_cyclist(entity) and not entity.ego)
         known = _standing(entity, context.draft) & set(_SIDES.values())
+        if on_foot:  # the thing itself is placed where it hides them
+            context.draft.notes[:] = [n for n in context.draft.notes if n.i != hider.i]
         if sides and on_foot and not known:
-            context.draft.place(entity, None, sides, Basis(hider.i, hider.j))
+            context.draft.place(entity, None, sides, words)
 
 
-def _sides_of(hider: NounPhrase, chunks: list[Chunk], context: Context) -> set[Approach]:
+def _sides_of(
+    hider: NounPhrase, chunks: list[Chunk], context: Context
+) -> tuple[set[Approach], int]:
+    """The side of what hides somebody, and where the words for it end."""
     if isinstance(hider, Mention):
         found = {a for e in hider.entities for a in _standing(e, context.draft)}
         if found == {Approach.OPPOSITE} and not context.junction.crossing:
             found = {Approach(context.across)}
         found &= set(_SIDES.values())
-        return found if len(found) == 1 else set()
+        return (found if len(found) == 1 else set()), hider.j
     own = {_SIDES[d] for d in hider.dirs if d in _SIDES}
-    return own or _named_after(hider, chunks)
+    k = next((k for k, c in enumerate(chunks) if c is hider), len(chunks))
+    ends = [c.j for c in chunks[k + 1 : k + 3] if isinstance(c, Place) and c.kind in _BESIDE]
+    return (own, max([hider.j, *ends])) if own else _named_after(hider, chunks)
 
 
-def _named_after(hider: NounPhrase, chunks: list[Chunk]) -> set[Approach]:
+def _named_after(hider: NounPhrase, chunks: list[Chunk]) -> tuple[set[Approach], int]:
     """``a kiosk at the left kerb``, ``a shelter to the ego's right``."""
     k = next((k for k, c in enumerate(chunks) if c is hider), len(chunks))
     opened = False
     for chunk in chunks[k + 1 : k + _REACH]:
         if isinstance(chunk, Word):
             if chunk.cat != "prep" or chunk.value not in _AT:
-                return set()
+                return set(), hider.j
             opened = True
         elif isinstance(chunk, Place) and opened:
             sides = {_SIDES[d] for d in chunk.dirs if d in _SIDES}
             if sides and chunk.kind in _BESIDE:
-                return sides
+                return sides, chunk.j
         elif not (isinstance(chunk, Thing) or (isinstance(chunk, Mention) and chunk.possessor)):
-            return set()
-    return set()
+            return set(), hider.j
+    return set(), hider.j
 
 
 def _standing(entity: Entity, draft: Draft) -> set[Approach]:
