@@ -64,3 +64,17 @@ def test_reports_on_random_texts():
         text = " ".join(["car", *rng.choices(words, k=30)])
         report = parse_report(text)
         assert all(f.start is None or text[f.start : f.end] == f.words for f in report.findings)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "excess cautiously whizz find mobile maim cruising have paddock fridge 4x4 cadillac de was "
+        "such shed florist child we",
+        "van slowest boomer sky van kill daydream distinct muppet hubcap bride mi passat rush hill "
+        "allege guided, bloody scout hyundai cop is soldier toddler host empty caravan we",
+    ],
+)
+def test_several_who_are_called_the_ego_are_one(text):
+    scenario = read(text)
+    assert [p.role.value for p in scenario.participants].count("ego") == 1

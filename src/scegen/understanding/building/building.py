@@ -54,6 +54,8 @@ class Builder:
     def build(self) -> FunctionalScenario:
         """The functional scenario with its evidence."""
         ego, ego_basis = choose_ego(self._draft)
+        for entity in self._draft.entities:
+            entity.ego = entity is ego  # "the cops we are": several are called so, one is it
         relations = settle_positions(self._draft, ego)
         junction = self._layout.build()
         onto_the_road(self._draft, junction.driving_side)
