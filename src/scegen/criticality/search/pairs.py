@@ -18,7 +18,6 @@ from scegen.scenario.logical import ConflictKind
 from scegen.scenario.vocabulary import HazardKind
 
 Pair = tuple[str, str]
-_MOST_CONFLICTS = 3
 MEETS = (ConflictKind.CROSSING, ConflictKind.MERGING)
 
 

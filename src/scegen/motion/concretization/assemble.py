@@ -88,25 +88,15 @@ def _participant(scene: Scene, participant: Participant) -> ConcreteParticipant:
             motion=draft.motion(draft.laid.station_m(draft.start_m)),
             speed_program=program,
         )
-    if name in scene.walks:
-        walk = scene.walks[name]
+    mover = scene.walks.get(name) or scene.pulls.get(name)
+    if mover is not None:
         return ConcreteParticipant(
             id=name,
             kind=participant.kind,
             role=participant.role,
             speed_mps=0.0,
-            motion=walk.motion,
-            speed_program=tuple(walk.program),
-        )
-    if name in scene.pulls:
-        pull = scene.pulls[name]
-        return ConcreteParticipant(
-            id=name,
-            kind=participant.kind,
-            role=participant.role,
-            speed_mps=0.0,
-            motion=pull.motion,
-            speed_program=tuple(pull.program),
+            motion=mover.motion,
+            speed_program=tuple(mover.program),
         )
     if name in scene.stands:
         return ConcreteParticipant(

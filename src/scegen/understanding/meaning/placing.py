@@ -38,7 +38,6 @@ _PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder"
 _SIDEWAYS = frozenset({"lane_change", "merge", "cut_in"})
 _AROUND = frozenset({"around", "round", "past"})
 _BY_WAY_OF = frozenset({"via", "through", "across", "over"})
-_OPPOSED = "opposed"
 
 
 def adjective_approaches(dirs: list[str]) -> frozenset[Approach]:

@@ -6,7 +6,6 @@ from scegen.understanding.chunks import Event, Place
 from scegen.understanding.words.tokens import Token
 
 _STEERING = frozenset({"pull", "steer", "swing", "drive", "roll", "turn"})
-_GOING_IN = frozenset({"turn", "sharp_turn", "pull_over", "enter"})
 _OFF_THE_ROAD = frozenset({"access", "parking", "road", "junction"})
 
 

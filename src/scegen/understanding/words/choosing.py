@@ -228,17 +228,6 @@ _PRIORITY = (
 )  # fmt: skip
 
 
-def _relative_or_article(match: Match, tokens: list[Token], previous: Term | None) -> Entry:
-    """``that`` after a noun opens a clause; else it points at the noun that follows."""
-    noun_before = previous is not None and previous.cat in {"actor", "place", "thing", "inert"}
-    after = longest_match(tokens, match.j) if match.j < len(tokens) else None
-    verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
-    sided = previous is not None and previous.cat in {"dir", "compass"}
-    if sided and verbal and after is not None and not after.has("actor", "place"):
-        return match.get("rel")  # "a bus from the right that turns"
-    return match.get("rel" if noun_before else "det")
-
-
 def _of_a_kind(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     """``the cut-in vehicle``, ``a lane-change car``: a doing that tells which one is meant."""
     opens = previous is None or previous.cat in {"det", "punct", "sub"}
