@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from scegen.enumeration import count_scenarios, enumerate_scenarios
-from scegen.scenario.logical import ConflictKind, Crossing, Side
-from scegen.scenario.vocabulary import Reduction
+from scegen.scenario.logical import ConflictKind, Crossing
+from scegen.scenario.vocabulary import Reduction, Side
 
 EGO = {"id": "ego", "role": "ego", "entries": [0], "maneuvers": ["straight"]}
 PED = {"id": "ped", "kind": "pedestrian"}

@@ -30,9 +30,8 @@ from scegen.scenario.concrete import (
     Travelled,
 )
 from scegen.scenario.functional import Environment
-from scegen.scenario.logical import Side
 from scegen.scenario.objects import ObjectCategory
-from scegen.scenario.vocabulary import ParticipantKind, RoadSurface, Role, TimeOfDay, Weather
+from scegen.scenario.vocabulary import ParticipantKind, RoadSurface, Role, Side, TimeOfDay, Weather
 
 ROOT = FilePath(__file__).parents[2]
 SCHEMAS = sorted((ROOT / ".venv/asam").glob("lib/*/site-packages/qc_openscenario/schema"))

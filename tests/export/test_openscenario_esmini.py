@@ -26,8 +26,7 @@ from scegen.scenario.concrete import (
     Travelled,
     Trigger,
 )
-from scegen.scenario.logical import Side
-from scegen.scenario.vocabulary import ParticipantKind, Role
+from scegen.scenario.vocabulary import ParticipantKind, Role, Side
 
 pytestmark = [
     pytest.mark.esmini,

@@ -9,13 +9,14 @@ import pytest
 
 from scegen.scenario.arms import arm_angles_deg, exit_arm, turn_name
 from scegen.scenario.functional import FunctionalScenario, Hazard, Junction, Participant
-from scegen.scenario.logical import Assignment, Crossing, Drive, LogicalScenario, Side, Standing
+from scegen.scenario.logical import Assignment, Crossing, Drive, LogicalScenario, Standing
 from scegen.scenario.vocabulary import (
     HazardKind,
     JunctionKind,
     Maneuver,
     ParticipantKind,
     Role,
+    Side,
 )
 
 Made = tuple[FunctionalScenario, LogicalScenario]

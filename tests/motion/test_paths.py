@@ -13,8 +13,7 @@ from scegen.road import build_network, plan_road
 from scegen.road.model import RoadNetwork, Route
 from scegen.scenario.concrete import CrossingMotion, DriveMotion, LaneChange, StandingMotion
 from scegen.scenario.functional import Junction
-from scegen.scenario.logical import Side
-from scegen.scenario.vocabulary import DrivingSide, JunctionKind, ParticipantKind
+from scegen.scenario.vocabulary import DrivingSide, JunctionKind, ParticipantKind, Side
 
 CAR = ParticipantKind.CAR
 ARM_M = 80.0

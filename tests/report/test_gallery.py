@@ -23,7 +23,6 @@ from scegen.scenario.logical import (
     Drive,
     LogicalScenario,
     LogicalSet,
-    Side,
     Standing,
 )
 from scegen.scenario.vocabulary import (
@@ -34,6 +33,7 @@ from scegen.scenario.vocabulary import (
     ParticipantKind,
     Reduction,
     Role,
+    Side,
 )
 
 SVG = "{http://www.w3.org/2000/svg}"

@@ -28,8 +28,8 @@ from scegen.scenario.concrete import (
     StandingMotion,
 )
 from scegen.scenario.functional import Hazard
-from scegen.scenario.logical import LogicalScenario, Side
-from scegen.scenario.vocabulary import HazardKind, JunctionKind, ParticipantKind, Role
+from scegen.scenario.logical import LogicalScenario
+from scegen.scenario.vocabulary import HazardKind, JunctionKind, ParticipantKind, Role, Side
 
 
 def scenario() -> ConcreteScenario:

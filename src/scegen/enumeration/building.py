@@ -13,7 +13,8 @@ from scegen.enumeration.sharing import Kept, Share, Sharing
 from scegen.enumeration.slugs import MOST_SPELT_OUT, slug_of
 from scegen.enumeration.stretches import Stretch
 from scegen.scenario.functional import Participant
-from scegen.scenario.logical import Crossing, LogicalScenario, Side
+from scegen.scenario.logical import Crossing, LogicalScenario
+from scegen.scenario.vocabulary import Side
 
 MOST_ORDERS = 4096
 """Orders of arrival and slugs that are kept; a stream of millions must not fill the memory."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from scegen.scenario.functional import FunctionalScenario, Participant
-from scegen.scenario.logical import Side, Standing
-from scegen.scenario.vocabulary import Approach, HazardKind
+from scegen.scenario.logical import Standing
+from scegen.scenario.vocabulary import Approach, HazardKind, Side
 
 BLOCKING = frozenset({HazardKind.OBSTACLE, HazardKind.STOPPING})
 """Hazards by which a parked vehicle stands in the travelled lane."""

@@ -12,9 +12,8 @@ from scegen.road.geometry import Pose
 from scegen.road.model import Lane, LaneType, Road, RoadNetwork
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import ConcreteScenario, CrossingMotion, StandingMotion
-from scegen.scenario.logical import Side
 from scegen.scenario.objects import StaticObject
-from scegen.scenario.vocabulary import DrivingSide, ParticipantKind
+from scegen.scenario.vocabulary import DrivingSide, ParticipantKind, Side
 
 KERB_GAP_M = 0.3
 """Between the edge of the carriageway and one who stands beside it without a strip."""

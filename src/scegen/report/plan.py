@@ -10,8 +10,8 @@ from math import atan2, cos, hypot, pi, radians, sin
 
 from scegen.scenario.arms import arm_angles_deg
 from scegen.scenario.functional import Junction
-from scegen.scenario.logical import Crossing, Drive, Reverses, Side, Standing
-from scegen.scenario.vocabulary import DrivingSide, JunctionKind, Maneuver
+from scegen.scenario.logical import Crossing, Drive, Reverses, Standing
+from scegen.scenario.vocabulary import DrivingSide, JunctionKind, Maneuver, Side
 
 Point = tuple[float, float]
 

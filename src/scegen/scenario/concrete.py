@@ -12,7 +12,7 @@ from pydantic import Field, model_validator
 
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.functional import MAX_ARMS, Environment, Hazard
-from scegen.scenario.logical import LogicalScenario, Side
+from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.model import ArmSet, FrozenModel, Identifier
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.reversing import Reversal
@@ -23,6 +23,7 @@ from scegen.scenario.vocabulary import (
     JunctionKind,
     ParticipantKind,
     Role,
+    Side,
 )
 
 _LATEST = 1.3

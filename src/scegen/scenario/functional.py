@@ -6,11 +6,16 @@ A set holds every value that the text allows; an empty set leaves the choice to 
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Container
 from typing import Literal
 
 from pydantic import Field, model_validator
 
+from scegen.scenario.acts import Act, AfterAct, WhenMeasure
 from scegen.scenario.model import ArmSet, FrozenModel, Identifier, Interval, VocabularySet
+from scegen.scenario.outcome import Outcome
+from scegen.scenario.spacings import CONTACT, START, Spacing
+from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import (
     Approach,
     Control,
@@ -88,9 +93,12 @@ class Participant(FrozenModel):
     """Somebody or something in traffic.
 
     ``approaches`` are relative to the ego, ``adjacent`` with ``left`` or ``right`` is the lane
-    beside on that side; ``entries`` are arm numbers; ``speed_mps`` is the range that the text
-    gives, None if it gives none. One who is ``parked`` and has ``maneuvers`` other than to stay
-    pulls out.
+    beside on that side; ``entries`` are arm numbers; ``lanes`` the lanes in which it may start,
+    counted from the centre line outwards (empty = free); ``speed_mps`` is the range that the text
+    gives until the first act that concerns it, None if it gives none. One who is ``parked`` stands
+    beside the travelled lanes; with ``maneuvers`` other than to stay it pulls out. One who stands
+    in the lane is not parked and has the maneuver ``stay``. ``circulating``: it is in the
+    roundabout already. A pedestrian whose maneuver is ``straight`` walks along the road.
     """
 
     id: Identifier
@@ -100,6 +108,8 @@ class Participant(FrozenModel):
     approaches: VocabularySet[Approach] = frozenset()
     maneuvers: VocabularySet[Maneuver] = frozenset()
     entries: ArmSet = frozenset()
+    lanes: ArmSet = frozenset()
+    circulating: bool = False
     speed_mps: Interval | None = None
 
     @property
@@ -178,6 +188,10 @@ class FunctionalScenario(FrozenModel):
     participants: tuple[Participant, ...] = Field(min_length=1)
     relations: tuple[Relation, ...] = ()
     hazards: tuple[Hazard, ...] = ()
+    objects: tuple[Thing, ...] = ()
+    spacings: tuple[Spacing, ...] = ()
+    acts: tuple[Act, ...] = ()
+    outcome: Outcome | None = None
     environment: Environment = Environment()
     evidence: tuple[Evidence, ...] = ()
     unsupported: tuple[Unsupported, ...] = ()
@@ -200,14 +214,49 @@ class FunctionalScenario(FrozenModel):
                     f"{sorted(participant.entries)}"
                 )
                 raise ValueError(msg)
-        named = [(r.participant, "relations") for r in self.relations]
-        named += [(r.reference, "relations") for r in self.relations]
+        for thing in self.objects:
+            if thing.id in ids:
+                msg = f"an object has the name of another, {thing.id!r}"
+                raise ValueError(msg)
+            ids[thing.id] += 1
+        self._names_known(ids)
+        return self
+
+    def _names_known(self, known: Container[str]) -> None:
+        """Whoever is named takes part (or is an object), and every act that is named happens."""
+        named = [
+            (name, "relations") for r in self.relations for name in (r.participant, r.reference)
+        ]
         named += [(name, f"hazards.{h.kind}") for h in self.hazards for name in (*h.by, *h.to)]
+        named += [(name, f"objects.{o.id}") for o in self.objects for name in o.hides]
+        named += [(o.in_way_of, f"objects.{o.id}") for o in self.objects if o.in_way_of]
+        named += [
+            (name, "spacings") for s in self.spacings for name in (s.participant, s.reference)
+        ]
+        named += [(act.participant, f"acts.{act.id}") for act in self.acts]
+        named += [(act.into, f"acts.{act.id}.into") for act in self.acts if act.into]
+        named += [(name, "outcome") for name in (self.outcome.between if self.outcome else ())]
+        moments = [s.at for s in self.spacings if s.at not in {START, CONTACT}]
+        for act in self.acts:
+            if isinstance(act.when, AfterAct):
+                moments.append(act.when.act)
+            elif isinstance(act.when, WhenMeasure):
+                named += [
+                    (name, f"acts.{act.id}.when")
+                    for name in (act.when.participant, act.when.reference)
+                ]
         for name, place in named:
-            if name not in ids:
+            if name not in known:
                 msg = f"{place} names the unknown participant {name!r}"
                 raise ValueError(msg)
-        return self
+        acts = Counter(act.id for act in self.acts)
+        if doubled := [name for name, times in acts.items() if times > 1]:
+            msg = f"two acts are called {doubled[0]!r}"
+            raise ValueError(msg)
+        for moment in moments:
+            if moment not in acts:
+                msg = f"the unknown act {moment!r} is named; known: {', '.join(acts) or 'none'}"
+                raise ValueError(msg)
 
     @property
     def ego(self) -> Participant:

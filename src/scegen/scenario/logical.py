@@ -11,16 +11,9 @@ from typing import Literal
 
 from pydantic import Field, model_validator
 
-from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.model import FrozenModel, Identifier
-from scegen.scenario.vocabulary import ArmsMode, Maneuver, Reduction
-
-
-class Side(StrEnum):
-    """A side of the road, seen by traffic that enters the junction on that arm."""
-
-    RIGHT = "right"
-    LEFT = "left"
+from scegen.scenario.vocabulary import ArmsMode, Maneuver, Reduction, Side
 
 
 class Reverses(StrEnum):
@@ -151,6 +144,7 @@ class LogicalScenario(FrozenModel):
 
     ``pattern`` is the multiset of the drivers' symbolic moves, sorted (the source paper's
     caption); ``class_size`` counts the assignments that the reduction holds to be this one.
+    ``hazards`` are the functional ones with everybody named who causes and who suffers them.
     ``deadlock`` are those of whom each must wait for another of them, if all who are first on
     their arms arrive at once.
     """
@@ -160,6 +154,7 @@ class LogicalScenario(FrozenModel):
     pattern: tuple[int, ...]
     class_size: int = Field(default=1, ge=1)
     assignments: tuple[Assignment, ...]
+    hazards: tuple[Hazard, ...] = ()
     conflicts: tuple[Conflict, ...] = ()
     deadlock: tuple[Identifier, ...] = ()
     parameters: tuple[ParameterRange, ...] = ()

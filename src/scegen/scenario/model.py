@@ -55,10 +55,19 @@ Identifier = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]*$", max_length=40)]
 
 
 class Interval(FrozenModel):
-    """A closed range of a quantity in SI units; ``low == high`` is an exact statement."""
+    """A closed range of a quantity in SI units; ``low == high`` is an exact statement.
+
+    In files a plain number stands for the range of that one value.
+    """
 
     low: float
     high: float
+
+    @model_validator(mode="before")
+    @classmethod
+    def _of_one_value(cls, data: Any) -> Any:  # noqa: ANN401 - whatever a file holds
+        number = isinstance(data, int | float) and not isinstance(data, bool)
+        return {"low": data, "high": data} if number else data
 
     @model_validator(mode="after")
     def _ordered(self) -> Interval:
@@ -66,6 +75,16 @@ class Interval(FrozenModel):
             msg = f"low {self.low:g} lies above high {self.high:g}"
             raise ValueError(msg)
         return self
+
+    @property
+    def middle(self) -> float:
+        """The value half way."""
+        return (self.low + self.high) / 2
+
+    @property
+    def exact(self) -> bool:
+        """Whether it holds one value only."""
+        return self.low == self.high
 
     def clip(self, value: float) -> float:
         """The nearest value inside the range."""

@@ -10,8 +10,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from scegen.scenario.logical import Side
 from scegen.scenario.model import FrozenModel
+from scegen.scenario.vocabulary import Side
 
 
 class BacksUp(FrozenModel):

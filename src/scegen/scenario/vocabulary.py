@@ -48,6 +48,22 @@ class ParticipantKind(StrEnum):
     EMERGENCY_VEHICLE = "emergency_vehicle"
 
 
+class Side(StrEnum):
+    """A side: of the road, seen by traffic that enters on that arm; or of who acts or is met."""
+
+    RIGHT = "right"
+    LEFT = "left"
+
+
+class BodySide(StrEnum):
+    """A side of a vehicle's body."""
+
+    FRONT = "front"
+    REAR = "rear"
+    LEFT = "left"
+    RIGHT = "right"
+
+
 class Role(StrEnum):
     """``ego`` is the vehicle under test; there is exactly one."""
 

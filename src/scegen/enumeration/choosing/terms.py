@@ -16,10 +16,9 @@ from scegen.scenario.logical import (
     Drive,
     LogicalScenario,
     Reverses,
-    Side,
     Standing,
 )
-from scegen.scenario.vocabulary import Maneuver, ParticipantKind, Role
+from scegen.scenario.vocabulary import Maneuver, ParticipantKind, Role, Side
 
 Value = int | str | bool | None
 """None: the participant has no such attribute; nothing compares with it but ``none``."""

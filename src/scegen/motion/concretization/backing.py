@@ -28,9 +28,9 @@ from scegen.motion.lanes import arm_lane_id
 from scegen.motion.model import Path
 from scegen.motion.standing import side_sign
 from scegen.scenario.bodies import BODIES, Body
-from scegen.scenario.logical import Reverses, Side
+from scegen.scenario.logical import Reverses
 from scegen.scenario.reversing import BacksOut, BacksUp
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import HazardKind, Side
 
 _CREEPS_M = 0.8
 _STOPS_MPS2 = 2.0

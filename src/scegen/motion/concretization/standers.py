@@ -11,8 +11,8 @@ from scegen.motion.standing import standing_path
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import StandingMotion
 from scegen.scenario.functional import Participant
-from scegen.scenario.logical import Side, Standing
-from scegen.scenario.vocabulary import DrivingSide, Maneuver
+from scegen.scenario.logical import Standing
+from scegen.scenario.vocabulary import DrivingSide, Maneuver, Side
 
 _GO_ROUND = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 CLEAR_OF_CORNER_M = 6.0

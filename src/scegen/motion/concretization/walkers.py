@@ -20,8 +20,8 @@ from scegen.road.model import LaneType
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.concrete import AtTime, CrossingMotion, SpeedPhase, Travelled
 from scegen.scenario.functional import Participant
-from scegen.scenario.logical import Crossing, Side
-from scegen.scenario.vocabulary import HazardKind, ParticipantKind
+from scegen.scenario.logical import Crossing
+from scegen.scenario.vocabulary import HazardKind, ParticipantKind, Side
 
 _SETBACK_M = 1.5
 _BEYOND_STRIP_M = 1.0

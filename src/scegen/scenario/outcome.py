@@ -1,0 +1,31 @@
+"""The outcome that a description tells of: a contact, a near miss, or neither."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+
+from pydantic import Field
+
+from scegen.scenario.model import FrozenModel, Identifier, Interval
+from scegen.scenario.vocabulary import BodySide
+
+
+class OutcomeKind(StrEnum):
+    """How it ends."""
+
+    NEAR_MISS = "near_miss"
+    COLLISION = "collision"
+    AVOIDED = "avoided"
+
+
+class Outcome(FrozenModel):
+    """What becomes of it, between whom (two ids; empty if not said).
+
+    ``impact_percent`` is where the other's centre meets the ego's width: 0 at the ego's left side,
+    100 at its right. ``struck`` is the side of the ego's body that is touched first.
+    """
+
+    kind: OutcomeKind
+    between: tuple[Identifier, ...] = Field(default=(), max_length=2)
+    impact_percent: Interval | None = None
+    struck: BodySide | None = None
