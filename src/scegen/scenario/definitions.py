@@ -29,13 +29,13 @@ class Definition(NamedTuple):
 class Word(StrEnum):
     """A string of the contract that carries its definition: ``NAME = value, text, not, example``.
 
-    A list of words is a subclass; a member without a definition cannot be written.
+    A list of words is a subclass; only a word that is looked up comes without its definition.
     """
 
     _value_: str
     meaning: Definition
 
-    def __new__(cls, value: str, text: str, is_not: str = "", example: str = "") -> Self:
+    def __new__(cls, value: str, text: str = "", is_not: str = "", example: str = "") -> Self:
         """A member: the string itself, and what it means."""
         member = str.__new__(cls, value)
         member._value_ = value
