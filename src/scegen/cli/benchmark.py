@@ -17,6 +17,7 @@ from scegen.cli.llm import (
     UrlOption,
     llm_settings,
 )
+from scegen.cli.said import said
 
 if TYPE_CHECKING:
     from scegen.benchmark.paper import Row
@@ -28,6 +29,9 @@ app = typer.Typer(help="Repeat measured claims.", no_args_is_help=True, rich_mar
 @app.callback()
 def _group() -> None:
     """Repeat measured claims."""
+
+
+app.command("said")(said)
 
 
 @app.command("paper")
