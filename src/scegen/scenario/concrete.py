@@ -144,14 +144,15 @@ Trigger = Annotated[
 class SpeedPhase(FrozenModel):
     """When ``trigger`` fires, change speed linearly to ``target_speed_mps`` at ``rate_mps2``.
 
-    ``hazard`` names the danger that the phase serves. Phases start in order: a phase can only
-    fire once its predecessor has fired.
+    ``hazard`` names the danger that the phase serves, ``act`` the act of the description that it
+    is. Phases start in order: a phase can only fire once its predecessor has fired.
     """
 
     trigger: Trigger
     target_speed_mps: float = Field(ge=0, le=100)
     rate_mps2: float = Field(gt=0, le=20)
     hazard: HazardKind | None = None
+    act: Identifier | None = None
 
 
 class LaneChange(FrozenModel):

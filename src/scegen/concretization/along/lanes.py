@@ -159,6 +159,8 @@ def _from_words(
             )
         assignment = logical.assignment(name)
         other = assignment.beside if isinstance(assignment, InLine) else None
+        if (name, other) in aside or (other, name) in aside:
+            other = None
         if other is not None and other in runners and isinstance(assignment, InLine):
             side = assignment.beside_on
             step_out = None if side is None else outward(functional, side)

@@ -173,6 +173,7 @@ def _phase(story: Story, runner: Runner, step: Step) -> SpeedPhase:
         target_speed_mps=round(step.target_mps, 4),
         rate_mps2=round(step.rate_mps2, 4),
         hazard=step.hazard,
+        act=step.act if any(a.id == step.act for a in story.functional.acts) else None,
     )
 
 
