@@ -10,11 +10,11 @@ import statistics
 import sys
 import time
 
+from scegen.concretization import concretize
 from scegen.criticality import OfflineProposer, raise_criticality
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import ScegenError
 from scegen.measures import warm_kernels
-from scegen.motion import concretize
 from scegen.pipeline.picking import pick
 from scegen.understanding import paper_cases, read
 

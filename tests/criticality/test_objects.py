@@ -15,7 +15,6 @@ from scegen.criticality.course import ego_course
 from scegen.criticality.reactivity.sensitivity import ego_start_sensitivity
 from scegen.criticality.search.pairs import candidate_pairs
 from scegen.enumeration import enumerate_scenarios
-from scegen.motion import concretize
 from scegen.motion.batch import compile_program, simulate_batch
 from scegen.scenario.concrete import AtTime
 from scegen.scenario.functional import Hazard

@@ -91,7 +91,7 @@ def delayed_braking(view: View, by: str, to: str) -> list[Part]:
 def stopping(view: View, by: str, _: str) -> list[Part]:
     """Stands in the way after having moved, until it sets off, or blocks a lane all along."""
     way = view.ways[by]
-    if way.path.length_m == 0.0:
+    if way.path.length_m == 0.0 or not (way.participant.speed_mps or way.sets_off):
         stands = np.ones_like(view.speed_mps(by), dtype=np.bool_)
     else:
         place = view.place_m(by)

@@ -21,6 +21,7 @@ from scegen.criticality.search.pairs import candidate_pairs
 from scegen.criticality.search.problem import Problem, lateral_limits
 from scegen.criticality.search.proving import Evidence, examine, proof_of
 from scegen.criticality.search.refusing import measurable, never_meet
+from scegen.criticality.search.stated import Stated
 from scegen.criticality.target import HEADWAY, NEAR_MISS, Target
 from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.batch.compilation import compile_program
@@ -111,7 +112,14 @@ class Stage:
         involved = {*self.pair}
         for hazard in self.concrete.hazards:
             involved |= {*culprits(self.concrete, hazard), *hazard.to}
-        space = build_space(self.full, self.ways, base, involved=involved, friction=self.friction)
+        space = build_space(
+            self.full,
+            self.ways,
+            base,
+            involved=involved,
+            friction=self.friction,
+            stated=Stated.of(self.functional),
+        )
         return Problem(
             concrete=self.full,
             ways=self.ways,
