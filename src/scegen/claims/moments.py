@@ -73,8 +73,9 @@ def _runs(view: View, name: str, sense: int, count: int) -> list[Run]:
         flags = flags & ~((steps >= run.begin[:, None]) & (steps < run.end[:, None]))
     times = [np.where(run.happens, run.begin, flags.shape[1] + 1) for run in found]
     order, rows = np.argsort(times, axis=0), np.arange(view.count)
-    begin, end, change_mps = (np.array(values) for values in zip(*found, strict=True))
-    return [Run(*(v[order[n], rows] for v in (begin, end, change_mps))) for n in range(count)]
+    begins, ends = np.array([run.begin for run in found]), np.array([run.end for run in found])
+    changes = np.array([run.change_mps for run in found])
+    return [Run(begins[n, rows], ends[n, rows], changes[n, rows]) for n in order]
 
 
 def _greatest(change: Floats, flags: Bools) -> Run:
