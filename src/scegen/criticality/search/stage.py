@@ -168,10 +168,13 @@ class Stage:
     def meetings_s(self, found: Evidence) -> dict[str, list[float]]:
         """Whose danger with the ego it is, the target's partner first, and when it happens.
 
-        Things do not wait for anybody.
+        Things do not wait for anybody, nor does who is said to drive at some speed or distance:
+        who waits drives otherwise.
         """
+        stated = Stated.of(self.functional)
         ego = self.concrete.ego.id
-        people = {p.id for p in self.concrete.participants}
+        fixed = {*stated.speeds, *stated.placed} - {ego}
+        people = {p.id for p in self.concrete.participants} - fixed
         pairs = [p for p in (self.pair, *judged_pairs(self.concrete)) if people >= {*p}]
         met = {frozenset(pair): pair for pair in pairs if ego in pair}
         meetings: dict[str, list[float]] = {}
