@@ -35,6 +35,13 @@ class Entity:
     ego: bool = False
     parked: bool = False
     parked_basis: Basis | None = None
+    stands: Basis | None = None
+    """Words that say that it stands in the lane from the start."""
+    beside: tuple[str, Basis] | None = None
+    """On which side the lane lies in which it drives beside the ego."""
+    circulates: Basis | None = None
+    start_lane: tuple[str, Basis] | None = None
+    """The lane in which it is said to drive: ``left``, ``middle``, ``right``."""
     sets_off: int = -1
     """Where the text says last that it moves, as the index of a token."""
     labels: set[str] = field(default_factory=set)
