@@ -83,6 +83,11 @@ class Entity:
         return self.kind is not ParticipantKind.PEDESTRIAN
 
     @property
+    def still(self) -> bool:
+        """Whether it stands, beside the lane or in it."""
+        return self.parked or self.stands is not None
+
+    @property
     def moving_vehicle(self) -> bool:
         """Whether it may be the ego."""
         return self.is_vehicle and not self.parked

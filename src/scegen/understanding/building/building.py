@@ -10,7 +10,7 @@ from scegen.scenario.functional import (
     Relation,
     Unsupported,
 )
-from scegen.scenario.vocabulary import JunctionKind, Role
+from scegen.scenario.vocabulary import Approach, JunctionKind, Role
 from scegen.understanding.building.happening import Writer
 from scegen.understanding.building.hooks import alongside
 from scegen.understanding.building.layout import Layout
@@ -140,11 +140,19 @@ class Builder:
             kind=entity.kind,
             role=role,
             parked=entity.parked,
-            approaches=frozenset(entity.approaches),
+            approaches=frozenset(self._seen_at(entity)),
             maneuvers=frozenset(maneuvers),
             entries=entries,
             speed_mps=entity.speed,
         )
+
+    def _seen_at(self, entity: Entity) -> set[Approach]:
+        """Where it comes from, with the side of the lane beside."""
+        if entity.approaches != {Approach.ADJACENT} or entity.beside is None:
+            return entity.approaches
+        side, basis = entity.beside
+        self._proofs.add(f"participants.{entity.name}.approaches", basis)
+        return {Approach.ADJACENT, Approach(side)}
 
     def _further_words(self, entity: Entity) -> list[Basis]:
         """Other words that say the same of where somebody comes from."""

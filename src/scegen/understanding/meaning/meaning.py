@@ -25,6 +25,7 @@ from scegen.understanding.meaning import (
     screen_sides,
     screens,
     side_roads,
+    standing,
 )
 from scegen.understanding.meaning.context import Context, Scene
 from scegen.understanding.meaning.movements import MOVEMENTS
@@ -171,6 +172,9 @@ class Interpreter:
             others = [e for e in drivers if not e.ego]
             if others:
                 self._draft.hazard(HazardKind.STOPPING, basis, others)
+            for entity in entities:
+                if not entity.ego and not entity.parked:
+                    entity.stands = entity.stands or basis
         elif term.cat == "state" and term.value == "parked":
             for entity in entities:
                 if not entity.ego and entity.is_vehicle and entity.sets_off < 0:
@@ -192,6 +196,7 @@ class Interpreter:
         courses.move_off(scene, self._context)
         event.name = recast(scene, self._context)
         self._scenes.append(scene)
+        standing.stand(scene, self._context)
         for prep in event.pps if not self._ended(event) else []:
             if from_everywhere(prep):
                 side_roads.spread(prep, scene.actors, self._context)
@@ -220,7 +225,8 @@ class Interpreter:
         movement = MOVEMENTS.get(event.name)
         if movement is not None:
             movement(scene, self._context)
-        encounters.onto_the_road(scene, self._context)
+        if not standing.in_the_road(scene, self._context):
+            encounters.onto_the_road(scene, self._context)
         encounters.after_a_thing(scene, self._context)
         danger = dangers.DANGERS.get(event.name)
         if danger is not None and not self._overruled(scene):
