@@ -2,8 +2,6 @@
 
 import json
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -194,17 +192,6 @@ def test_doctor_names_every_tool(scegen):
     assert tools["esmini"]["found"] is None
     assert "esmini" in tools["esmini"]["hint"]
     assert "missing  esmini" in scegen("doctor", path="/usr/bin:/bin").stdout
-
-
-def test_help_is_quick_to_load():
-    """--help loads no solver, no XML and no plotting library."""
-    code = (
-        "import sys, scegen.cli; "
-        "heavy = {'clingo', 'scenariogeneration', 'matplotlib', 'lxml', 'numba'}; "
-        "print(sorted(heavy & set(sys.modules)))"
-    )
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stdout.strip() == "[]"
 
 
 def test_a_target_that_is_none_is_refused(scegen, tmp_path):
