@@ -13,7 +13,7 @@ from scegen.motion.model import Path, Trace
 from scegen.road import build_network, plan_road
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion, Travelled
-from scegen.scenario.logical import ParameterRange
+from scegen.scenario.parameters import ParameterRange
 from scegen.scenario.vocabulary import HazardKind
 
 LIMIT_MPS = 50 / 3.6

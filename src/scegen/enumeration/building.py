@@ -78,6 +78,8 @@ class Builder:
                 "pattern": pattern,
                 "class_size": class_size,
                 "assignments": front.assignments + back.assignments,
+                "hazards": self._functional.hazards,
+                "acts": self._functional.acts,
                 "conflicts": front.conflicts_before(back),
                 "deadlock": self._sharing.deadlock(front.line + back.line),
                 "parameters": front.speeds + back.speeds + front.offsets[ego] + back.offsets[ego],

@@ -8,9 +8,9 @@ from scegen.scenario.logical import (
     ConflictKind,
     Crossing,
     Drive,
-    ParameterRange,
     Standing,
 )
+from scegen.scenario.parameters import ParameterRange
 from scegen.scenario.speed_limits import (
     FAST_FOR_KIND_MPS,
     implied_limit_mps,

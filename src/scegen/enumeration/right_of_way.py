@@ -40,7 +40,7 @@ from scegen.scenario.control import (
 )
 from scegen.scenario.functional import Junction
 from scegen.scenario.logical import Assignment, ConflictKind, Crossing, Drive, Rule
-from scegen.scenario.vocabulary import Control, JunctionKind, Maneuver
+from scegen.scenario.vocabulary import Control, JunctionKind, Maneuver, Side
 
 Footing = tuple[int, int, int]
 """Entry and exit of a vehicle, arm that somebody crosses."""
@@ -52,7 +52,7 @@ class RoadRules:
 
     ``gives_way[e, x, f, y]`` is the rule by which the driver on e -> x gives way to the one on
     f -> y, ``open`` the reason why nobody can say; for those who cross an arm likewise.
-    ``stuck`` are the ways that a deadlock may hold up.
+    ``stuck`` are the ways that a deadlock may hold up. Who enters keeps to the side ``kerb``.
     """
 
     kinds: dict[Ways, ConflictKind]
@@ -62,6 +62,7 @@ class RoadRules:
     waits_to_cross: dict[Footing, Rule]
     open_to_cross: dict[Footing, Rule]
     stuck: frozenset[tuple[int, int]]
+    kerb: Side
 
 
 @lru_cache(maxsize=64)
@@ -80,6 +81,7 @@ def road_rules(junction: Junction, *, u_turns: bool = False) -> RoadRules:
         waits_to_cross=_on_foot(found, r.WaitsToCross),
         open_to_cross=_on_foot(found, r.OpenToCross),
         stuck=frozenset((fact.way[0], fact.way[1]) for fact in found if isinstance(fact, r.Stuck)),
+        kerb=Side(junction.driving_side.value),
     )
 
 

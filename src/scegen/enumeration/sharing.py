@@ -23,10 +23,10 @@ from scegen.scenario.logical import (
     ConflictKind,
     Crossing,
     Drive,
-    ParameterRange,
     Reverses,
     Standing,
 )
+from scegen.scenario.parameters import ParameterRange
 from scegen.scenario.vocabulary import Maneuver
 
 MOST_DEADLOCKS = 4096

@@ -9,7 +9,8 @@ from __future__ import annotations
 from itertools import chain
 
 from scegen.enumeration.sharing import Kept, Share
-from scegen.scenario.logical import Assignment, Conflict, ParameterRange
+from scegen.scenario.logical import Assignment, Conflict
+from scegen.scenario.parameters import ParameterRange
 
 
 class Stretch:

@@ -12,6 +12,7 @@ from pydantic import ValidationError
 from scegen.errors import InputError, VocabularyError
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.glossary import explain
 from scegen.scenario.logical import LogicalSet
 from scegen.scenario.model import FrozenModel
 
@@ -98,10 +99,10 @@ def load_any(path: Path) -> AnyLevel | None:
 
 
 def json_schema(level: str) -> dict[str, Any]:
-    """The published JSON Schema of a level."""
+    """The published JSON Schema of a level, with every word defined."""
     if level not in LEVELS:
         raise VocabularyError(f"unknown level {level!r}", hint=f"one of {', '.join(LEVELS)}")
-    return LEVELS[level].model_json_schema(mode="validation")
+    return explain(LEVELS[level].model_json_schema(mode="validation"))
 
 
 def _require_level(data: object, cls: type[M], where: str) -> None:
