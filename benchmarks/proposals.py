@@ -10,10 +10,10 @@ import statistics
 import sys
 import time
 
+from scegen.concretization import concretize
 from scegen.criticality import OfflineProposer, raise_criticality, warm_kernels
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import ScegenError
-from scegen.motion import concretize
 from scegen.pipeline.picking import pick
 from scegen.understanding import paper_cases, read
 

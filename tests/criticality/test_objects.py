@@ -6,6 +6,7 @@ from criticality_geometry import line
 from criticality_scenarios import participant, phase, scenario
 from things import thing
 
+from scegen.concretization import concretize
 from scegen.criticality import raise_criticality
 from scegen.criticality.careful_driver import Outcome, careful_driver_verdict
 from scegen.criticality.course import ego_course
@@ -14,7 +15,6 @@ from scegen.criticality.reactivity.sensitivity import ego_start_sensitivity
 from scegen.criticality.search.pairs import candidate_pairs, scene_of
 from scegen.criticality.search.problem import view_of
 from scegen.enumeration import enumerate_scenarios
-from scegen.motion import concretize
 from scegen.motion.batch import compile_program, simulate_batch
 from scegen.scenario.concrete import AtTime
 from scegen.scenario.functional import Hazard

@@ -19,7 +19,7 @@ def concretize(
     output: OutputFile = None,
 ) -> None:
     """Choose all numbers of one logical scenario."""
-    from scegen.motion import concretize as choose_numbers
+    from scegen.concretization import concretize as choose_numbers
     from scegen.pipeline.picking import pick
     from scegen.scenario.files import load, to_json, to_yaml
     from scegen.scenario.logical import LogicalSet

@@ -8,11 +8,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from scegen.checking import CHECKERS, QUICK_CHECKERS, CheckReport, check_files
+from scegen.concretization import concretize
 from scegen.criticality.search.refusing import too_fast
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import InfeasibleError, InputError, NoScenarioError
 from scegen.llm import Session
-from scegen.motion import concretize
 from scegen.pipeline.contents import Made, folder_files
 from scegen.pipeline.export import export_scenario
 from scegen.pipeline.folder import replace_content, require_usable

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from itertools import combinations
 
+from scegen.concretization.boxes import overlap
 from scegen.criticality.search.problem import Problem
 from scegen.motion.batch.arrays import Floats
-from scegen.motion.concretization.boxes import overlap
 from scegen.scenario.bodies import BODIES
 
 _TYRES = "somebody takes a bend faster than the tyres hold"
