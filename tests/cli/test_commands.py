@@ -32,7 +32,7 @@ def made(tmp_path_factory):
 
 
 def test_generate_makes_the_whole_folder(scegen, tmp_path, made):
-    done = scegen("generate", SENTENCE, "-o", "out")
+    done = scegen("generate", SENTENCE, "-o", "out", process=True)
     assert done.returncode == 0, done.stderr
     top = {p.name for p in (tmp_path / "out").iterdir()}
     assert top == {

@@ -16,17 +16,17 @@ MOST_LEVELS = 100
 MOST_REPEATED = 100_000
 """So many values may aliases stand for, all together."""
 
-_Base: type = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+_Base = yaml.CSafeLoader if yaml.__with_libyaml__ else yaml.SafeLoader
 _CANNOT_BE_MADE = (ValueError, LookupError, ArithmeticError, AttributeError, TypeError)
 """What PyYAML and json let through: ``!!int x``, the date 2024-13-45, numbers of 5,000 digits."""
 _JSON = re.compile(r'\s*[{\[]\s*["{\[\]}]')
 """How JSON begins; ``{a: 1}`` and ``[a]`` are YAML."""
 
 
-class _Loader(_Base):  # type: ignore[misc] - which base it is depends on the installation
+class _Loader(_Base):  # type: ignore[valid-type,misc]  # the base depends on the installation
     """A safe loader that refuses a key given twice, of which YAML would keep the last."""
 
-    def construct_mapping(self, node: yaml.MappingNode, deep: bool = False) -> Any:  # noqa: ANN401, FBT001, FBT002 - as the base has it
+    def construct_mapping(self, node: yaml.MappingNode, deep: bool = False) -> Any:  # noqa: ANN401 - as the base has it
         seen = set[Hashable]()
         for key, _ in node.value:
             if isinstance(key, yaml.ScalarNode) and key.tag != "tag:yaml.org,2002:merge":
