@@ -11,9 +11,10 @@ import sys
 import time
 
 from scegen.concretization import concretize
-from scegen.criticality import OfflineProposer, raise_criticality, warm_kernels
+from scegen.criticality import OfflineProposer, raise_criticality
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import ScegenError
+from scegen.measures import warm_kernels
 from scegen.pipeline.picking import pick
 from scegen.understanding import paper_cases, read
 

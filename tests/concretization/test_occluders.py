@@ -7,9 +7,9 @@ import pytest
 import shapely
 
 from scegen.concretization import concretize
-from scegen.criticality.bodies import body_table
-from scegen.criticality.measures.injury import PROTECTED, UNPROTECTED
-from scegen.criticality.measures.occlusion import occlusion_series
+from scegen.measures.bodies import body_table
+from scegen.measures.injury import PROTECTED, UNPROTECTED
+from scegen.measures.occlusion import occlusion_series
 from scegen.motion import build_paths
 from scegen.motion.batch import compile_program, simulate_batch
 from scegen.report.encounter import thing_corners

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from scegen.concretization import concretize
-from scegen.criticality import build_scene, measure
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import MotionInfeasibleError
+from scegen.measures import build_scene, measure
 from scegen.motion import build_paths, simulate
 from scegen.motion.batch import stack_traces
 from scegen.road import build_network

@@ -7,6 +7,7 @@ from math import ceil
 import numpy as np
 
 from scegen.concretization.abreast import place_abreast
+from scegen.concretization.along.compose import compose_along, tells_along
 from scegen.concretization.assemble import assemble
 from scegen.concretization.clock import schedule
 from scegen.concretization.coming_up import come_up, prepare_standing
@@ -66,10 +67,12 @@ def concretize(
         MotionInfeasibleError: it cannot be driven, or needs something unsupported.
         RoadInfeasibleError: the junction cannot be built.
     """
+    if tells_along(functional, logical):
+        return compose_along(functional, logical, seed=seed, road=road)
     try:
         return _on_long_enough_arms(functional, logical, seed, road, obstacles=True)
     except MotionInfeasibleError:
-        if not any(needs_obstacle(hazard) for hazard in functional.hazards):
+        if not any(needs_obstacle(functional, hazard) for hazard in functional.hazards):
             raise
     # Without the thing in the way, the rest can perhaps be driven; the proof says what is missing.
     return _on_long_enough_arms(functional, logical, seed, road, obstacles=False)
@@ -139,7 +142,7 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
             rule.react(scene, hazard)
     program_walkers(scene)
     program_pulls(scene)
-    return hide(scene, assemble(scene, seed))
+    return hide(scene.functional, assemble(scene, seed), scene.network)
 
 
 def _place(scene: Scene) -> None:

@@ -8,11 +8,10 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scegen.concretization.drafts import Scene
 from scegen.motion.model import Array, Path
 from scegen.motion.standing import object_path
 from scegen.road.geometry import Pose
-from scegen.road.model import LaneType, Road
+from scegen.road.model import LaneType, Road, RoadNetwork
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario
 
@@ -23,12 +22,12 @@ _TRAVELLED = frozenset({LaneType.DRIVING, LaneType.PARKING})
 
 
 def taken_ground(
-    scene: Scene, concrete: ConcreteScenario, paths: Mapping[str, Path]
+    network: RoadNetwork, concrete: ConcreteScenario, paths: Mapping[str, Path]
 ) -> shapely.Geometry:
     """All ground on which nothing may stand."""
     parts = [
         strip.buffer(_OFF_THE_ROAD_M)
-        for road in scene.network.roads
+        for road in network.roads
         for strip in (_carriageway(road),)
         if strip is not None
     ]

@@ -16,7 +16,7 @@ from scegen.concretization.lane_choice import lanes_in
 from scegen.concretization.limits import HARD_BRAKING_MPS2
 from scegen.concretization.marks import Mark
 from scegen.concretization.meetings import drives_meet
-from scegen.concretization.objects import made_of, words_of
+from scegen.concretization.objects import caused_by_nobody, causes_it, free_name, made_of, shape_of
 from scegen.concretization.obstacle_spots import (
     Spot,
     is_free,
@@ -26,10 +26,10 @@ from scegen.concretization.obstacle_spots import (
 )
 from scegen.concretization.others import Expected
 from scegen.concretization.passing import calm_change_length_m, pass_standing
-from scegen.concretization.things import OBSTACLE, obstacle_named
+from scegen.concretization.things import OBSTACLE
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.bodies import Body
-from scegen.scenario.functional import Hazard
+from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 
 _REACTS = (
@@ -60,22 +60,28 @@ _PULLS_OUT_OVER_M = 15.0
 _BEFORE_PULLING_OUT_M = 0.5
 
 
-def needs_obstacle(hazard: Hazard) -> bool:
+def needs_obstacle(functional: FunctionalScenario, hazard: Hazard) -> bool:
     """Whether a danger is a thing in the way, and nobody is said to be that thing."""
-    return hazard.kind is HazardKind.OBSTACLE and not hazard.by
+    return hazard.kind is HazardKind.OBSTACLE and caused_by_nobody(functional, hazard)
 
 
 def expect_obstacles(scene: Scene) -> None:
     """Which dangers need a thing in the way, what it is, and in whose way it lies."""
     for hazard in scene.functional.hazards:
-        if not (scene.obstacles and needs_obstacle(hazard)):
+        if not (scene.obstacles and needs_obstacle(scene.functional, hazard)):
             continue
-        named = obstacle_named(words_of(scene, hazard))
-        if named is None and scene.stands:
+        thing = causes_it(scene.functional, hazard)
+        if thing is None and scene.stands:
             continue
         named_victims = [name for name in hazard.to if name in scene.drives]
+        if thing is not None and thing.in_way_of in scene.drives:
+            named_victims = [thing.in_way_of]
         who = named_victims[0] if named_victims else _who_reacts(scene)
-        scene.expected.append(Expected(hazard, named or OBSTACLE, who))
+        shape = OBSTACLE if thing is None else shape_of(thing.kind)
+        taken = {plan.name for plan in scene.expected}
+        name = free_name(scene.functional, shape.kind, taken) if thing is None else thing.id
+        called = None if thing is None else thing.called
+        scene.expected.append(Expected(hazard, name, shape, who, called))
 
 
 def _who_reacts(scene: Scene) -> str:
@@ -104,7 +110,7 @@ def place_obstacles(scene: Scene) -> None:
     for plan in scene.expected:
         draft = scene.drives[plan.who]
         width = scene.road.arms[draft.drive.entry].lane_width_m - 2 * _KERB_M
-        thing = replace(plan.thing, width_m=min(plan.thing.width_m, width))
+        thing = replace(plan.shape, width_m=min(plan.shape.width_m, width))
         body = thing.body
         stays = _may_stay(scene, draft)
         if draft.changes_before:
@@ -115,7 +121,7 @@ def place_obstacles(scene: Scene) -> None:
         spot = next((s for s in free if _react(scene, draft, s, body, stays=stays)), None)
         if spot is None:
             continue
-        made = made_of(scene, thing, spot.pose)
+        made = made_of(plan.name, thing, plan.called, spot.pose)
         scene.add_object(made, plan.hazard, draft.id)
         away = draft.laid.turning_starts_m - spot.station_m
         scene.note(f"{made.id}.from_junction_m", away, f"lies in the way of {draft.id}")

@@ -15,17 +15,24 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scegen.concretization.drafts import Scene
 from scegen.concretization.ground import boxes, taken_ground
-from scegen.concretization.objects import made_of, words_of
-from scegen.concretization.things import SCREEN, Thing, screen_named
+from scegen.concretization.objects import caused_by_nobody, causes_it, free_name, made_of, shape_of
+from scegen.concretization.things import SCREEN, Shape
 from scegen.motion.model import Array, Trace
 from scegen.motion.paths import build_paths
 from scegen.motion.simulation import simulate
 from scegen.road.geometry import Pose
-from scegen.scenario.concrete import Change, ConcreteScenario
-from scegen.scenario.functional import Hazard
+from scegen.road.model import RoadNetwork
+from scegen.scenario.concrete import (
+    Change,
+    ConcreteScenario,
+    CrossingMotion,
+    DriveMotion,
+    StandingMotion,
+)
+from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.objects import StaticObject
+from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import HazardKind
 
 _EARLIEST_S, _LATEST_S, _EVERY_S = 8.0, 0.5, 0.8
@@ -60,74 +67,84 @@ class _Places:
         )
 
 
-def hide(scene: Scene, concrete: ConcreteScenario) -> ConcreteScenario:
+def hide(
+    functional: FunctionalScenario, concrete: ConcreteScenario, network: RoadNetwork
+) -> ConcreteScenario:
     """The scenario with a thing for every occlusion that nobody is said to cause.
 
     Where it is too small for that it is as large as a plain wall; where even then no place hides
     anybody for long enough, it is left out, and the danger with it.
     """
-    for hazard in scene.functional.hazards:
-        if hazard.kind is HazardKind.OCCLUSION and not hazard.by:
-            named = screen_named(words_of(scene, hazard))
-            if named is None and scene.stands:
-                continue
-            thing = named or SCREEN
-            made = _hide(scene, concrete, hazard, thing)
-            if made is concrete:  # too small for who is behind it
-                wider = max(thing.length_m, SCREEN.length_m), max(thing.width_m, SCREEN.width_m)
-                larger = replace(thing, length_m=wider[0], width_m=wider[1])
-                made = _hide(scene, concrete, hazard, larger)
-            concrete = made
+    parked = any(isinstance(p.motion, StandingMotion) for p in concrete.participants)
+    for hazard in concrete.hazards:
+        if hazard.kind is not HazardKind.OCCLUSION or not caused_by_nobody(functional, hazard):
+            continue
+        thing = causes_it(functional, hazard)
+        if thing is None and parked:
+            continue
+        shape = SCREEN if thing is None else shape_of(thing.kind)
+        taken = {o.id for o in concrete.objects}
+        name = free_name(functional, shape.kind, taken) if thing is None else thing.id
+        named = thing if thing is not None else Thing(id=name, kind=shape.kind)
+        made = _hide(concrete, network, hazard, named, shape)
+        if made is concrete:  # too small for who is behind it
+            wider = max(shape.length_m, SCREEN.length_m), max(shape.width_m, SCREEN.width_m)
+            larger = replace(shape, length_m=wider[0], width_m=wider[1])
+            made = _hide(concrete, network, hazard, named, larger)
+        concrete = made
     return concrete
 
 
 def _hide(
-    scene: Scene, concrete: ConcreteScenario, hazard: Hazard, thing: Thing
+    concrete: ConcreteScenario, network: RoadNetwork, hazard: Hazard, thing: Thing, shape: Shape
 ) -> ConcreteScenario:
     observer = next(iter(hazard.to), concrete.ego.id)
-    paths = build_paths(concrete, scene.network)
+    paths = build_paths(concrete, network)
     traces = simulate(concrete, paths, dt_s=_STEP_S)
-    ground = taken_ground(scene, concrete, paths)
+    ground = taken_ground(network, concrete, paths)
     best: tuple[float, str, StaticObject] | None = None
-    for group in _hidden_ones(scene, concrete, observer):
+    for group in _hidden_ones(concrete, observer, thing):
         for name in group:
-            drives = name in scene.drives
-            sized = replace(thing, length_m=_LONG_M) if thing.long and drives else thing
+            drives = isinstance(concrete.participant(name).motion, DriveMotion)
+            sized = replace(shape, length_m=_LONG_M) if shape.long and drives else shape
             found = _best_place(traces[observer], traces[name], concrete, sized, ground)
             if found is not None and (best is None or found[0] > best[0]):
-                best = found[0], name, made_of(scene, sized, Pose(*found[1:]))
+                best = found[0], name, made_of(thing.id, sized, thing.called, Pose(*found[1:]))
         if best is not None:
             break
     if best is None:
         return concrete
     _, name, made = best
-    scene.add_object(made, hazard, observer)
     change = Change(
         parameter=f"{made.id}.length_m",
         by="concretization",
         after=made.length_m,
         reason=f"hides {name} from {observer}",
     )
+    caused = hazard.model_copy(update={"by": (made.id,), "to": hazard.to or (observer,)})
     return concrete.model_copy(
         update={
-            "objects": tuple(scene.objects),
-            "hazards": scene.hazards,
+            "objects": (*concrete.objects, made),
+            "hazards": tuple(caused if h is hazard else h for h in concrete.hazards),
             "provenance": (*concrete.provenance, change),
         }
     )
 
 
-def _hidden_ones(scene: Scene, concrete: ConcreteScenario, observer: str) -> list[list[str]]:
-    """Who may be hidden, the likeliest first: who crosses, who endangers, whom one meets."""
-    causes = [n for h in concrete.hazards if observer in h.to for n in h.by if n in scene.drives]
+def _hidden_ones(concrete: ConcreteScenario, observer: str, thing: Thing) -> list[list[str]]:
+    """Who may be hidden: who is said to be, who crosses, who endangers, whom one meets, anybody."""
+    drives = [p.id for p in concrete.participants if isinstance(p.motion, DriveMotion)]
+    walks = [p.id for p in concrete.participants if isinstance(p.motion, CrossingMotion)]
+    causes = [n for h in concrete.hazards if observer in h.to for n in h.by if n in drives]
     met = [
         name
-        for conflict in scene.logical.conflicts
+        for conflict in concrete.logical.conflicts
         if observer in (conflict.first, conflict.second)
         for name in (conflict.first, conflict.second)
-        if name in scene.drives
+        if name in drives
     ]
-    groups = [list(scene.walks), causes, met, list(scene.drives)]
+    said = [name for name in thing.hides if name in {*drives, *walks}]
+    groups = [said] if said else [walks, causes, met, drives]
     return [[n for n in dict.fromkeys(group) if n != observer] for group in groups]
 
 
@@ -135,7 +152,7 @@ def _best_place(
     observer: Trace,
     target: Trace,
     concrete: ConcreteScenario,
-    thing: Thing,
+    thing: Shape,
     ground: shapely.Geometry,
 ) -> tuple[float, float, float, float] | None:
     """(worth, x, y, heading) of the best place; None if none hides the target long enough."""
@@ -195,7 +212,7 @@ def _points(concrete: ConcreteScenario, trace: Trace, centre: Array) -> list[Arr
 
 
 def _places(
-    eye: Array, mark: Array, observer: Trace, target: Trace, thing: Thing, nearest: int
+    eye: Array, mark: Array, observer: Trace, target: Trace, thing: Shape, nearest: int
 ) -> _Places:
     """Places on lines of sight before the encounter, near either end; along the road first."""
     rows = []
@@ -226,7 +243,7 @@ def _places(
     return _Places(*(values.T.ravel() for values in (x, y, heading, worth)))
 
 
-def _cut(places: _Places, thing: Thing, eye: Array, point: Array) -> NDArray[np.bool_]:
+def _cut(places: _Places, thing: Shape, eye: Array, point: Array) -> NDArray[np.bool_]:
     """Whether each box cuts the straight line between two points, (place, t)."""
     c, s = np.cos(places.heading_rad)[:, None], np.sin(places.heading_rad)[:, None]
     low, high = np.zeros((len(c), eye.shape[1])), np.ones((len(c), eye.shape[1]))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from scegen.concretization.things import Thing
+from scegen.concretization.things import Shape
 from scegen.motion.model import Path
 from scegen.motion.polyline import LaidDrive
 from scegen.scenario.bodies import BODIES, Body
@@ -72,8 +72,10 @@ class PullDraft:
 
 @dataclass(frozen=True, slots=True)
 class Expected:
-    """A danger that a thing is to cause, what it is, and in whose way it lies."""
+    """A danger that a thing is to cause, its name and shape, and in whose way it lies."""
 
     hazard: Hazard
-    thing: Thing
+    name: str
+    shape: Shape
     who: str
+    called: str | None = None

@@ -26,7 +26,10 @@ _SWERVING_HAZARDS = frozenset({HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL})
 
 
 def plan(
-    functional: FunctionalScenario, logical: LogicalScenario, arm_length_m: float
+    functional: FunctionalScenario,
+    logical: LogicalScenario,
+    arm_length_m: float,
+    least_lanes: int = 0,
 ) -> RoadParameters:
     """Road parameters with the lanes, strips and ring that the scenario needs."""
     kinds = {hazard.kind for hazard in functional.hazards}
@@ -35,7 +38,8 @@ def plan(
     parameters = plan_road(
         functional.junction.model_copy(update={"speed_limit_mps": limit}),
         arm_length_m=arm_length_m,
-        min_lanes=max(_min_lanes(functional, logical), lanes_to_turn_back(functional, logical)),
+        min_lanes=least_lanes
+        or max(_min_lanes(functional, logical), lanes_to_turn_back(functional, logical)),
         crosswalks=_crosswalks(functional, logical),
         parking_lanes=frozenset(s.arm for s in logical.standings if not s.in_lane),
         u_turns=frozenset(drive.entry for drive in turning_back),

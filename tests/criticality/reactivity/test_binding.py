@@ -2,9 +2,8 @@
 
 import pytest
 
-from scegen.concretization import concretize
+from scegen.claims.hazards.ways import paths_of, ways_of
 from scegen.criticality import raise_criticality
-from scegen.criticality.hazards.ways import paths_of, ways_of
 from scegen.criticality.reactivity.binding import bind_to_ego
 from scegen.criticality.reactivity.sensitivity import ego_start_sensitivity
 from scegen.enumeration import enumerate_scenarios

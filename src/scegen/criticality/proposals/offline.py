@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from scegen.criticality.hazards.roles import culprits
+from scegen.claims.hazards.roles import culprits
 from scegen.criticality.proposals.parameters import Parameter
 from scegen.criticality.proposals.proposal import Check, Encounter, Proposal, Proposed, Situation
 from scegen.criticality.target import Target

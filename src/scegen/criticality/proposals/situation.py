@@ -6,12 +6,12 @@ from math import inf
 
 import numpy as np
 
-from scegen.criticality.following import SPACING_M
-from scegen.criticality.hazards.judging import number
-from scegen.criticality.hazards.view import View
+from scegen.claims.hazards.judging import number
+from scegen.claims.hazards.view import View, view_of
 from scegen.criticality.proposals.parameters import parameters_of
 from scegen.criticality.proposals.proposal import Encounter, Situation
-from scegen.criticality.search.problem import MEASURE_FIELDS, Problem, view_of
+from scegen.criticality.search.problem import MEASURE_FIELDS, Problem
+from scegen.measures.following import SPACING_M
 from scegen.motion.batch.arrays import Floats
 from scegen.motion.batch.simulation import simulate_batch
 from scegen.scenario.proof import HazardProof

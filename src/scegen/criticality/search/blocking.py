@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from scegen.criticality.hazards.roles import culprits
+from scegen.claims.hazards.roles import culprits
 from scegen.criticality.search.optimize import Best
-from scegen.criticality.search.problem import (
-    Problem,
-    judged,
-)
+from scegen.criticality.search.problem import Problem, judged
 
 _MISSED = {
     "contacts": "nobody else touching",

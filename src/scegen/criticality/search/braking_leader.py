@@ -13,11 +13,11 @@ from math import sqrt
 
 import numpy as np
 
-from scegen.criticality.hazards.roles import culprits
-from scegen.criticality.hazards.table import PREDICATES
-from scegen.criticality.hazards.view import View
+from scegen.claims.hazards.roles import culprits
+from scegen.claims.hazards.scenes import Pair
+from scegen.claims.hazards.table import PREDICATES
+from scegen.claims.hazards.view import View
 from scegen.criticality.reactivity.rendezvous import waits_until
-from scegen.criticality.search.pairs import Pair
 from scegen.criticality.search.proving import Evidence, examine
 from scegen.criticality.target import Target
 from scegen.motion.friction import GRAVITY_MPS2

@@ -7,14 +7,13 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from scegen.criticality.evaluation import Summary, measure
-from scegen.criticality.hazards.judging import hazard_pairs, relative_margins
-from scegen.criticality.hazards.view import View
-from scegen.criticality.hazards.ways import Way
-from scegen.criticality.scene import Scene
+from scegen.claims.hazards.judging import hazard_pairs, relative_margins
+from scegen.claims.hazards.view import View, view_of
+from scegen.claims.hazards.ways import Way
 from scegen.criticality.search.lead_in import early_contact_missing, early_missing
 from scegen.criticality.search.variables import Space
 from scegen.criticality.target import Band, Target
+from scegen.measures.scene import Scene
 from scegen.motion.batch.arrays import BatchTraces, Bools, Candidates, Floats, Program
 from scegen.motion.batch.simulation import simulate_batch
 from scegen.motion.friction import GRAVITY_MPS2
@@ -141,27 +140,6 @@ class Problem:
 def judged(concrete: ConcreteScenario) -> list[Hazard]:
     """The dangers that movements of those who are there can show."""
     return [hazard for hazard in concrete.hazards if hazard_pairs(concrete, hazard)]
-
-
-def view_of(
-    concrete: ConcreteScenario,
-    ways: Mapping[str, Way],
-    scene: Scene,
-    traces: BatchTraces,
-    friction: float,
-) -> View:
-    """What predicates look at, from movements."""
-    summary: Summary = measure(traces, scene)
-    return View(
-        concrete=concrete,
-        ways=ways,
-        scene=scene,
-        traces=traces,
-        summary=summary,
-        index={entity.id: i for i, entity in enumerate(concrete.entities)},
-        pairs={(int(a), int(b)): n for n, (a, b) in enumerate(scene.pairs)},
-        friction=friction,
-    )
 
 
 def band_missing(values: Floats, band: Band, room: float) -> Floats:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from scegen.criticality.scene import Scene
+from scegen.claims.hazards.scenes import Pair
 from scegen.criticality.search.bounds import speed_range
-from scegen.criticality.search.pairs import MEETS, Pair, follows, has_areas
+from scegen.criticality.search.pairs import MEETS, follows, has_areas
 from scegen.criticality.target import Target
+from scegen.measures.scene import Scene
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.functional import FunctionalScenario

@@ -1,0 +1,1 @@
+"""Claims: what a description says, as predicates on what moves."""
