@@ -39,9 +39,9 @@ def cases(story):
 def reader_for(chat_server):
     def make(answers, models="openai:gpt-4o-mini", **changes):
         chat_server.answers = answers
-        quick = Limits(request_s=0.5, run_s=5.0, attempts=2, first_wait_s=0.01)
+        patient = Limits(request_s=60, run_s=300, attempts=2, first_wait_s=0.01)
         names = parse_models(models, url=chat_server.url)
-        return AgentReader(LlmSettings(names, chat_server.url, limits=quick, **changes), KEYS)
+        return AgentReader(LlmSettings(names, chat_server.url, limits=patient, **changes), KEYS)
 
     return make
 

@@ -14,13 +14,13 @@ from scegen.claims.hazards.view import view_of
 from scegen.claims.hazards.ways import Way, paths_of, ways_of
 from scegen.criticality.proposals.advising import Advised, advised
 from scegen.criticality.proposals.proposal import Proposer
+from scegen.criticality.raising.refusing import measurable, never_meet
 from scegen.criticality.reactivity.binding import bind_to_ego
 from scegen.criticality.search.bounds import build_space
 from scegen.criticality.search.lead_in import tailgates
 from scegen.criticality.search.pairs import candidate_pairs
 from scegen.criticality.search.problem import Problem, lateral_limits
 from scegen.criticality.search.proving import Evidence, examine, proof_of
-from scegen.criticality.search.refusing import measurable, never_meet
 from scegen.criticality.search.stated import Stated
 from scegen.criticality.target import HEADWAY, NEAR_MISS, Target
 from scegen.motion.batch.arrays import Floats, Ints
