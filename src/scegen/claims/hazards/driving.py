@@ -6,7 +6,7 @@ import numpy as np
 
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
-from scegen.claims.hazards.view import View, lasting, longest_run
+from scegen.claims.view import View, lasting, longest_run
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.speed_limits import limit_for_kind_mps

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from scegen.claims.hazards.ways import paths_of, ways_of
+from scegen.claims.ways import paths_of, ways_of
 from scegen.criticality.proposals.advising import Advised
 from scegen.criticality.proposals.proposal import Proposer
 from scegen.criticality.raising.blocking import blocking

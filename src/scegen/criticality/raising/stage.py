@@ -10,8 +10,8 @@ import numpy as np
 from scegen.claims.hazards.judging import number
 from scegen.claims.hazards.roles import culprits
 from scegen.claims.hazards.scenes import Pair, judged_pairs, scene_of
-from scegen.claims.hazards.view import view_of
-from scegen.claims.hazards.ways import Way, paths_of, ways_of
+from scegen.claims.view import view_of
+from scegen.claims.ways import Way, paths_of, ways_of
 from scegen.criticality.proposals.advising import Advised, advised
 from scegen.criticality.proposals.proposal import Proposer
 from scegen.criticality.raising.refusing import measurable, never_meet

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
-from scegen.claims.hazards.ways import Way
+from scegen.claims.ways import Way
 from scegen.criticality.search.stated import Stated
 from scegen.criticality.search.variables import (
     LEAD_IN_S,

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from scegen.claims.hazards.view import View
+from scegen.claims.view import View
 from scegen.criticality.search.variables import LEAD_IN_S
 from scegen.criticality.target import Band
 from scegen.measures.evaluation import Summary, measure

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from scegen.claims.hazards.judging import hazard_pairs, relative_margins
-from scegen.claims.hazards.view import View, view_of
-from scegen.claims.hazards.ways import Way
+from scegen.claims.view import View, view_of
+from scegen.claims.ways import Way
 from scegen.criticality.search.lead_in import early_contact_missing, early_missing
 from scegen.criticality.search.variables import Space
 from scegen.criticality.target import Band, Target

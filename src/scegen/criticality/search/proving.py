@@ -9,8 +9,8 @@ import numpy as np
 
 from scegen.claims.hazards.judging import judge, number
 from scegen.claims.hazards.scenes import Pair, scene_of
-from scegen.claims.hazards.view import View, view_of
-from scegen.claims.hazards.ways import paths_of, ways_of
+from scegen.claims.view import View, view_of
+from scegen.claims.ways import paths_of, ways_of
 from scegen.criticality.search.problem import MEASURE_FIELDS, choice_missing, target_missing
 from scegen.criticality.target import Band, Target
 from scegen.motion.batch.compilation import compile_program
