@@ -5,7 +5,7 @@ import pytest
 
 from scegen.concretization import concretize
 from scegen.criticality import raise_criticality
-from scegen.criticality.search.braking_leader import REASON
+from scegen.criticality.raising.braking_leader import REASON
 from scegen.criticality.search.lead_in import second_enters_s
 from scegen.criticality.search.proving import examine
 from scegen.criticality.search.variables import LEAD_IN_S

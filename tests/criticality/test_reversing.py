@@ -7,8 +7,8 @@ import pytest
 
 from scegen.claims.ways import paths_of, ways_of
 from scegen.concretization import concretize
+from scegen.criticality.raising.raising import raise_criticality
 from scegen.criticality.reactivity.sensitivity import ego_start_sensitivity
-from scegen.criticality.search.raising import raise_criticality
 from scegen.enumeration import enumerate_scenarios
 from scegen.measures.conflict_areas import area_table
 from scegen.measures.scene import build_scene

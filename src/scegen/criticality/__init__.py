@@ -2,7 +2,7 @@
 
 from scegen.criticality.proposals.offline import OfflineProposer
 from scegen.criticality.proposals.proposal import Proposal, Proposed, Proposer, Situation
-from scegen.criticality.search.raising import Raised, raise_criticality
+from scegen.criticality.raising.raising import Raised, raise_criticality
 
 __all__ = [
     "OfflineProposer",

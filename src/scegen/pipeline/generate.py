@@ -9,7 +9,7 @@ from pathlib import Path
 
 from scegen.checking import CHECKERS, QUICK_CHECKERS, CheckReport, check_files
 from scegen.concretization import concretize
-from scegen.criticality.search.refusing import too_fast
+from scegen.criticality.raising.refusing import too_fast
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import InfeasibleError, InputError, NoScenarioError
 from scegen.llm import Session

@@ -167,7 +167,7 @@ class LaneChange(FrozenModel):
     position_m: float = Field(ge=0)
     length_m: float = Field(gt=0)
     lane_after: int = Field(ge=0, le=4)
-    offset_m: float = Field(default=0.0, ge=-5.0, le=5.0)
+    offset_m: float = Field(default=0.0, ge=-12.0, le=12.0)
     hazard: HazardKind | None = None
 
 
@@ -188,7 +188,7 @@ class DriveMotion(FrozenModel):
     exit_lane: int = Field(ge=0, le=4)
     ring_lane: int | None = Field(default=None, ge=1, le=2)
     start_m: float = Field(ge=0)
-    offset_m: float = Field(default=0.0, ge=-5.0, le=5.0)
+    offset_m: float = Field(default=0.0, ge=-12.0, le=12.0)
     turning_starts_m: float
     turning_ends_m: float
     lane_changes: tuple[LaneChange, ...] = ()

@@ -35,6 +35,13 @@ class Entity:
     ego: bool = False
     parked: bool = False
     parked_basis: Basis | None = None
+    stands: Basis | None = None
+    """Words that say that it stands in the lane from the start."""
+    beside: tuple[str, Basis] | None = None
+    """On which side the lane lies in which it drives beside the ego."""
+    circulates: Basis | None = None
+    start_lane: tuple[str, Basis] | None = None
+    """The lane in which it is said to drive: ``left``, ``middle``, ``right``."""
     sets_off: int = -1
     """Where the text says last that it moves, as the index of a token."""
     labels: set[str] = field(default_factory=set)
@@ -74,6 +81,11 @@ class Entity:
     def is_vehicle(self) -> bool:
         """Whether it drives on the road, parked or not."""
         return self.kind is not ParticipantKind.PEDESTRIAN
+
+    @property
+    def still(self) -> bool:
+        """Whether it stands, beside the lane or in it."""
+        return self.parked or self.stands is not None
 
     @property
     def moving_vehicle(self) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.errors import InputError
 from scegen.scenario.functional import ARM_COUNTS, FunctionalScenario
 from scegen.scenario.vocabulary import DrivingSide, JunctionKind
+from scegen.understanding.amounts.reading import read_amounts
 from scegen.understanding.building.building import Builder
 from scegen.understanding.building.coverage import unattached
 from scegen.understanding.building.leftovers import report
@@ -12,6 +13,7 @@ from scegen.understanding.clauses.clauses import ClauseReader
 from scegen.understanding.clauses.ellipsis import fill_in
 from scegen.understanding.clauses.respectively import share_out
 from scegen.understanding.draft import Draft
+from scegen.understanding.frames import Numbers
 from scegen.understanding.meaning.context import Context
 from scegen.understanding.meaning.hiders import name_hiders
 from scegen.understanding.meaning.meaning import Interpreter
@@ -82,10 +84,12 @@ def read(text: str) -> FunctionalScenario:
     across = "right" if surroundings.side is DrivingSide.LEFT else "left"
     events = share_out(events, terms)
     context = Context(draft, junction, tokens, across)
-    Interpreter(context, surroundings.limit_term).run(chunks, events)
+    numbers = Numbers(terms, tokens, surroundings.limit_term)
+    scenes = Interpreter(context, numbers, surroundings.limit_term).run(chunks, events)
+    happenings = read_amounts(numbers, chunks, scenes, context)
     too_fast(draft, surroundings.speed_limit_mps)
-    report(draft, terms, chunks, events)
-    scenario = Builder(draft, junction, surroundings, tokens).build()
+    report(draft, terms, chunks)
+    scenario = Builder(draft, happenings, junction, surroundings, tokens).build()
     return unattached(scenario, terms, tokens)
 
 

@@ -1,7 +1,6 @@
 """The parameter agent over real HTTP: what it sees, what becomes of its answers, every fault."""
 
 import json
-import time
 
 import pytest
 
@@ -176,9 +175,8 @@ SERVICE = {
 @pytest.mark.parametrize(("answer", "words"), SERVICE.values(), ids=SERVICE)
 def test_faults_of_the_service(advised, scenario, chat_server, answer, words):
     kind, *arguments = answer
-    began = time.monotonic()
-    raised, _ = advised([chat_server.kinds[kind](*arguments)])
-    assert time.monotonic() - began < 30
+    limits = {"limits": Limits(request_s=2, attempts=1)} if kind == "Drip" else {}
+    raised, _ = advised([chat_server.kinds[kind](*arguments)], **limits)
     spoke_instead(raised, scenario, words)
 
 
@@ -281,10 +279,9 @@ def test_a_recording_of_other_numbers_is_refused(advised, good_changes, tmp_path
 
 
 def test_a_run_has_an_end(advised, scenario, chat_server):
-    limits = Limits(request_s=10, run_s=0.6, attempts=100, first_wait_s=0.01)
-    began = time.monotonic()
+    limits = Limits(request_s=1000, run_s=0.6, attempts=100, first_wait_s=0.01)
     raised, _ = advised([chat_server.kinds["Drip"]()], limits=limits)
-    assert time.monotonic() - began < 30
+    assert len(chat_server.requests) <= 1
     spoke_instead(raised, scenario, "no answer in time")
 
 

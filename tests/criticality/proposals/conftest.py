@@ -8,8 +8,8 @@ import pytest
 from scegen.concretization import concretize
 from scegen.criticality.proposals.advising import advised
 from scegen.criticality.proposals.proposal import Proposed
+from scegen.criticality.raising.stage import Stage
 from scegen.criticality.search.proving import examine
-from scegen.criticality.search.stage import Stage
 from scegen.criticality.target import parse_target
 from scegen.enumeration import enumerate_scenarios
 from scegen.pipeline.picking import pick

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 
-from scegen.concretization.along.runner import Move, Runner, gap_m
+from scegen.concretization.along.runner import NEVER_S, Move, Runner, gap_m
 from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank, contact_wanted
 from scegen.concretization.limits import LANE_CHANGE_S
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import Act, ActKind
-from scegen.scenario.spacings import Measure, Spacing
+from scegen.scenario.spacings import CONTACT, Measure, Spacing
 from scegen.scenario.vocabulary import HazardKind, Side
 
 _CLEAR_M = 6.0
@@ -33,16 +34,18 @@ def offset_all(story: Story) -> None:
             turned = mover != who
             left = _left_m(story, spacing, story.runners[who], story.runners[other])
             if left is not None:
-                _put_aside(story.runners[mover], story.runners[fixed], -left if turned else left)
+                later = spacing.at == CONTACT or spacing.at in story.begins_s
+                aside = -left if turned else left
+                _put_aside(story.runners[mover], story.runners[fixed], aside, in_the_end=later)
     outcome = story.functional.outcome
     if outcome is None or outcome.impact_percent is None:
         return
     ego = story.ego
     for name in outcome.between:
         runner = story.runners.get(name)
-        if runner is not None and runner is not ego and not runner.moves:
+        if runner is not None and runner is not ego:
             left = (0.5 - outcome.impact_percent.middle / 100) * ego.body.width_m
-            _put_aside(runner, ego, left)
+            _put_aside(runner, ego, left, in_the_end=True)
 
 
 def _left_m(story: Story, spacing: Spacing, who: Runner, other: Runner) -> float | None:
@@ -71,10 +74,15 @@ def _sign(story: Story, spacing: Spacing, who: Runner, other: Runner) -> int:
     return -1 if story.functional.junction.driving_side.value == "right" else 1
 
 
-def _put_aside(who: Runner, other: Runner, left_m: float) -> None:
+def _put_aside(who: Runner, other: Runner, left_m: float, *, in_the_end: bool) -> None:
     """Move one in (or off) its lane, so that it is so far to the other's left."""
-    wanted = other.y_m(0.0, LANE_WIDTH_M) + other.sign * left_m
-    who.offset_m += who.sign * (wanted - who.y_m(0.0, LANE_WIDTH_M))
+    moment = NEVER_S if in_the_end else 0.0
+    wanted = other.y_m(moment, LANE_WIDTH_M) + other.sign * left_m
+    more = who.sign * (wanted - who.y_m(moment, LANE_WIDTH_M))
+    if who.moves and in_the_end:
+        who.moves[-1] = replace(who.moves[-1], offset_m=who.moves[-1].offset_m + more)
+    else:
+        who.offset_m += more
 
 
 def overtake(story: Story) -> None:

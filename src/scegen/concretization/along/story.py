@@ -107,7 +107,11 @@ class Story:
             return when.delay_s.middle
         if isinstance(when, AfterAct):
             known = self.ends_s if when.since == "end" else self.begins_s
-            return known[when.act] + when.delay_s.middle
+            delay = when.delay_s.middle
+            alone = self.act(when.act).participant == act.participant
+            if alone and delay == 0.0 and when.since == "end":
+                delay = _HOLDS_S  # "and then": what it has reached is held for a moment
+            return known[when.act] + delay
         own = [self.ends_s[a.id] for a in self.acts if a.participant == act.participant
                and a.id in self.ends_s]  # fmt: skip
         if own:

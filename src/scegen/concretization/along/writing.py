@@ -221,6 +221,7 @@ def written_walk(story: Story, frame: Frame, walk: Walk, length_m: float) -> Con
                 target_speed_mps=round(walk.speed_mps, 4),
                 rate_mps2=START_MPS2,
                 hazard=_KINDS.get(walk.kind),
+                act=walk.act,
             ),
             SpeedPhase(
                 trigger=Travelled(participant=walk.id, distance_m=round(end, 3)),

@@ -10,7 +10,8 @@ from scegen.scenario.functional import (
     Relation,
     Unsupported,
 )
-from scegen.scenario.vocabulary import JunctionKind, Role
+from scegen.scenario.vocabulary import Approach, JunctionKind, Role
+from scegen.understanding.building.happening import Writer
 from scegen.understanding.building.hooks import alongside
 from scegen.understanding.building.layout import Layout
 from scegen.understanding.building.left_turns import onto_the_road
@@ -24,6 +25,7 @@ from scegen.understanding.building.proving import Proofs
 from scegen.understanding.building.unsaid import maneuvers_of
 from scegen.understanding.building.viewpoint import choose_ego, settle_positions, suffers
 from scegen.understanding.draft import Basis, Danger, Draft, Entity
+from scegen.understanding.happenings import Happenings
 from scegen.understanding.road.junctions import JunctionReading
 from scegen.understanding.road.surroundings import Surroundings
 from scegen.understanding.words.tokens import Token
@@ -34,6 +36,7 @@ class Builder:
 
     Args:
         draft: participants, hazards and positions.
+        happenings: acts, spacings, things and the outcome.
         reading: what the text says about the junction.
         surroundings: what it says about everything else.
         tokens: the tokens of the text.
@@ -42,11 +45,13 @@ class Builder:
     def __init__(
         self,
         draft: Draft,
+        happenings: Happenings,
         reading: JunctionReading,
         surroundings: Surroundings,
         tokens: list[Token],
     ) -> None:
         self._draft = draft
+        self._happenings = happenings
         self._around = surroundings
         self._proofs = Proofs(draft.text, tokens)
         self._layout = Layout(draft, reading, surroundings, self._proofs)
@@ -79,12 +84,17 @@ class Builder:
         hazards = tuple(self._hazard(d, ego) for d in self._draft.dangers)
         for name, basis in self._around.bases.items():
             self._proofs.add(f"environment.{name}", basis)
+        writer = Writer(self._happenings, ego, self._proofs)
         return FunctionalScenario(
             description=self._draft.text,
             junction=junction,
             participants=participants,
             relations=linked,
             hazards=hazards,
+            objects=writer.objects(),
+            spacings=writer.spacings(),
+            acts=writer.acts(),
+            outcome=writer.outcome(),
             environment=self._around.environment(),
             evidence=self._proofs.evidence,
             unsupported=self._unsupported(),
@@ -130,11 +140,19 @@ class Builder:
             kind=entity.kind,
             role=role,
             parked=entity.parked,
-            approaches=frozenset(entity.approaches),
+            approaches=frozenset(self._seen_at(entity)),
             maneuvers=frozenset(maneuvers),
             entries=entries,
             speed_mps=entity.speed,
         )
+
+    def _seen_at(self, entity: Entity) -> set[Approach]:
+        """Where it comes from, with the side of the lane beside."""
+        if entity.approaches != {Approach.ADJACENT} or entity.beside is None:
+            return entity.approaches
+        side, basis = entity.beside
+        self._proofs.add(f"participants.{entity.name}.approaches", basis)
+        return {Approach.ADJACENT, Approach(side)}
 
     def _further_words(self, entity: Entity) -> list[Basis]:
         """Other words that say the same of where somebody comes from."""

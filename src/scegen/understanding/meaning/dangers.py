@@ -169,7 +169,7 @@ def park(scene: Scene, context: Context) -> None:
     """``parked in its lane``: whoever drives there has to get past it."""
     lanes = [p for p in scene.places() if p.kind == "lane"]
     driven = any(not {"adjacent", "opposite", "lateral"} & set(p.dirs) for p in lanes)
-    parked = [e for e in scene.actors if e.parked]
+    parked = [e for e in scene.actors if e.still]
     if driven and parked:
         context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
 

@@ -54,7 +54,7 @@ def _owing_to_the_parked(scene: Scene, context: Context) -> None:
     """``has to leave its lane because of a broken-down lorry``: that is in the way."""
     for prep in scene.event.pps:
         by = prep.target.entities if isinstance(prep.target, Mention) else []
-        parked = [e for e in by if e.parked]
+        parked = [e for e in by if e.still]
         if (
             prep.value == "due"
             and parked
@@ -244,7 +244,7 @@ def _along_the_road(scene: Scene, context: Context) -> bool:
 
 def _slower(entity: Entity, context: Context) -> bool:
     """Whether somebody stands or drives slowly, so that others close in from behind."""
-    return entity.parked or any(entity in d.by and d.kind in _SLOWER for d in context.draft.dangers)
+    return entity.still or any(entity in d.by and d.kind in _SLOWER for d in context.draft.dangers)
 
 
 def _placed(entity: Entity, observer: Entity, context: Context) -> bool:
@@ -262,7 +262,7 @@ def _placed(entity: Entity, observer: Entity, context: Context) -> bool:
 def _around_something(danger: Danger, context: Context) -> None:
     """``a parked bus blocks the lane; the ego detours through the oncoming lane``: past it."""
     draft = context.draft
-    blocked = any(e.parked for e in draft.entities) or any(
+    blocked = any(e.still for e in draft.entities) or any(
         d.kind in _SLOWER | {HazardKind.OBSTACLE} for d in draft.dangers
     )
     for entity in danger.by if blocked else []:

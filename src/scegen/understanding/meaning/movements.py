@@ -257,7 +257,7 @@ def through_junction(scene: Scene, context: Context) -> None:
     if onward is not None:
         apply(scene, context, {Maneuver.STRAIGHT}, Basis(onward.i, onward.j))
     if isinstance(event.object, Mention) and event.name == "approach":
-        targets = [e for e in scene.targets if e.parked]
+        targets = [e for e in scene.targets if e.still]
         context.ahead(targets, scene.actors, Basis(event.i, event.j))
 
 

@@ -7,6 +7,7 @@ from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.clauses.bearing import from_the_wrong_lane
 from scegen.understanding.clauses.located import landmark
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.meaning.standing import lane_of
 from scegen.understanding.words.terms import Term
 
 _BY_DIR: dict[str, frozenset[Approach]] = {
@@ -209,9 +210,27 @@ class Placer:
         for entity in entities:
             if wrong and Maneuver.OVERTAKE in entity.maneuvers:
                 continue  # who overtakes is in the oncoming lane, but does not come from there
+            self._which_lane(entity, target, reference, approaches, basis)
             kerb = target.kind in {"sidewalk", "shoulder"} and prep.value == "from"
             entity.pulls_out = entity.pulls_out or kerb
             self._draft.place(entity, reference, set(approaches), basis)
+
+    def _which_lane(
+        self,
+        entity: Entity,
+        lane: Place,
+        reference: Entity | None,
+        approaches: frozenset[Approach],
+        basis: Basis,
+    ) -> None:
+        """``in the right lane``: to the right of the ego's, unless it is the ego who drives there."""
+        named = lane_of(lane)
+        if named is None:
+            return
+        entity.start_lane = entity.start_lane or (named, basis)
+        seen = reference is None or reference.ego
+        if named in _SIDES and seen and approaches == _BY_DIR["adjacent"]:
+            entity.beside = entity.beside or (named, basis)
 
     def _on_both_sides(self, prep: Prep, side: Place, entities: list[Entity]) -> bool:
         """``two vans on either side of the bus``: abreast of it."""
@@ -235,6 +254,8 @@ class Placer:
             abreast = entity.moving_vehicle and entity.kind is not ParticipantKind.BICYCLE
             where = {Approach.ADJACENT} if abreast else sides
             self._draft.place(entity, owner, where, basis)
+            if abreast and len(sides) == 1 and (owner is None or owner.ego):
+                entity.beside = entity.beside or (next(iter(sides)).value, basis)
 
     def _apart(self, entities: list[Entity], basis: Basis) -> None:
         """``from different arms``: no two come from the same one."""

@@ -31,10 +31,10 @@ def block(scene: Scene, context: Context) -> None:
     prevents = any(c.link == "ing" or c.nominal for c in scene.event.children)
     if prevents and not scene.places():
         return
-    parked = [e for e in scene.actors if e.parked]
+    parked = [e for e in scene.actors if e.still]
     if parked:
         context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
-    moving = [e for e in scene.actors if not e.parked]
+    moving = [e for e in scene.actors if not e.still]
     faster = [d for d in context.draft.dangers if d.kind is HazardKind.SUDDEN_ACCELERATION]
     if moving and not any(e in d.by for d in faster for e in moving):
         context.draft.hazard(HazardKind.STOPPING, scene.words, moving)

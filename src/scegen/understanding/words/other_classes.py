@@ -1,4 +1,4 @@
-"""Words that are of another class here than most often: "facing", "neither", "left", "yards"."""
+"""Words that are of another class here than most often: "facing", "neither", "left"."""
 
 from __future__ import annotations
 
@@ -14,12 +14,9 @@ def other_class(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
 
     Args:
         term: the term.
-        terms: the terms before it; a number that it measures is taken from them.
+        terms: the terms before it.
         tokens: the tokens of the text.
     """
-    if terms and _in_yards(terms, tokens, term):
-        number = terms.pop()
-        return Term("quantity", "other", number.i, term.j, data={"quantity": None})
     if term.value == "neither" and _negates_a_verb(term, terms, tokens):
         return replace(term, cat="neg", value="not")
     if term.value == "left" and term.cat == "dir" and _remains(terms, tokens, term):
@@ -29,11 +26,6 @@ def other_class(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     if tokens[term.i].low == "facing" and _across_from_somebody(term, terms, tokens):
         return Term("locus", "opposite", term.i, term.j)  # "the truck facing the ego"
     return term
-
-
-def _in_yards(terms: list[Term], tokens: list[Token], term: Term) -> bool:
-    """``a hundred yards ahead``: a length, not a place."""
-    return tokens[term.i].low in {"yard", "yards", "yds"} and terms[-1].cat == "num"
 
 
 def _negates_a_verb(term: Term, terms: list[Term], tokens: list[Token]) -> bool:

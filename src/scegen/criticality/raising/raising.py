@@ -9,15 +9,15 @@ import numpy as np
 from scegen.claims.ways import paths_of, ways_of
 from scegen.criticality.proposals.advising import Advised
 from scegen.criticality.proposals.proposal import Proposer
-from scegen.criticality.search.blocking import blocking
-from scegen.criticality.search.braking_leader import braking_leaders
+from scegen.criticality.raising.blocking import blocking
+from scegen.criticality.raising.braking_leader import braking_leaders
+from scegen.criticality.raising.refusing import too_fast, too_slow
+from scegen.criticality.raising.stage import Stage
 from scegen.criticality.search.optimize import Best, follow, search
 from scegen.criticality.search.pairs import candidate_pairs
 from scegen.criticality.search.problem import SEARCH_DT_S, Problem
 from scegen.criticality.search.proving import PROOF_DT_S, Evidence, examine
 from scegen.criticality.search.rebuild import rebuilt
-from scegen.criticality.search.refusing import too_fast, too_slow
-from scegen.criticality.search.stage import Stage
 from scegen.criticality.target import NEAR_MISS, parse_target
 from scegen.motion.ties import clear_of_ties
 from scegen.road import build_network

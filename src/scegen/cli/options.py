@@ -1,4 +1,4 @@
-"""Options by which a list of scenarios is narrowed, the same wherever one is made."""
+"""Options that mean the same in several commands."""
 
 from __future__ import annotations
 
@@ -12,4 +12,8 @@ WhereOption = Annotated[
 ]
 RulesOption = Annotated[
     Path | None, typer.Option(help="Only scenarios that keep the ASP rules in this file.")
+]
+JsonFlag = Annotated[bool, typer.Option("--json", help="Print JSON.")]
+OutputFile = Annotated[
+    Path | None, typer.Option("--output", "-o", help="Write to this file instead of stdout.")
 ]

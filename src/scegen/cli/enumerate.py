@@ -8,11 +8,16 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from scegen.cli.choices import RulesOption, WhereOption
-from scegen.cli.claims import coverage_json, coverage_lines, head, line, tell_claim, tell_count
+from scegen.cli.certificates import (
+    coverage_json,
+    coverage_lines,
+    head,
+    line,
+    tell_claim,
+    tell_count,
+)
 from scegen.cli.console import result
 from scegen.cli.gallery import require_picture, write_picture
-from scegen.cli.levels import JsonFlag, functional_of, write_text
 from scegen.cli.listing import (
     agree_to_many,
     listing_under_way,
@@ -20,6 +25,9 @@ from scegen.cli.listing import (
     stream_lines,
     write_json,
 )
+from scegen.cli.options import JsonFlag, RulesOption, WhereOption
+from scegen.cli.source import functional_of
+from scegen.cli.writing import write_text
 from scegen.errors import InputError
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 

@@ -14,13 +14,13 @@ from scegen.claims.view import view_of
 from scegen.claims.ways import Way, paths_of, ways_of
 from scegen.criticality.proposals.advising import Advised, advised
 from scegen.criticality.proposals.proposal import Proposer
+from scegen.criticality.raising.refusing import measurable, never_meet
 from scegen.criticality.reactivity.binding import bind_to_ego
 from scegen.criticality.search.bounds import build_space
 from scegen.criticality.search.lead_in import tailgates
 from scegen.criticality.search.pairs import candidate_pairs
 from scegen.criticality.search.problem import Problem, lateral_limits
 from scegen.criticality.search.proving import Evidence, examine, proof_of
-from scegen.criticality.search.refusing import measurable, never_meet
 from scegen.criticality.search.stated import Stated
 from scegen.criticality.target import HEADWAY, NEAR_MISS, Target
 from scegen.motion.batch.arrays import Floats, Ints
@@ -168,10 +168,13 @@ class Stage:
     def meetings_s(self, found: Evidence) -> dict[str, list[float]]:
         """Whose danger with the ego it is, the target's partner first, and when it happens.
 
-        Things do not wait for anybody.
+        Things do not wait for anybody, nor does who is said to drive at some speed or distance:
+        who waits drives otherwise.
         """
+        stated = Stated.of(self.functional)
         ego = self.concrete.ego.id
-        people = {p.id for p in self.concrete.participants}
+        fixed = {*stated.speeds, *stated.placed} - {ego}
+        people = {p.id for p in self.concrete.participants} - fixed
         pairs = [p for p in (self.pair, *judged_pairs(self.concrete)) if people >= {*p}]
         met = {frozenset(pair): pair for pair in pairs if ego in pair}
         meetings: dict[str, list[float]] = {}

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from scegen.cli.console import result, result_json, say, working
+from scegen.cli.options import JsonFlag
 
 if TYPE_CHECKING:
     from scegen.benchmark.said import Row
@@ -27,7 +28,7 @@ def said(
             help="Python file with judge(facts, recording); judge_catalogue.py beside FILE."
         ),
     ] = None,
-    json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
+    json: JsonFlag = False,
 ) -> None:
     """From the sentence to what runs: which facts are true when the files are played."""
     from scegen.benchmark.said import JUDGE_FILE, load_judge, load_records, run, tally

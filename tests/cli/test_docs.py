@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import re
 import shlex
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -19,7 +17,7 @@ def test_there_are_examples():
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
-def test_examples_print_what_they_say(page, tmp_path):
+def test_examples_print_what_they_say(scegen, page, tmp_path):
     """A ``% file: name`` block is written; ! lines are stderr, all others stdout."""
     text = page.read_text("utf-8")
     for name, content in re.findall(r"```\w+\n% file: (\S+)\n(.*?)```", text, re.DOTALL):
@@ -30,14 +28,7 @@ def test_examples_print_what_they_say(page, tmp_path):
         asked, _, shown = command.partition("\n")
         program, *arguments = shlex.split(asked)
         assert program == "scegen"
-        done = subprocess.run(
-            [sys.executable, "-c", "from scegen.cli import main; main()", *arguments],
-            capture_output=True,
-            text=True,
-            cwd=tmp_path,
-            check=False,
-            timeout=120,
-        )
+        done = scegen(*arguments)
         lines = shown.splitlines()
         assert done.stdout.splitlines() == [x for x in lines if not x.startswith("!")], asked
         for complaint in (x.removeprefix("! ") for x in lines if x.startswith("!")):
