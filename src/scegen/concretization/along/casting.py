@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from scegen.concretization.along.asked import allowed, dangers
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.limits import CYCLING_MPS, WALKING_MPS
 from scegen.scenario.acts import Act, ActKind
@@ -32,6 +33,8 @@ _USUAL_MPS = {
 limits have it, cyclists and walkers at their pace."""
 _EDGE_M = 1.5
 """Who walks along the side of the road keeps so far from the middle of its outermost lane."""
+_OF_LIMIT = 0.75
+"""Who goes slower than this share of the limit does not set the pace of the others."""
 _PASSES_BY_MPS = 6.0
 """By so much one who overtakes is faster, where no speeds are said."""
 
@@ -73,7 +76,9 @@ def _runner(
     else:
         raise TypeError(f"{participant.id} goes across the road")
     beside = isinstance(assignment, Walking | Standing) and not assignment.in_lane
-    runner = Runner(participant.id, participant.kind, forward, assignment_lane(assignment), 0.0)
+    lane = assignment_lane(assignment)
+    runner = Runner(participant.id, participant.kind, forward, lane, 0.0)
+    runner.keeps_left = keeps == "left"
     if beside:
         # Seen in its own direction, the edge is to the kerb's side if it goes with the traffic.
         outward = -1.0 if keeps == "right" else 1.0
@@ -96,7 +101,9 @@ def _speeds(
     """Said, else by the danger that it causes, else the one speed of cruising traffic."""
     said = {p.id: p.speed_mps for p in functional.participants if p.speed_mps is not None}
     ego = runners[functional.ego.id]
-    cruising = said[ego.id].middle if ego.id in said else _leader_speed(logical, said, ego.id)
+    cruising = (
+        said[ego.id].middle if ego.id in said else _leader_speed(logical, said, ego.id, limit_mps)
+    )
     if cruising is None or cruising < 1.0:
         cruising = limit_mps
     for runner in runners.values():
@@ -111,8 +118,9 @@ def _speeds(
         else:
             usual = _USUAL_MPS.get(runner.kind, limit_mps)
             speed = min(cruising if runner.forward else limit_mps, usual)
-            runner.speed_mps = _endangering(logical, runner, speed, limit_mps)
-    for hazard in logical.hazards:
+            speed = _endangering(functional, logical, runner, speed, limit_mps)
+            runner.speed_mps = allowed(logical, runner.id, speed)
+    for hazard in dangers(functional, logical):
         if hazard.kind is HazardKind.OVERTAKING:
             _make_faster(runners, hazard.by, hazard.to, said)
     for act in functional.acts:
@@ -128,9 +136,10 @@ def _leader_speed(logical: LogicalScenario, said: Mapping[str, object], ego: str
         return None
     for name, drive in drives.items():
         interval = said.get(name)
+        middle = float(getattr(interval, "middle", 0.0))
         level = drive.entry == own.entry and drive.maneuver is not Maneuver.STAY
-        if interval is not None and level and name != ego:
-            return float(getattr(interval, "middle"))  # noqa: B009 - typed by the caller
+        if level and name != ego and middle >= _OF_LIMIT * limit_mps:
+            return middle
     return None
 
 
@@ -141,11 +150,15 @@ def _sets_off(functional: FunctionalScenario, name: str) -> bool:
 
 
 def _endangering(
-    logical: LogicalScenario, runner: Runner, speed_mps: float, limit_mps: float
+    functional: FunctionalScenario,
+    logical: LogicalScenario,
+    runner: Runner,
+    speed_mps: float,
+    limit_mps: float,
 ) -> float:
     """The speed of one whose danger is its speed."""
     own = limit_for_kind_mps(runner.kind, limit_mps)
-    for hazard in logical.hazards:
+    for hazard in dangers(functional, logical):
         share = HAZARDS[hazard.kind].speed_share
         if runner.id in hazard.by and share is not None:
             return min(share[2] * own, BODIES[runner.kind].top_speed_mps)
@@ -161,7 +174,7 @@ def _make_faster(
     """Who overtakes is clearly faster; where its speed is said, the other is slower."""
     for fast in (runners[name] for name in by if name in runners):
         for slow in (runners[name] for name in to if name in runners):
-            if not slow.forward == fast.forward or fast.speed_mps - slow.speed_mps >= 2.0:
+            if slow.forward != fast.forward or fast.speed_mps - slow.speed_mps >= 2.0:
                 continue
             if slow.id not in said:
                 slow.speed_mps = max(0.6 * fast.speed_mps, fast.speed_mps - _PASSES_BY_MPS)

@@ -39,7 +39,9 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
         for t in event.dirs
         if t.value in DIRECTIONS and not beside_somebody(t.j, tokens)
     }
-    lanes = {p.target.j for p in event.pps if isinstance(p.target, Place) and p.target.kind == "lane"}
+    lanes = {
+        p.target.j for p in event.pps if isinstance(p.target, Place) and p.target.kind == "lane"
+    }
     for prep in event.pps:
         target = prep.target
         if prep.word.i in lanes or after_a_length(tokens, prep.word.i):
