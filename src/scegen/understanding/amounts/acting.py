@@ -59,7 +59,7 @@ def _acts_of(scene: Scene, text: Sentences, context: Context) -> list[Doing]:
         kind = _kind(frame.kind, entity, event, text)
         if kind is None or _stands_then(entity, event):
             continue
-        always = frame.always and not (event.modal and parent is None) and not _forced(event)
+        always = (frame.always or kind is ActKind.CHANGE_LANE) and not (event.modal and parent is None) and not _forced(event)
         always = always and not (kind is ActKind.STOP and not entity.is_vehicle)
         doing = Doing(kind, entity, basis, event.i, always=always)
         _aside(doing, scene, context)
@@ -81,6 +81,8 @@ def _kind(kind: ActKind, entity: Entity, event: Event, text: Sentences) -> ActKi
         begins = begins or text.tokens[event.i].forms[-1][0] in _BEGINNING
         crosses = Maneuver.CROSS in entity.maneuvers
         return (ActKind.CROSS if crosses else ActKind.SET_OFF) if begins else None
+    if event.name == "pull_out" and Maneuver.LANE_CHANGE in entity.maneuvers:
+        return ActKind.CHANGE_LANE
     if kind is ActKind.SET_OFF and not (entity.pulls_out or entity.was_parked or entity.stands):
         return None
     if kind is ActKind.SWERVE and Maneuver.LANE_CHANGE in entity.maneuvers:

@@ -63,6 +63,11 @@ class Spacer:
         if measure is Measure.OVERLAP_PERCENT:
             side = self._half(number) if amount.value.high < 100 else None
             entity, reference = self._ego_last(entity, reference)
+            self._happenings.spacings[:] = [
+                s
+                for s in self._happenings.spacings
+                if s.measure is not measure or s.entity is not entity
+            ]  # "with full overlap (100 %)"
         at = self._moment(number, measure, entity, reference)
         self._happenings.spacings.append(Apart(measure, entity, reference, amount, at, side))
         return True
@@ -238,6 +243,4 @@ class Spacer:
         chosen = free[-1] if free else inside[-1] if inside else None
         if chosen is not None:
             return chosen.entities[0]
-        if number.frame.role == "gap" and self._text.says("own", clause[0], number.i):
-            return doing.entity
         return doing.entity

@@ -8,6 +8,7 @@ from scegen.understanding.clauses.bearing import from_the_wrong_lane
 from scegen.understanding.clauses.located import landmark
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.meaning.standing import lane_of
+from scegen.understanding.words.quantities import after_a_length
 from scegen.understanding.words.terms import Term
 
 _BY_DIR: dict[str, frozenset[Approach]] = {
@@ -37,6 +38,7 @@ _STEADY = frozenset(
 _PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane",
                      "path", "leg"})  # fmt: skip
 _SIDEWAYS = frozenset({"lane_change", "merge", "cut_in"})
+_SIDE_REACH = 3
 _AROUND = frozenset({"around", "round", "past"})
 _BY_WAY_OF = frozenset({"via", "through", "across", "over"})
 
@@ -184,6 +186,8 @@ class Placer:
             return
         if prep.value not in {"from", "in"} and not (prep.value == "to" and event is None):
             return
+        if prep.value == "to" and after_a_length(self._draft.tokens, prep.word.i):
+            return  # "offset 0.5 m to the left"
         facing = target.kind in {"direction", "side"} and "opposite" in target.dirs
         allowed = _STEADY | ({"cross", "turn"} if facing else {"cross"})
         steady = event is None or event.name in allowed
@@ -224,13 +228,19 @@ class Placer:
         basis: Basis,
     ) -> None:
         """``in the right lane``: to the right of the ego's, unless it is the ego who drives there."""
-        named = lane_of(lane)
+        named = lane_of(lane) or self._side_after(lane)
         if named is None:
             return
         entity.start_lane = entity.start_lane or (named, basis)
         seen = reference is None or reference.ego
         if named in _SIDES and seen and approaches == _BY_DIR["adjacent"]:
             entity.beside = entity.beside or (named, basis)
+
+    def _side_after(self, lane: Place) -> str | None:
+        """``in the next lane to the left``."""
+        after = [t.low for t in self._draft.tokens[lane.j : lane.j + _SIDE_REACH]]
+        opened = len(after) == _SIDE_REACH and after[0] in {"to", "on"}
+        return after[2] if opened and "adjacent" in lane.dirs and after[2] in _SIDES else None
 
     def _on_both_sides(self, prep: Prep, side: Place, entities: list[Entity]) -> bool:
         """``two vans on either side of the bus``: abreast of it."""

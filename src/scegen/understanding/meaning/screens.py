@@ -46,6 +46,9 @@ def occlude(scene: Scene, context: Context) -> None:
     narrow = context.tokens[scene.event.i].forms[-1][0] in _NARROWING
     if narrow and not (isinstance(seen, Thing) and seen.kind == "view"):
         return  # "limits the space"
+    covers = context.tokens[scene.event.i].forms[-1][0] in _SHELTERING and not scene.event.passive
+    if covers and not scene.targets and not isinstance(seen, Thing):
+        return  # "has covered half of the way"
     walkers = [e for e in scene.actors if not e.is_vehicle]
     by = [e for e in scene.actors if e.is_vehicle and not e.ego]
     by += [e for e in _behind(scene.event) if e not in by]

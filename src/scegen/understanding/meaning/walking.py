@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Maneuver
-from scegen.understanding.chunks import Event, Place, Prep
+from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.meaning.context import Context, Scene
 
 _LENGTHWISE = frozenset({"along", "down", "up", "beside"})
@@ -29,6 +29,7 @@ def keep_along(scene: Scene, context: Context) -> bool:
     left = {id(p.target) for p in event.pps if context.tokens[p.word.i].low in _LEAVING}
     aside = any(p.kind == "sidewalk" and id(p) not in left for p in scene.places())
     along = event.name in {"walk", "move"} and any(_lengthwise(p, context) for p in event.pps)
+    along = along or any(_from_or_to_a_vehicle(p, context) for p in event.pps)
     along = along or (_own_word(event, context) in _LENGTHWISE and event.object is not None)
     if not aside and (not along or words & _ACROSS):
         return False
@@ -36,6 +37,13 @@ def keep_along(scene: Scene, context: Context) -> bool:
         if not entity.maneuvers:
             context.draft.maneuver(entity, {Maneuver.STRAIGHT}, scene.words)
     return True
+
+
+def _from_or_to_a_vehicle(prep: Prep, context: Context) -> bool:
+    """``walks away from the ego``, ``runs towards the car``: in its lane, not across."""
+    towards = context.tokens[prep.word.i].low in {"towards", "toward", "away"}
+    who = prep.target.entities if isinstance(prep.target, Mention) else []
+    return towards and any(e.is_vehicle and not e.parked for e in who)
 
 
 def _own_word(event: Event, context: Context) -> str:

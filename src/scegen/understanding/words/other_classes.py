@@ -17,6 +17,8 @@ def other_class(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         terms: the terms before it.
         tokens: the tokens of the text.
     """
+    if (term.cat, term.value) == ("verb", "collide") and _a_part(term, terms, tokens):
+        return Term("dir", "rear", term.i, term.j)
     if term.value == "neither" and _negates_a_verb(term, terms, tokens):
         return replace(term, cat="neg", value="not")
     if term.value == "left" and term.cat == "dir" and _remains(terms, tokens, term):
@@ -26,6 +28,12 @@ def other_class(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     if tokens[term.i].low == "facing" and _across_from_somebody(term, terms, tokens):
         return Term("locus", "opposite", term.i, term.j)  # "the truck facing the ego"
     return term
+
+
+def _a_part(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
+    """``its rear end``: a part of a vehicle."""
+    owned = bool(terms) and terms[-1].cat in {"det", "possessive"}
+    return owned and [t.low for t in tokens[term.i : term.j]] == ["rear", "end"]
 
 
 def _negates_a_verb(term: Term, terms: list[Term], tokens: list[Token]) -> bool:

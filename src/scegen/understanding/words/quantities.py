@@ -133,3 +133,17 @@ def _build(tokens: list[Token], i: int, j: int, values: list[float], dimension: 
         note = f"'{last}' is read as 10 % to either side"
         value = Interval(low=low * (1 - _SPREAD), high=high * (1 + _SPREAD))
     return Quantity(dimension, value, i, j, note, parts)
+
+
+def after_a_length(tokens: list[Token], i: int) -> bool:
+    """``0.5 m to the left``: whether a length ends right before a token.
+
+    Args:
+        tokens: the tokens of the text.
+        i: index of the token.
+    """
+    for k in range(max(0, i - _LONGEST_UNIT - 1), i):
+        found = quantity_at(tokens, k)
+        if found is not None and found.j == i:
+            return found.dimension == "length"
+    return False
