@@ -80,7 +80,8 @@ def _runs(view: View, name: str, sense: int, count: int) -> list[Run]:
 def _chosen(runs: Sequence[Run], number: Ints) -> Run:
     """In each candidate the run of that number."""
     rows = np.arange(len(number))
-    begins, ends = np.array([run.begin for run in runs]), np.array([run.end for run in runs])
+    begins = np.array([run.begin for run in runs], dtype=np.int64)
+    ends = np.array([run.end for run in runs], dtype=np.int64)
     changes = np.array([run.change_mps for run in runs])
     return Run(begins[number, rows], ends[number, rows], changes[number, rows])
 
@@ -92,8 +93,8 @@ def _greatest(change: Floats, flags: Bools) -> Run:
     so_far = total - np.maximum.accumulate(np.where(flags, 0.0, total), axis=1)
     last = so_far.argmax(axis=1)
     since = np.maximum.accumulate(np.where(flags, -1, steps), axis=1)
-    begin = at(since, last) + 1
-    amount = at(so_far, last)
+    rows = np.arange(len(change))
+    begin, amount = since[rows, last] + 1, so_far[rows, last]
     return Run(begin, np.where(amount > 0.0, last + 1, begin), amount)
 
 

@@ -110,8 +110,9 @@ class Proof(FrozenModel):
 
     ``pair`` is whom the target is about, ``measure`` what decided (or comes nearest), ``band`` its
     range. ``claims`` are all statements of the description. ``unwanted_contacts`` are pairs that
-    touch although the target does not ask for it. ``dt_s`` is the time step of the proof. ``blocked_by`` says what kept the search from its aim.
-    ``advice`` is None where nobody was asked, since nothing had to change or nothing would help.
+    touch although the target does not ask for it. ``dt_s`` is the time step of the proof.
+    ``blocked_by`` says what kept the search from its aim. ``advice`` is None where nobody was
+    asked, since nothing had to change or nothing would help.
     """
 
     level: Literal["proof"] = "proof"

@@ -254,7 +254,6 @@ def _triggered(told: Told, act: Act, does: str) -> Iterator[Claim]:
         event = f"{other.participant}'s {plain(other.kind)} {since}"
         delay = "right" if when.delay_s.high == 0.0 else f"{amount(when.delay_s)} s"
         statement = f"{does} {delay} after {event}"
-        args = (when, other)
         tolerance = 2 * tolerances.TIME_S
         yield _claim(
             told, act, "when", statement, "s", _after_act, when, other, tolerance=tolerance
