@@ -7,6 +7,17 @@ or a player's recording.
 
 from scegen.claims.claim import Claim, ClaimKind, Judged
 from scegen.claims.deriving import claims_of
+from scegen.claims.numbers import described_by
+from scegen.claims.proving import prove
 from scegen.claims.view import View, view_of
 
-__all__ = ["Claim", "ClaimKind", "Judged", "View", "claims_of", "view_of"]
+__all__ = [
+    "Claim",
+    "ClaimKind",
+    "Judged",
+    "View",
+    "claims_of",
+    "described_by",
+    "prove",
+    "view_of",
+]

@@ -5,6 +5,7 @@ Whoever reads a recording sees it the same way: nothing here knows what was plan
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -72,10 +73,17 @@ def _runs(view: View, name: str, sense: int, count: int) -> list[Run]:
         steps = np.arange(flags.shape[1])
         flags = flags & ~((steps >= run.begin[:, None]) & (steps < run.end[:, None]))
     times = [np.where(run.happens, run.begin, flags.shape[1] + 1) for run in found]
-    order, rows = np.argsort(times, axis=0), np.arange(view.count)
-    begins, ends = np.array([run.begin for run in found]), np.array([run.end for run in found])
-    changes = np.array([run.change_mps for run in found])
-    return [Run(begins[n, rows], ends[n, rows], changes[n, rows]) for n in order]
+    order = np.argsort(times, axis=0)
+    return [_chosen(found, np.asarray(number)) for number in order]
+
+
+def _chosen(runs: Sequence[Run], number: Ints) -> Run:
+    """In each candidate the run of that number."""
+    rows = np.arange(len(number))
+    begins = np.array([run.begin for run in runs], dtype=np.int64)
+    ends = np.array([run.end for run in runs], dtype=np.int64)
+    changes = np.array([run.change_mps for run in runs])
+    return Run(begins[number, rows], ends[number, rows], changes[number, rows])
 
 
 def _greatest(change: Floats, flags: Bools) -> Run:
@@ -85,8 +93,8 @@ def _greatest(change: Floats, flags: Bools) -> Run:
     so_far = total - np.maximum.accumulate(np.where(flags, 0.0, total), axis=1)
     last = so_far.argmax(axis=1)
     since = np.maximum.accumulate(np.where(flags, -1, steps), axis=1)
-    begin = at(since, last) + 1
-    amount = at(so_far, last)
+    rows = np.arange(len(change))
+    begin, amount = since[rows, last] + 1, so_far[rows, last]
     return Run(begin, np.where(amount > 0.0, last + 1, begin), amount)
 
 
@@ -169,7 +177,7 @@ def act_run(view: View, functional: FunctionalScenario, act: Act) -> Run:
     chosen = runs[0]
     for run in runs[1 : number + 1]:
         # Two acts that follow on without a break are one run: both are then that one.
-        chosen = Run(*(np.where(run.happens, n, o) for n, o in zip(run, chosen, strict=True)))
+        chosen = _chosen((chosen, run), np.asarray(run.happens, dtype=np.int64))
     return chosen
 
 

@@ -40,6 +40,8 @@ from scegen.scenario.vocabulary import Side
 _SWERVES_M = 0.3
 _STILL_MPS = 0.1
 _SPEED_OVER_S = 0.1
+_THEN_S = Interval(low=0.0, high=2.0)
+"""Where no delay is said, one act follows another within the time of a slow reaction."""
 
 
 def claims(told: Told) -> Iterator[Claim]:
@@ -250,7 +252,8 @@ def _triggered(told: Told, act: Act, does: str) -> Iterator[Claim]:
         other = next(a for a in told.functional.acts if a.id == when.act)
         since = "begins" if when.since == "begin" else "has ended"
         event = f"{other.participant}'s {plain(other.kind)} {since}"
-        statement = f"{does} {amount(when.delay_s)} s after {event}"
+        delay = "right" if when.delay_s.high == 0.0 else f"{amount(when.delay_s)} s"
+        statement = f"{does} {delay} after {event}"
         tolerance = 2 * tolerances.TIME_S
         yield _claim(
             told, act, "when", statement, "s", _after_act, when, other, tolerance=tolerance
@@ -285,7 +288,8 @@ def _after_act(told: Told, act: Act, when: AfterAct, other: Act, view: View) -> 
     began = _begins(told, act, view)
     delay = np.where((since < view.steps) & (began < view.steps), began - since, np.nan)
     delay = delay * view.dt_s
-    margin = within(delay, when.delay_s, 2 * tolerances.TIME_S)
+    wanted = _THEN_S if when.delay_s.high == 0.0 else when.delay_s
+    margin = within(delay, wanted, 2 * tolerances.TIME_S)
     return Judged(margin, delay, view.time_of(began))
 
 

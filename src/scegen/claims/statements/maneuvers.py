@@ -18,7 +18,7 @@ from scegen.motion.batch.arrays import HEADING, Floats
 from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing, Drive
-from scegen.scenario.vocabulary import Maneuver, ParticipantKind, Side
+from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind, Side
 
 LANE_M = 2.0
 """Who goes so far to the side has changed lane."""
@@ -39,16 +39,21 @@ def claims(told: Told) -> Iterator[Claim]:
             yield _stands(told, person, pulls_out=False)
         if drive is not None and person.maneuvers:
             yield from _driven(told, drive, field)
-        if crossing is not None and Maneuver.CROSS in person.maneuvers:
-            stops = any(act.kind is ActKind.STOP for act in told.acts_of(person.id))
-            if not stops:
-                yield _claim(
-                    f"cross.{person.id}",
-                    f"{person.id} crosses from one side of the road to the other",
-                    field,
-                    "m",
-                    partial(_crosses, told, crossing),
-                )
+        crosses = crossing is not None and Maneuver.CROSS in person.maneuvers
+        if crossing is not None and crosses and not _stops(told, person.id):
+            yield _claim(
+                f"cross.{person.id}",
+                f"{person.id} crosses from one side of the road to the other",
+                field,
+                "m",
+                partial(_crosses, told, crossing),
+            )
+
+
+def _stops(told: Told, name: str) -> bool:
+    """Whether it is said to stop on its way."""
+    acts = any(act.kind is ActKind.STOP for act in told.acts_of(name))
+    return acts or any(h.kind is HazardKind.STOPPING and name in h.by for h in told.hazards)
 
 
 def _claim(name: str, statement: str, field: str, unit: str, test: Test) -> Claim:
