@@ -39,6 +39,8 @@ _PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder"
                      "path", "leg"})  # fmt: skip
 _SIDEWAYS = frozenset({"lane_change", "merge", "cut_in"})
 _SIDE_REACH = 3
+_WITHIN_LANE = frozenset({"offset", "shifted", "displaced", "further", "slightly", "off"})
+"""Words before "to the left" that keep somebody in its lane."""
 _AROUND = frozenset({"around", "round", "past"})
 _BY_WAY_OF = frozenset({"via", "through", "across", "over"})
 
@@ -186,7 +188,10 @@ class Placer:
             return
         if prep.value not in {"from", "in"} and not (prep.value == "to" and event is None):
             return
-        if prep.value == "to" and after_a_length(self._draft.tokens, prep.word.i):
+        before = self._draft.tokens[prep.word.i - 1].low if prep.word.i else ""
+        if prep.value == "to" and (
+            before in _WITHIN_LANE or after_a_length(self._draft.tokens, prep.word.i)
+        ):
             return  # "offset 0.5 m to the left"
         facing = target.kind in {"direction", "side"} and "opposite" in target.dirs
         allowed = _STEADY | ({"cross", "turn"} if facing else {"cross"})
