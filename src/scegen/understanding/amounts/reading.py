@@ -7,6 +7,7 @@ from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding.amounts.acting import acts_in
 from scegen.understanding.amounts.doings import FIELDS, Filler
+from scegen.understanding.amounts.items import items_in
 from scegen.understanding.amounts.outcomes import Judge
 from scegen.understanding.amounts.placed import MEASURES, Spacer
 from scegen.understanding.amounts.sentences import Sentences
@@ -64,6 +65,7 @@ def read_amounts(
         if not done:
             _note(number, context)
     clock.order()
+    found.items = items_in(text, context)
     found.acts = _kept(found.acts)
     return found
 
