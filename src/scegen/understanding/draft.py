@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 from scegen.errors import InfeasibleError
 from scegen.scenario.model import Interval
@@ -101,6 +102,8 @@ class Danger:
     basis: Basis
     by: list[Entity]
     to: list[Entity]
+    items: list[Any] = field(default_factory=list)
+    """Things that cause it."""
 
 
 @dataclass(slots=True)

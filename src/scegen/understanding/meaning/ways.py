@@ -196,6 +196,22 @@ def overtaking(scene: Scene, context: Context) -> bool:
     )
 
 
+def past_the_roadside(scene: Scene, context: Context) -> bool:
+    """``drives past two vans parked on the right``, ``passes a pedestrian``: keeps its lane.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    sides = {Approach.LEFT, Approach.RIGHT}
+    named = scene.event.name in {"bypass", "pass"} and bool(scene.targets)
+    return named and all(
+        not e.is_vehicle
+        or (e.parked and any(p.entity is e and p.approaches <= sides for p in context.draft.placements))
+        for e in scene.targets
+    )
+
+
 def across_the_road(event: Event, context: Context) -> bool:
     """``turns across the ego's lane`` where no roads meet: over the road, not into another.
 
