@@ -135,6 +135,8 @@ class Draft:
     dangers: list[Danger] = field(default_factory=list)
     placements: list[Placement] = field(default_factory=list)
     notes: list[Note] = field(default_factory=list)
+    kerb: str = "right"
+    """The side of the road on which traffic keeps."""
     crossing_implied: Basis | None = None
     from_kerb: bool = False
     lanes_implied: Basis | None = None

@@ -150,7 +150,7 @@ class Builder:
             kind=entity.kind,
             role=role,
             parked=entity.parked,
-            approaches=frozenset(self._seen_at(entity, junction)),
+            approaches=frozenset(self._seen_at(entity)),
             maneuvers=frozenset(maneuvers),
             entries=entries,
             lanes=lanes,
@@ -158,9 +158,9 @@ class Builder:
             speed_mps=entity.speed,
         )
 
-    def _seen_at(self, entity: Entity, junction: Junction) -> set[Approach]:
+    def _seen_at(self, entity: Entity) -> set[Approach]:
         """Where it comes from, with the side of the lane beside."""
-        side = beside_of(entity, junction)
+        side = beside_of(entity)
         if side is None or entity.beside is None:
             return entity.approaches
         self._proofs.add(f"participants.{entity.name}.approaches", entity.beside[1])

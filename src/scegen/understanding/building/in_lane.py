@@ -50,20 +50,15 @@ def _in_the_same_lane(entity: Entity, ego: Entity) -> None:
         entity.approach_basis = Basis(basis.i, basis.j, "in the lane of the ego")
 
 
-def beside_of(entity: Entity, junction: Junction) -> Approach | None:
+def beside_of(entity: Entity) -> Approach | None:
     """On which side of the ego the lane of somebody beside it lies.
 
     Args:
         entity: a participant.
-        junction: where it drives.
     """
     if entity.approaches != {Approach.ADJACENT} or entity.beside is None:
         return None
-    side = entity.beside[0]
-    if side == "kerb":
-        left = junction.driving_side is DrivingSide.LEFT
-        return Approach.LEFT if left else Approach.RIGHT
-    return Approach(side)
+    return Approach(entity.beside[0])
 
 
 def lanes_of(entity: Entity, junction: Junction) -> frozenset[int]:

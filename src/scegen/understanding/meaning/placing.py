@@ -191,7 +191,7 @@ class Placer:
         self._drives_in(entities, target, prep, event, basis)
         if target.kind == "ramp" and prep.value == "from":
             for entity in entities:
-                entity.beside = entity.beside or ("kerb", basis)
+                entity.beside = entity.beside or (self._draft.kerb, basis)
                 self._draft.place(entity, None, {Approach.ADJACENT}, basis)
             return
         before = self._draft.tokens[prep.word.i - 1].low if prep.word.i else ""
@@ -255,7 +255,7 @@ class Placer:
         basis: Basis,
     ) -> None:
         """``drives in the middle lane``, ``cuts in from the left lane``: where it is at first."""
-        named = lane_of(lane)
+        named = lane_of(lane) if "adjacent" not in lane.dirs else None
         steady = event is None or event.name in _STEADY or prep.value == "from"
         for entity in entities if named is not None and steady else []:
             if entity.start_lane is None and named is not None and not entity.parked:
