@@ -132,7 +132,7 @@ def _aside(doing: Doing, scene: Scene, context: Context) -> None:
     _into(doing, scene, context)
     if doing.into is not None and doing.into.ego and doing.side is None and entity.beside:
         side, words = entity.beside
-        doing.side = _OTHER[Side(side)]
+        doing.side = _OTHER[_SIDES[side]] if side in _SIDES else None
         doing.side_basis = Basis(words.i, words.j, "into the lane beside its own")
 
 

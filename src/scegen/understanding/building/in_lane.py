@@ -62,7 +62,7 @@ def beside_of(entity: Entity) -> Approach | None:
 
 
 def lanes_of(entity: Entity, junction: Junction) -> frozenset[int]:
-    """The lane that the text names, counted from the centre line outwards.
+    """The lane that the text names, counted from the centre line outwards, which has 1 next to it.
 
     Args:
         entity: a participant.
@@ -73,11 +73,11 @@ def lanes_of(entity: Entity, junction: Junction) -> frozenset[int]:
         return frozenset()
     name = entity.start_lane[0]
     if name == "middle":
-        return frozenset({count // 2}) if count >= _FEWEST_WITH_A_MIDDLE else frozenset()
+        return frozenset({count // 2 + 1}) if count >= _FEWEST_WITH_A_MIDDLE else frozenset()
     if name in {"fast", "slow"}:
-        return frozenset({0 if name == "fast" else count - 1})
+        return frozenset({1 if name == "fast" else count})
     inner = "right" if junction.driving_side is DrivingSide.LEFT else "left"
-    return frozenset({0 if name == inner else count - 1})
+    return frozenset({1 if name == inner else count})
 
 
 def circulates(entity: Entity, junction: Junction) -> bool:
