@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from datetime import date
 from difflib import get_close_matches
-from typing import Any, get_args
 
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
+from scegen.scenario.locating import Models, models_at, of_likely_members, place_of, shortened
 from scegen.scenario.model import Interval
 
 MOST_SHOWN = 3
-_LONGEST = 40
-_Path = tuple[int | str, ...]
-_Models = tuple[type[BaseModel], ...]
 
 _PATTERNS = {
     r"^[a-z][a-z0-9_]*$": "a name of small letters, digits and _, such as car_1",
@@ -70,9 +67,9 @@ def in_words(error: ValidationError, cls: type[BaseModel], data: object) -> str:
         data: what the file holds.
     """
     said: dict[str, None] = {}
-    for item in _of_likely_members(error.errors(include_url=False), data):
-        models = _models_at(cls, item["loc"])
-        place = _place(item, data)
+    for item in of_likely_members(error.errors(include_url=False), data):
+        models = models_at(cls, item["loc"])
+        place = place_of(item, data)
         sentence = _sentence(item, models)
         said[f"{place}: {sentence}" if place else sentence] = None
     shown = list(said)[:MOST_SHOWN]
@@ -80,7 +77,7 @@ def in_words(error: ValidationError, cls: type[BaseModel], data: object) -> str:
     return "; ".join(shown) + (f"; and {more} more" if more else "")
 
 
-def _sentence(item: ErrorDetails, models: _Models) -> str:
+def _sentence(item: ErrorDetails, models: Models) -> str:
     kind, context, value = item["type"], item.get("ctx", {}), found(item["input"])
     if kind in _SENTENCES:
         return _SENTENCES[kind](item, models)
@@ -95,50 +92,50 @@ def _sentence(item: ErrorDetails, models: _Models) -> str:
     return f"{value} cannot be used"
 
 
-def _missing(_: ErrorDetails, __: _Models) -> str:
+def _missing(_: ErrorDetails, __: Models) -> str:
     return "is missing"
 
 
-def _unknown_field(item: ErrorDetails, models: _Models) -> str:
+def _unknown_field(item: ErrorDetails, models: Models) -> str:
     known = [name for model in models for name in model.model_fields]
     return f"there is no such field{_nearest(item['loc'][-1], known)}"
 
 
-def _unknown_word(item: ErrorDetails, _: _Models) -> str:
+def _unknown_word(item: ErrorDetails, _: Models) -> str:
     words = item.get("ctx", {})["expected"].replace(" or ", ", ").replace("'", "").split(", ")
     nearest = _nearest(item["input"], words, say_all=True)
     return f"{found(item['input'])} is not one of the words allowed{nearest}"
 
 
-def _unknown_tag(item: ErrorDetails, _: _Models) -> str:
+def _unknown_tag(item: ErrorDetails, _: Models) -> str:
     context = item.get("ctx", {})
     words = context["expected_tags"].replace("'", "").split(", ")
-    nearest = _nearest(context["tag"], words, say_all=True)
-    return f"{found(context['tag'])} is not one of the types allowed{nearest}"
+    tag = item["input"].get("type", context["tag"])
+    return f"{found(tag)} is not one of the types allowed{_nearest(tag, words, say_all=True)}"
 
 
-def _no_tag(item: ErrorDetails, _: _Models) -> str:
+def _no_tag(item: ErrorDetails, _: Models) -> str:
     return f"lacks its {item.get('ctx', {})['discriminator']}".replace("'", "")
 
 
-def _no_model(item: ErrorDetails, models: _Models) -> str:
+def _no_model(item: ErrorDetails, models: Models) -> str:
     if models == (Interval,):
         return f"{found(item['input'])} is neither a number nor a range with low and high"
     fields = ", ".join(models[0].model_fields) if len(models) == 1 else ""
     return f"{found(item['input'])} stands where fields are needed" + (fields and f": {fields}")
 
 
-def _no_name(item: ErrorDetails, _: _Models) -> str:
+def _no_name(item: ErrorDetails, _: Models) -> str:
     pattern = item.get("ctx", {})["pattern"]
     return f"{found(item['input'])} is not {_PATTERNS.get(pattern, 'spelt as it must be')}"
 
 
-def _own_words(item: ErrorDetails, _: _Models) -> str:
+def _own_words(item: ErrorDetails, _: Models) -> str:
     """What the model itself says."""
     return str(item.get("ctx", {})["error"])
 
 
-_SENTENCES: Mapping[str, Callable[[ErrorDetails, _Models], str]] = {
+_SENTENCES: Mapping[str, Callable[[ErrorDetails, Models], str]] = {
     "missing": _missing,
     "extra_forbidden": _unknown_field,
     "enum": _unknown_word,
@@ -165,9 +162,7 @@ def found(value: object) -> str:
         return "a list"
     if isinstance(value, bytes):
         return "binary data"
-    text = value.isoformat() if isinstance(value, date) else str(value)
-    text = " ".join(text.encode(errors="replace").decode().split())
-    text = text if len(text) <= _LONGEST else f"{text[: _LONGEST - 1]}…"
+    text = shortened(value.isoformat() if isinstance(value, date) else str(value))
     return text if isinstance(value, int | float) else repr(text)
 
 
@@ -181,112 +176,3 @@ def _nearest(value: object, words: list[str], *, say_all: bool = False) -> str:
     if near:
         return f"; did you mean {near[0]}?"
     return f": {', '.join(words)}" if say_all or words else ""
-
-
-def _place(item: ErrorDetails, data: object) -> str:
-    """The path to what is wrong; whoever has an id is called by it, tags of unions are left out."""
-    place, value = "", data
-    for number, part in enumerate(item["loc"], start=1):
-        inside: object = None
-        if isinstance(value, list) and isinstance(part, int) and part < len(value):
-            inside = value[part]
-            name = inside.get("id") if isinstance(inside, dict) else None
-            place += f".{name}" if isinstance(name, str) else f"[{part}]"
-        elif isinstance(value, dict) and part in value:
-            inside = value[part]
-            place += f".{part}"
-        elif number == len(item["loc"]) and item["type"] == "missing":
-            place += f".{part}"
-        else:
-            continue
-        value = inside
-    return place.removeprefix(".")
-
-
-def _of_likely_members(items: list[ErrorDetails], data: object) -> Iterator[ErrorDetails]:
-    """Of a union without tags every member complains: only the one that was meant is heard."""
-    unions: dict[_Path, dict[str, list[ErrorDetails]]] = {}
-    for item in items:
-        place = _member_tag(item["loc"], data)
-        if place is None:
-            if not (item["type"] == "too_short" and _complains_inside(items, item["loc"])):
-                yield item
-            continue
-        members = unions.setdefault(item["loc"][:place], {})
-        members.setdefault(str(item["loc"][place]), []).append(item)
-    for path, members in unions.items():
-        type_ = _type_of(path, data)
-        meant = next((name for name in members if name.lower() == type_), None)
-        if type_ is None or meant is not None:
-            yield from members[meant or min(members, key=lambda name: len(members[name]))]
-            continue
-        context = {"tag": type_, "expected_tags": ", ".join(members).lower()}
-        first = next(iter(members.values()))[0]
-        yield {**first, "type": "union_tag_invalid", "loc": (*path, "type"), "ctx": context}
-
-
-def _complains_inside(items: list[ErrorDetails], path: _Path) -> bool:
-    """Whether what is in a list is wrong, so that it was not counted."""
-    return any(item["loc"][: len(path)] == path != item["loc"] for item in items)
-
-
-def _member_tag(path: _Path, data: object) -> int | None:
-    """Where a path names a class, the member of a union, instead of going further into data."""
-    value = data
-    for number, part in enumerate(path):
-        inside = _step(value, part)
-        if inside is _NOWHERE and isinstance(part, str) and part[:1].isupper():
-            return number
-        value = value if inside is _NOWHERE else inside
-    return None
-
-
-def _type_of(path: _Path, data: object) -> str | None:
-    value = data
-    for part in path:
-        inside = _step(value, part)
-        value = value if inside is _NOWHERE else inside
-    type_ = value.get("type") if isinstance(value, dict) else None
-    return type_ if isinstance(type_, str) else None
-
-
-_NOWHERE = object()
-
-
-def _step(value: object, part: int | str) -> object:
-    if isinstance(value, list) and isinstance(part, int) and part < len(value):
-        return value[part]
-    if isinstance(value, dict) and part in value:
-        return value[part]
-    return _NOWHERE
-
-
-def _models_at(cls: type[BaseModel], path: _Path) -> _Models:
-    """The models that may stand at a path, or that hold the field that it ends in."""
-    models: _Models = (cls,)
-    for part in path:
-        if isinstance(part, int):
-            continue
-        having = [model for model in models if part in model.model_fields]
-        if having:
-            inside = tuple(m for h in having for m in _members(h.model_fields[part].annotation))
-            if not inside:
-                return models
-            models = inside
-        else:
-            models = tuple(m for m in models if part in {m.__name__, _tag(m)}) or models
-    return models
-
-
-def _tag(model: type[BaseModel]) -> Any:  # noqa: ANN401 - a field's default
-    field = model.model_fields.get("type")
-    return None if field is None else field.default
-
-
-def _members(annotation: Any) -> Iterator[type[BaseModel]]:  # noqa: ANN401 - any annotation
-    """The models in an annotation: through unions, tuples and whatever else wraps them."""
-    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        yield annotation
-        return
-    for argument in get_args(annotation):
-        yield from _members(argument)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 from scegen.errors import InfeasibleError
 from scegen.scenario.model import Interval
@@ -101,6 +102,8 @@ class Danger:
     basis: Basis
     by: list[Entity]
     to: list[Entity]
+    items: list[Any] = field(default_factory=list)
+    """Things that cause it."""
 
 
 @dataclass(slots=True)
@@ -132,6 +135,8 @@ class Draft:
     dangers: list[Danger] = field(default_factory=list)
     placements: list[Placement] = field(default_factory=list)
     notes: list[Note] = field(default_factory=list)
+    kerb: str = "right"
+    """The side of the road on which traffic keeps."""
     crossing_implied: Basis | None = None
     from_kerb: bool = False
     lanes_implied: Basis | None = None

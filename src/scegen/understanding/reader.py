@@ -78,6 +78,7 @@ def read(text: str) -> FunctionalScenario:
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     deny_of_everybody(events)
     draft = Draft(text, tokens)
+    draft.kerb = (surroundings.side or DrivingSide.RIGHT).value
     shared = share_arms(chunks, events)
     resolve_mentions(chunks, events, Discourse(draft, tokens, _arms(junction)))
     count_arms(shared, junction)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from scegen.concretization.along.asked import allowed
 from scegen.concretization.along.runner import NEVER_S, Runner, Step
 from scegen.concretization.along.sideways import edge_y_m
 from scegen.concretization.along.story import Story, contact_wanted
@@ -74,7 +75,8 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], number: in
     body = BODIES[participant.kind]
     walking = participant.kind is ParticipantKind.PEDESTRIAN
     said = participant.speed_mps
-    speed = said.middle if said is not None else (WALKING_MPS if walking else CYCLING_MPS)
+    usual = WALKING_MPS if walking else CYCLING_MPS
+    speed = said.middle if said is not None else allowed(story.logical, participant.id, usual)
     meets = story.runners[_meets(story, participant.id)]
     ego_arm = story.logical.assignment(story.ego.id)
     same_arm = isinstance(ego_arm, Drive) and crossing.arm == ego_arm.entry
@@ -103,7 +105,7 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], number: in
 
 def _meets(story: Story, name: str) -> str:
     """Whose way it crosses: who suffers it, else the ego."""
-    for hazard in story.logical.hazards:
+    for hazard in story.hazards:
         if name in hazard.by:
             found = [n for n in hazard.to if n in story.runners]
             if found:
@@ -132,13 +134,13 @@ def _aim_y_m(story: Story, name: str, meets: Runner, body: Body, speed: float, i
 
 def _brakes(story: Story, name: str) -> bool:
     """Whether the one whom it meets is said to brake for it."""
-    kinds = {h.kind for h in story.logical.hazards if name in h.by}
+    kinds = {h.kind for h in story.hazards if name in h.by}
     acts = {a.kind for a in story.acts if a.participant == name and a.when is None}
     return bool(kinds & _BRAKES) or bool(acts & {ActKind.BRAKE, ActKind.STOP})
 
 
 def _stops(story: Story, name: str) -> bool:
-    return any(h.kind is HazardKind.STOPPING and name in h.by for h in story.logical.hazards)
+    return any(h.kind is HazardKind.STOPPING and name in h.by for h in story.hazards)
 
 
 def _waits_m(story: Story, name: str, meets: Runner, edge: float, into: int) -> float | None:
@@ -206,7 +208,7 @@ def _brake_before(story: Story, walk: Walk, meets: Runner) -> None:
     begins = meets.profile.time_s(max(way, 0.0))
     if begins >= NEVER_S:
         return
-    hazard = next((h.kind for h in story.logical.hazards if h.kind in _BRAKES and meets.id in h.by),
+    hazard = next((h.kind for h in story.hazards if h.kind in _BRAKES and meets.id in h.by),
                   None)  # fmt: skip
     act = own.act if own is not None else None
     meets.steps.append(Step(begins, target, rate, act, hazard))

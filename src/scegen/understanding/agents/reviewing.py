@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 from enum import StrEnum
 
 from scegen.llm.prompting import as_data
 from scegen.scenario.definitions import Word
-from scegen.scenario.files import to_json
 from scegen.scenario.functional import Evidence, FunctionalScenario
 from scegen.scenario.glossary import VOCABULARY, meaning_of
 from scegen.scenario.vocabulary import EvidenceSource, HazardKind
@@ -24,14 +24,27 @@ def review_question(scenario: FunctionalScenario) -> str:
             as_data(scenario.description),
             "",
             "The scenario to review:",
-            to_json(shown),
-            "What its fields rest on:",
-            *(_told(item) for item in scenario.evidence),
+            *_lines(shown),
+            "",
+            "What its fields rest on, where the text says anything:",
+            *(
+                _told(item)
+                for item in scenario.evidence
+                if item.source is not EvidenceSource.DEFAULT
+            ),
             "",
             "What its words mean:",
             *(f"- {VOCABULARY[type(w)]} `{w}`: {meaning_of(w).sentence}" for w in words),
         ]
     )
+
+
+def _lines(scenario: FunctionalScenario) -> Iterator[str]:
+    """Every field that is filled, and everybody in it, on a line."""
+    for name, value in scenario.model_dump(mode="json", exclude_defaults=True).items():
+        several = isinstance(value, list)
+        for one in value if several else [value]:
+            yield f"{name}{'[]' if several else ''}: {json.dumps(one, ensure_ascii=False)}"
 
 
 def _told(item: Evidence) -> str:

@@ -59,7 +59,11 @@ def _acts_of(scene: Scene, text: Sentences, context: Context) -> list[Doing]:
         kind = _kind(frame.kind, entity, event, text)
         if kind is None or _stands_then(entity, event):
             continue
-        always = (frame.always or kind is ActKind.CHANGE_LANE) and not (event.modal and parent is None) and not _forced(event)
+        always = (
+            (frame.always or kind is ActKind.CHANGE_LANE)
+            and not (event.modal and parent is None)
+            and not _forced(event)
+        )
         always = always and not (kind is ActKind.STOP and not entity.is_vehicle)
         doing = Doing(kind, entity, basis, event.i, always=always)
         _aside(doing, scene, context)
@@ -128,7 +132,7 @@ def _aside(doing: Doing, scene: Scene, context: Context) -> None:
     _into(doing, scene, context)
     if doing.into is not None and doing.into.ego and doing.side is None and entity.beside:
         side, words = entity.beside
-        doing.side = _OTHER[Side(side)]
+        doing.side = _OTHER[_SIDES[side]] if side in _SIDES else None
         doing.side_basis = Basis(words.i, words.j, "into the lane beside its own")
 
 

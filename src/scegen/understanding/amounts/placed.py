@@ -22,6 +22,7 @@ MEASURES = {
     "lateral_offset": Measure.LATERAL_OFFSET_M,
     "overlap": Measure.OVERLAP_PERCENT,
 }
+_APART = 4
 _JUNCTION = frozenset({"junction", "signal", "stop_line", "stop_sign", "yield_sign"})
 _ALONG = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
 _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
@@ -55,7 +56,7 @@ class Spacer:
         if pair is None:
             return False
         entity, reference = pair
-        amount, side = amount_of(number), None
+        amount, side = self._with_place(amount_of(number), number), None
         if measure is Measure.LATERAL_OFFSET_M:
             amount = self._signed(number)
         if measure in {Measure.HEADWAY_S, Measure.TTC_S}:
@@ -71,6 +72,19 @@ class Spacer:
         at = self._moment(number, measure, entity, reference)
         self._happenings.spacings.append(Apart(measure, entity, reference, amount, at, side))
         return True
+
+    def _with_place(self, amount: Amount, number: Measured) -> Amount:
+        """The words of a number with those of place after it: "15 m in front of"."""
+        after = self._text.phrase_after(number.j)
+        basis = amount.basis
+        if after is None or after[0].i - number.j > _APART:
+            return amount
+        noun = after[1]
+        part = noun is not None and isinstance(noun, Mention) and noun.possessor
+        end = noun.j + 2 if noun is not None and part else after[0].j
+        end = noun.j if isinstance(noun, Place) and noun.kind == "side" else end
+        end = min(end, self._text.bounds(number.i)[1])
+        return Amount(amount.value, Basis(basis.i, end, basis.reason))
 
     def _ego_last(self, entity: Entity, reference: Entity) -> tuple[Entity, Entity]:
         return (reference, entity) if entity.ego else (entity, reference)

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
+from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding.amounts.acting import acts_in
 from scegen.understanding.amounts.doings import FIELDS, Filler
+from scegen.understanding.amounts.items import items_in
 from scegen.understanding.amounts.outcomes import Judge
 from scegen.understanding.amounts.placed import MEASURES, Spacer
 from scegen.understanding.amounts.sentences import Sentences
@@ -42,6 +44,7 @@ def read_amounts(
         if not _speed(number, text, context, found):
             _note(number, context)
     _alike(text, context)
+    _followed(text, context)
     filler, clock = Filler(text, found), Clock(text, found)
     spacer = Spacer(text, context, found)
     for number in (n for n in measured if n.frame.role in FIELDS):
@@ -62,6 +65,7 @@ def read_amounts(
         if not done:
             _note(number, context)
     clock.order()
+    found.items = items_in(text, context)
     found.acts = _kept(found.acts)
     return found
 
@@ -99,7 +103,10 @@ def _speed(number: Measured, text: Sentences, context: Context, found: Happening
         return True
     if taken:
         return True
-    for entity in _whose(number, text, context):
+    whose = _whose(number, text, context)
+    if whose and all(e.speed not in (None, quantity.value) for e in whose):
+        whose = _without_speed(number, text) or whose
+    for entity in whose:
         if entity.speed is None:
             entity.speed, entity.speed_basis = quantity.value, Basis(*span, quantity.note)
         elif entity.speed != quantity.value:
@@ -150,6 +157,14 @@ def _whose(number: Measured, text: Sentences, context: Context) -> list[Entity]:
     return text.subject_before(number.i)
 
 
+def _without_speed(number: Measured, text: Sentences) -> list[Entity]:
+    """Whoever is named last before a number that cannot be the speed of who acts there."""
+    start, _ = text.bounds(number.i)
+    named = [e for m in text.mentions if start <= m.i < number.i for e in m.entities]
+    free = [e for e in reversed(named) if e.speed is None and not e.still]
+    return free[:1]
+
+
 def _at(basis: Basis | None, span: tuple[int, int]) -> bool:
     return basis is not None and (basis.i, basis.j) == span
 
@@ -174,6 +189,22 @@ def _alike(text: Sentences, context: Context) -> None:
                 if entity.speed is None and entity.is_vehicle:
                     entity.speed = known[0].speed
                     entity.speed_basis = Basis(k, k + len(wanted), "as fast as the other")
+
+
+def _followed(text: Sentences, context: Context) -> None:
+    """``the ego follows a car at 100 km/h``: one drives as fast as the other."""
+    slow = [e for d in context.draft.dangers if d.kind is HazardKind.SLOW_DRIVING for e in d.by]
+    for scene in text.scenes:
+        pair = [*scene.actors[:1], *scene.targets[:1]]
+        if scene.event.name != "follow" or len(pair) != _PAIR or scene.event.negated:
+            continue
+        known = [e for e in pair if e.speed is not None]
+        if len(known) != 1 or any(e in slow or e.still or not e.is_vehicle for e in pair):
+            continue
+        other = next(e for e in pair if e is not known[0])
+        other.speed = known[0].speed
+        basis = known[0].speed_basis or scene.words
+        other.speed_basis = Basis(basis.i, basis.j, "who follows drives as fast as the other")
 
 
 def _relative(number: Measured, text: Sentences, context: Context) -> bool:

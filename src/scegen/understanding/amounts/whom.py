@@ -28,6 +28,7 @@ def counterpart(entity: Entity, context: Context, near: list[Entity]) -> Entity 
     ahead = [e for e in others if context.placed(e, Approach.AHEAD) or "ahead" in e.dirs | e.loci]
     moving = [e for e in ahead if e.stands is None and not e.parked]
     for choice in (
+        [e for e in named if e in moving],
         [e for e in named if e in ahead],
         named,
         moving,

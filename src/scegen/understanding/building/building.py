@@ -13,6 +13,12 @@ from scegen.scenario.functional import (
 from scegen.scenario.vocabulary import Approach, JunctionKind, Role
 from scegen.understanding.building.happening import Writer
 from scegen.understanding.building.hooks import alongside
+from scegen.understanding.building.in_lane import (
+    beside_of,
+    circulates,
+    lanes_of,
+    settle_along,
+)
 from scegen.understanding.building.layout import Layout
 from scegen.understanding.building.left_turns import onto_the_road
 from scegen.understanding.building.open_road import (
@@ -69,6 +75,7 @@ class Builder:
             abreast(self._draft, ego)
             both_change_lanes(self._draft, ego)
             from_the_strip(self._draft, ego)
+            settle_along(self._draft, ego)
         else:
             alongside(self._draft, ego, self._draft.tokens)
         self._name(ego)
@@ -124,11 +131,14 @@ class Builder:
             self._proofs.add(f"{path}.role", None, "everybody but the ego")
         maneuvers = maneuvers_of(entity, junction, self._draft)
         entries = frozenset(a for a in entity.entries if a < junction.arms)
+        lanes, circulating = lanes_of(entity, junction), circulates(entity, junction)
         for name, value, basis in (
             ("parked", entity.parked, entity.parked_basis),
             ("approaches", entity.approaches, entity.approach_basis),
             ("maneuvers", maneuvers, entity.maneuver_basis),
             ("entries", entries, entity.entry_basis),
+            ("lanes", lanes, entity.start_lane[1] if entity.start_lane is not None else None),
+            ("circulating", circulating, entity.circulates),
             ("speed_mps", entity.speed, entity.speed_basis),
         ):
             if value:
@@ -143,16 +153,18 @@ class Builder:
             approaches=frozenset(self._seen_at(entity)),
             maneuvers=frozenset(maneuvers),
             entries=entries,
+            lanes=lanes,
+            circulating=circulating,
             speed_mps=entity.speed,
         )
 
     def _seen_at(self, entity: Entity) -> set[Approach]:
         """Where it comes from, with the side of the lane beside."""
-        if entity.approaches != {Approach.ADJACENT} or entity.beside is None:
+        side = beside_of(entity)
+        if side is None or entity.beside is None:
             return entity.approaches
-        side, basis = entity.beside
-        self._proofs.add(f"participants.{entity.name}.approaches", basis)
-        return {Approach.ADJACENT, Approach(side)}
+        self._proofs.add(f"participants.{entity.name}.approaches", entity.beside[1])
+        return {Approach.ADJACENT, side}
 
     def _further_words(self, entity: Entity) -> list[Basis]:
         """Other words that say the same of where somebody comes from."""
@@ -170,13 +182,13 @@ class Builder:
         to = [e for e in danger.to if e not in danger.by]
         field = f"hazards.{danger.kind.value}"
         self._proofs.add(field, danger.basis)
-        if not to and danger.by:
+        if not to and (danger.by or danger.items):
             to, reason = suffers(self._draft, danger, ego)
             if to:
                 self._proofs.add(f"{field}.to", Basis(reason=reason))
         return Hazard(
             kind=danger.kind,
-            by=tuple(e.name for e in danger.by),
+            by=tuple(e.name for e in (*danger.by, *danger.items)),
             to=tuple(e.name for e in to),
         )
 

@@ -290,5 +290,8 @@ def overtake(scene: Scene, context: Context) -> None:
     """Overtaking another moving vehicle."""
     if not overtaking(scene, context):
         return
+    afoot = bool(scene.targets) and not any(e.is_vehicle for e in scene.targets)
+    if scene.event.name == "pass" and afoot:
+        return
     if scene.drivers and (not scene.targets or any(not e.parked for e in scene.targets)):
         context.draft.hazard(HazardKind.OVERTAKING, scene.words, scene.drivers, scene.targets)

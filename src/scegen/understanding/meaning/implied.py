@@ -8,6 +8,7 @@ from scegen.understanding.draft import Basis, Danger, Entity
 from scegen.understanding.meaning import conflicts, oncoming
 from scegen.understanding.meaning.context import Context, Scene
 from scegen.understanding.meaning.reactions import into_rear
+from scegen.understanding.meaning.ways import past_the_roadside
 from scegen.understanding.words.terms import Term
 
 _TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
@@ -32,6 +33,7 @@ def positions(scenes: list[Scene], context: Context) -> None:
         if scene.event.name == "bypass" and not scene.targets and scene.drivers:
             parked = [e for e in context.draft.entities if e.parked and _in_front(e, context)]
         thing = isinstance(scene.event.object, Thing) and scene.event.object.kind == "object"
+        parked = [] if past_the_roadside(scene, context) else parked
         if scene.event.name == "bypass" and (parked or thing) and not scene.event.negated:
             context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
         _owing_to_the_parked(scene, context)

@@ -128,7 +128,7 @@ def overtake(scene: Scene, context: Context) -> None:
     dodges = isinstance(event.object, Thing) and any(context.oncoming(e) for e in scene.drivers)
     if event.name == "bypass" and (isinstance(event.object, Place) or dodges):
         return  # "an oncoming moped swerves round a pothole"
-    if not ways.overtaking(scene, context):
+    if not ways.overtaking(scene, context) or ways.past_the_roadside(scene, context):
         move(scene, context)
         return
     basis = Basis(event.i, event.j)

@@ -39,6 +39,8 @@ _PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder"
                      "path", "leg"})  # fmt: skip
 _SIDEWAYS = frozenset({"lane_change", "merge", "cut_in"})
 _SIDE_REACH = 3
+_WITHIN_LANE = frozenset({"offset", "shifted", "displaced", "further", "slightly", "off"})
+"""Words before "to the left" that keep somebody in its lane."""
 _AROUND = frozenset({"around", "round", "past"})
 _BY_WAY_OF = frozenset({"via", "through", "across", "over"})
 
@@ -186,7 +188,16 @@ class Placer:
             return
         if prep.value not in {"from", "in"} and not (prep.value == "to" and event is None):
             return
-        if prep.value == "to" and after_a_length(self._draft.tokens, prep.word.i):
+        self._drives_in(entities, target, prep, event, basis)
+        if target.kind == "ramp" and prep.value == "from":
+            for entity in entities:
+                entity.beside = entity.beside or (self._draft.kerb, basis)
+                self._draft.place(entity, None, {Approach.ADJACENT}, basis)
+            return
+        before = self._draft.tokens[prep.word.i - 1].low if prep.word.i else ""
+        if prep.value == "to" and (
+            before in _WITHIN_LANE or after_a_length(self._draft.tokens, prep.word.i)
+        ):
             return  # "offset 0.5 m to the left"
         facing = target.kind in {"direction", "side"} and "opposite" in target.dirs
         allowed = _STEADY | ({"cross", "turn"} if facing else {"cross"})
@@ -231,10 +242,24 @@ class Placer:
         named = lane_of(lane) or self._side_after(lane)
         if named is None:
             return
-        entity.start_lane = entity.start_lane or (named, basis)
         seen = reference is None or reference.ego
         if named in _SIDES and seen and approaches == _BY_DIR["adjacent"]:
             entity.beside = entity.beside or (named, basis)
+
+    def _drives_in(
+        self,
+        entities: list[Entity],
+        lane: Place,
+        prep: Prep,
+        event: Event | None,
+        basis: Basis,
+    ) -> None:
+        """``drives in the middle lane``, ``cuts in from the left lane``: where it is at first."""
+        named = lane_of(lane) if "adjacent" not in lane.dirs else None
+        steady = event is None or event.name in _STEADY or prep.value == "from"
+        for entity in entities if named is not None and steady else []:
+            if entity.start_lane is None and named is not None and not entity.parked:
+                entity.start_lane = (named, basis)
 
     def _side_after(self, lane: Place) -> str | None:
         """``in the next lane to the left``."""

@@ -26,7 +26,7 @@ def stand(scene: Scene, context: Context) -> None:
     if event.negated or event.modal or event.nominal:
         return
     lemma = context.tokens[event.i].forms[-1][0]
-    stands = event.name == "wait" and lemma in STANDING
+    stands = event.name in {"wait", "stop"} and lemma in STANDING
     stands = stands or (event.name == "stop" and _over(event, context))
     if not stands or any(p.kind in _HELD for p in scene.places()):
         return

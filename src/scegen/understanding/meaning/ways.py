@@ -39,7 +39,9 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
         for t in event.dirs
         if t.value in DIRECTIONS and not beside_somebody(t.j, tokens)
     }
-    lanes = {p.target.j for p in event.pps if isinstance(p.target, Place) and p.target.kind == "lane"}
+    lanes = {
+        p.target.j for p in event.pps if isinstance(p.target, Place) and p.target.kind == "lane"
+    }
     for prep in event.pps:
         target = prep.target
         if prep.word.i in lanes or after_a_length(tokens, prep.word.i):
@@ -191,6 +193,25 @@ def overtaking(scene: Scene, context: Context) -> bool:
     return over or any(
         p.approaches == {Approach.BEHIND} and p.entity in scene.actors
         for p in context.draft.placements
+    )
+
+
+def past_the_roadside(scene: Scene, context: Context) -> bool:
+    """``drives past two vans parked on the right``, ``passes a pedestrian``: keeps its lane.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    sides = {Approach.LEFT, Approach.RIGHT}
+    named = scene.event.name in {"bypass", "pass"} and bool(scene.targets)
+    return named and all(
+        not e.is_vehicle
+        or (
+            e.parked
+            and any(p.entity is e and p.approaches <= sides for p in context.draft.placements)
+        )
+        for e in scene.targets
     )
 
 

@@ -19,6 +19,8 @@ def other_class(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     """
     if (term.cat, term.value) == ("verb", "collide") and _a_part(term, terms, tokens):
         return Term("dir", "rear", term.i, term.j)
+    if (term.cat, term.value) == ("manner", "close") and _how_measured(term, terms, tokens):
+        return replace(term, value="mild")
     if term.value == "neither" and _negates_a_verb(term, terms, tokens):
         return replace(term, cat="neg", value="not")
     if term.value == "left" and term.cat == "dir" and _remains(terms, tokens, term):
@@ -34,6 +36,18 @@ def _a_part(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
     """``its rear end``: a part of a vehicle."""
     owned = bool(terms) and terms[-1].cat in {"det", "possessive"}
     return owned and [t.low for t in tokens[term.i : term.j]] == ["rear", "end"]
+
+
+def _how_measured(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
+    """``40 m behind it, from bumper to bumper``: between what, not how close."""
+    if tokens[term.i].low != "bumper":
+        return False
+    for before in reversed(terms):
+        if before.cat == "punct" and before.value in {".", ";"}:
+            return False
+        if (before.cat, before.value) == ("quantity", "length"):
+            return True
+    return False
 
 
 def _negates_a_verb(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
