@@ -21,6 +21,8 @@ from scegen.understanding.meaning.context import Context, Scene
 from scegen.understanding.words.quantities import Quantity
 
 _PAIR = 2
+_HARD_MPS2 = 4.0
+"""Below this nobody calls braking hard (UN R152 asks for 5 m/s² in an emergency, 1 m/s² less)."""
 
 
 def read_amounts(
@@ -66,7 +68,8 @@ def read_amounts(
             _note(number, context)
     clock.order()
     found.items = items_in(text, context)
-    found.acts = _kept(found.acts)
+    found.acts = _kept(found)
+    _gently(found, context)
     return found
 
 
@@ -80,9 +83,20 @@ def _note(number: Measured, context: Context) -> None:
     context.draft.note(number.i, number.j, instead)
 
 
-def _kept(acts: list[Doing]) -> list[Doing]:
+def _gently(found: Happenings, context: Context) -> None:
+    """Braking that is said to be weaker than hard is no hard braking."""
+    for danger in [d for d in context.draft.dangers if d.kind is HazardKind.HARD_BRAKING]:
+        brakes = [a for a in found.acts if a.kind is ActKind.BRAKE and a.entity in danger.by]
+        rates = [a.amounts["rate_mps2"].value for a in brakes if "rate_mps2" in a.amounts]
+        if rates and len(rates) == len(brakes) and all(r.high < _HARD_MPS2 for r in rates):
+            context.draft.dangers.remove(danger)
+
+
+def _kept(found: Happenings) -> list[Doing]:
     """Acts that are ones by themselves, or that a number or another act makes ones."""
+    acts = found.acts
     named = [d.when.act for d in acts if d.when is not None and d.when.act is not None]
+    named += [s.at for s in found.spacings if isinstance(s.at, Doing)]
     kept = [d for d in acts if d.always or d.amounts or d.when is not None or d in named]
     counts: dict[ActKind, int] = {}
     for doing in kept:

@@ -31,6 +31,10 @@ def settle_along(draft: Draft, ego: Entity) -> None:
             basis = entity.stands
             entity.approaches = {Approach.AHEAD}
             entity.approach_basis = Basis(basis.i, basis.j, "who stands in the lane is ahead")
+        along = {Approach.AHEAD, Approach.OPPOSITE}
+        walks = entity.kind is ParticipantKind.PEDESTRIAN
+        if walks and entity.maneuvers == {Maneuver.STRAIGHT} and entity.approaches & along:
+            entity.approaches &= along
         afoot = entity.kind is ParticipantKind.PEDESTRIAN
         if afoot and alone and entity.maneuvers == {Maneuver.STRAIGHT}:
             basis = entity.maneuver_basis or entity.basis
