@@ -75,7 +75,7 @@ class Apart:
     """A spacing in the making; ``reference`` None is the ego."""
 
     measure: Measure
-    entity: Entity
+    entity: Entity | Item
     reference: Entity | None
     amount: Amount
     at: Doing | str = START

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding.amounts.acting import acts_in
 from scegen.understanding.amounts.doings import FIELDS, Filler
 from scegen.understanding.amounts.items import items_in
@@ -21,8 +21,8 @@ from scegen.understanding.meaning.context import Context, Scene
 from scegen.understanding.words.quantities import Quantity
 
 _PAIR = 2
-_HARD_MPS2 = 4.0
-"""Below this nobody calls braking hard (UN R152 asks for 5 m/s² in an emergency, 1 m/s² less)."""
+_HARD_MPS2 = 3.5
+"""Below this nobody calls braking hard (UN R152: 5 m/s² in an emergency)."""
 
 
 def read_amounts(
@@ -47,6 +47,7 @@ def read_amounts(
             _note(number, context)
     _alike(text, context)
     _followed(text, context)
+    found.items = items_in(text, context)
     filler, clock = Filler(text, found), Clock(text, found)
     spacer = Spacer(text, context, found)
     for number in (n for n in measured if n.frame.role in FIELDS):
@@ -67,7 +68,6 @@ def read_amounts(
         if not done:
             _note(number, context)
     clock.order()
-    found.items = items_in(text, context)
     found.acts = _kept(found)
     _gently(found, context)
     return found
@@ -84,7 +84,17 @@ def _note(number: Measured, context: Context) -> None:
 
 
 def _gently(found: Happenings, context: Context) -> None:
-    """Braking that is said to be weaker than hard is no hard braking."""
+    """Braking with a rate is hard, or it is not, by the rate."""
+    for doing in found.acts:
+        rate = doing.amounts.get("rate_mps2")
+        known = any(
+            d.kind is HazardKind.HARD_BRAKING and doing.entity in d.by
+            for d in context.draft.dangers
+        )
+        hard = rate is not None and rate.value.low >= _HARD_MPS2
+        leads = context.placed(doing.entity, Approach.AHEAD) and not doing.entity.ego
+        if doing.kind is ActKind.BRAKE and hard and leads and not known and rate is not None:
+            context.draft.hazard(HazardKind.HARD_BRAKING, rate.basis, [doing.entity])
     for danger in [d for d in context.draft.dangers if d.kind is HazardKind.HARD_BRAKING]:
         brakes = [a for a in found.acts if a.kind is ActKind.BRAKE and a.entity in danger.by]
         rates = [a.amounts["rate_mps2"].value for a in brakes if "rate_mps2" in a.amounts]

@@ -65,14 +65,16 @@ def beside_of(entity: Entity) -> Approach | None:
     return Approach(entity.beside[0])
 
 
-def lanes_of(entity: Entity, junction: Junction) -> frozenset[int]:
+def lanes_of(entity: Entity, junction: Junction, draft: Draft) -> frozenset[int]:
     """The lane that the text names, counted from the centre line outwards.
 
     Args:
         entity: a participant.
         junction: where it drives.
+        draft: the scenario in the making.
     """
     count = min(junction.lanes, default=1)
+    count -= draft.ramp is not None and count > 2  # noqa: PLR2004 - the ramp's own
     if entity.start_lane is None or count < 2:  # noqa: PLR2004
         return frozenset()
     name = entity.start_lane[0]

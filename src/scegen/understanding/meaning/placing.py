@@ -190,6 +190,7 @@ class Placer:
             return
         self._drives_in(entities, target, prep, event, basis)
         if target.kind == "ramp" and prep.value == "from":
+            self._draft.ramp = self._draft.ramp or basis
             for entity in entities:
                 entity.beside = entity.beside or (self._draft.kerb, basis)
                 self._draft.place(entity, None, {Approach.ADJACENT}, basis)
