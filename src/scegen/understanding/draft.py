@@ -137,6 +137,8 @@ class Draft:
     notes: list[Note] = field(default_factory=list)
     kerb: str = "right"
     """The side of the road on which traffic keeps."""
+    ramp: Basis | None = None
+    """Somebody comes from a ramp, which is built as a further lane."""
     crossing_implied: Basis | None = None
     from_kerb: bool = False
     lanes_implied: Basis | None = None

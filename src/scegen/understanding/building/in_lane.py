@@ -31,6 +31,10 @@ def settle_along(draft: Draft, ego: Entity) -> None:
             basis = entity.stands
             entity.approaches = {Approach.AHEAD}
             entity.approach_basis = Basis(basis.i, basis.j, "who stands in the lane is ahead")
+        along = {Approach.AHEAD, Approach.OPPOSITE}
+        walks = entity.kind is ParticipantKind.PEDESTRIAN
+        if walks and entity.maneuvers == {Maneuver.STRAIGHT} and entity.approaches & along:
+            entity.approaches &= along
         afoot = entity.kind is ParticipantKind.PEDESTRIAN
         if afoot and alone and entity.maneuvers == {Maneuver.STRAIGHT}:
             basis = entity.maneuver_basis or entity.basis
@@ -61,14 +65,16 @@ def beside_of(entity: Entity) -> Approach | None:
     return Approach(entity.beside[0])
 
 
-def lanes_of(entity: Entity, junction: Junction) -> frozenset[int]:
-    """The lane that the text names, counted from the centre line outwards, which has 1 next to it.
+def lanes_of(entity: Entity, junction: Junction, draft: Draft) -> frozenset[int]:
+    """The lane that the text names, counted from 1 at the centre line outwards.
 
     Args:
         entity: a participant.
         junction: where it drives.
+        draft: the scenario in the making.
     """
     count = min(junction.lanes, default=1)
+    count -= draft.ramp is not None and count > 2  # noqa: PLR2004 - the ramp's own
     if entity.start_lane is None or count < 2:  # noqa: PLR2004
         return frozenset()
     name = entity.start_lane[0]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver
-from scegen.understanding.chunks import Place, Prep, Thing
+from scegen.understanding.chunks import Chunk, Mention, Place, Prep, Thing
 from scegen.understanding.draft import Basis
 from scegen.understanding.meaning.context import Context, Scene
 
@@ -16,13 +16,18 @@ def hold(scene: Scene, _context: Context) -> None:
         entity.moves = entity.moves or Basis(scene.event.i, scene.event.j)
 
 
-def circulate(scenes: list[Scene], context: Context) -> None:
+def circulate(chunks: list[Chunk], scenes: list[Scene], context: Context) -> None:
     """``already circulating``, ``is in the roundabout``: there before the others come.
 
     Args:
+        chunks: the chunks of the text.
         scenes: what happens.
         context: the scenario in the making.
     """
+    for mention in (c for c in chunks if isinstance(c, Mention)):
+        inside = any(_inside(p, context) for p in mention.pps)
+        for entity in mention.entities if inside else []:
+            entity.circulates = entity.circulates or Basis(mention.i, mention.j)
     for scene in scenes:
         event = scene.event
         words = context.tokens[event.i : event.j]

@@ -131,7 +131,7 @@ class Interpreter:
         detours.get_past(chunks, self._scenes, self._context)
         implied.positions(self._scenes, self._context)
         breaches.subsume(self._context)
-        courses.circulate(self._scenes, self._context)
+        courses.circulate(chunks, self._scenes, self._context)
         sides_left(chunks, self._context)
         return self._scenes
 
