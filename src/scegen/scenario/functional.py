@@ -94,11 +94,11 @@ class Participant(FrozenModel):
 
     ``approaches`` are relative to the ego, ``adjacent`` with ``left`` or ``right`` is the lane
     beside on that side; ``entries`` are arm numbers; ``lanes`` the lanes in which it may start,
-    counted from 1 at the centre line or the island outwards (empty = free); ``speed_mps`` is the range that the text
-    gives until the first act that concerns it, None if it gives none. One who is ``parked`` stands
-    beside the travelled lanes; with ``maneuvers`` other than to stay it pulls out. One who stands
-    in the lane is not parked and has the maneuver ``stay``. ``circulating``: it is in the
-    roundabout already. A pedestrian whose maneuver is ``straight`` walks along the road.
+    counted from 1 at the centre line (or the island) outwards, empty = free; ``speed_mps`` is the
+    range that the text gives until the first act that concerns it, None if it gives none. One who
+    is ``parked`` stands beside the travelled lanes; with ``maneuvers`` other than to stay it pulls
+    out. One who stands in the lane is not parked and has the maneuver ``stay``. ``circulating``: it
+    is in the roundabout already. A pedestrian whose maneuver is ``straight`` walks along the road.
     """
 
     id: Identifier

@@ -207,10 +207,7 @@ def past_the_roadside(scene: Scene, context: Context) -> bool:
     named = scene.event.name in {"bypass", "pass"} and bool(scene.targets)
     return named and all(
         not e.is_vehicle
-        or (
-            e.parked
-            and any(p.entity is e and p.approaches <= sides for p in context.draft.placements)
-        )
+        or (e.parked and any(p.entity is e and p.approaches <= sides for p in context.draft.placements))
         for e in scene.targets
     )
 
