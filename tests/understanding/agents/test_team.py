@@ -233,8 +233,9 @@ def test_acts_spacings_and_outcome_become_part_of_it(understood, good_answers):
     assert scenario.spacings[0].at == "turn_1"
     assert scenario.outcome.kind is OutcomeKind.NEAR_MISS
     assert evidence(result, "acts.turn_1.side").text == "turns left"
+    assert evidence(result, "acts.turn_1.kind").text == "turns left in front of it"
     assert evidence(result, "spacings.0").text == "in front of it"
-    assert evidence(result, "outcome").source is EvidenceSource.INFERRED
+    assert evidence(result, "outcome.kind").source is EvidenceSource.INFERRED
 
 
 def test_acts_by_nobody_we_know_go_back(understood, good_answers, chat_server):

@@ -17,6 +17,8 @@ from scegen.understanding.agents.replies import Basis, Reply
 
 _ALWAYS = frozenset({"junction.kind", "junction.arms", "junction.control", "junction.driving_side"})
 """Junction fields that always get a line, said or not, as the offline reader gives them."""
+_WHOLE = {"participants": 2, "objects": 2, "acts": 2, "outcome": 1}
+"""How many steps lead to the whole of somebody or something, for which its kind stands."""
 
 
 def grounds(description: str, replies: Iterable[Reply]) -> tuple[list[Evidence], tuple[str, ...]]:
@@ -46,10 +48,12 @@ def _path(reply: Reply, field: str) -> str:
     if steps[0] not in parts:
         homes = (name for name, part in parts.items() if hasattr(part, steps[0]))
         steps = [next(homes, next(iter(parts))), *steps]
-    listed = parts[steps[0]]
-    if isinstance(listed, tuple) and len(steps) > 1 and steps[1].isdigit():
-        one = listed[int(steps[1])] if int(steps[1]) < len(listed) else None
+    part = parts[steps[0]]
+    if isinstance(part, tuple) and len(steps) > 1 and steps[1].isdigit():
+        one = part[int(steps[1])] if int(steps[1]) < len(part) else None
         steps[1] = str(getattr(one, "id", getattr(one, "kind", steps[1])))
+    if len(steps) == _WHOLE.get(steps[0]):
+        steps.append("kind")
     kept = {"hazards": 2, "spacings": 2, "relations": 1}.get(steps[0], len(steps))
     return ".".join(steps[:kept])
 
@@ -58,8 +62,7 @@ def _fields(reply: Reply) -> Iterator[tuple[str, bool]]:
     """Paths of all fields that need a ground, and whether each has its default value."""
     for name, part in reply.parts().items():
         if isinstance(part, Outcome):
-            yield name, False
-            yield from _said(name, part, {"kind", "between"})
+            yield from _said(name, part, {"between"})
         elif isinstance(part, BaseModel):
             yield from _filled(name, part)
         else:
@@ -74,14 +77,13 @@ def _of_one(name: str, number: int, one: BaseModel) -> Iterator[tuple[str, bool]
     elif isinstance(one, Hazard):
         yield f"{name}.{one.kind}", False
     elif isinstance(one, Act | Thing):
-        yield f"{name}.{one.id}", False
-        yield from _said(f"{name}.{one.id}", one, {"id", "kind", "participant"})
+        yield from _said(f"{name}.{one.id}", one, {"id", "participant", "called"})
     else:
         yield (name if isinstance(one, Relation) else f"{name}.{number}"), False
 
 
 def _said(place: str, model: BaseModel, whole: set[str]) -> Iterator[tuple[str, bool]]:
-    """What is filled beside the fields that the whole speaks for."""
+    """What is filled beside the fields that need no ground."""
     for path, is_default in _filled(place, model):
         if not is_default and path.rsplit(".", 1)[1] not in whole:
             yield path, False

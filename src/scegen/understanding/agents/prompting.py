@@ -33,7 +33,7 @@ _PARTS = {
     Part.ROAD: ("the road", "junction.kind"),
     Part.PARTICIPANTS: ("the participants", "participants.car_1.maneuvers"),
     Part.HAZARDS: ("the dangers", "hazards.speeding"),
-    Part.ACTS: ("what happens", "acts.brake_1.rate_mps2`, `spacings.0`, `outcome"),
+    Part.ACTS: ("what happens", "acts.brake_1.rate_mps2`, `spacings.0`, `outcome.kind"),
 }
 _EXITS = [word for word in Maneuver if word.startswith("exit_")]
 _DEFINED: dict[str, Iterable[StrEnum]] = {
