@@ -30,10 +30,10 @@ from shapely.geometry.base import BaseGeometry
 
 from scegen.concretization import concretize
 from scegen.criticality import raise_criticality
-from scegen.criticality.search.optimize import Best, _evolve
-from scegen.criticality.search.proving import examine
 from scegen.criticality.raising.raising import Raised
 from scegen.criticality.raising.stage import Stage
+from scegen.criticality.search.optimize import Best, _evolve
+from scegen.criticality.search.proving import examine
 from scegen.criticality.target import COLLISION, NEAR_MISS, parse_target
 from scegen.errors import InfeasibleError
 from scegen.motion import build_paths

@@ -24,7 +24,7 @@ PARTS = {
     "the road": "road",
     "the participants": "participants",
     "the dangers": "hazards",
-    "the conditions": "environment",
+    "what happens": "acts",
     "the review": "reviewer",
     "the numbers": "parameters",
 }
@@ -263,7 +263,11 @@ def _car(name, **more):
 GOOD_ANSWERS = {
     "road": {
         "junction": {"kind": "t", "arms": 3},
-        "basis": [{"field": "junction.kind", "words": "T-intersection"}],
+        "environment": {"weather": "rain"},
+        "basis": [
+            {"field": "junction.kind", "words": "T-intersection"},
+            {"field": "weather", "words": "in a thunderstorm"},
+        ],
     },
     "participants": {
         "participants": [
@@ -287,10 +291,7 @@ GOOD_ANSWERS = {
         ],
         "basis": [{"field": "speeding", "words": "speeds at  72 KM/H"}],
     },
-    "environment": {
-        "environment": {"weather": "rain"},
-        "basis": [{"field": "weather", "words": "in a thunderstorm"}],
-    },
+    "acts": {},
     "reviewer": {"objections": []},
 }
 

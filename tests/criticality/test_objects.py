@@ -8,7 +8,7 @@ from things import thing
 
 from scegen.claims.hazards.judging import judge
 from scegen.claims.hazards.scenes import scene_of
-from scegen.claims.hazards.view import view_of
+from scegen.claims.view import view_of
 from scegen.concretization import concretize
 from scegen.criticality import raise_criticality
 from scegen.criticality.careful_driver import Outcome, careful_driver_verdict

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from scegen.claims.hazards.ways import paths_of, ways_of
+from scegen.claims.ways import paths_of, ways_of
 from scegen.concretization import concretize
 from scegen.criticality.raising.raising import raise_criticality
 from scegen.criticality.reactivity.sensitivity import ego_start_sensitivity

@@ -6,8 +6,8 @@ import numpy as np
 from criticality_scenarios import scenario
 
 from scegen.claims.hazards.scenes import scene_of
-from scegen.claims.hazards.view import view_of
-from scegen.claims.hazards.ways import Sideways, Way
+from scegen.claims.view import view_of
+from scegen.claims.ways import Sideways, Way
 from scegen.motion.batch import stack_traces
 from scegen.motion.model import Path, Trace
 from scegen.scenario.bodies import BODIES

@@ -51,12 +51,16 @@ class Fact:
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One description: its facts, who played it, or why nothing could be judged."""
+    """One description: its facts, who played it, or why nothing could be judged.
+
+    ``missed`` are the statements of which the program itself says that they do not hold.
+    """
 
     record: Record
     facts: tuple[Fact, ...] = ()
     player: Player | None = None
     problem: str | None = None
+    missed: tuple[str, ...] = ()
 
     @property
     def right(self) -> bool:
@@ -71,6 +75,7 @@ class Row:
             "right": self.right,
             "player": self.player,
             "problem": self.problem,
+            "missed": list(self.missed),
             "facts": [
                 {"fact": f.name, "expected": f.expected, "measured": f.measured, "holds": f.holds}
                 for f in self.facts
@@ -157,7 +162,8 @@ def _row(item: Record, judge: Judge, seed: int, folder: Path) -> Row:
         facts = tuple(Fact(*fact) for fact in judge(item.facts, str(played)))
     except ScegenError as error:
         return Row(item, problem=error.render())
-    return Row(item, facts, recorded.player)
+    missed = tuple(claim.statement for claim in made.proofs[concrete.name].missed)
+    return Row(item, facts, recorded.player, missed=missed)
 
 
 def _first(made: Result) -> Path:

@@ -177,7 +177,7 @@ def _on_arm(walk: _Walk, piece: Stretch, lane: int, *, inbound: bool) -> int:
         piece = walk.shifted(piece, change, before, after)
         lane = change.lane_after
     walk.done.append(piece)
-    if lane == 0 and not across:
+    if lane == 0 and walk.network.junctions:
         raise MotionInfeasibleError(
             f"the vehicle is still in the oncoming lane at the end of {piece.road.name}",
             where=walk.who,

@@ -144,14 +144,15 @@ Trigger = Annotated[
 class SpeedPhase(FrozenModel):
     """When ``trigger`` fires, change speed linearly to ``target_speed_mps`` at ``rate_mps2``.
 
-    ``hazard`` names the danger that the phase serves. Phases start in order: a phase can only
-    fire once its predecessor has fired.
+    ``hazard`` names the danger that the phase serves, ``act`` the act of the description that it
+    is. Phases start in order: a phase can only fire once its predecessor has fired.
     """
 
     trigger: Trigger
     target_speed_mps: float = Field(ge=0, le=100)
     rate_mps2: float = Field(gt=0, le=20)
     hazard: HazardKind | None = None
+    act: Identifier | None = None
 
 
 class LaneChange(FrozenModel):
@@ -166,7 +167,7 @@ class LaneChange(FrozenModel):
     position_m: float = Field(ge=0)
     length_m: float = Field(gt=0)
     lane_after: int = Field(ge=0, le=4)
-    offset_m: float = Field(default=0.0, ge=-5.0, le=5.0)
+    offset_m: float = Field(default=0.0, ge=-12.0, le=12.0)
     hazard: HazardKind | None = None
 
 
@@ -187,7 +188,7 @@ class DriveMotion(FrozenModel):
     exit_lane: int = Field(ge=0, le=4)
     ring_lane: int | None = Field(default=None, ge=1, le=2)
     start_m: float = Field(ge=0)
-    offset_m: float = Field(default=0.0, ge=-5.0, le=5.0)
+    offset_m: float = Field(default=0.0, ge=-12.0, le=12.0)
     turning_starts_m: float
     turning_ends_m: float
     lane_changes: tuple[LaneChange, ...] = ()

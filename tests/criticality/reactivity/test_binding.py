@@ -2,7 +2,7 @@
 
 import pytest
 
-from scegen.claims.hazards.ways import paths_of, ways_of
+from scegen.claims.ways import paths_of, ways_of
 from scegen.concretization import concretize
 from scegen.criticality import raise_criticality
 from scegen.criticality.reactivity.binding import bind_to_ego

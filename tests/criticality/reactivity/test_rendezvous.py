@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from criticality_scenarios import participant, phase
 
-from scegen.claims.hazards.ways import paths_of, ways_of
+from scegen.claims.ways import paths_of, ways_of
 from scegen.concretization import concretize
 from scegen.criticality.reactivity.rendezvous import held_back, joins
 from scegen.enumeration import enumerate_scenarios

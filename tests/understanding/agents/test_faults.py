@@ -106,10 +106,10 @@ def test_refusals_in_prose(understood, good_answers, chat_server, story):
 
 @pytest.mark.parametrize("content", [None, ""])
 def test_empty_answers(understood, good_answers, chat_server, story, content):
-    good_answers["environment"] = chat_server.kinds["Text"](content)
+    good_answers["road"] = chat_server.kinds["Text"](content)
     result = understood(good_answers)
     spoke_instead(result, story)
-    assert result.faults[0].agent == "environment"
+    assert result.faults[0].agent == "road"
 
 
 def test_an_answer_cut_off_at_its_limit(understood, good_answers, chat_server, story):
@@ -349,7 +349,7 @@ def test_an_injection_stays_data(understood, good_answers, chat_server):
         "road": {"junction": {"kind": "four_way", "arms": 4}},
         "participants": people,
         "hazards": {"hazards": []},
-        "environment": {"environment": {}},
+        "acts": {},
     }
     assert understood(answers, INJECTION).speaker == "openai:scripted"
     for _, body, _ in chat_server.requests:

@@ -10,8 +10,8 @@ import numpy as np
 
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.predicate import NEVER, Part, Predicate, at_least
-from scegen.claims.hazards.view import View
-from scegen.claims.hazards.ways import Way
+from scegen.claims.view import View
+from scegen.claims.ways import Way
 from scegen.scenario.concrete import CrossingMotion
 
 _BEFORE_LINE_M = 15.0

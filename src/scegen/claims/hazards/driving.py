@@ -6,7 +6,7 @@ import numpy as np
 
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
-from scegen.claims.hazards.view import View, lasting, longest_run
+from scegen.claims.view import View, lasting, longest_run
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.speed_limits import limit_for_kind_mps
@@ -91,7 +91,7 @@ def delayed_braking(view: View, by: str, to: str) -> list[Part]:
 def stopping(view: View, by: str, _: str) -> list[Part]:
     """Stands in the way after having moved, until it sets off, or blocks a lane all along."""
     way = view.ways[by]
-    if way.path.length_m == 0.0:
+    if way.path.length_m == 0.0 or not (way.participant.speed_mps or way.sets_off):
         stands = np.ones_like(view.speed_mps(by), dtype=np.bool_)
     else:
         place = view.place_m(by)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.predicate import Part, Predicate, at_most
-from scegen.claims.hazards.view import View, lasting
+from scegen.claims.view import View, lasting
 
 
 def tailgating(view: View, by: str, to: str) -> list[Part]:

@@ -14,7 +14,7 @@ import numpy as np
 from scegen.claims.hazards.predicate import NEVER, Part
 from scegen.claims.hazards.roles import culprits, victims
 from scegen.claims.hazards.table import PREDICATES
-from scegen.claims.hazards.view import View
+from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import Hazard
@@ -54,6 +54,30 @@ def relative_margins(view: View, hazard: Hazard) -> Floats:
     several = np.array(by_cause)
     margins: Floats = several.max(axis=0) if hazard.kind in _ANY_CULPRIT else several.min(axis=0)
     return margins
+
+
+def decisive(view: View, hazard: Hazard) -> tuple[Floats, Floats]:
+    """Relative margin of a danger in each candidate, and when its weakest condition holds (c,)."""
+    margins, times = [], []
+    for couples in _couples(view, hazard):
+        parts = [_weakest(couple) for couple in couples]
+        margin = np.array([part[0] for part in parts])
+        chosen = margin.argmax(axis=0)
+        rows = np.arange(view.count)
+        margins.append(margin[chosen, rows])
+        times.append(np.array([part[1] for part in parts])[chosen, rows])
+    if not margins:
+        return np.full(view.count, NEVER), np.full(view.count, np.nan)
+    several, rows = np.array(margins), np.arange(view.count)
+    pick = several.argmax(axis=0) if hazard.kind in _ANY_CULPRIT else several.argmin(axis=0)
+    return several[pick, rows], np.array(times)[pick, rows]
+
+
+def _weakest(couple: Couple) -> tuple[Floats, Floats]:
+    relative = np.array([part.relative for part in couple.parts])
+    weakest, rows = relative.argmin(axis=0), np.arange(relative.shape[1])
+    times = np.array([part.time_s for part in couple.parts])
+    return relative[weakest, rows], times[weakest, rows]
 
 
 def judge(view: View, hazard: Hazard, candidate: int = 0) -> HazardProof:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from scegen.claims.hazards.thresholds import Threshold
-from scegen.claims.hazards.view import View
+from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats
 
 NEVER = -3.0

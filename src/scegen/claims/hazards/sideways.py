@@ -8,8 +8,8 @@ from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.conflict import conflict
 from scegen.claims.hazards.driving import braking_part
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
-from scegen.claims.hazards.view import View
-from scegen.claims.hazards.ways import Sideways
+from scegen.claims.view import View
+from scegen.claims.ways import Sideways
 from scegen.motion.batch.arrays import COS, HEADING, SIN, Floats, X, Y
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.scenario.bodies import BODIES
@@ -25,7 +25,7 @@ def _reaches_s(view: View, name: str, place_m: float) -> Floats:
     """When it reaches a place; the end of time if it does not."""
     reached = view.place_m(name) >= place_m
     step = np.where(reached.any(axis=1), reached.argmax(axis=1), reached.shape[1])
-    time_s: Floats = step * view.dt_s
+    time_s: Floats = view.time_of(step)
     return time_s
 
 

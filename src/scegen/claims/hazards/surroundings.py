@@ -6,7 +6,7 @@ import numpy as np
 
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
-from scegen.claims.hazards.view import View
+from scegen.claims.view import View
 from scegen.measures.occlusion import occlusion_series
 
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from scegen.concretization.along.asked import dangers
 from scegen.concretization.along.runner import Runner
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.logical import Drive, LogicalScenario
-from scegen.scenario.vocabulary import HazardKind, Maneuver
+from scegen.scenario.vocabulary import FROM_BESIDE, HazardKind, Maneuver
 
 _SLOWS = frozenset({ActKind.BRAKE, ActKind.STOP})
 _ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.OVERTAKE})
@@ -23,7 +24,7 @@ def all_acts(
     """The acts of those along the road; implied ones come after those that are said."""
     said = [a for a in logical.acts or functional.acts if a.participant in runners]
     acts = [act for act in said if act.kind in _ALONG]
-    for hazard in logical.hazards:
+    for hazard in dangers(functional, logical):
         acts += _implied(functional, hazard, runners, acts)
     for drive in logical.drives:
         acts += _manoeuvre(drive, runners, acts)
@@ -45,7 +46,7 @@ def _implied(
     if hazard.kind in _OF_THE_DRIVER:
         return
     for by in (name for name in hazard.by if name in runners):
-        for kind in HAZARDS[hazard.kind].acts:
+        for kind in _acts_of(hazard.kind):
             alike = next((s for s in (_SLOWS, _ASIDE) if kind in s), frozenset({kind}))
             own = does(acts, by, alike)
             stands = runners[by].stands or runners[by].speed_mps == 0.0
@@ -53,10 +54,18 @@ def _implied(
                 by == functional.ego.id and kind in _SLOWS and not _follows_nobody(runners, by)
             )
             if kind in _ALONG and not own and not stands and not answers:
-                into = next((to for to in hazard.to if to in runners), None)
+                into = next((to for to in hazard.to if to in runners and to != by), None)
                 into = into if kind in _ASIDE else None
                 name = f"{hazard.kind}_of_{by}"[:40]
                 yield Act(id=name, participant=by, kind=kind, into=into)
+
+
+def _acts_of(kind: HazardKind) -> tuple[ActKind, ...]:
+    """What a danger consists of where there is no junction: joining and turning are moves aside."""
+    if kind in FROM_BESIDE:
+        return (ActKind.CHANGE_LANE,)
+    acts = HAZARDS[kind].acts
+    return tuple(ActKind.SWERVE if act is ActKind.TURN else act for act in acts)
 
 
 def _follows_nobody(runners: Mapping[str, Runner], name: str) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from scegen.concretization.along.asked import allowed, dangers
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.limits import CYCLING_MPS, WALKING_MPS
 from scegen.scenario.acts import Act, ActKind
@@ -19,6 +20,7 @@ from scegen.scenario.logical import (
     Standing,
     Walking,
 )
+from scegen.scenario.model import Interval
 from scegen.scenario.speed_limits import limit_for_kind_mps
 from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind
 
@@ -32,6 +34,8 @@ _USUAL_MPS = {
 limits have it, cyclists and walkers at their pace."""
 _EDGE_M = 1.5
 """Who walks along the side of the road keeps so far from the middle of its outermost lane."""
+_OF_LIMIT = 0.75
+"""Who goes slower than this share of the limit does not set the pace of the others."""
 _PASSES_BY_MPS = 6.0
 """By so much one who overtakes is faster, where no speeds are said."""
 
@@ -73,7 +77,9 @@ def _runner(
     else:
         raise TypeError(f"{participant.id} goes across the road")
     beside = isinstance(assignment, Walking | Standing) and not assignment.in_lane
-    runner = Runner(participant.id, participant.kind, forward, assignment_lane(assignment), 0.0)
+    lane = assignment_lane(assignment)
+    runner = Runner(participant.id, participant.kind, forward, lane, 0.0)
+    runner.keeps_left = keeps == "left"
     if beside:
         # Seen in its own direction, the edge is to the kerb's side if it goes with the traffic.
         outward = -1.0 if keeps == "right" else 1.0
@@ -96,7 +102,9 @@ def _speeds(
     """Said, else by the danger that it causes, else the one speed of cruising traffic."""
     said = {p.id: p.speed_mps for p in functional.participants if p.speed_mps is not None}
     ego = runners[functional.ego.id]
-    cruising = said[ego.id].middle if ego.id in said else _leader_speed(logical, said, ego.id)
+    cruising = (
+        said[ego.id].middle if ego.id in said else _leader_speed(logical, said, ego.id, limit_mps)
+    )
     if cruising is None or cruising < 1.0:
         cruising = limit_mps
     for runner in runners.values():
@@ -111,8 +119,9 @@ def _speeds(
         else:
             usual = _USUAL_MPS.get(runner.kind, limit_mps)
             speed = min(cruising if runner.forward else limit_mps, usual)
-            runner.speed_mps = _endangering(logical, runner, speed, limit_mps)
-    for hazard in logical.hazards:
+            speed = _endangering(functional, logical, runner, speed, limit_mps)
+            runner.speed_mps = allowed(logical, runner.id, speed)
+    for hazard in dangers(functional, logical):
         if hazard.kind is HazardKind.OVERTAKING:
             _make_faster(runners, hazard.by, hazard.to, said)
     for act in functional.acts:
@@ -120,17 +129,20 @@ def _speeds(
             _make_faster(runners, (act.participant,), (act.into,), said)
 
 
-def _leader_speed(logical: LogicalScenario, said: Mapping[str, object], ego: str) -> float | None:
-    """Who follows somebody of a stated speed in a line drives as fast, if nothing else is said."""
+def _leader_speed(
+    logical: LogicalScenario, said: Mapping[str, Interval], ego: str, limit_mps: float
+) -> float | None:
+    """Who drives with another of an ordinary stated speed drives as fast, if none is said."""
     drives = {d.participant: d for d in logical.drives}
     own = drives.get(ego)
     if own is None:
         return None
     for name, drive in drives.items():
         interval = said.get(name)
+        middle = 0.0 if interval is None else interval.middle
         level = drive.entry == own.entry and drive.maneuver is not Maneuver.STAY
-        if interval is not None and level and name != ego:
-            return float(getattr(interval, "middle"))  # noqa: B009 - typed by the caller
+        if level and name != ego and middle >= _OF_LIMIT * limit_mps:
+            return middle
     return None
 
 
@@ -141,11 +153,15 @@ def _sets_off(functional: FunctionalScenario, name: str) -> bool:
 
 
 def _endangering(
-    logical: LogicalScenario, runner: Runner, speed_mps: float, limit_mps: float
+    functional: FunctionalScenario,
+    logical: LogicalScenario,
+    runner: Runner,
+    speed_mps: float,
+    limit_mps: float,
 ) -> float:
     """The speed of one whose danger is its speed."""
     own = limit_for_kind_mps(runner.kind, limit_mps)
-    for hazard in logical.hazards:
+    for hazard in dangers(functional, logical):
         share = HAZARDS[hazard.kind].speed_share
         if runner.id in hazard.by and share is not None:
             return min(share[2] * own, BODIES[runner.kind].top_speed_mps)
@@ -156,12 +172,12 @@ def _make_faster(
     runners: Mapping[str, Runner],
     by: tuple[str, ...],
     to: tuple[str, ...],
-    said: Mapping[str, object],
+    said: Mapping[str, Interval],
 ) -> None:
     """Who overtakes is clearly faster; where its speed is said, the other is slower."""
     for fast in (runners[name] for name in by if name in runners):
         for slow in (runners[name] for name in to if name in runners):
-            if not slow.forward == fast.forward or fast.speed_mps - slow.speed_mps >= 2.0:
+            if slow.forward != fast.forward or fast.speed_mps - slow.speed_mps >= 2.0:
                 continue
             if slow.id not in said:
                 slow.speed_mps = max(0.6 * fast.speed_mps, fast.speed_mps - _PASSES_BY_MPS)

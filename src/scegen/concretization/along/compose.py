@@ -8,6 +8,7 @@ in time, and where one starts follows.
 from __future__ import annotations
 
 from scegen.concretization.along.acts import all_acts
+from scegen.concretization.along.asked import dangers
 from scegen.concretization.along.casting import cast
 from scegen.concretization.along.crossing import Walk, cross
 from scegen.concretization.along.lanes import choose_lanes
@@ -28,7 +29,13 @@ from scegen.concretization.along.writing import (
     written_runner,
     written_walk,
 )
-from scegen.concretization.objects import made_of, shape_of
+from scegen.concretization.objects import (
+    caused_by_nobody,
+    causes_it,
+    free_name,
+    made_of,
+    shape_of,
+)
 from scegen.concretization.occluders import hide
 from scegen.concretization.roads import plan
 from scegen.errors import MotionInfeasibleError
@@ -42,11 +49,13 @@ from scegen.road.geometry import Pose
 from scegen.road.model import RoadNetwork
 from scegen.scenario.acts import Act
 from scegen.scenario.concrete import Change, ConcreteParticipant, ConcreteScenario, RoadParameters
-from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.functional import FunctionalScenario, Hazard
+from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.speed_limits import implied_limit_mps
-from scegen.scenario.vocabulary import JunctionKind, Maneuver, ParticipantKind
+from scegen.scenario.things import Thing, ThingKind
+from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver, ParticipantKind
 
 _AFTER_S = 3.0
 """The recording goes on this long after the last thing has happened."""
@@ -101,21 +110,57 @@ def _story(
 ) -> Story:
     limit = functional.junction.speed_limit_mps or implied_limit_mps(functional)
     runners = cast(functional, logical, limit)
-    for thing in functional.objects:
-        if thing.in_way_of in runners:
-            body = shape_of(thing.kind).body
-            forward = runners[thing.in_way_of].forward
-            runners[thing.id] = Runner(thing.id, ParticipantKind.CAR, forward, -1, 0.0, box=body)
+    things = _things(functional, logical, runners)
+    for thing in things:
+        blocked = runners[thing.in_way_of or ""]
+        body = shape_of(thing.kind).body
+        runners[thing.id] = Runner(
+            thing.id,
+            ParticipantKind.CAR,
+            blocked.forward,
+            -1,
+            0.0,
+            box=body,
+            keeps_left=blocked.keeps_left,
+        )
     acts = all_acts(functional, logical, runners)
-    people = {n: r for n, r in runners.items() if r.box is None}
+    people = {name: runner for name, runner in runners.items() if runner.box is None}
     count = choose_lanes(functional, logical, people, acts)
     if road is not None:
         count = road.arms[0].lanes_in
-    for thing in functional.objects:
-        if thing.id in runners and thing.in_way_of in runners:
-            runners[thing.id].lane = runners[thing.in_way_of].lane
+    for thing in things:
+        runners[thing.id].lane = runners[thing.in_way_of or ""].lane
     grip = friction_of(functional.environment) * GRAVITY_MPS2
-    return Story(functional, logical, runners, acts, count, limit, grip)
+    return Story(functional, logical, runners, acts, count, limit, grip, tuple(things))
+
+
+def _things(
+    functional: FunctionalScenario, logical: LogicalScenario, runners: dict[str, Runner]
+) -> list[Thing]:
+    """What lies in somebody's lane: what is said, and what a danger needs that nobody causes."""
+    found = [thing for thing in functional.objects if thing.in_way_of in runners]
+    for hazard in dangers(functional, logical):
+        if hazard.kind is not HazardKind.OBSTACLE or not caused_by_nobody(functional, hazard):
+            continue
+        thing = causes_it(functional, hazard)
+        if thing in found or (thing is None and (found or logical.standings)):
+            continue
+        who = next((n for n in hazard.to if n in runners), _who_reacts(functional, logical))
+        name = free_name(functional, ThingKind.OBSTACLE, set(runners))
+        thing = thing or Thing(id=name, kind=ThingKind.OBSTACLE)
+        found.append(thing.model_copy(update={"in_way_of": thing.in_way_of or who}))
+    return found
+
+
+def _who_reacts(functional: FunctionalScenario, logical: LogicalScenario) -> str:
+    """Who does something that one does because of a thing in its way; else the ego."""
+    for hazard in dangers(functional, logical):
+        if hazard.by and (HAZARDS[hazard.kind].acts or hazard.kind is HazardKind.DELAYED_BRAKING):
+            return hazard.by[0]
+    sideways = {Maneuver.LANE_CHANGE, Maneuver.OVERTAKE}
+    return next(
+        (d.participant for d in logical.drives if d.maneuver in sideways), functional.ego.id
+    )
 
 
 def _lay(story: Story, waiting: list[Act]) -> list[Walk]:
@@ -206,17 +251,30 @@ def _written(
         participants=tuple(people),
         objects=objects,
         environment=story.functional.environment,
-        hazards=story.logical.hazards or story.functional.hazards,
+        hazards=_caused(story),
         duration_s=round(lasts_s * 20) / 20,
-        provenance=_provenance(story),
+        provenance=_provenance(story, walks),
     )
     return clear_of_ties(concrete, build_paths(concrete, network))
+
+
+def _caused(story: Story) -> tuple[Hazard, ...]:
+    """The dangers, those by a thing with the thing named."""
+    found = []
+    for hazard in story.hazards:
+        if hazard.kind is HazardKind.OBSTACLE and story.things and not hazard.by:
+            thing = story.things[0]
+            to = hazard.to or (thing.in_way_of or story.ego.id,)
+            found.append(hazard.model_copy(update={"by": (thing.id,), "to": to}))
+        else:
+            found.append(hazard)
+    return tuple(found)
 
 
 def _thing(story: Story, frame: Frame, network: RoadNetwork, name: str) -> StaticObject:
     """A thing in somebody's lane, at its pose in the world."""
     runner = story.runners[name]
-    thing = next(t for t in story.functional.objects if t.id == name)
+    thing = next(t for t in story.things if t.id == name)
     road = network.arm_road(frame.ego_arm)
     x = runner.x_m(0.0) - frame.begin_m
     here = road.line.pose(0.0, 0.0)
@@ -225,18 +283,24 @@ def _thing(story: Story, frame: Frame, network: RoadNetwork, name: str) -> Stati
     return made_of(name, shape_of(thing.kind), thing.called, pose)
 
 
-def _provenance(story: Story) -> tuple[Change, ...]:
+def _provenance(story: Story, walks: list[Walk]) -> tuple[Change, ...]:
+    """Who drives how fast and why, and who brakes for whom."""
+    said = {p.id for p in story.functional.participants if p.speed_mps is not None}
     changes = []
     for runner in story.runners.values():
+        if runner.box is not None:
+            continue
+        reason = "as the description says" if runner.id in said else "usual speed"
+        changes.append(_change(f"{runner.id}.speed_mps", runner.speed_mps, reason))
         for step in runner.steps:
             if step.act is None and step.reacts_to is not None:
                 reason = f"brakes for {step.reacts_to}, as a driver who sees it does"
-                changes.append(
-                    Change(
-                        parameter=f"{runner.id}.rate_mps2",
-                        by="concretization",
-                        after=round(step.rate_mps2, 3),
-                        reason=reason,
-                    )
-                )
+                changes.append(_change(f"{runner.id}.rate_mps2", step.rate_mps2, reason))
+    for walk in walks:
+        reason = "as the description says" if walk.id in said else "usual pace"
+        changes.append(_change(f"{walk.id}.speed_mps", walk.speed_mps, reason))
     return tuple(changes)
+
+
+def _change(parameter: str, after: float, reason: str) -> Change:
+    return Change(parameter=parameter, by="concretization", after=round(after, 3), reason=reason)

@@ -1,9 +1,10 @@
-"""Those who go across the road: where their way lies, and when they set off to be met as is said."""
+"""Those who go across the road: where their way lies, and when they set off to be met."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
+from scegen.concretization.along.asked import allowed
 from scegen.concretization.along.runner import NEVER_S, Runner, Step
 from scegen.concretization.along.sideways import edge_y_m
 from scegen.concretization.along.story import Story, contact_wanted
@@ -24,6 +25,7 @@ _HOLDS_S = 0.6
 _PASSES_BEFORE_S = 0.5
 """Who is just missed has left the way of the vehicle so long before it comes."""
 _LEAST_LEAD_S = 1.0
+_ABREAST_M = 1.2
 _STOPS_SHORT_M = 0.8
 _STAYS_M = 0.3
 _BRAKES = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING, HazardKind.STOPPING})
@@ -48,6 +50,7 @@ class Walk:
     meets: str
     stops_after_m: float | None = None
     timed: bool = False
+    act: str | None = None
 
     @property
     def body(self) -> Body:
@@ -72,7 +75,8 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], number: in
     body = BODIES[participant.kind]
     walking = participant.kind is ParticipantKind.PEDESTRIAN
     said = participant.speed_mps
-    speed = said.middle if said is not None else (WALKING_MPS if walking else CYCLING_MPS)
+    usual = WALKING_MPS if walking else CYCLING_MPS
+    speed = said.middle if said is not None else allowed(story.logical, participant.id, usual)
     meets = story.runners[_meets(story, participant.id)]
     ego_arm = story.logical.assignment(story.ego.id)
     same_arm = isinstance(ego_arm, Drive) and crossing.arm == ego_arm.entry
@@ -81,7 +85,7 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], number: in
     edge = edge_y_m(story, left=from_left)
     strip = strips.get("left" if from_left else "right", 0.0)
     into = -1 if from_left else 1
-    aim = _aim_y_m(story, participant.id, meets, body, speed, into, act)
+    aim = _aim_y_m(story, participant.id, meets, body, speed, into)
     to_aim = abs(aim - edge) - body.centre_ahead_m
     least = speed**2 / (2 * START_MPS2) + _HOLDS_S * speed - to_aim
     setback = max(least, strip + _BEYOND_STRIP_M if strip else _SETBACK_M, body.front_m + 0.2)
@@ -90,12 +94,9 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], number: in
     walk = Walk(
         participant.id, participant.kind, crossing, from_left, speed, 0.0, setback, 0.0, meets.id
     )
-    takes = walk.runs_s(to_aim + setback)
-    begins = _sets_off_s(act, meets, takes)
-    walk.sets_off_s, walk.timed = begins
-    walk.x_m = _line_x_m(story, walk, meets, act, takes) + 1.2 * ((number + 1) // 2) * (
-        1 if number % 2 else -1
-    )
+    walk.act = None if act is None else act.id
+    _time(story, walk, meets, act, walk.runs_s(to_aim + setback))
+    walk.x_m += _ABREAST_M * ((number + 1) // 2) * (1 if number % 2 else -1)
     if _stops(story, walk.id):
         walk.stops_after_m = setback + abs(meets.y_m(0.0, LANE_WIDTH_M) - edge) + _STAYS_M
     _brake_before(story, walk, meets)
@@ -104,7 +105,7 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], number: in
 
 def _meets(story: Story, name: str) -> str:
     """Whose way it crosses: who suffers it, else the ego."""
-    for hazard in story.logical.hazards:
+    for hazard in story.hazards:
         if name in hazard.by:
             found = [n for n in hazard.to if n in story.runners]
             if found:
@@ -117,9 +118,7 @@ def _act(story: Story, name: str) -> Act | None:
     return next((a for a in acts if a.participant == name and a.kind is ActKind.CROSS), None)
 
 
-def _aim_y_m(
-    story: Story, name: str, meets: Runner, body: Body, speed: float, into: int, act: Act | None
-) -> float:
+def _aim_y_m(story: Story, name: str, meets: Runner, body: Body, speed: float, into: int) -> float:
     """Where its middle is across the road when the front of the other comes to its line."""
     middle = meets.y_m(0.0, LANE_WIDTH_M)
     outcome = story.functional.outcome
@@ -129,20 +128,19 @@ def _aim_y_m(
         return middle + meets.sign * (0.5 - share) * meets.body.width_m
     if _brakes(story, meets.id):
         return middle
-    del act
     clear = (meets.body.width_m + body.length_m) / 2 + _PASSES_BEFORE_S * speed
-    return middle + into * clear * (1 if meets.forward else 1)
+    return middle + into * clear
 
 
 def _brakes(story: Story, name: str) -> bool:
     """Whether the one whom it meets is said to brake for it."""
-    kinds = {h.kind for h in story.logical.hazards if name in h.by}
+    kinds = {h.kind for h in story.hazards if name in h.by}
     acts = {a.kind for a in story.acts if a.participant == name and a.when is None}
     return bool(kinds & _BRAKES) or bool(acts & {ActKind.BRAKE, ActKind.STOP})
 
 
 def _stops(story: Story, name: str) -> bool:
-    return any(h.kind is HazardKind.STOPPING and name in h.by for h in story.logical.hazards)
+    return any(h.kind is HazardKind.STOPPING and name in h.by for h in story.hazards)
 
 
 def _waits_m(story: Story, name: str, meets: Runner, edge: float, into: int) -> float | None:
@@ -156,47 +154,40 @@ def _waits_m(story: Story, name: str, meets: Runner, edge: float, into: int) -> 
     return None
 
 
-def _sets_off_s(act: Act | None, meets: Runner, takes: float) -> tuple[float, bool]:
-    """When it sets off; whether that is a time that the text gives."""
-    if act is not None and isinstance(act.when, AfterStart):
-        return act.when.delay_s.middle, True
-    if act is not None and isinstance(act.when, WhenMeasure):
-        return max(_MEETS_S - takes, 2.0), False
-    del meets
-    return max(_MEETS_S - takes, _LEAST_LEAD_S), False
-
-
-def _line_x_m(story: Story, walk: Walk, meets: Runner, act: Act | None, takes: float) -> float:
-    """Where its line lies: as far before the other as is said when it sets off, or as it takes."""
+def _time(story: Story, walk: Walk, meets: Runner, act: Act | None, takes: float) -> None:
+    """When it sets off and where its line lies, so that it ``takes`` as long as the other does."""
     half = walk.body.width_m / 2
     when = act.when if act is not None else None
     spacing = _spacing(story, walk.id, meets.id, act)
-    moment, measure, value = walk.sets_off_s, None, 0.0
-    if isinstance(when, WhenMeasure):
-        measure, value = when.measure, when.value.middle
-    elif spacing is not None:
-        measure, value, moment = spacing
-    front = meets.x_m(moment) + meets.sign * meets.body.front_m
-    if measure is Measure.GAP_M:
-        return front + meets.sign * (value + half)
-    if measure in {Measure.HEADWAY_S, Measure.TTC_S}:
-        return front + meets.sign * (value * meets.speed_at_mps(moment) + half)
-    arrival = walk.sets_off_s + takes
-    return meets.x_m(arrival) + meets.sign * (meets.body.front_m + half)
+    walk.sets_off_s = max(_MEETS_S - takes, _LEAST_LEAD_S)
+    if isinstance(when, AfterStart):
+        walk.sets_off_s, walk.timed = when.delay_s.middle, True
+    elif isinstance(when, WhenMeasure):
+        spacing = when.measure, when.value.middle, True
+    if spacing is None:
+        arrival = walk.sets_off_s + takes
+        walk.x_m = meets.x_m(arrival) + meets.sign * (meets.body.front_m + half)
+        return
+    measure, value, as_it_sets_off = spacing
+    if as_it_sets_off and not walk.timed:
+        walk.sets_off_s = max(_MEETS_S - takes, 2.0)
+    moment = walk.sets_off_s if as_it_sets_off else 0.0
+    away = value if measure is Measure.GAP_M else value * meets.speed_at_mps(moment)
+    walk.x_m = meets.x_m(moment) + meets.sign * (meets.body.front_m + away + half)
+    if not as_it_sets_off and not walk.timed:
+        arrival = meets.profile.time_s(away)
+        walk.sets_off_s = max(0.0, arrival - takes) if arrival < NEVER_S else _LEAST_LEAD_S
 
 
 def _spacing(
     story: Story, name: str, other: str, act: Act | None
-) -> tuple[Measure, float, float] | None:
-    """A distance along the road that is said between the two, and when it holds."""
+) -> tuple[Measure, float, bool] | None:
+    """A distance along the road that is said between the two; whether as it sets off, or first."""
     for spacing in story.functional.spacings:
         lengthwise = spacing.measure in {Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S}
         if lengthwise and {spacing.participant, spacing.reference} == {name, other}:
             own = act is not None and spacing.at == act.id
-            moment = 0.0
-            if own:
-                moment = max(_MEETS_S - 3.0, 2.0)
-            return spacing.measure, spacing.value.middle, moment
+            return spacing.measure, spacing.value.middle, own
     return None
 
 
@@ -217,7 +208,7 @@ def _brake_before(story: Story, walk: Walk, meets: Runner) -> None:
     begins = meets.profile.time_s(max(way, 0.0))
     if begins >= NEVER_S:
         return
-    hazard = next((h.kind for h in story.logical.hazards if h.kind in _BRAKES and meets.id in h.by),
+    hazard = next((h.kind for h in story.hazards if h.kind in _BRAKES and meets.id in h.by),
                   None)  # fmt: skip
     act = own.act if own is not None else None
     meets.steps.append(Step(begins, target, rate, act, hazard))

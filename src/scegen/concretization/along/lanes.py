@@ -9,14 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import product
+from itertools import combinations, product
 
+from scegen.concretization.along.asked import dangers, outward
 from scegen.concretization.along.runner import Runner
 from scegen.errors import MotionInfeasibleError
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.logical import Drive, InLine, LogicalScenario
+from scegen.scenario.logical import Assignment, Drive, InLine, LogicalScenario
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
 
@@ -67,7 +68,7 @@ def choose_lanes(
     wishes = [
         *_from_words(functional, logical, runners),
         *_from_acts(functional, runners, acts),
-        *_from_hazards(logical, runners),
+        *_from_hazards(functional, logical, runners),
         *_usual(functional, logical, runners),
     ]
     said = max(functional.junction.lanes, default=0)
@@ -96,7 +97,7 @@ def choose_lanes(
 def _cheapest(
     names: Sequence[str], wishes: Sequence[Wish], count: int
 ) -> tuple[float, dict[str, int]]:
-    """The lanes that break the least, found branch by branch; the kerb's side where all are equal."""
+    """The lanes that break the least, branch by branch; the kerb's side where all are equal."""
     best: tuple[float, dict[str, int]] = (float("inf"), {})
     last: dict[str, list[Wish]] = {name: [] for name in names}
     for wish in wishes:
@@ -118,11 +119,6 @@ def _cheapest(
 
     extend(0, {}, _LANE * (count - 1))
     return best
-
-
-def outward(functional: FunctionalScenario, side: Side) -> int:
-    """1 if that side of one who drives is towards the kerb, -1 if towards the centre line."""
-    return 1 if side.value == functional.junction.driving_side.value else -1
 
 
 def _beside(a: str, b: str, step: int | None) -> Met:
@@ -158,20 +154,38 @@ def _from_words(
                 Wish((name,), _SAID, _among(name, allowed), f"{name} is in lane {numbers}")
             )
         assignment = logical.assignment(name)
-        other = assignment.beside if isinstance(assignment, InLine) else None
-        if other is not None and other in runners and isinstance(assignment, InLine):
-            side = assignment.beside_on
-            step_out = None if side is None else outward(functional, side)
-            words = f"{name} is in the lane beside {other}"
-            wishes.append(Wish((name, other), _SAID, _beside(name, other, step_out), words))
-        for reference, words_of in _seen_from(functional, name):
+        seen = {r: words for r, words in _seen_from(functional, name) if r in runners}
+        beside = assignment.beside if isinstance(assignment, InLine) else None
+        if beside is not None and beside in runners:
+            seen[beside] = seen.get(beside, frozenset()) | {Approach.ADJACENT}
+        for reference, words_of in seen.items():
+            if (name, reference) in aside or (reference, name) in aside:
+                continue
+            if Approach.ADJACENT in words_of:
+                step_out = _step_out(functional, assignment, reference, words_of)
+                met = _beside(name, reference, step_out)
+                words = f"{name} is in the lane beside {reference}"
+                wishes.append(Wish((name, reference), _SAID, met, words))
             in_line = bool(words_of & {Approach.AHEAD, Approach.BEHIND})
-            known = reference in runners and runners[reference].forward == runner.forward
-            free = (name, reference) not in aside and Approach.ADJACENT not in words_of
-            if in_line and known and free:
+            same_way = runners[reference].forward == runner.forward
+            if in_line and same_way and Approach.ADJACENT not in words_of:
                 words = f"{name} is in the lane of {reference}"
                 wishes.append(Wish((name, reference), _SAID, _beside(name, reference, 0), words))
     return wishes
+
+
+def _step_out(
+    functional: FunctionalScenario,
+    assignment: Assignment,
+    reference: str,
+    words: frozenset[Approach],
+) -> int | None:
+    """On which side somebody is beside another, as lanes farther out; None if either will do."""
+    said = getattr(assignment, "beside_on", None)
+    if said is not None and getattr(assignment, "beside", None) == reference:
+        return outward(functional, said)
+    sides = words & {Approach.LEFT, Approach.RIGHT}
+    return outward(functional, Side(next(iter(sides)).value)) if len(sides) == 1 else None
 
 
 def _seen_from(
@@ -221,10 +235,12 @@ def _from_acts(
     return wishes
 
 
-def _from_hazards(logical: LogicalScenario, runners: Mapping[str, Runner]) -> list[Wish]:
+def _from_hazards(
+    functional: FunctionalScenario, logical: LogicalScenario, runners: Mapping[str, Runner]
+) -> list[Wish]:
     """Who endangers another from beside is beside it, who does it in line is in its lane."""
     wishes: list[Wish] = []
-    for hazard in logical.hazards:
+    for hazard in dangers(functional, logical):
         for by, to in product(hazard.by, hazard.to):
             both = {by, to} <= runners.keys() and by != to
             if not both or runners[by].forward != runners[to].forward:
@@ -243,6 +259,7 @@ def _usual(
     """Drive in line with the ego; change lanes where there is one to change into."""
     wishes: list[Wish] = []
     ego = functional.ego.id
+    wishes += _apart(logical, runners)
     for name, runner in runners.items():
         assignment = logical.assignment(name)
         beside = isinstance(assignment, InLine) and assignment.beside is not None
@@ -254,3 +271,21 @@ def _usual(
             words = f"{name} has a lane to change into"
             wishes.append(Wish((name,), _LIKELY, _room(name, step), words))
     return wishes
+
+
+def _apart(logical: LogicalScenario, runners: Mapping[str, Runner]) -> list[Wish]:
+    """Two beside the same one are on either side of it, if there is room."""
+    beside: dict[str, list[str]] = {}
+    for name in runners:
+        other = getattr(logical.assignment(name), "beside", None)
+        if other is not None:
+            beside.setdefault(other, []).append(name)
+    return [
+        Wish((a, b), _USUAL, _differ(a, b), f"{a} and {b} are on either side")
+        for names in beside.values()
+        for a, b in combinations(names, 2)
+    ]
+
+
+def _differ(a: str, b: str) -> Met:
+    return lambda lanes, _: lanes[a] != lanes[b]

@@ -12,7 +12,7 @@ from scegen.scenario.vocabulary import HazardKind
 
 REACTION_S = 0.75
 """From a danger that can be seen to the brakes: the delay of UN R157's driver."""
-_CLOSEST_M = 0.5
+_CLOSEST_M = 0.65
 """How near one who may not touch the other comes: a near miss."""
 _LATEST_S = 40.0
 _STEP_S = 0.05
@@ -84,15 +84,15 @@ def _brake_for(story: Story, who: Runner, other: Runner) -> bool:
          and not s.timed and story.act(s.act).when is None), None
     )  # fmt: skip
     hard = any(
-        h.kind in _BRAKES and who.id in h.by for h in story.logical.hazards
+        h.kind in _BRAKES and who.id in h.by for h in story.hazards
     )  # fmt: skip
     usual = HARD_BRAKING_MPS2[0] if hard else LATE_BRAKING_MPS2
     most = min(who.body.max_deceleration_mps2, 0.95 * story.grip_mps2)
-    sees_s = _sees_s(who, other) + REACTION_S
+    sees_s = _sees_s(other) + REACTION_S
     rest = [s for s in who.steps if s is not own]
     steps_before = who.steps
-    hazard = next((h.kind for h in story.logical.hazards if h.kind in _BRAKES and who.id in h.by),
-                  None)  # fmt: skip
+    kinds = (h.kind for h in story.hazards if h.kind in _BRAKES and who.id in h.by)
+    hazard = next(kinds, HazardKind.OBSTACLE if other.box is not None else None)
     if own is not None and story.act(own.act or "").rate_mps2 is not None:
         rates = [own.rate_mps2]
     else:
@@ -106,7 +106,7 @@ def _brake_for(story: Story, who: Runner, other: Runner) -> bool:
     return False
 
 
-def _sees_s(who: Runner, other: Runner) -> float:
+def _sees_s(other: Runner) -> float:
     """When the other becomes a danger: as it slows down, or comes into the lane."""
     moments = [s.begins_s for s in other.steps if s.target_mps < other.speed_mps]
     moments += [m.begins_s for m in other.moves]

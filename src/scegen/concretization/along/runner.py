@@ -116,7 +116,7 @@ class Runner:
 
     ``at_m`` is where its reference point starts, None while that is open; ``lane`` counts from the
     centre line outwards in its own direction (0: the oncoming lane), ``offset_m`` is to its own
-    left of the lane's centre. ``open_m``: where it starts is nobody's statement.
+    left of the lane's centre. ``box`` is that of a thing, ``keeps_left`` the side of the traffic.
     """
 
     id: str
@@ -129,6 +129,7 @@ class Runner:
     steps: list[Step] = field(default_factory=list)
     moves: list[Move] = field(default_factory=list)
     box: Body | None = None
+    keeps_left: bool = False
 
     @property
     def body(self) -> Body:
@@ -183,7 +184,8 @@ class Runner:
         return place
 
     def _across_m(self, lane: int, offset_m: float, width_m: float) -> float:
-        return self.sign * (offset_m - (lane - 0.5) * width_m)
+        outward = 1 if self.keeps_left else -1
+        return self.sign * (offset_m + outward * (lane - 0.5) * width_m)
 
     def with_step(self, step: Step) -> Runner:
         """The same with one more step."""

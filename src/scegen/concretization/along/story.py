@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from math import pi
 
-from scegen.concretization.along.lanes import outward
+from scegen.concretization.along.asked import dangers, outward
 from scegen.concretization.along.runner import NEVER_S, Move, Runner, Step
 from scegen.concretization.along.spacing import measured
 from scegen.concretization.limits import (
@@ -19,10 +19,11 @@ from scegen.concretization.limits import (
 )
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import Act, ActKind, AfterAct, AfterStart, WhenMeasure
-from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.outcome import OutcomeKind
-from scegen.scenario.vocabulary import HazardKind, Side
+from scegen.scenario.things import Thing
+from scegen.scenario.vocabulary import Approach, HazardKind, Side
 
 FIRST_ACT_S = 4.0
 """Undisturbed driving before the first act whose moment nobody says."""
@@ -41,7 +42,12 @@ _HAZARDS_OF = {
         HazardKind.ONCOMING_LANE,
         HazardKind.SUDDEN_TURN,
     ),
-    ActKind.SWERVE: (HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL, HazardKind.ONCOMING_LANE),
+    ActKind.SWERVE: (
+        HazardKind.SWERVING,
+        HazardKind.LOSS_OF_CONTROL,
+        HazardKind.ONCOMING_LANE,
+        HazardKind.SUDDEN_TURN,
+    ),
     ActKind.OVERTAKE: (HazardKind.OVERTAKING, HazardKind.ONCOMING_LANE),
 }
 """The dangers that an act may be."""
@@ -50,7 +56,7 @@ _LATE_S, _LOOK_S = 60.0, 0.02
 
 @dataclass
 class Story:
-    """Who does what when; ``begins_s`` and ``ends_s`` by act."""
+    """Who does what when; ``begins_s`` and ``ends_s`` by act, ``things`` lie in somebody's way."""
 
     functional: FunctionalScenario
     logical: LogicalScenario
@@ -59,8 +65,14 @@ class Story:
     lane_count: int
     limit_mps: float
     grip_mps2: float
+    things: tuple[Thing, ...] = ()
     begins_s: dict[str, float] = field(default_factory=dict)
     ends_s: dict[str, float] = field(default_factory=dict)
+
+    @property
+    def hazards(self) -> tuple[Hazard, ...]:
+        """The dangers, with everybody named who causes and who suffers them."""
+        return dangers(self.functional, self.logical)
 
     @property
     def ego(self) -> Runner:
@@ -69,8 +81,18 @@ class Story:
 
     def hazard_of(self, act: Act) -> HazardKind | None:
         """The danger that an act is, if it is one."""
-        asked = [h.kind for h in self.logical.hazards if act.participant in h.by]
+        asked = [h.kind for h in self.hazards if act.participant in h.by]
         return next((kind for kind in _HAZARDS_OF.get(act.kind, ()) if kind in asked), None)
+
+    def words(self, name: str, reference: str) -> frozenset[Approach]:
+        """Where somebody is said to be, seen from another; nothing is said of things."""
+        found: frozenset[Approach] = frozenset()
+        if reference == self.ego.id and self.runners[name].box is None:
+            found |= self.functional.participant(name).approaches
+        for relation in self.functional.relations:
+            if (relation.participant, relation.reference) == (name, reference):
+                found |= relation.approaches
+        return found
 
     def act(self, name: str) -> Act:
         """An act by its id."""
@@ -107,7 +129,11 @@ class Story:
             return when.delay_s.middle
         if isinstance(when, AfterAct):
             known = self.ends_s if when.since == "end" else self.begins_s
-            return known[when.act] + when.delay_s.middle
+            delay = when.delay_s.middle
+            alone = self.act(when.act).participant == act.participant
+            if alone and delay == 0.0 and when.since == "end":
+                delay = _HOLDS_S  # "and then": what it has reached is held for a moment
+            return known[when.act] + delay
         own = [self.ends_s[a.id] for a in self.acts if a.participant == act.participant
                and a.id in self.ends_s]  # fmt: skip
         if own:
@@ -115,7 +141,7 @@ class Story:
         return FIRST_ACT_S
 
     def perform_waiting(self, waiting: Sequence[Act]) -> list[Act]:
-        """Acts that wait for a measure, now that places are known; returns those that never come."""
+        """Acts that wait for a measure, now that places are known; those that never come."""
         never: list[Act] = []
         for act in waiting:
             when = act.when
@@ -149,17 +175,28 @@ class Story:
         """Add an act's steps and moves to who does it."""
         runner = self.runners[act.participant]
         self.begins_s[act.id] = begins_s
+        if self.goes_round(act):
+            self.ends_s[act.id] = begins_s  # its moves follow from the places
+            return
         if act.kind in {ActKind.CHANGE_LANE, ActKind.SWERVE}:
             moves = self._sideways(act, runner, begins_s)
             runner.moves += moves
             self.ends_s[act.id] = moves[-1].ends_s
             return
-        if act.kind is ActKind.OVERTAKE:
-            self.ends_s[act.id] = begins_s  # its moves follow from the places
-            return
         step = self._step(act, runner, begins_s)
         runner.steps.append(step)
         self.ends_s[act.id] = runner.profile.settles_s(begins_s)
+
+    def goes_round(self, act: Act) -> bool:
+        """Whether an act leads out of the lane, past somebody, and back.
+
+        One that changes lanes where there is no other of its direction does so round somebody.
+        """
+        if act.kind is ActKind.OVERTAKE:
+            return True
+        said = (act.side, act.into, act.lateral_m)
+        alone = self.lane_count == 1 and self.hazard_of(act) is None
+        return act.kind is ActKind.CHANGE_LANE and alone and not any(said)
 
     def _step(self, act: Act, runner: Runner, begins_s: float) -> Step:
         before = runner.speed_at_mps(begins_s)
@@ -198,21 +235,19 @@ class Story:
         """A change of lane, or out and back within it."""
         hazard = self.hazard_of(act)
         now = runner.lane_at(begins_s)
-        offset = runner.moves[-1].offset_m if runner.moves else runner.offset_m
         if act.kind is ActKind.SWERVE or act.lateral_m is not None:
             return self._swerve(act, runner, begins_s, hazard)
         lane = self._lane_after(act, runner, now)
         width = abs(lane - now) * LANE_WIDTH_M or LANE_WIDTH_M
         usual = ABRUPT_LANE_CHANGE_S if hazard in _ABRUPT else LANE_CHANGE_S
         lasts = _lasting_s(act, width, usual)
-        del offset
         return [Move(begins_s, lasts, lane, 0.0, act.id, hazard)]
 
     def _swerve(
         self, act: Act, runner: Runner, begins_s: float, hazard: HazardKind | None
     ) -> list[Move]:
         lane = runner.lane_at(begins_s)
-        side = act.side or self._free_side(act, runner, lane)
+        side = act.side or self._free_side(runner, lane)
         if act.lateral_m is None:
             aside = max(0, lane + outward(self.functional, side))
             if aside > self.lane_count:
@@ -227,10 +262,10 @@ class Story:
         start = runner.moves[-1].offset_m if runner.moves else runner.offset_m
         out = Move(begins_s, lasts, lane, start + offset, act.id, hazard)
         if act.kind is not ActKind.SWERVE:
-            return [self._in_lane(runner, out)]
+            return [self._in_lane(out)]
         return [out, Move(out.ends_s + 0.1, lasts, lane, start, act.id, hazard)]
 
-    def _in_lane(self, runner: Runner, move: Move) -> Move:
+    def _in_lane(self, move: Move) -> Move:
         """The same place across the road, told from the lane that it lies in."""
         right = -round(move.offset_m / LANE_WIDTH_M)
         step = right * outward(self.functional, Side.RIGHT)
@@ -247,22 +282,21 @@ class Story:
                 return 0
             if abs(into.lane - now) == 1:
                 return into.lane
-        side = act.side or self._free_side(act, runner, now)
+        side = act.side or self._free_side(runner, now)
         lane = now + outward(self.functional, side)
         return max(0, min(lane, self.lane_count))
 
-    def _free_side(self, act: Act, runner: Runner, now: int) -> Side:
+    def _free_side(self, runner: Runner, now: int) -> Side:
         """Towards whom it endangers; else towards the centre line, if there is a lane."""
         kerb = Side(self.functional.junction.driving_side.value)
         centre = Side.LEFT if kerb is Side.RIGHT else Side.RIGHT
-        for hazard in self.logical.hazards:
+        for hazard in self.hazards:
             for name in hazard.to if runner.id in hazard.by else ():
                 other = self.runners.get(name)
                 if other is not None and other.forward == runner.forward and other.lane != now:
                     return kerb if other.lane > now else centre
                 if other is not None and other.forward != runner.forward:
                     return centre
-        del act
         return centre if now > 1 or now == self.lane_count else kerb
 
 
@@ -286,10 +320,11 @@ def _usual_rate_mps2(kind: ActKind, hazard: HazardKind | None) -> float:
 
 
 def by_rank(logical: LogicalScenario, runners: Mapping[str, Runner]) -> dict[str, int]:
-    """The order of those along the road in their direction, 0 = foremost."""
+    """The order of those along the road in their direction, 0 = foremost; things before all."""
     ranks = {}
+    known = {a.participant: a for a in logical.assignments}
     for name in runners:
-        ranks[name] = getattr(logical.assignment(name), "rank", 0)
+        ranks[name] = getattr(known.get(name), "rank", -1)
     return ranks
 
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
-from scegen.concretization.along.runner import Runner
+from scegen.concretization.along.runner import Runner, gap_m
 from scegen.concretization.along.spacing import Tie, level, place
 from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank
 from scegen.concretization.limits import TAILGATING_HEADWAY_S
@@ -24,6 +25,7 @@ _CLOSING_CUT_S = 2.2
 _REVEALED_S = 2.5
 _MEETS_S = 6.5
 _SLOWER_MPS = 0.5
+_LEAST_QUEUE_M = 2.0
 
 
 def tie_up(story: Story, *, wider: float = 1.0) -> None:
@@ -55,8 +57,8 @@ def _one_known(story: Story, tie: Tie) -> bool:
 def _place(story: Story, tie: Tie) -> None:
     who, other = story.runners[tie.who], story.runners[tie.other]
     if who.at_m is not None:
-        turned = Tie(tie.other, tie.who, tie.measure, tie.value, tie.time_s,
-                     not tie.ahead if who.forward == other.forward else tie.ahead, tie.said)  # fmt: skip
+        ahead = not tie.ahead if who.forward == other.forward else tie.ahead
+        turned = replace(tie, who=tie.other, other=tie.who, ahead=ahead)
         other.at_m = place(turned, other, who)
     else:
         who.at_m = place(tie, who, other)
@@ -89,24 +91,22 @@ def is_ahead(story: Story, who: str, other: str) -> bool:
     first, second = story.runners[who], story.runners[other]
     if first.forward != second.forward:
         return True
-    ego = story.functional.ego.id
     for name, reference, sign in ((who, other, True), (other, who, False)):
-        words = story.functional.participant(name).approaches if reference == ego else frozenset()
-        for relation in story.functional.relations:
-            if (relation.participant, relation.reference) == (name, reference):
-                words |= relation.approaches
+        words = story.words(name, reference)
         if Approach.AHEAD in words or Approach.BEHIND in words:
             return (Approach.AHEAD in words) == sign
         comes_in = any(
             act.participant == name and act.into == reference
-            and act.kind in {ActKind.CHANGE_LANE} for act in story.acts
+            and act.kind is ActKind.CHANGE_LANE for act in story.acts
         )  # fmt: skip
         if comes_in:
             return sign
+    if first.stands != second.stands:
+        return first.stands
     order = by_rank(story.logical, story.runners)
     if order[who] != order[other]:
         return order[who] < order[other]
-    return who != ego
+    return who != story.ego.id
 
 
 def _urgency(story: Story, name: str, order: dict[str, int]) -> tuple[int, int, int]:
@@ -122,11 +122,12 @@ def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float
     other = story.runners[_reference(story, name, order)]
     if runner.forward != other.forward:
         # Level at a moment: then and there they meet.
-        runner.at_m = level(runner, other, _meets_s(story, runner))
+        runner.at_m = level(runner, other, _meets_s(runner))
         return
     kind = _usual(story, runner, other, wider)
     if kind is None:
-        runner.at_m = level(runner, other, _level_s(story, runner, other))
+        runner.at_m = level(runner, other, _level_s(runner, other))
+        _queue_up(story, runner)
         return
     measure, value, time_s = kind
     ahead = is_ahead(story, name, other.id)
@@ -135,13 +136,29 @@ def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float
     )
 
 
-def _meets_s(story: Story, runner: Runner) -> float:
+def _queue_up(story: Story, runner: Runner) -> None:
+    """Behind whoever is there already in the same lane."""
+    for _ in story.runners:
+        taken = [
+            other
+            for other in story.runners.values()
+            if other is not runner and other.at_m is not None
+            and (other.lane, other.forward) == (runner.lane, runner.forward)
+            and gap_m(runner, other, 0.0) < _LEAST_QUEUE_M
+        ]  # fmt: skip
+        if not taken:
+            return
+        tie = Tie(runner.id, taken[0].id, Measure.HEADWAY_S, 1.0, 0.0, ahead=False, said=False)
+        runner.at_m = place(tie, runner, taken[0])
+
+
+def _meets_s(runner: Runner) -> float:
     """When one who comes towards the ego is met: as its own act has brought it there."""
     moves = [m.ends_s + 0.4 for m in runner.moves]
     return max([_MEETS_S, *moves])
 
 
-def _level_s(story: Story, runner: Runner, other: Runner) -> float:
+def _level_s(runner: Runner, other: Runner) -> float:
     moves = [m.begins_s for m in (*runner.moves, *other.moves)]
     return min(moves, default=FIRST_ACT_S)
 
@@ -149,7 +166,7 @@ def _level_s(story: Story, runner: Runner, other: Runner) -> float:
 def _reference(story: Story, name: str, order: dict[str, int]) -> str:
     """To whom a place is told: who is concerned by its danger, the next in its line, the ego."""
     known = {n for n, r in story.runners.items() if r.at_m is not None}
-    for hazard in story.logical.hazards:
+    for hazard in story.hazards:
         if name in hazard.by:
             found = [n for n in hazard.to if n in known]
             if found and _neighbours(story, name, found[0], order):
@@ -189,8 +206,7 @@ def _usual(
         gap = max(_CUTS_IN_S * back.speed_mps, _CLOSING_CUT_S * closing, 4.0)
         return Measure.GAP_M, gap * wider, comes_in.begins_s
     if front.lane != back.lane:
-        words = story.functional.participant(runner.id).approaches
-        diagonal = words & {Approach.AHEAD, Approach.BEHIND}
+        diagonal = story.words(runner.id, other.id) & {Approach.AHEAD, Approach.BEHIND}
         return (Measure.HEADWAY_S, 1.0, FIRST_ACT_S) if diagonal else None
     leaves = next((m for m in front.moves if m.lane != back.lane), None)
     slows = next((s for s in front.steps if s.target_mps < front.speed_mps), None)
@@ -210,7 +226,7 @@ def _usual(
 
 
 def _headway_s(story: Story, front: Runner, back: Runner, wider: float) -> float:
-    for hazard in story.logical.hazards:
+    for hazard in story.hazards:
         if hazard.kind is HazardKind.TAILGATING and back.id in hazard.by:
             return sum(TAILGATING_HEADWAY_S) / 2
     slows = any(s.target_mps < front.speed_mps for s in front.steps)

@@ -173,6 +173,7 @@ def _phase(story: Story, runner: Runner, step: Step) -> SpeedPhase:
         target_speed_mps=round(step.target_mps, 4),
         rate_mps2=round(step.rate_mps2, 4),
         hazard=step.hazard,
+        act=step.act if any(a.id == step.act for a in story.functional.acts) else None,
     )
 
 
@@ -220,6 +221,7 @@ def written_walk(story: Story, frame: Frame, walk: Walk, length_m: float) -> Con
                 target_speed_mps=round(walk.speed_mps, 4),
                 rate_mps2=START_MPS2,
                 hazard=_KINDS.get(walk.kind),
+                act=walk.act,
             ),
             SpeedPhase(
                 trigger=Travelled(participant=walk.id, distance_m=round(end, 3)),

@@ -7,7 +7,7 @@ from math import inf
 import numpy as np
 
 from scegen.claims.hazards.judging import number
-from scegen.claims.hazards.view import View, view_of
+from scegen.claims.view import View, view_of
 from scegen.criticality.proposals.parameters import parameters_of
 from scegen.criticality.proposals.proposal import Encounter, Situation
 from scegen.criticality.search.problem import MEASURE_FIELDS, Problem

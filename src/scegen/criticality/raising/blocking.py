@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from scegen.claims.hazards.roles import culprits
 from scegen.criticality.search.optimize import Best
-from scegen.criticality.search.problem import Problem, judged
+from scegen.criticality.search.problem import Problem
 
 _MISSED = {
     "contacts": "nobody else touching",
@@ -12,22 +11,19 @@ _MISSED = {
     "lateral acceleration": "bends within the tyres' grip",
     "sameness": "being unlike the solutions known",
 }
-"""Demands in words that are not a danger or the target."""
+"""Demands in words that are neither a claim nor the target."""
 
 
 def blocking(problem: Problem, best: Best) -> str:
     """Which demands the best candidate misses, and whether any candidate met them at all."""
-    hazards = judged(problem.concrete)
+    told = {claim.id: claim.statement for claim in problem.claims} | _MISSED
+    told["target"] = problem.target.text
     words = []
     for name, missed in sorted(best.missing.items(), key=lambda item: -item[1]):
         if missed <= 0.0:
             continue
-        shown = problem.target.text if name == "target" else _MISSED.get(name, name)
-        if name.startswith("hazard "):
-            hazard = hazards[int(name.split()[1])]
-            by = ", ".join(culprits(problem.concrete, hazard)) or "nobody"
-            shown = f"{hazard.kind} by {by}"
         never = best.least.get(name, 0.0) > 0.0
-        words.append(f"{shown} ({'never reached' if never else 'not together with the rest'})")
+        why = "never reached" if never else "not together with the rest"
+        words.append(f"{told.get(name, name)} ({why})")
     tried = f"{problem.evaluations:,} candidates within what is realistic"
     return f"blocked by {', '.join(words)} in {tried}"

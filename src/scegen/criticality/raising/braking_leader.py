@@ -16,7 +16,7 @@ import numpy as np
 from scegen.claims.hazards.roles import culprits
 from scegen.claims.hazards.scenes import Pair
 from scegen.claims.hazards.table import PREDICATES
-from scegen.claims.hazards.view import View
+from scegen.claims.view import View
 from scegen.criticality.reactivity.rendezvous import waits_until
 from scegen.criticality.search.proving import Evidence, examine
 from scegen.criticality.target import Target

@@ -6,17 +6,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from scegen.claims.hazards.ways import paths_of, ways_of
+from scegen.claims.hazards.scenes import Pair
+from scegen.claims.ways import paths_of, ways_of
 from scegen.criticality.proposals.advising import Advised
 from scegen.criticality.proposals.proposal import Proposer
 from scegen.criticality.raising.blocking import blocking
 from scegen.criticality.raising.braking_leader import braking_leaders
+from scegen.criticality.raising.giving_up import give_up, out_of_reach
 from scegen.criticality.raising.refusing import too_fast, too_slow
 from scegen.criticality.raising.stage import Stage
 from scegen.criticality.search.optimize import Best, follow, search
 from scegen.criticality.search.pairs import candidate_pairs
 from scegen.criticality.search.problem import SEARCH_DT_S, Problem
-from scegen.criticality.search.proving import PROOF_DT_S, Evidence, examine
+from scegen.criticality.search.proving import PROOF_DT_S, Evidence
 from scegen.criticality.search.rebuild import rebuilt
 from scegen.criticality.target import NEAR_MISS, parse_target
 from scegen.motion.ties import clear_of_ties
@@ -53,10 +55,11 @@ def raise_criticality(
 ) -> Raised:
     """Make every danger asked for happen at once, and bring the pair's measure into its band.
 
+    Every claim holds meanwhile: what is possible at all comes first, then claims, then the target.
     Numbers change as little as that needs, within what is realistic; where no numbers do it and
     no danger is asked for that could, a leader brakes (see ``braking_leader``). The result is
-    proved by simulating it anew from its own numbers at 0.01 s. Where it cannot be done, the
-    scenario comes back as it was, and the proof says what blocked it.
+    proved by simulating it anew from its own numbers at 0.01 s. Where the target cannot be
+    reached, the claims alone are sought; the proof says what blocked it and what does not hold.
 
     Args:
         functional: what the description says; None if unknown.
@@ -72,11 +75,12 @@ def raise_criticality(
     """
     wanted = parse_target(target)
     network = build_network(concrete.road, name=concrete.name)
-    stage = Stage(functional, concrete, network, wanted)
+    stage = Stage(functional, concrete, network, wanted, _between(functional, concrete))
+    before = stage.examine(concrete)
+    rng = np.random.Generator(np.random.PCG64(seed))
     reason = too_fast(functional) or stage.blocked or too_slow(concrete, stage.pair)
-    before = examine(concrete, network, stage.focus, stage.friction)
     if reason is not None:
-        return Raised(concrete, stage.proof(before, before, 1, reason))
+        return _without_target(stage, None, before, rng, reason)
     found: list[tuple[ConcreteScenario, Proof]] = []
     if stage.stands(before):
         bound = stage.bound(before)
@@ -84,32 +88,74 @@ def raise_criticality(
         if solutions == 1:
             return Raised(*found[0])
     problem = stage.problem()
-    rng = np.random.Generator(np.random.PCG64(seed))
     advice = None
     if found:
         problem.known.append(problem.space.origin)
-    elif proposer is not None:
-        advice = stage.ask(proposer, problem, before, seed)
+    else:
+        give_up(stage, problem, out_of_reach(problem, before, rng))
+        if proposer is not None:
+            advice = stage.ask(proposer, problem, before, seed)
     blocked = _fill(found, solutions, stage, problem, before, rng, advice)
-    evaluations = problem.evaluations
+    if not found and problem.never:
+        give_up(stage, problem, problem.never)
+        _fill(found, solutions, stage, problem, before, rng, None)
     if not found:
-        for pair, braking in braking_leaders(
-            before, network, wanted, candidate_pairs(concrete), stage.friction
-        ):
-            other = Stage(functional, braking, network, wanted, pair)
-            if other.blocked is None:
-                problem = other.problem()
-                problem.evaluations = evaluations
-                seen = examine(concrete, network, other.focus, other.friction)
-                _fill(found, solutions, other, problem, seen, rng, None)
-                evaluations = problem.evaluations
-            if found:
-                found = [(made, _with_advice(proof, advice, led=False)) for made, proof in found]
-                break
+        found = [
+            (made, _with_advice(proof, advice, led=False))
+            for made, proof in _by_braking(stage, problem, before, rng)
+        ]
     if not found:
-        proof = stage.proof(before, before, evaluations, blocked)
-        return Raised(concrete, _with_advice(proof, advice, led=False))
+        raised = _without_target(stage, problem, before, rng, blocked)
+        return Raised(raised.concrete, _with_advice(raised.proof, advice, led=False))
     return Raised(*found[0], others=tuple(found[1:]))
+
+
+def _between(functional: FunctionalScenario | None, concrete: ConcreteScenario) -> Pair | None:
+    """The pair that the description's outcome names, if both have a way of their own here."""
+    between = functional.outcome.between if functional and functional.outcome else ()
+    known = {entity.id for entity in concrete.entities}
+    return (between[0], between[1]) if len(between) == 2 and {*between} <= known else None
+
+
+def _by_braking(
+    stage: Stage, problem: Problem, before: Evidence, rng: np.random.Generator
+) -> list[tuple[ConcreteScenario, Proof]]:
+    """What a leader that brakes makes of it, if anything."""
+    found: list[tuple[ConcreteScenario, Proof]] = []
+    pairs = candidate_pairs(stage.concrete)
+    for pair, braking in braking_leaders(
+        before, stage.network, stage.target, pairs, stage.friction
+    ):
+        other = Stage(stage.functional, braking, stage.network, stage.target, pair)
+        other.given_up = stage.given_up
+        if other.blocked is None:
+            tried = other.problem()
+            tried.evaluations = problem.evaluations
+            _fill(found, 1, other, tried, other.examine(stage.concrete), rng, None)
+            problem.evaluations = tried.evaluations
+        if found:
+            break
+    return found
+
+
+def _without_target(
+    stage: Stage,
+    problem: Problem | None,
+    before: Evidence,
+    rng: np.random.Generator,
+    reason: str | None,
+) -> Raised:
+    """What holds every claim that can be held, where the target cannot be reached."""
+    if stage.pair and not before.holds(stage.given_up):
+        problem = problem or stage.problem()
+        problem.untargeted = stage.untargeted = True
+        give_up(stage, problem, out_of_reach(problem, before, rng))
+        made, _ = _solve(stage, problem, rng, None)
+        if made is not None:
+            proof = stage.proof(before, made.evidence, problem.evaluations, reason)
+            return Raised(made.evidence.concrete, proof)
+    evaluations = problem.evaluations if problem is not None else 1
+    return Raised(stage.concrete, stage.proof(before, before, evaluations, reason))
 
 
 def _fill(
@@ -166,6 +212,8 @@ def _solve(
     for problem.room, problem.dt_s in _ATTEMPTS:
         best = search(problem, rng)
         if not best.found:
+            claims = {claim.id for claim in problem.claims}
+            problem.never = frozenset(n for n, v in best.least.items() if v > 0.0 and n in claims)
             return None, reason or blocking(problem, best)
         evidence = _evidence(stage, problem, best, stage.concrete)
         if stage.stands(evidence):
@@ -189,4 +237,4 @@ def _evidence(stage: Stage, problem: Problem, best: Best, concrete: ConcreteScen
         f"search for {stage.target.text}",
     )
     fresh = clear_of_ties(fresh, paths_of(ways_of(fresh, stage.network)))
-    return examine(fresh, stage.network, stage.focus, stage.friction)
+    return stage.examine(fresh)

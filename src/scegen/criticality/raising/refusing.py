@@ -51,6 +51,8 @@ def measurable(target: Target, scene: Scene, p: int, *, still: bool = False) -> 
 
     How near somebody passes by what is ``still`` there can be asked even where it leads around.
     """
+    if not target.choices:
+        return True
     if target.contact:
         return has_areas(scene, p) or follows(scene, p)
     names = {choice[0].measure for choice in target.choices}

@@ -7,11 +7,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from scegen.claims import claims_of, described_by
 from scegen.claims.hazards.judging import number
 from scegen.claims.hazards.roles import culprits
 from scegen.claims.hazards.scenes import Pair, judged_pairs, scene_of
-from scegen.claims.hazards.view import view_of
-from scegen.claims.hazards.ways import Way, paths_of, ways_of
+from scegen.claims.near_miss import HEADWAY
+from scegen.claims.view import view_of
+from scegen.claims.ways import Way, paths_of, ways_of
 from scegen.criticality.proposals.advising import Advised, advised
 from scegen.criticality.proposals.proposal import Proposer
 from scegen.criticality.raising.refusing import measurable, never_meet
@@ -21,7 +23,8 @@ from scegen.criticality.search.lead_in import tailgates
 from scegen.criticality.search.pairs import candidate_pairs
 from scegen.criticality.search.problem import Problem, lateral_limits
 from scegen.criticality.search.proving import Evidence, examine, proof_of
-from scegen.criticality.target import HEADWAY, NEAR_MISS, Target
+from scegen.criticality.search.stated import Stated
+from scegen.criticality.target import NEAR_MISS, Target
 from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.batch.compilation import compile_program
 from scegen.motion.batch.simulation import simulate_batch
@@ -29,6 +32,7 @@ from scegen.motion.friction import friction_of
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.outcome import Outcome, OutcomeKind
 from scegen.scenario.proof import Proof
 from scegen.scenario.reversing import BacksOut
 
@@ -62,6 +66,10 @@ class Stage:
         self.scene = scene_of(concrete, paths_of(self.ways), self.focus, self.friction)
         self._choose_pair(target, pairs)
         self.target = self._with_headway(target)
+        said = as_asked(functional or described_by(concrete), target)
+        self.claims = claims_of(said, concrete.logical)
+        self.given_up: frozenset[str] = frozenset()
+        self.untargeted = False
 
     def _choose_pair(self, target: Target, pairs: list[Pair]) -> None:
         index = {entity.id: i for i, entity in enumerate(self.concrete.entities)}
@@ -111,7 +119,14 @@ class Stage:
         involved = {*self.pair}
         for hazard in self.concrete.hazards:
             involved |= {*culprits(self.concrete, hazard), *hazard.to}
-        space = build_space(self.full, self.ways, base, involved=involved, friction=self.friction)
+        space = build_space(
+            self.full,
+            self.ways,
+            base,
+            involved=involved,
+            friction=self.friction,
+            stated=Stated.of(self.functional),
+        )
         return Problem(
             concrete=self.full,
             ways=self.ways,
@@ -123,15 +138,23 @@ class Stage:
             friction=self.friction,
             duration_s=duration,
             lateral_mps2=lateral_limits(view, self.friction),
+            claims=self.claims,
+            given_up=self.given_up,
         )
 
     def ask(self, proposer: Proposer, problem: Problem, before: Evidence, seed: int) -> Advised:
         """Ask for proposals to begin at."""
         return advised(proposer, problem, self.concrete, self.ways, before.hazards, seed=seed)
 
+    def examine(self, concrete: ConcreteScenario) -> Evidence:
+        """What a scenario shows, and which of the claims hold."""
+        return examine(concrete, self.network, self.focus, self.friction, claims=self.claims)
+
     def stands(self, evidence: Evidence) -> bool:
-        """Whether every danger happens and the target is met."""
-        return evidence.all_happen and evidence.meets(self.target, self.pair)
+        """Whether every claim holds that is not given up, and the target is met."""
+        if not evidence.holds(self.given_up):
+            return False
+        return self.untargeted or evidence.meets(self.target, self.pair)
 
     def _look_at_touching(self, contact_s: Floats, pairs: Ints) -> None:
         """Those who touch at first get all measures: PET leads a search out of a contact."""
@@ -150,20 +173,23 @@ class Stage:
         """What was found, with those in danger bound to the ego where that is possible."""
 
         def proved(tried: ConcreteScenario) -> bool:
-            return self.stands(examine(tried, self.network, self.focus, self.friction))
+            return self.stands(self.examine(tried))
 
         made = bind_to_ego(found.concrete, self.network, self.meetings_s(found), proved)
         if made is found.concrete:
             return found
-        return examine(made, self.network, self.focus, self.friction)
+        return self.examine(made)
 
     def meetings_s(self, found: Evidence) -> dict[str, list[float]]:
         """Whose danger with the ego it is, the target's partner first, and when it happens.
 
-        Things do not wait for anybody.
+        Things do not wait for anybody, nor does who is said to drive at some speed or distance:
+        who waits drives otherwise.
         """
+        stated = Stated.of(self.functional)
         ego = self.concrete.ego.id
-        people = {p.id for p in self.concrete.participants}
+        fixed = {*stated.speeds, *stated.placed} - {ego}
+        people = {p.id for p in self.concrete.participants} - fixed
         pairs = [p for p in (self.pair, *judged_pairs(self.concrete)) if people >= {*p}]
         met = {frozenset(pair): pair for pair in pairs if ego in pair}
         meetings: dict[str, list[float]] = {}
@@ -185,12 +211,22 @@ class Stage:
                 in_band_before=False,
                 hazards=after.hazards,
                 hazards_before=before.hazards,
+                claims=after.claims,
                 evaluations=evaluations,
                 blocked_by=blocked_by,
             )
         return proof_of(
             self.target, self.pair, before, after, evaluations=evaluations, blocked_by=blocked_by
         )
+
+
+def as_asked(functional: FunctionalScenario, target: Target) -> FunctionalScenario:
+    """What a description says where somebody asks for a contact or leaves it open."""
+    said = functional.outcome.kind if functional.outcome is not None else None
+    if target.contact is not False and said is not OutcomeKind.COLLISION:
+        collision = Outcome(kind=OutcomeKind.COLLISION)
+        return functional.model_copy(update={"outcome": collision})
+    return functional
 
 
 def _from_outer_ends(concrete: ConcreteScenario) -> ConcreteScenario:

@@ -11,9 +11,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from scegen.claims.hazards.view import View
+from scegen.claims.near_miss import Band
+from scegen.claims.view import View
 from scegen.criticality.search.variables import LEAD_IN_S
-from scegen.criticality.target import Band
 from scegen.measures.evaluation import Summary, measure
 from scegen.motion.batch.arrays import BatchTraces, Floats
 from scegen.scenario.concrete import ConcreteScenario

@@ -105,7 +105,7 @@ def _head_of(prep: Prep, state: State) -> Mention | None:
     inner, lane = prep.on_mention, prep.target
     if inner is None or not isinstance(lane, Place):
         return None
-    ego = any(h.data.get("ego") for h in inner.heads)
+    ego = any(h.data.get("ego") for h in inner.heads) or inner.pronoun in {"it", "him"}
     if lane.kind != "lane" and not (ego and lane.kind == "side"):
         return None
     for mention in state.mentions:

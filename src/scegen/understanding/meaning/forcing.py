@@ -13,7 +13,7 @@ _ABRUPT = frozenset({HazardKind.CUT_IN, HazardKind.SWERVING, HazardKind.ONCOMING
 def cause(scene: Scene, context: Context) -> None:
     """A parked vehicle that makes others react stands in their way; who changes lanes cuts in."""
     _cut_in(scene, context)
-    parked = [e for e in scene.actors if e.parked]
+    parked = [e for e in scene.actors if e.still]
     if parked:
         context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
     let = context.tokens[scene.event.i].forms[-1][0] == "let"

@@ -39,7 +39,6 @@ def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
         return  # "its tyre bursts", "a man with a dog": a part of somebody
     if thing.kind == "obstacle":
         draft.hazard(HazardKind.OBSTACLE, basis, [])
-        draft.note(thing.i, thing.j, "a plain box of its kind lies in the lane")
     elif thing.kind == "door" and _open(thing, draft):
         whose = [e for p in thing.pps if isinstance(p.target, Mention) for e in p.target.entities]
         whose += thing.owner.entities if thing.owner is not None else []

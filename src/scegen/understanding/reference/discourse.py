@@ -108,6 +108,7 @@ class Discourse:
     def _noun(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         basis = Basis(mention.i, mention.j)
         if reading.ego and not reading.plural:
+            self._roster.ego_by_order(mention)
             if mention.prep is None and (mention.joined is not None or not exclude):
                 self._roster.last_is_ego(mention)
             ego = self._ego(reading.kind, basis, told=not reading.generic)
@@ -275,7 +276,7 @@ class Discourse:
             reading, narrowed=narrowed, loci=loci if only_placed else set()
         )
         if reading.dirs:
-            options = [e for e in options if e.dirs == reading.dirs]
+            options = [e for e in options if e.dirs == reading.dirs or _known_there(e, reading)]
         options = [e for e in options if not (loci and e.loci) or loci & e.loci]
         options = [e for e in options if not ("behind" in loci and "opposite" in e.dirs)]
         elsewise = bool(loci) and not reading.parked  # a parked van is not "the car behind it"
@@ -286,6 +287,16 @@ class Discourse:
         done = any(m.cat == "verb" and m.form == "ed" for m in mention.mods)  # "the overtaken car"
         placed = mention.pps or mention.elsewhere or mention.narrowed or done
         restricted = reading.dirs or reading.labels or placed
+        only = [e for e in self._draft.entities if e.is_vehicle]
+        seen_by = mention.prep is not None and mention.prep.value == "by" and reading.driver
+        if seen_by and reading.det == "def" and len(only) == 1 and not reading.labels:
+            return only  # "as seen by the driver facing forward"
         if others or reading.det == "bare" or restricted:
             return others[:1]
         return options[:1]
+
+
+def _known_there(entity: Entity, reading: Reading) -> bool:
+    """``follows a car … the lead vehicle``: who is followed is the one ahead."""
+    along = reading.dirs <= {"ahead", "behind"} and not entity.dirs
+    return along and reading.dirs <= entity.loci

@@ -91,17 +91,20 @@ def _way(participant: ConcreteParticipant, concrete: ConcreteScenario, network: 
     width = arms[motion.entry].lane_width_m
     if motion.entry_lane > arms[motion.entry].lanes_in:
         width = (width + PARKING_WIDTH_M) / 2
+    places = [(motion.entry_lane, motion.offset_m)]
+    places += [(change.lane_after, change.offset_m) for change in motion.lane_changes]
     changes = tuple(
         Sideways(
             laid.path_s_m(change.position_m),
             laid.path_s_m(change.position_m + change.length_m),
-            width,
+            abs((after[0] - before[0]) * width + before[1] - after[1]),
             change,
         )
-        for change in motion.lane_changes
+        for change, before, after in zip(motion.lane_changes, places, places[1:], strict=False)
     )
     turn_end = laid.path_s_m(laid.turning_ends_m)
-    goal = max([turn_end + _INTO_EXIT_M, *(c.end_m + _BEHIND_CHANGE_M for c in changes)])
+    leaves = [turn_end + _INTO_EXIT_M] if network.junctions else [0.0]
+    goal = max([*leaves, *(c.end_m + _BEHIND_CHANGE_M for c in changes)])
     goal = max([goal, *(ends_m + _BEHIND_REVERSING_M for _, ends_m in laid.path.backwards)])
     at, curvature = _curvature(laid.path)
     return Way(

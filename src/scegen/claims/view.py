@@ -1,27 +1,35 @@
-"""What a hazard predicate looks at: movements of many candidates and their measures.
+"""What claims look at: movements of many candidates and their measures.
 
 All series are arrays (candidate, time); all results (candidate,).
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Hashable, Mapping
+from dataclasses import dataclass, field
 from math import nan
+from typing import TypeVar, cast
 
 import numpy as np
 
-from scegen.claims.hazards.ways import Way
+from scegen.claims.ways import Way
 from scegen.measures.evaluation import Summary, measure
 from scegen.measures.following import SPACING_M
 from scegen.measures.scene import Scene
-from scegen.motion.batch.arrays import SPEED, BatchTraces, Bools, Floats, S
+from scegen.motion.batch.arrays import SPEED, BatchTraces, Bools, Floats, Ints, S
+from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
 class View:
-    """Movements, measures and ways of one batch; ``friction`` as in ``build_scene``."""
+    """Movements, measures and ways of one batch; ``friction`` as in ``build_scene``.
+
+    ``ends_s`` (c,) is when each candidate is over, None where all movements count. What several
+    ask for is worked out ``once``.
+    """
 
     concrete: ConcreteScenario
     ways: Mapping[str, Way]
@@ -31,6 +39,14 @@ class View:
     index: Mapping[str, int]
     pairs: Mapping[tuple[int, int], int]
     friction: float
+    ends_s: Floats | None = None
+    _known: dict[Hashable, object] = field(default_factory=dict, compare=False)
+
+    def once(self, key: Hashable, make: Callable[[], T]) -> T:
+        """What ``make`` gives, which is called the first time only."""
+        if key not in self._known:
+            self._known[key] = make()
+        return cast("T", self._known[key])
 
     @property
     def dt_s(self) -> float:
@@ -41,6 +57,31 @@ class View:
     def count(self) -> int:
         """The number of candidates."""
         return int(self.traces.tracks.shape[0])
+
+    @property
+    def steps(self) -> int:
+        """The number of time steps."""
+        return int(self.traces.tracks.shape[3])
+
+    @property
+    def last_step(self) -> Ints:
+        """The step in which each candidate is over (c,)."""
+        last = self.steps - 1
+        if self.ends_s is None:
+            return np.full(self.count, last)
+        return np.minimum(np.rint(self.ends_s / self.dt_s), last).astype(np.int64)
+
+    def time_of(self, step: Ints) -> Floats:
+        """The time of steps, s."""
+        return np.asarray(step * self.dt_s, dtype=np.float64)
+
+    def step_of(self, time_s: Floats) -> Ints:
+        """The step nearest to a time; the first where the time is undefined."""
+        return np.asarray(np.rint(np.nan_to_num(time_s) / self.dt_s), dtype=np.int64)
+
+    def body(self, name: str) -> Body:
+        """The body of a participant or a thing."""
+        return self.concrete.entities[self.index[name]].body
 
     def row(self, name: str, row: int) -> Floats:
         """A row of a participant's track (see ``BatchTraces``)."""
