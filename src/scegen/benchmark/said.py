@@ -21,7 +21,7 @@ from scegen.pipeline.export import SCENARIO_FILE
 from scegen.pipeline.generate import Result, generate
 from scegen.pipeline.options import CheckDepth, Options
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.files import load_any
+from scegen.scenario.files import load_any, read_text
 from scegen.understanding import read
 
 JUDGE_FILE = "judge_catalogue.py"
@@ -90,11 +90,7 @@ def load_records(file: Path) -> list[Record]:
         InputError: the file cannot be read, or a line is no record.
     """
     records = []
-    try:
-        lines = file.read_text(encoding="utf-8").splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"cannot be read: {error}", where=str(file)) from error
-    for number, line in enumerate(lines, start=1):
+    for number, line in enumerate(read_text(file).splitlines(), start=1):
         if not line.strip():
             continue
         try:
@@ -104,6 +100,8 @@ def load_records(file: Path) -> list[Record]:
             raise InputError(
                 "is no record with id, text and facts", where=f"{file}, line {number}"
             ) from error
+    if not records:
+        raise InputError("holds no record", where=str(file))
     return records
 
 
