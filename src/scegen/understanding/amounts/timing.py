@@ -114,7 +114,7 @@ class Clock:
                 continue
             opening = self._text.low(chunk.i, chunk.j).strip()
             because = opening in {"because", "since"}
-            if not because and opening not in words()["triggers"] or opening in {"if", "until"}:
+            if (not because and opening not in words()["triggers"]) or opening in {"if", "until"}:
                 continue
             start, stop = self._text.bounds(chunk.i)
             end = next((k for k in range(chunk.j, stop) if self._text.tokens[k].low == ","), stop)

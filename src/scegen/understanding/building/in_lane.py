@@ -74,8 +74,8 @@ def lanes_of(entity: Entity, junction: Junction, draft: Draft) -> frozenset[int]
         draft: the scenario in the making.
     """
     count = min(junction.lanes, default=1)
-    count -= draft.ramp is not None and count > 2  # noqa: PLR2004 - the ramp's own
-    if entity.start_lane is None or count < 2:  # noqa: PLR2004
+    count -= draft.ramp is not None and count > 2
+    if entity.start_lane is None or count < 2:
         return frozenset()
     name = entity.start_lane[0]
     if name == "middle":
