@@ -61,7 +61,11 @@ def _acts_of(scene: Scene, text: Sentences, context: Context) -> list[Doing]:
         kind = _kind(frame.kind, entity, event, text)
         if kind is None or _stands_then(entity, event):
             continue
-        always = (frame.always or kind is ActKind.CHANGE_LANE) and not (event.modal and parent is None) and not _forced(event)
+        always = (
+            (frame.always or kind is ActKind.CHANGE_LANE)
+            and not (event.modal and parent is None)
+            and not _forced(event)
+        )
         always = always and not (kind is ActKind.STOP and not entity.is_vehicle)
         doing = Doing(kind, entity, basis, event.i, always=always)
         _aside(doing, scene, context)

@@ -42,9 +42,7 @@ def items_in(text: Sentences, context: Context) -> list[Item]:
     return found
 
 
-def _lie_in_the_way(
-    danger: Danger, text: Sentences, context: Context, found: list[Item]
-) -> None:
+def _lie_in_the_way(danger: Danger, text: Sentences, context: Context, found: list[Item]) -> None:
     i = danger.basis.i or 0
     near = [t for t in _things(text) if abs(t.i - i) <= _NEAR or t.kind == "object"]
     named = [t for t in _things(text) if t in context.draft.lying] or near[:1]

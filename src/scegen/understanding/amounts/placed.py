@@ -63,7 +63,9 @@ class Spacer:
         if pair is None:
             return False
         entity, reference = pair
-        sideways = number.around.after.startswith((" away ", " apart ", " from ", " between ", " off "))
+        sideways = number.around.after.startswith(
+            (" away ", " apart ", " from ", " between ", " off ")
+        )
         if measure is Measure.GAP_M and sideways and self._beside(entity, reference):
             measure = Measure.LATERAL_GAP_M
         amount, side = self._with_place(amount_of(number), number), None
@@ -132,7 +134,9 @@ class Spacer:
         sideways = bool(entity.maneuvers & {Maneuver.LANE_CHANGE, Maneuver.CROSS})
         free = not (placed or meets or sideways or entity.parked or entity.heading)
         if free and not any(p.entity.ego for p in draft.placements):
-            basis = Basis(amount.basis.i, amount.basis.j, "a gap along the road is one to who is ahead")
+            basis = Basis(
+                amount.basis.i, amount.basis.j, "a gap along the road is one to who is ahead"
+            )
             draft.place(entity, None, {Approach.AHEAD}, basis)
 
     def _where_it_stops(self, number: Measured) -> bool:

@@ -223,9 +223,7 @@ def _alike(text: Sentences, context: Context) -> None:
 
 def _followed(text: Sentences, context: Context) -> None:
     """``the ego follows a car at 100 km/h``: one drives as fast as the other."""
-    slow = [
-        e for d in context.draft.dangers if d.kind is HazardKind.SLOW_DRIVING for e in d.by
-    ]
+    slow = [e for d in context.draft.dangers if d.kind is HazardKind.SLOW_DRIVING for e in d.by]
     for scene in text.scenes:
         pair = [*scene.actors[:1], *scene.targets[:1]]
         if scene.event.name != "follow" or len(pair) != _PAIR or scene.event.negated:

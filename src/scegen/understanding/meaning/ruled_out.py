@@ -23,7 +23,9 @@ def rule_out(scene: Scene, context: Context) -> bool:
     event = scene.event
     if event.name not in {"turn", "move", "u_turn", "leave"}:
         return False
-    said = {Maneuver.U_TURN} if event.name == "u_turn" else set(ways.directions(event, context.tokens))
+    said = (
+        {Maneuver.U_TURN} if event.name == "u_turn" else set(ways.directions(event, context.tokens))
+    )
     said = said or ({Maneuver.LEFT, Maneuver.RIGHT} if event.name == "turn" else set())
     for entity in scene.drivers if said else []:
         entity.excluded |= said

@@ -18,9 +18,7 @@ def sides_left(chunks: list[Chunk], context: Context) -> None:
         context: the scenario in the making.
     """
     lateral = set(_SIDES.values())
-    placed = {
-        p.entity.index for p in context.draft.placements if p.approaches & lateral
-    }
+    placed = {p.entity.index for p in context.draft.placements if p.approaches & lateral}
     used = [(p.basis.i, p.basis.j) for p in context.draft.placements]
     crossers = [
         e

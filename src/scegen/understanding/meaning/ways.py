@@ -39,7 +39,9 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
         for t in event.dirs
         if t.value in DIRECTIONS and not beside_somebody(t.j, tokens)
     }
-    lanes = {p.target.j for p in event.pps if isinstance(p.target, Place) and p.target.kind == "lane"}
+    lanes = {
+        p.target.j for p in event.pps if isinstance(p.target, Place) and p.target.kind == "lane"
+    }
     for prep in event.pps:
         target = prep.target
         if prep.word.i in lanes or after_a_measure(tokens, prep.word.i):
@@ -205,7 +207,10 @@ def past_the_roadside(scene: Scene, context: Context) -> bool:
     named = scene.event.name in {"bypass", "pass"} and bool(scene.targets)
     return named and all(
         not e.is_vehicle
-        or (e.parked and any(p.entity is e and p.approaches <= sides for p in context.draft.placements))
+        or (
+            e.parked
+            and any(p.entity is e and p.approaches <= sides for p in context.draft.placements)
+        )
         for e in scene.targets
     )
 

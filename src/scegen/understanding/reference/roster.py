@@ -165,7 +165,9 @@ class Roster:
         """``three cars in a row …, the ego is the last``: one of them."""
         after = [t.low for t in self.tokens[mention.j : mention.j + 3]]
         named = after[:2] == ["is", "the"] and bool(after[2:])
-        position = -1 if named and after[2] == "last" else POSITIONS.get(after[2]) if named else None
+        position = (
+            -1 if named and after[2] == "last" else POSITIONS.get(after[2]) if named else None
+        )
         if position is None or any(e.ego for e in self.draft.entities) or not self.groups:
             return
         members = self.groups[-1].members

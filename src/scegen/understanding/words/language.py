@@ -30,9 +30,7 @@ def require_english(tokens: list[Token], text: str) -> None:
         msg = "the description is not written in Latin letters; only English is read"
         raise InputError(msg, where="description", hint=_HINT)
     words = [t.text.lower() for t in tokens if t.kind == "word"]
-    counts = {
-        name: sum(w in common for w in words) for name, common in load_languages().items()
-    }
+    counts = {name: sum(w in common for w in words) for name, common in load_languages().items()}
     english = counts.pop(_ENGLISH)
     likeliest = max(counts, key=lambda name: counts[name])
     if counts[likeliest] >= _FEWEST and counts[likeliest] > english + len(words) * 0.1:

@@ -89,7 +89,11 @@ def tokenize(text: str) -> list[Token]:
 
 def _unit(written: str) -> str:
     """``m/s^2``, ``m / s²``, ``ft/sec2``: one unit, however it is written."""
-    return written if written == "%" else f"{written.split('/', maxsplit=1)[0].split('per', maxsplit=1)[0].strip()}/s2"
+    return (
+        written
+        if written == "%"
+        else f"{written.split('/', maxsplit=1)[0].split('per', maxsplit=1)[0].strip()}/s2"
+    )
 
 
 def _strange(low: str, forms: tuple[tuple[str, str], ...]) -> bool:
