@@ -160,6 +160,7 @@ CONCRETE = {
             "speed_mps": 9.0,
             "motion": {
                 **_drive(3, 1),
+                "exit_lane": 2,
                 "lane_changes": [{"position_m": 40.0, "length_m": 30.0, "lane_after": 2}],
             },
             "speed_program": [

@@ -21,7 +21,7 @@ from scegen.pipeline.export import SCENARIO_FILE
 from scegen.pipeline.generate import Result, generate
 from scegen.pipeline.options import CheckDepth, Options
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.files import load_any
+from scegen.scenario.files import load_any, read_text
 from scegen.understanding import read
 
 JUDGE_FILE = "judge_catalogue.py"
@@ -51,12 +51,16 @@ class Fact:
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One description: its facts, who played it, or why nothing could be judged."""
+    """One description: its facts, who played it, or why nothing could be judged.
+
+    ``missed`` are the statements of which the program itself says that they do not hold.
+    """
 
     record: Record
     facts: tuple[Fact, ...] = ()
     player: Player | None = None
     problem: str | None = None
+    missed: tuple[str, ...] = ()
 
     @property
     def right(self) -> bool:
@@ -71,6 +75,7 @@ class Row:
             "right": self.right,
             "player": self.player,
             "problem": self.problem,
+            "missed": list(self.missed),
             "facts": [
                 {"fact": f.name, "expected": f.expected, "measured": f.measured, "holds": f.holds}
                 for f in self.facts
@@ -85,11 +90,7 @@ def load_records(file: Path) -> list[Record]:
         InputError: the file cannot be read, or a line is no record.
     """
     records = []
-    try:
-        lines = file.read_text(encoding="utf-8").splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"cannot be read: {error}", where=str(file)) from error
-    for number, line in enumerate(lines, start=1):
+    for number, line in enumerate(read_text(file).splitlines(), start=1):
         if not line.strip():
             continue
         try:
@@ -99,6 +100,8 @@ def load_records(file: Path) -> list[Record]:
             raise InputError(
                 "is no record with id, text and facts", where=f"{file}, line {number}"
             ) from error
+    if not records:
+        raise InputError("holds no record", where=str(file))
     return records
 
 
@@ -159,7 +162,8 @@ def _row(item: Record, judge: Judge, seed: int, folder: Path) -> Row:
         facts = tuple(Fact(*fact) for fact in judge(item.facts, str(played)))
     except ScegenError as error:
         return Row(item, problem=error.render())
-    return Row(item, facts, recorded.player)
+    missed = tuple(claim.statement for claim in made.proofs[concrete.name].missed)
+    return Row(item, facts, recorded.player, missed=missed)
 
 
 def _first(made: Result) -> Path:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from scegen.enumeration.right_of_way import RoadRules, right_of_way, road_rules
-from scegen.enumeration.swings import Ways
+from scegen.enumeration.wide_curves import Ways
 from scegen.scenario.functional import Junction
 from scegen.scenario.logical import Assignment, Conflict, ConflictKind, Crossing, Drive
+from scegen.scenario.vocabulary import Maneuver
 
 
 def conflict_table(junction: Junction, *, u_turns: bool = False) -> dict[Ways, ConflictKind]:
@@ -30,6 +31,9 @@ def _kind(rules: RoadRules, first: Assignment, second: Assignment) -> ConflictKi
     if not isinstance(first, Drive):
         return ConflictKind.NONE
     if isinstance(second, Drive):
+        stands = Maneuver.STAY in {first.maneuver, second.maneuver}
+        if stands and first.entry != second.entry:
+            return ConflictKind.NONE
         ways = (first.entry, first.exit, second.entry, second.exit)
         return rules.kinds.get(ways, ConflictKind.NONE)
     if isinstance(second, Crossing):

@@ -30,7 +30,7 @@ from scegen.enumeration import predicates as p
 from scegen.enumeration import rule_predicates as r
 from scegen.enumeration.programs import Part, consequences
 from scegen.enumeration.statements import junction_facts
-from scegen.enumeration.swings import Ways, swinging_pairs
+from scegen.enumeration.wide_curves import Ways, curves_that_meet
 from scegen.scenario.arms import arm_angles_deg, turn_deg
 from scegen.scenario.control import (
     controlled_arms,
@@ -101,7 +101,7 @@ def rule_facts(junction: Junction, *, u_turns: bool = False) -> list[Predicate]:
         if arm != other and turn_deg(angles, arm, (other - arm) % junction.arms) < 0
     ]
     facts += [r.Oncoming(*pair) for pair in sorted(oncoming_arms(junction))]
-    facts += [r.Swings(*pair) for pair in sorted(swinging_pairs(junction, u_turns=u_turns))]
+    facts += [r.CurvesMeet(*pair) for pair in sorted(curves_that_meet(junction, u_turns=u_turns))]
     facts += [r.Crosswalk(arm) for arm in arms if has_crosswalk(junction, arm)]
     if control in {Control.YIELD, Control.STOP}:
         facts += [r.Minor(arm) for arm in sorted(controlled_arms(junction))]

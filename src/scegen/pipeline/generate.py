@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from scegen.checking import CHECKERS, QUICK_CHECKERS, CheckReport, check_files
+from scegen.checking.subject import FUNCTIONAL_FILE
 from scegen.criticality.raising.refusing import too_fast
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import InfeasibleError, InputError, NoScenarioError
@@ -19,10 +20,10 @@ from scegen.pipeline.folder import replace_content, require_usable
 from scegen.pipeline.judging import Judged, judge
 from scegen.pipeline.options import CheckDepth, Options
 from scegen.pipeline.picking import pick
-from scegen.pipeline.raising import PROOF_FILE, chosen_target, raise_all
+from scegen.pipeline.raising import PROOF_FILE, Raising, chosen_target, raise_all
 from scegen.pipeline.source import Source
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.files import to_json
+from scegen.scenario.files import to_json, to_yaml
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
 from scegen.scenario.proof import Proof
@@ -104,17 +105,7 @@ def generate(
         raise InputError("--where and --rules narrow the enumeration of a functional scenario")
     if logical is not None:
         functional = logical.functional
-    target = chosen_target(options, functional, numbers_given=isinstance(source, ConcreteScenario))
-    if isinstance(source, ConcreteScenario):
-        solutions = options.solutions
-        raised = raise_all(
-            None, [source], target, options.seed, progress, session, solutions=solutions
-        )
-    elif logical is None:  # a source is of one of the three levels
-        raise InputError("has no logical scenarios")
-    else:
-        picked = pick(logical, options.pick)
-        raised = make_some(logical.functional, picked, target, options, progress, session)
+    raised = _raised(source, logical, options, progress, session)
     concretes, proofs, skipped = raised.concretes, raised.proofs, raised.skipped
 
     with tempfile.TemporaryDirectory(prefix="scegen-") as staging:
@@ -127,6 +118,8 @@ def generate(
                 proof = to_json(proofs[concrete.name])
                 files[concrete.name][PROOF_FILE] = proof.encode()
             _write(staged / "scenarios" / concrete.name, files[concrete.name])
+        if functional is not None:
+            _write(staged, {FUNCTIONAL_FILE: to_yaml(functional).encode()})
         progress("checking")
         checks = _checks(staged, [concrete.name for concrete in concretes], options.depth)
         progress("judging")
@@ -153,6 +146,26 @@ def generate(
     return Result(
         folder, functional, logical, checks, skipped, proofs, raised.search_s, judged, asked
     )
+
+
+def _raised(
+    source: Source,
+    logical: LogicalSet | None,
+    options: Options,
+    progress: Progress,
+    session: Session | None,
+) -> Raising:
+    """The concrete scenarios asked for, their danger raised."""
+    numbers = isinstance(source, ConcreteScenario)
+    functional = None if logical is None else logical.functional
+    target = chosen_target(options, functional, numbers_given=numbers)
+    if logical is not None:
+        picked = pick(logical, options.pick)
+        return make_some(logical.functional, picked, target, options, progress, session)
+    if not isinstance(source, ConcreteScenario):  # a source is of one of the three levels
+        raise InputError("has no logical scenarios")
+    seed, solutions = options.seed, options.solutions
+    return raise_all(None, [source], target, seed, progress, session, solutions=solutions)
 
 
 def _checks(staged: Path, names: list[str], depth: CheckDepth) -> dict[str, CheckReport]:

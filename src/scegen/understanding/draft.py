@@ -135,6 +135,10 @@ class Draft:
     dangers: list[Danger] = field(default_factory=list)
     placements: list[Placement] = field(default_factory=list)
     notes: list[Note] = field(default_factory=list)
+    kerb: str = "right"
+    """The side of the road on which traffic keeps."""
+    ramp: Basis | None = None
+    """Somebody comes from a ramp, which is built as a further lane."""
     crossing_implied: Basis | None = None
     from_kerb: bool = False
     lanes_implied: Basis | None = None

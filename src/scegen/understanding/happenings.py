@@ -65,8 +65,8 @@ class Doing:
     into: Entity | None = None
     into_basis: Basis | None = None
     when: Trigger | None = None
-    ordered: bool = False
-    """Words say that it comes after another act."""
+    told: list[int] = field(default_factory=list)
+    """Where the text tells of it again."""
     name: str = ""
 
 
@@ -75,7 +75,7 @@ class Apart:
     """A spacing in the making; ``reference`` None is the ego."""
 
     measure: Measure
-    entity: Entity
+    entity: Entity | Item
     reference: Entity | None
     amount: Amount
     at: Doing | str = START

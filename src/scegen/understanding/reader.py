@@ -31,6 +31,7 @@ from scegen.understanding.road.junctions import JunctionReading, read_junction
 from scegen.understanding.road.relevance import require_traffic
 from scegen.understanding.road.surroundings import read_surroundings
 from scegen.understanding.words.angles import read_angles, set_apart
+from scegen.understanding.words.language import require_english
 from scegen.understanding.words.sides import settle_sides
 from scegen.understanding.words.tagging import tag
 from scegen.understanding.words.tokens import tokenize
@@ -52,7 +53,7 @@ def read(text: str) -> FunctionalScenario:
         What the text says, every field with the words that it rests on.
 
     Raises:
-        InputError: if the text is empty or too long.
+        InputError: if the text is empty, too long, or in another language than English.
         NotTrafficError: if it does not describe traffic.
         InfeasibleError: if what it describes cannot exist.
     """
@@ -68,6 +69,7 @@ def read(text: str) -> FunctionalScenario:
         msg = f"the description has {len(text)} characters, more than {MAX_CHARACTERS}"
         raise InputError(msg, where="description", hint="Describe one situation at a time.")
     tokens = tokenize(text)
+    require_english(tokens, text)
     terms = set_apart(tag(tokens), read_angles(tokens, text))
     require_traffic(terms, tokens)
     junction = read_junction(terms, tokens)
@@ -78,6 +80,7 @@ def read(text: str) -> FunctionalScenario:
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     deny_of_everybody(events)
     draft = Draft(text, tokens)
+    draft.kerb = (surroundings.side or DrivingSide.RIGHT).value
     shared = share_arms(chunks, events)
     resolve_mentions(chunks, events, Discourse(draft, tokens, _arms(junction)))
     count_arms(shared, junction)

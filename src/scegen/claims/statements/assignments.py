@@ -16,7 +16,8 @@ from scegen.claims.tolerances import SAME_LANE_M, STANDS_MPS
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools
 from scegen.scenario.logical import Drive
-from scegen.scenario.vocabulary import JunctionKind, Maneuver, Side
+from scegen.scenario.spacings import Measure
+from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver, Side
 
 _SAME_WAY = 0.7
 _ASIDE_M = (1.0, 8.0)
@@ -46,7 +47,7 @@ def claims(told: Told) -> Iterator[Claim]:
         if drive is None or drive.reverses is not None:
             continue
         if not person.circulating:
-            yield _entry(drive)
+            yield _entry(told, drive)
         if person.maneuvers != {Maneuver.STAY}:
             yield _exit(told, drive)
     for first, second in combinations(told.logical.drives, 2):
@@ -69,24 +70,41 @@ def claims(told: Told) -> Iterator[Claim]:
         )
 
 
-def _entry(drive: Drive) -> Claim:
+def _entry(told: Told, drive: Drive) -> Claim:
     return Claim(
         id=f"entry.{drive.participant}",
         kind=ClaimKind.ENTRY,
         statement=f"{drive.participant} comes in on arm {drive.entry}",
         field=f"participants.{drive.participant}.entries",
         unit="m",
-        test=partial(_comes_in, drive),
+        test=partial(_comes_in, drive, _off_its_side(told, drive)),
     )
 
 
-def _comes_in(drive: Drive, view: View) -> Judged:
+def _off_its_side(told: Told, drive: Drive) -> bool:
+    """Whether it may be on the wrong side of the road: it is in a lane of who comes towards it."""
+    name = drive.participant
+    facing = {
+        (spacing.participant, spacing.reference)
+        for spacing in told.functional.spacings
+        if spacing.measure in {Measure.OVERLAP_PERCENT, Measure.LATERAL_OFFSET_M}
+    }
+    others = {d.participant for d in told.logical.drives if d.entry != drive.entry}
+    in_line = any(name in pair and others & {*pair} for pair in facing)
+    return in_line or any(
+        hazard.kind is HazardKind.ONCOMING_LANE and name in hazard.by for hazard in told.hazards
+    )
+
+
+def _comes_in(drive: Drive, off_its_side: bool, view: View) -> Judged:
     """On its arm at the start, heading in, on the side of the traffic that comes in."""
     arm = arms_of(view.concrete.road)[drive.entry]
     box = box_at(view, drive.participant, 0)
     along, offset = arm.place(box)
     # Out of the strip for parking, it starts beside the lanes; a lane's width is let pass.
     side = arm.inward * offset + arm.lane_width_m / 4
+    if off_its_side:
+        side = arm.lane_width_m - side
     inside = np.min([along + 1.0, arm.length_m + 1.0 - along, side], axis=0)
     margin = np.where(arm.facing(box) > _SAME_WAY, inside, -NEVER)
     return Judged(margin, along, np.zeros(view.count))

@@ -56,10 +56,17 @@ def _judge(told: Told, spacing: Spacing, view: View) -> Judged:
     who, reference = spacing.participant, spacing.reference
     tolerance = tolerances.OF_MEASURE[spacing.measure]
     if spacing.at == CONTACT:
+        # Where no contact is said, what counts is when they are nearest.
         met = contact(view, reference, who)
-        value = measured(spacing.measure, met.first, met.second, spacing.side)
-        margin = np.where(met.happens, within(value, spacing.value, tolerance), np.nan)
-        return Judged(margin, value, met.time_s)
+        nearest = view.of_pair("closest_s", reference, who)
+        step = view.step_of(nearest)
+        frame, box = box_at(view, reference, step), box_at(view, who, step)
+        touching = measured(spacing.measure, met.first, met.second, spacing.side)
+        value = measured(spacing.measure, frame, box, spacing.side)
+        value = np.where(met.happens, touching, value)
+        said = np.where(met.happens | (not told.may_touch(reference, who)), value, np.nan)
+        when = np.where(met.happens, met.time_s, nearest)
+        return Judged(within(said, spacing.value, tolerance), value, when)
     if spacing.at == START:
         step = np.zeros(view.count, dtype=np.int64)
     else:
@@ -81,20 +88,24 @@ def measure_at(
     view: View, measure: Measure, who: str, reference: str, step: Ints, side: Side | None = None
 ) -> Floats:
     """A measure of somebody to a reference at a step of each candidate (c,)."""
-    frame, box = box_at(view, reference, step), box_at(view, who, step)
     if measure is Measure.LATERAL_GAP_M:
         return _alongside(view, who, reference, step)
-    value = measured(measure, frame, box, side)
-    if measure not in {Measure.HEADWAY_S, Measure.TTC_S}:
-        return value
-    behind = seen(frame, box).x < 0.0
-    own, other = (at(view.speed_mps(name), step) for name in (who, reference))
-    facing = frame.cos * box.cos + frame.sin * box.sin < 0.0
-    follower, leader = np.where(behind, own, other), np.where(behind, other, own)
+    if measure in {Measure.LATERAL_OFFSET_M, Measure.OVERLAP_PERCENT}:
+        frame, box = box_at(view, reference, step), box_at(view, who, step)
+        return measured(measure, frame, box, side)
+    # Along the ego's heading where it is one of the two: the other may go across.
+    own, other = (who, reference) if who == view.concrete.ego.id else (reference, who)
+    frame, box = box_at(view, own, step), box_at(view, other, step)
+    gap = gap_m(frame, box)
+    if measure is Measure.GAP_M:
+        return gap
+    along = frame.cos * box.cos + frame.sin * box.sin
+    follows = (seen(frame, box).x > 0.0) | (along < 0.0)
+    speed, others = (at(view.speed_mps(name), step) for name in (own, other))
     if measure is Measure.HEADWAY_S:
-        return value / np.maximum(follower, _LEAST_MPS)
-    closing = follower - np.where(facing, -leader, leader)
-    return np.where(closing > _LEAST_MPS, value / np.maximum(closing, _LEAST_MPS), np.inf)
+        return gap / np.maximum(np.where(follows, speed, others), _LEAST_MPS)
+    closing = np.where(follows, speed - others * along, others * along - speed)
+    return np.where(closing > _LEAST_MPS, gap / np.maximum(closing, _LEAST_MPS), np.inf)
 
 
 def measured(measure: Measure, frame: Boxes, box: Boxes, side: Side | None) -> Floats:

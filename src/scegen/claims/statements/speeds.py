@@ -180,9 +180,14 @@ def _may_react(told: Told, name: str) -> bool:
 
 
 def _others_begin(told: Told, name: str, view: View, closest: Ints) -> Ints:
-    """When the first of the others' acts begins; without one, some time before the approach."""
+    """When the first of the others' acts begins; without one, some time before the approach.
+
+    Who brakes at that time may have begun before: from high speed it takes longer.
+    """
     others = [act for act in told.functional.acts if act.participant != name]
     soon = closest - round(_REACTS_S / view.dt_s)
+    braking = speed_runs(view, name, -1)[0]
+    soon = np.where(braking.happens & (braking.end > soon), np.minimum(soon, braking.begin), soon)
     if not others:
         return soon
     begins = [act_begins(view, told.functional, told.logical, act) for act in others]

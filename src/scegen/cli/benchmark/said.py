@@ -67,10 +67,11 @@ def said(
 
 
 def _tell(row: Row) -> None:
+    known = f", {len(row.missed)} statements known not to hold" if row.missed else ""
     if row.right:
-        result(f"right  {row.record.id}")
+        result(f"right  {row.record.id}{known}")
         return
-    result(f"WRONG  {row.record.id}: {row.record.text}")
+    result(f"WRONG  {row.record.id}{known}: {row.record.text}")
     if row.problem is not None:
         result(f"         {row.problem}")
     for fact in row.facts:

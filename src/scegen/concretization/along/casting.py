@@ -20,6 +20,7 @@ from scegen.scenario.logical import (
     Standing,
     Walking,
 )
+from scegen.scenario.model import Interval
 from scegen.scenario.speed_limits import limit_for_kind_mps
 from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind
 
@@ -128,15 +129,17 @@ def _speeds(
             _make_faster(runners, (act.participant,), (act.into,), said)
 
 
-def _leader_speed(logical: LogicalScenario, said: Mapping[str, object], ego: str) -> float | None:
-    """Who follows somebody of a stated speed in a line drives as fast, if nothing else is said."""
+def _leader_speed(
+    logical: LogicalScenario, said: Mapping[str, Interval], ego: str, limit_mps: float
+) -> float | None:
+    """Who drives with another of an ordinary stated speed drives as fast, if none is said."""
     drives = {d.participant: d for d in logical.drives}
     own = drives.get(ego)
     if own is None:
         return None
     for name, drive in drives.items():
         interval = said.get(name)
-        middle = float(getattr(interval, "middle", 0.0))
+        middle = 0.0 if interval is None else interval.middle
         level = drive.entry == own.entry and drive.maneuver is not Maneuver.STAY
         if level and name != ego and middle >= _OF_LIMIT * limit_mps:
             return middle
@@ -169,7 +172,7 @@ def _make_faster(
     runners: Mapping[str, Runner],
     by: tuple[str, ...],
     to: tuple[str, ...],
-    said: Mapping[str, object],
+    said: Mapping[str, Interval],
 ) -> None:
     """Who overtakes is clearly faster; where its speed is said, the other is slower."""
     for fast in (runners[name] for name in by if name in runners):

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from scegen.concretization.along.asked import allowed
 from scegen.concretization.along.runner import NEVER_S, Runner, Step
 from scegen.concretization.along.sideways import edge_y_m
+from scegen.concretization.along.spacing import LENGTHWISE
 from scegen.concretization.along.story import Story, contact_wanted
 from scegen.concretization.limits import CYCLING_MPS, HARD_BRAKING_MPS2, WALKING_MPS
 from scegen.road.defaults import LANE_WIDTH_M
@@ -59,7 +60,12 @@ class Walk:
 
     def runs_s(self, way_m: float) -> float:
         """How long it takes from setting off until so much way is behind it."""
-        return way_m / self.speed_mps + self.speed_mps / (2 * START_MPS2)
+        return way_m / self.speed_mps + self.speed_mps / (2 * self.rate_mps2)
+
+    @property
+    def rate_mps2(self) -> float:
+        """How fast it gains speed, and loses it."""
+        return min(START_MPS2, self.body.max_acceleration_mps2)
 
 
 def cross(story: Story, strips: dict[str, float]) -> list[Walk]:
@@ -87,7 +93,7 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], number: in
     into = -1 if from_left else 1
     aim = _aim_y_m(story, participant.id, meets, body, speed, into)
     to_aim = abs(aim - edge) - body.centre_ahead_m
-    least = speed**2 / (2 * START_MPS2) + _HOLDS_S * speed - to_aim
+    least = speed**2 / (2 * min(START_MPS2, body.max_acceleration_mps2)) + _HOLDS_S * speed - to_aim
     setback = max(least, strip + _BEYOND_STRIP_M if strip else _SETBACK_M, body.front_m + 0.2)
     waits = _waits_m(story, participant.id, meets, edge, into)
     setback = waits if waits is not None else setback
@@ -184,8 +190,10 @@ def _spacing(
 ) -> tuple[Measure, float, bool] | None:
     """A distance along the road that is said between the two; whether as it sets off, or first."""
     for spacing in story.functional.spacings:
-        lengthwise = spacing.measure in {Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S}
-        if lengthwise and {spacing.participant, spacing.reference} == {name, other}:
+        if spacing.measure in LENGTHWISE and {spacing.participant, spacing.reference} == {
+            name,
+            other,
+        }:
             own = act is not None and spacing.at == act.id
             return spacing.measure, spacing.value.middle, own
     return None

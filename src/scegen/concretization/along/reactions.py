@@ -12,7 +12,7 @@ from scegen.scenario.vocabulary import HazardKind
 
 REACTION_S = 0.75
 """From a danger that can be seen to the brakes: the delay of UN R157's driver."""
-_CLOSEST_M = 0.5
+_CLOSEST_M = 0.65
 """How near one who may not touch the other comes: a near miss."""
 _LATEST_S = 40.0
 _STEP_S = 0.05

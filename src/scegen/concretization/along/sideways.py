@@ -17,7 +17,7 @@ from scegen.scenario.spacings import CONTACT, Measure, Spacing
 from scegen.scenario.vocabulary import HazardKind, Side
 
 _CLEAR_M = 6.0
-_NEAR_M = 0.5
+_NEAR_M = 0.3
 """How near one passes who goes round another."""
 _ROUNDS = 20
 _JUST_BACK_S, _LONG_BACK_S = 0.3, 2.5

@@ -8,6 +8,8 @@ from scegen.concretization.along.runner import Runner, gap_m
 from scegen.scenario.spacings import Measure
 
 LEAST_CLOSING_MPS = 0.1
+LENGTHWISE = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
+"""Measures along the road."""
 
 
 @dataclass(frozen=True, slots=True)

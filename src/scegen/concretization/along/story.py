@@ -8,7 +8,7 @@ from math import pi
 
 from scegen.concretization.along.asked import dangers, outward
 from scegen.concretization.along.runner import NEVER_S, Move, Runner, Step
-from scegen.concretization.along.spacing import measured
+from scegen.concretization.along.spacing import LENGTHWISE, measured
 from scegen.concretization.limits import (
     ABRUPT_LANE_CHANGE_S,
     COMFORTABLE_ACCELERATION_MPS2,
@@ -22,6 +22,7 @@ from scegen.scenario.acts import Act, ActKind, AfterAct, AfterStart, WhenMeasure
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.outcome import OutcomeKind
+from scegen.scenario.spacings import CONTACT
 from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import Approach, HazardKind, Side
 
@@ -114,14 +115,19 @@ class Story:
         return waiting
 
     def _is_placed_otherwise(self, act: Act, when: WhenMeasure) -> bool:
-        """Whether another statement fixes how far apart the two of a trigger are."""
-        pair = {when.participant, when.reference}
-        spaced = any({s.participant, s.reference} == pair for s in self.functional.spacings)
-        earlier = [a for a in self.acts[: self.acts.index(act)] if isinstance(a.when, WhenMeasure)]
-        return spaced or any(
-            isinstance(a.when, WhenMeasure) and {a.when.participant, a.when.reference} == pair
-            for a in earlier
-        )
+        """Whether other statements fix how far apart the two of a trigger are, step by step."""
+        pairs = [
+            {s.participant, s.reference}
+            for s in self.functional.spacings
+            if s.measure in LENGTHWISE and s.at != CONTACT
+        ]
+        for earlier in self.acts[: self.acts.index(act)]:
+            if isinstance(earlier.when, WhenMeasure):
+                pairs.append({earlier.when.participant, earlier.when.reference})
+        reached = {when.participant}
+        for _ in pairs:
+            reached |= {name for pair in pairs if pair & reached for name in pair}
+        return when.reference in reached
 
     def _moment_s(self, act: Act) -> float:
         when = act.when

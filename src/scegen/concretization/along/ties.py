@@ -6,14 +6,13 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from scegen.concretization.along.runner import Runner, gap_m
-from scegen.concretization.along.spacing import Tie, level, place
+from scegen.concretization.along.spacing import LENGTHWISE, Tie, level, place
 from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank
 from scegen.concretization.limits import TAILGATING_HEADWAY_S
 from scegen.scenario.acts import ActKind, WhenMeasure
 from scegen.scenario.spacings import CONTACT, START, Measure
 from scegen.scenario.vocabulary import Approach, HazardKind
 
-_LENGTHWISE = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
 _FOLLOWING_S = 1.8
 """The time gap of ordinary following: a little below the two seconds of driving schools."""
 _BRAKES_AT_S = 1.1
@@ -68,14 +67,14 @@ def _said(story: Story) -> Iterator[Tie]:
     """The ties of the text: spacings along the road, and measures that set acts off."""
     for spacing in story.functional.spacings:
         pair = {spacing.participant, spacing.reference}
-        known = pair <= story.runners.keys() and spacing.measure in _LENGTHWISE
+        known = pair <= story.runners.keys() and spacing.measure in LENGTHWISE
         if known and spacing.at != CONTACT:
             time_s = 0.0 if spacing.at == START else story.begins_s.get(spacing.at, FIRST_ACT_S)
             yield _tie(story, spacing.participant, spacing.reference, spacing.measure,
                        spacing.value.middle, time_s)  # fmt: skip
     for act in story.acts:
         when = act.when
-        if not isinstance(when, WhenMeasure) or when.measure not in _LENGTHWISE:
+        if not isinstance(when, WhenMeasure) or when.measure not in LENGTHWISE:
             continue
         if {when.participant, when.reference} <= story.runners.keys() and act.id in story.begins_s:
             yield _tie(story, when.participant, when.reference, when.measure,

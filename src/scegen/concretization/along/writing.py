@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass
 from math import ceil
 
-from scegen.concretization.along.crossing import START_MPS2, Walk
+from scegen.concretization.along.crossing import Walk
 from scegen.concretization.along.parked import Parked
 from scegen.concretization.along.runner import NEVER_S, Runner, Step
 from scegen.concretization.along.story import Story
@@ -201,7 +201,7 @@ def _trigger(story: Story, runner: Runner, step: Step) -> Trigger:
 def written_walk(story: Story, frame: Frame, walk: Walk, length_m: float) -> ConcreteParticipant:
     """One who goes across the road; ``length_m`` is how long its way is."""
     participant = story.functional.participant(walk.id)
-    braking = walk.speed_mps**2 / (2 * START_MPS2)
+    braking = walk.speed_mps**2 / (2 * walk.rate_mps2)
     end = max(0.0, length_m - braking - _STOPS_SHORT_M)
     meets = story.runners[walk.meets]
     trigger: Trigger = AtTime(time_s=round(walk.sets_off_s, 3))
@@ -219,14 +219,14 @@ def written_walk(story: Story, frame: Frame, walk: Walk, length_m: float) -> Con
             SpeedPhase(
                 trigger=trigger,
                 target_speed_mps=round(walk.speed_mps, 4),
-                rate_mps2=START_MPS2,
+                rate_mps2=walk.rate_mps2,
                 hazard=_KINDS.get(walk.kind),
                 act=walk.act,
             ),
             SpeedPhase(
                 trigger=Travelled(participant=walk.id, distance_m=round(end, 3)),
                 target_speed_mps=0.0,
-                rate_mps2=START_MPS2,
+                rate_mps2=walk.rate_mps2,
                 hazard=HazardKind.STOPPING if stops else None,
             ),
         ),

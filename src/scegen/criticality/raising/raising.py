@@ -30,6 +30,8 @@ from scegen.scenario.proof import Proof
 _ATTEMPTS = ((1.0, SEARCH_DT_S), (2.5, SEARCH_DT_S), (1.0, PROOF_DT_S), (2.5, PROOF_DT_S))
 """How far inside of the demands a search aims, and its steps, one after the other while the proof
 in fine steps fails: one who creeps over a line passes it 0.3 s later in coarse steps."""
+_AGAIN = {"rounds": 1, "restarts": 1}
+"""Less effort where some of what is said cannot be met at all."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -210,7 +212,7 @@ def _solve(
             return _Made(made, led=True), None
     reason = None
     for problem.room, problem.dt_s in _ATTEMPTS:
-        best = search(problem, rng)
+        best = search(problem, rng, **(_AGAIN if stage.given_up else {}))
         if not best.found:
             claims = {claim.id for claim in problem.claims}
             problem.never = frozenset(n for n, v in best.least.items() if v > 0.0 and n in claims)

@@ -32,7 +32,6 @@ from scegen.motion.friction import friction_of
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.outcome import Outcome, OutcomeKind
 from scegen.scenario.proof import Proof
 from scegen.scenario.reversing import BacksOut
 
@@ -66,8 +65,9 @@ class Stage:
         self.scene = scene_of(concrete, paths_of(self.ways), self.focus, self.friction)
         self._choose_pair(target, pairs)
         self.target = self._with_headway(target)
-        said = as_asked(functional or described_by(concrete), target)
-        self.claims = claims_of(said, concrete.logical)
+        said = functional or described_by(concrete)
+        contact_asked = target.contact is not False
+        self.claims = claims_of(said, concrete.logical, contact_asked=contact_asked)
         self.given_up: frozenset[str] = frozenset()
         self.untargeted = False
 
@@ -218,15 +218,6 @@ class Stage:
         return proof_of(
             self.target, self.pair, before, after, evaluations=evaluations, blocked_by=blocked_by
         )
-
-
-def as_asked(functional: FunctionalScenario, target: Target) -> FunctionalScenario:
-    """What a description says where somebody asks for a contact or leaves it open."""
-    said = functional.outcome.kind if functional.outcome is not None else None
-    if target.contact is not False and said is not OutcomeKind.COLLISION:
-        collision = Outcome(kind=OutcomeKind.COLLISION)
-        return functional.model_copy(update={"outcome": collision})
-    return functional
 
 
 def _from_outer_ends(concrete: ConcreteScenario) -> ConcreteScenario:

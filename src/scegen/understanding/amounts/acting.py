@@ -8,7 +8,7 @@ from scegen.scenario.vocabulary import HazardKind, Maneuver, Side
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import acts
+from scegen.understanding.frames import ActFrame, acts
 from scegen.understanding.happenings import Amount, Doing
 from scegen.understanding.meaning.context import Context, Scene
 
@@ -19,7 +19,7 @@ _PREVENTED = frozenset({"fail", "avoid", "prevent", "delay", "encounter"})
 _SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
 _DRIVEN = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.CHANGE_LANE, ActKind.SWERVE,
                      ActKind.REVERSE, ActKind.TURN, ActKind.OVERTAKE})  # fmt: skip
-_LOWEST_STANDSTILL = 0.0
+_RESTING = frozenset({"stop", "wait", "unknown"})
 
 
 def acts_in(text: Sentences, context: Context) -> list[Doing]:
@@ -47,8 +47,9 @@ def acts_in(text: Sentences, context: Context) -> list[Doing]:
 
 def _acts_of(scene: Scene, text: Sentences, context: Context) -> list[Doing]:
     event = scene.event
-    frame = acts().get(event.name)
     parent = event.parent
+    changed = [e for e in scene.actors if _changes_lane(e, event)]
+    frame = ActFrame(ActKind.CHANGE_LANE, always=True) if changed else acts().get(event.name)
     if frame is None or event.negated or event.unable:
         return []
     if parent is not None and (parent.name in _PREVENTED or parent.negated):
@@ -72,6 +73,13 @@ def _acts_of(scene: Scene, text: Sentences, context: Context) -> list[Doing]:
     return made
 
 
+def _changes_lane(entity: Entity, event: Event) -> bool:
+    """Whether it is this verb that says that somebody changes lanes."""
+    basis = entity.maneuver_basis
+    moved = Maneuver.LANE_CHANGE in entity.maneuvers
+    return moved and basis is not None and basis.i == event.i
+
+
 def _kind(kind: ActKind, entity: Entity, event: Event, text: Sentences) -> ActKind | None:
     """``starts to walk``: crosses; ``veers into the left lane``: changes lanes."""
     afoot = not entity.is_vehicle
@@ -79,6 +87,8 @@ def _kind(kind: ActKind, entity: Entity, event: Event, text: Sentences) -> ActKi
         return None
     if kind is ActKind.CROSS and not afoot and Maneuver.CROSS not in entity.maneuvers:
         return None
+    if kind is ActKind.CHANGE_LANE and _changes_lane(entity, event):
+        return kind
     if event.name == "move":
         verb = event.parent.i if event.parent is not None else event.i
         begins = text.tokens[verb].forms[-1][0] in _BEGINNING
@@ -87,11 +97,10 @@ def _kind(kind: ActKind, entity: Entity, event: Event, text: Sentences) -> ActKi
         return (ActKind.CROSS if crosses else ActKind.SET_OFF) if begins else None
     if event.name == "pull_out" and Maneuver.LANE_CHANGE in entity.maneuvers:
         return ActKind.CHANGE_LANE
+    if event.name == "pull_out" and Maneuver.OVERTAKE in entity.maneuvers:
+        return ActKind.OVERTAKE
     if kind is ActKind.SET_OFF and not (entity.pulls_out or entity.was_parked or entity.stands):
         return None
-    if kind is ActKind.SWERVE and Maneuver.LANE_CHANGE in entity.maneuvers:
-        basis = entity.maneuver_basis
-        return ActKind.CHANGE_LANE if basis and basis.i == event.i else kind
     if event.name == "merge" and Maneuver.LANE_CHANGE not in entity.maneuvers:
         return None
     if event.name == "cut_off" and Maneuver.LANE_CHANGE not in entity.maneuvers:
@@ -107,8 +116,10 @@ def _forced(event: Event) -> bool:
 
 def _stands_then(entity: Entity, event: Event) -> bool:
     """``has stopped in the lane``: where it is, nothing that it does."""
-    stands = entity.stands is not None or entity.parked
-    return stands and event.name in {"stop", "wait", "slow", "brake", "hard_brake"}
+    own = entity.stands is not None and entity.stands.i == event.i
+    return (own or entity.parked or (entity.stands is not None and entity.sets_off < 0)) and (
+        event.name in {"stop", "wait"}
+    )
 
 
 def _aside(doing: Doing, scene: Scene, context: Context) -> None:
@@ -132,7 +143,7 @@ def _aside(doing: Doing, scene: Scene, context: Context) -> None:
     _into(doing, scene, context)
     if doing.into is not None and doing.into.ego and doing.side is None and entity.beside:
         side, words = entity.beside
-        doing.side = _OTHER[Side(side)]
+        doing.side = _OTHER[_SIDES[side]] if side in _SIDES else None
         doing.side_basis = Basis(words.i, words.j, "into the lane beside its own")
 
 
@@ -165,7 +176,7 @@ def _to_standstill(doing: Doing, text: Sentences) -> None:
     if doing.kind is not ActKind.BRAKE:
         return
     end = text.bounds(doing.i)[1]
-    later = [s.event.i for s in text.within(doing.i + 1, end) if s.event.name != "stop"]
+    later = [s.event.i for s in text.within(doing.i + 1, end) if s.event.name not in _RESTING]
     phrase = text.says("standstill", doing.i, min([end, *later]))
     if phrase is not None:
         span = _find(text, phrase, doing.i)
@@ -173,7 +184,7 @@ def _to_standstill(doing: Doing, text: Sentences) -> None:
 
 
 def _zero() -> Interval:
-    return Interval(low=_LOWEST_STANDSTILL, high=_LOWEST_STANDSTILL)
+    return Interval(low=0.0, high=0.0)
 
 
 def _find(text: Sentences, phrase: str, i: int) -> tuple[int, int]:
@@ -205,8 +216,10 @@ def _told_again(doing: Doing, found: list[Doing], text: Sentences) -> bool:
         return alike and before is not None and before.kind is ActKind.BRAKE and not doing.always
     if before.i == doing.i:
         return True
+    before.told.append(doing.i)
     ordered = text.says("then", before.basis.j or before.i, doing.i)
     if ordered is not None:
+        before.told.pop()
         return False
     before.side = before.side or doing.side
     before.side_basis = before.side_basis or doing.side_basis

@@ -52,7 +52,8 @@ class Filler:
             doing = self._made(number, role)
         if doing is None:
             return False
-        amount = exactly(number) if role.startswith("lateral") else amount_of(number)
+        plain = role.startswith("lateral") or role in {"duration", "distance"}
+        amount = exactly(number) if plain else amount_of(number)
         if role == "rate" and doing.kind is ActKind.STOP:
             doing.kind = ActKind.BRAKE
             doing.amounts.setdefault("target_speed_mps", Amount(_still(), doing.basis))

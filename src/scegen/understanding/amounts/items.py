@@ -42,9 +42,7 @@ def items_in(text: Sentences, context: Context) -> list[Item]:
     return found
 
 
-def _lie_in_the_way(
-    danger: Danger, text: Sentences, context: Context, found: list[Item]
-) -> None:
+def _lie_in_the_way(danger: Danger, text: Sentences, context: Context, found: list[Item]) -> None:
     things = [t for t in _things(text) if t.kind in {"obstacle", "object"}]
     i, j = danger.basis.i or 0, danger.basis.j or 0
     named = [t for t in things if i <= t.i < j] or [t for t in things if abs(t.i - i) <= _NEAR]

@@ -128,6 +128,8 @@ class Judge:
         start, end = self._text.bounds(i)
         before = [e for m in self._text.mentions if start <= m.i < i for e in m.entities]
         after = [e for m in self._text.mentions if i <= m.i < end for e in m.entities]
+        if not before and not after and known is None:
+            before = [e for m in self._text.mentions for e in m.entities]
         chosen = [known] if known is not None else []
         for entity in (*reversed(before), *after):
             if entity not in chosen and not entity.parked and len(chosen) < 2:

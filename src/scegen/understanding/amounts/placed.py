@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
 from scegen.scenario.spacings import CONTACT, START, Measure
-from scegen.scenario.vocabulary import Side
+from scegen.scenario.vocabulary import Approach, Maneuver, Side
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.amounts.whom import counterpart, ego_of, in_file
 from scegen.understanding.chunks import Mention, Place, Word
@@ -22,6 +22,7 @@ MEASURES = {
     "lateral_offset": Measure.LATERAL_OFFSET_M,
     "overlap": Measure.OVERLAP_PERCENT,
 }
+_APART = 4
 _JUNCTION = frozenset({"junction", "signal", "stop_line", "stop_sign", "yield_sign"})
 _ALONG = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
 _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
@@ -51,11 +52,23 @@ class Spacer:
         measure = MEASURES[number.frame.role]
         if measure in _ALONG and self._sets_off(number, measure):
             return True
+        after = self._text.phrase_after(number.j)
+        if after is not None and isinstance(after[1], Place) and after[1].kind in _JUNCTION:
+            return False  # so far from the junction: between no two
+        if self._where_it_stops(number):
+            return False
+        if measure is Measure.GAP_M and self._to_a_thing(number):
+            return True
         pair = self._pair(number)
         if pair is None:
             return False
         entity, reference = pair
-        amount, side = amount_of(number), None
+        sideways = number.around.after.startswith(
+            (" away ", " apart ", " from ", " between ", " off ")
+        )
+        if measure is Measure.GAP_M and sideways and self._beside(entity, reference):
+            measure = Measure.LATERAL_GAP_M
+        amount, side = self._with_place(amount_of(number), number), None
         if measure is Measure.LATERAL_OFFSET_M:
             amount = self._signed(number)
         if measure in {Measure.HEADWAY_S, Measure.TTC_S}:
@@ -68,9 +81,73 @@ class Spacer:
                 for s in self._happenings.spacings
                 if s.measure is not measure or s.entity is not entity
             ]  # "with full overlap (100 %)"
+        self._in_file(measure, entity, reference, amount)
         at = self._moment(number, measure, entity, reference)
         self._happenings.spacings.append(Apart(measure, entity, reference, amount, at, side))
         return True
+
+    def _to_a_thing(self, number: Measured) -> bool:
+        """``a mattress lies 60 m ahead``, ``60 m ahead of the ego lies a mattress``."""
+        start, end = self._text.bounds(number.i)
+        others = [
+            e
+            for m in self._text.mentions
+            if start <= m.i < end
+            for e in m.entities
+            if not e.ego and (m.i < number.i or not e.still)
+        ]
+        items = [x for x in self._happenings.items if start <= (x.basis.i or 0) < end]
+        ego = ego_of(self._context)
+        if others or not items:
+            return False
+        amount = self._with_place(amount_of(number), number)
+        for item in items[:1]:
+            self._happenings.spacings.append(Apart(Measure.GAP_M, item, ego, amount))
+        return True
+
+    def _in_file(self, measure: Measure, one: Entity, other: Entity, amount: Amount) -> None:
+        """``ego and target at 50 km/h, gap 12 m``: the other is ahead, if no place is said."""
+        two = [e for e in (one, other) if not e.ego]
+        if measure not in _ALONG or len(two) != 1 or not two[0].is_vehicle:
+            return
+        entity, draft = two[0], self._context.draft
+        placed = any(p.entity is entity or p.reference is entity for p in draft.placements)
+        meets = self._context.junction.crossing or draft.crossing_implied is not None
+        sideways = bool(entity.maneuvers & {Maneuver.LANE_CHANGE, Maneuver.CROSS})
+        free = not (placed or meets or sideways or entity.parked or entity.heading)
+        if free and not any(p.entity.ego for p in draft.placements):
+            basis = Basis(
+                amount.basis.i, amount.basis.j, "a gap along the road is one to who is ahead"
+            )
+            draft.place(entity, None, {Approach.AHEAD}, basis)
+
+    def _where_it_stops(self, number: Measured) -> bool:
+        """``stops 1 m before the pedestrian``: how far apart they end up."""
+        scene = self._text.scene_at(number.i, number.j)
+        stops = scene is not None and scene.event.name in {"stop", "wait"}
+        stops = stops and scene is not None and not any(e.still for e in scene.actors)
+        return stops and number.around.after.startswith((" before ", " short ", " in front "))
+
+    def _beside(self, one: Entity, other: Entity) -> bool:
+        """``drives alongside the ego, 1 m away``: from side to side."""
+        return any(
+            p.approaches == {Approach.ADJACENT}
+            and {p.entity, p.reference or ego_of(self._context)} == {one, other}
+            for p in self._context.draft.placements
+        ) and not any(a.entity in (one, other) for a in self._happenings.acts if a.kind in _LANED)
+
+    def _with_place(self, amount: Amount, number: Measured) -> Amount:
+        """The words of a number with those of place after it: "15 m in front of"."""
+        after = self._text.phrase_after(number.j)
+        basis = amount.basis
+        if after is None or after[0].i - number.j > _APART:
+            return amount
+        noun = after[1]
+        part = noun is not None and isinstance(noun, Mention) and noun.possessor
+        end = noun.j + 2 if noun is not None and part else after[0].j
+        end = noun.j if isinstance(noun, Place) and noun.kind == "side" else end
+        end = min(end, self._text.bounds(number.i)[1])
+        return Amount(amount.value, Basis(basis.i, end, basis.reason))
 
     def _ego_last(self, entity: Entity, reference: Entity) -> tuple[Entity, Entity]:
         return (reference, entity) if entity.ego else (entity, reference)
@@ -141,8 +218,15 @@ class Spacer:
         if self._text.says("contact", start, end):
             return CONTACT
         acts = [a for a in self._happenings.acts if a.entity in (entity, reference)]
+        if measure is Measure.LATERAL_GAP_M:
+            acts = [] if entity.parked or reference.parked else acts
+            passing = [a for a in acts if a.kind is ActKind.OVERTAKE and start <= a.i < end]
+            return passing[-1] if passing else START
         if self._text.says("starts", start, end) or measure not in _ALONG:
             return START
+        begun = [a for a in acts if self._in_trigger(a, start, end, number.i)]
+        if begun:
+            return begun[-1]
         trigger = self._text.subordinate(number.i)
         here = [a for a in acts if start <= a.i < end and a.i < number.i]
         if trigger is not None and trigger[2] in words()["triggers"] and here:
@@ -157,6 +241,16 @@ class Spacer:
             return START
         later = [a for a in acts if a.kind in _ANSWERING and a.always]
         return later[0] if later and not later[0].entity.ego else START
+
+    def _in_trigger(self, doing: Doing, start: int, end: int, i: int) -> bool:
+        """``… is 150 m away when the ego pulls out``: at that moment."""
+        for told in (doing.i, *doing.told):
+            clause = self._text.subordinate(told)
+            if clause is None or not start <= told < end or clause[0] <= i < clause[1]:
+                continue
+            if clause[2] in words()["triggers"] and told >= clause[0]:
+                return True
+        return False
 
     def _sets_off(self, number: Measured, measure: Measure) -> bool:
         """``when the gap is 20 m``, ``50 m before the junction``: what sets an act off."""
@@ -175,7 +269,7 @@ class Spacer:
         if not (opened or junction or before):
             return False
         doing = self._main(clause if opened else None, number, start, end)
-        if doing is None:
+        if doing is None or (before and not opened and doing.kind is ActKind.STOP):
             return False
         if doing.when is not None:
             if doing.when.kind == "measure" and opened and doing.when.amount is not None:

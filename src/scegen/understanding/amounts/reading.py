@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding.amounts.acting import acts_in
 from scegen.understanding.amounts.doings import FIELDS, Filler
 from scegen.understanding.amounts.items import items_in
@@ -21,6 +21,8 @@ from scegen.understanding.meaning.context import Context, Scene
 from scegen.understanding.words.quantities import Quantity
 
 _PAIR = 2
+_HARD_MPS2 = 3.5
+"""Below this nobody calls braking hard (UN R152: 5 m/s² in an emergency)."""
 
 
 def read_amounts(
@@ -45,6 +47,7 @@ def read_amounts(
             _note(number, context)
     _alike(text, context)
     _followed(text, context)
+    found.items = items_in(text, context)
     filler, clock = Filler(text, found), Clock(text, found)
     spacer = Spacer(text, context, found)
     for number in (n for n in measured if n.frame.role in FIELDS):
@@ -65,8 +68,8 @@ def read_amounts(
         if not done:
             _note(number, context)
     clock.order()
-    found.items = items_in(text, context)
-    found.acts = _kept(found.acts)
+    found.acts = _kept(found)
+    _gently(found, context)
     return found
 
 
@@ -80,9 +83,30 @@ def _note(number: Measured, context: Context) -> None:
     context.draft.note(number.i, number.j, instead)
 
 
-def _kept(acts: list[Doing]) -> list[Doing]:
+def _gently(found: Happenings, context: Context) -> None:
+    """Braking with a rate is hard, or it is not, by the rate."""
+    for doing in found.acts:
+        rate = doing.amounts.get("rate_mps2")
+        known = any(
+            d.kind is HazardKind.HARD_BRAKING and doing.entity in d.by
+            for d in context.draft.dangers
+        )
+        hard = rate is not None and rate.value.low >= _HARD_MPS2
+        leads = context.placed(doing.entity, Approach.AHEAD) and not doing.entity.ego
+        if doing.kind is ActKind.BRAKE and hard and leads and not known and rate is not None:
+            context.draft.hazard(HazardKind.HARD_BRAKING, rate.basis, [doing.entity])
+    for danger in [d for d in context.draft.dangers if d.kind is HazardKind.HARD_BRAKING]:
+        brakes = [a for a in found.acts if a.kind is ActKind.BRAKE and a.entity in danger.by]
+        rates = [a.amounts["rate_mps2"].value for a in brakes if "rate_mps2" in a.amounts]
+        if rates and len(rates) == len(brakes) and all(r.high < _HARD_MPS2 for r in rates):
+            context.draft.dangers.remove(danger)
+
+
+def _kept(found: Happenings) -> list[Doing]:
     """Acts that are ones by themselves, or that a number or another act makes ones."""
+    acts = found.acts
     named = [d.when.act for d in acts if d.when is not None and d.when.act is not None]
+    named += [s.at for s in found.spacings if isinstance(s.at, Doing)]
     kept = [d for d in acts if d.always or d.amounts or d.when is not None or d in named]
     counts: dict[ActKind, int] = {}
     for doing in kept:
@@ -193,9 +217,7 @@ def _alike(text: Sentences, context: Context) -> None:
 
 def _followed(text: Sentences, context: Context) -> None:
     """``the ego follows a car at 100 km/h``: one drives as fast as the other."""
-    slow = [
-        e for d in context.draft.dangers if d.kind is HazardKind.SLOW_DRIVING for e in d.by
-    ]
+    slow = [e for d in context.draft.dangers if d.kind is HazardKind.SLOW_DRIVING for e in d.by]
     for scene in text.scenes:
         pair = [*scene.actors[:1], *scene.targets[:1]]
         if scene.event.name != "follow" or len(pair) != _PAIR or scene.event.negated:

@@ -10,6 +10,7 @@ from scegen.understanding.frames import words
 from scegen.understanding.meaning.context import Scene
 from scegen.understanding.words.tokens import Token
 
+_PARENTHESIS = 2
 _ENDS = frozenset({".", ";", "!", "?", "\n"})
 
 
@@ -75,8 +76,9 @@ class Sentences:
         word = opened[-1]
         opening = self.low(word.i, word.j).strip()
         begin = word.i
-        if any(t.low == "," for t in self.tokens[begin:i]):
-            return None
+        marks = sum(t.low == "," for t in self.tokens[begin:i])
+        if marks not in {0, _PARENTHESIS}:
+            return None  # "when the ego, at 40 km/h, is 20 m away"
         end = next((k for k in range(i, stop) if self.tokens[k].low == ","), stop)
         return begin, end, opening
 

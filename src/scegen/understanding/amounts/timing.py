@@ -46,6 +46,9 @@ class Clock:
         )
         before = [a for a in here if opening <= a.i < number.i]
         after = [a for a in here if a.i > number.i]
+        following = self._text.tokens[number.j].low if number.j < len(self._text.tokens) else ""
+        if following == "after" and len(after) > 1 and not before:
+            return after[1]
         if before:
             return before[-1]
         comma = next((k for k in range(number.j, end) if self._text.tokens[k].low == ","), None)
@@ -78,6 +81,8 @@ class Clock:
         for doing, before in zip(acts[1:], acts, strict=False):
             if doing.when is not None or doing.i == before.i:
                 continue
+            if before.when is not None and before.when.act is doing:
+                continue
             phrase = self._then(before, doing)
             basis = Basis(*phrase) if phrase is not None else doing.basis
             mine = [a for a in acts if a.entity is doing.entity and a.i < doing.i]
@@ -108,7 +113,8 @@ class Clock:
             if not isinstance(chunk, Word) or chunk.cat != "sub":
                 continue
             opening = self._text.low(chunk.i, chunk.j).strip()
-            if opening not in words()["triggers"] or opening in {"if", "until"}:
+            because = opening in {"because", "since"}
+            if (not because and opening not in words()["triggers"]) or opening in {"if", "until"}:
                 continue
             start, stop = self._text.bounds(chunk.i)
             end = next((k for k in range(chunk.j, stop) if self._text.tokens[k].low == ","), stop)
@@ -118,5 +124,5 @@ class Clock:
             main = front[-1:] or [a for a in outside if a.i >= end][:1]
             if not inside or not main or main[0].when is not None:
                 continue
-            since = "begin" if opening in words()["while_begun"] else "end"
+            since = "begin" if because or opening in words()["while_begun"] else "end"
             main[0].when = Trigger("after", Basis(chunk.i, chunk.j), act=inside[0], since=since)

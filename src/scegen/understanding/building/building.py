@@ -131,7 +131,7 @@ class Builder:
             self._proofs.add(f"{path}.role", None, "everybody but the ego")
         maneuvers = maneuvers_of(entity, junction, self._draft)
         entries = frozenset(a for a in entity.entries if a < junction.arms)
-        lanes, circulating = lanes_of(entity, junction), circulates(entity, junction)
+        lanes, circulating = lanes_of(entity, junction, self._draft), circulates(entity, junction)
         for name, value, basis in (
             ("parked", entity.parked, entity.parked_basis),
             ("approaches", entity.approaches, entity.approach_basis),
@@ -150,7 +150,7 @@ class Builder:
             kind=entity.kind,
             role=role,
             parked=entity.parked,
-            approaches=frozenset(self._seen_at(entity, junction)),
+            approaches=frozenset(self._seen_at(entity)),
             maneuvers=frozenset(maneuvers),
             entries=entries,
             lanes=lanes,
@@ -158,9 +158,9 @@ class Builder:
             speed_mps=entity.speed,
         )
 
-    def _seen_at(self, entity: Entity, junction: Junction) -> set[Approach]:
+    def _seen_at(self, entity: Entity) -> set[Approach]:
         """Where it comes from, with the side of the lane beside."""
-        side = beside_of(entity, junction)
+        side = beside_of(entity)
         if side is None or entity.beside is None:
             return entity.approaches
         self._proofs.add(f"participants.{entity.name}.approaches", entity.beside[1])

@@ -31,6 +31,10 @@ def settle_along(draft: Draft, ego: Entity) -> None:
             basis = entity.stands
             entity.approaches = {Approach.AHEAD}
             entity.approach_basis = Basis(basis.i, basis.j, "who stands in the lane is ahead")
+        along = {Approach.AHEAD, Approach.OPPOSITE}
+        walks = entity.kind is ParticipantKind.PEDESTRIAN
+        if walks and entity.maneuvers == {Maneuver.STRAIGHT} and entity.approaches & along:
+            entity.approaches &= along
         afoot = entity.kind is ParticipantKind.PEDESTRIAN
         if afoot and alone and entity.maneuvers == {Maneuver.STRAIGHT}:
             basis = entity.maneuver_basis or entity.basis
@@ -50,39 +54,36 @@ def _in_the_same_lane(entity: Entity, ego: Entity) -> None:
         entity.approach_basis = Basis(basis.i, basis.j, "in the lane of the ego")
 
 
-def beside_of(entity: Entity, junction: Junction) -> Approach | None:
+def beside_of(entity: Entity) -> Approach | None:
     """On which side of the ego the lane of somebody beside it lies.
 
     Args:
         entity: a participant.
-        junction: where it drives.
     """
     if entity.approaches != {Approach.ADJACENT} or entity.beside is None:
         return None
-    side = entity.beside[0]
-    if side == "kerb":
-        left = junction.driving_side is DrivingSide.LEFT
-        return Approach.LEFT if left else Approach.RIGHT
-    return Approach(side)
+    return Approach(entity.beside[0])
 
 
-def lanes_of(entity: Entity, junction: Junction) -> frozenset[int]:
-    """The lane that the text names, counted from the centre line outwards.
+def lanes_of(entity: Entity, junction: Junction, draft: Draft) -> frozenset[int]:
+    """The lane that the text names, counted from 1 at the centre line outwards.
 
     Args:
         entity: a participant.
         junction: where it drives.
+        draft: the scenario in the making.
     """
     count = min(junction.lanes, default=1)
-    if entity.start_lane is None or count < 2:  # noqa: PLR2004
+    count -= draft.ramp is not None and count > 2
+    if entity.start_lane is None or count < 2:
         return frozenset()
     name = entity.start_lane[0]
     if name == "middle":
-        return frozenset({count // 2}) if count >= _FEWEST_WITH_A_MIDDLE else frozenset()
+        return frozenset({count // 2 + 1}) if count >= _FEWEST_WITH_A_MIDDLE else frozenset()
     if name in {"fast", "slow"}:
-        return frozenset({0 if name == "fast" else count - 1})
+        return frozenset({1 if name == "fast" else count})
     inner = "right" if junction.driving_side is DrivingSide.LEFT else "left"
-    return frozenset({0 if name == inner else count - 1})
+    return frozenset({1 if name == inner else count})
 
 
 def circulates(entity: Entity, junction: Junction) -> bool:

@@ -161,6 +161,13 @@ def suffers(draft: Draft, danger: Danger, ego: Entity) -> tuple[list[Entity], st
         return [], ""
     if ego not in danger.by:
         return [ego], "the text does not say whom it threatens; the ego is taken"
+    if danger.kind is HazardKind.HARD_BRAKING and all(
+        _placed(draft, e, Approach.AHEAD) for e in others
+    ):
+        return [], ""  # who is ahead does not suffer it
+    afoot = [e for e in draft.entities if not e.is_vehicle]
+    if danger.kind is HazardKind.REVERSING and not others and len(afoot) == 1:
+        return afoot, "the text does not say whom it threatens; this is the only other one"
     if len(others) == 1:
         return others, "the text does not say whom it threatens; this is the only other vehicle"
     return [], ""

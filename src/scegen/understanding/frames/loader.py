@@ -22,6 +22,7 @@ class AmountFrame:
     after: tuple[str, ...] = ()
     near: tuple[str, ...] = ()
     verb: frozenset[str] = frozenset()
+    most: float | None = None
     instead: str | None = None
 
 
@@ -50,6 +51,7 @@ def amounts() -> tuple[AmountFrame, ...]:
             after=tuple(row.get("after", ())),
             near=tuple(row.get("near", ())),
             verb=frozenset(row.get("verb", ())),
+            most=row.get("most"),
             instead=row.get("instead"),
         )
         for row in _read("amounts")

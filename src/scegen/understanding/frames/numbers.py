@@ -57,4 +57,6 @@ class Numbers:
             verb: what happens in its clause; empty if nothing does.
         """
         around = window(self._tokens, quantity.i, quantity.j, self._ends)
-        return Measured(quantity, around, frame_of(quantity.dimension, around, verb))
+        return Measured(
+            quantity, around, frame_of(quantity.dimension, quantity.value.low, around, verb)
+        )

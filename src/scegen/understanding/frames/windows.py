@@ -107,13 +107,20 @@ def _after(tokens: list[Token], j: int) -> str:
     return f" {' '.join(words)} "
 
 
-def frame_of(dimension: str, around: Window, verb: str) -> AmountFrame:
+def frame_of(dimension: str, value: float, around: Window, verb: str) -> AmountFrame:
     """The first frame that fits a number.
 
     Args:
         dimension: what the number measures.
+        value: how much it is, in SI units.
         around: the words around it.
         verb: what happens in its clause; empty if nothing does.
     """
     rest = AmountFrame(dimension, "other", instead="a measure that no rule could attach; left out")
-    return next((f for f in amounts() if f.dimension == dimension and around.fits(f, verb)), rest)
+    fitting = (
+        f
+        for f in amounts()
+        if f.dimension == dimension and (f.most is None or value <= f.most)
+        if around.fits(f, verb)
+    )
+    return next(fitting, rest)

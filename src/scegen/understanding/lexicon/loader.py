@@ -97,6 +97,12 @@ def load() -> Lexicon:
     return Lexicon(root, frozenset(words), irregular, units)
 
 
+@lru_cache(maxsize=1)
+def load_languages() -> dict[str, frozenset[str]]:
+    """Language -> words that stand in nearly every sentence of it."""
+    return {name: frozenset(words) for name, words in _read("languages").items()}
+
+
 @dataclass(frozen=True, slots=True)
 class Spelling:
     """Words in which slips are mended, and words that only look like slips of them."""

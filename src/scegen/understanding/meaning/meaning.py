@@ -38,6 +38,7 @@ from scegen.understanding.meaning.reciprocal import towards_each_other
 from scegen.understanding.meaning.roadside import read_thing
 from scegen.understanding.meaning.scenes import scene_of
 from scegen.understanding.meaning.setting_off import set_off
+from scegen.understanding.meaning.sides_left import sides_left
 from scegen.understanding.phrases.on_sides import from_everywhere
 from scegen.understanding.words.terms import Term
 
@@ -130,6 +131,8 @@ class Interpreter:
         detours.get_past(chunks, self._scenes, self._context)
         implied.positions(self._scenes, self._context)
         breaches.subsume(self._context)
+        courses.circulate(chunks, self._scenes, self._context)
+        sides_left(chunks, self._context)
         return self._scenes
 
     def _mention(self, mention: Mention) -> None:

@@ -66,7 +66,7 @@ def not_done(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name == "encounter" and any(0 < event.i - i < _NEAR for i in context.screens):
         context.draft.hazard(HazardKind.OCCLUSION, basis, [])
-    elif event.name not in _HARMLESS:
+    elif event.name not in _HARMLESS | {"collide"}:
         context.draft.note(event.i, event.j, "said not to happen; left out")
 
 

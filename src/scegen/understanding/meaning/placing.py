@@ -8,7 +8,7 @@ from scegen.understanding.clauses.bearing import from_the_wrong_lane
 from scegen.understanding.clauses.located import landmark
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.meaning.standing import lane_of
-from scegen.understanding.words.quantities import after_a_length
+from scegen.understanding.words.quantities import after_a_measure
 from scegen.understanding.words.terms import Term
 
 _BY_DIR: dict[str, frozenset[Approach]] = {
@@ -190,13 +190,14 @@ class Placer:
             return
         self._drives_in(entities, target, prep, event, basis)
         if target.kind == "ramp" and prep.value == "from":
+            self._draft.ramp = self._draft.ramp or basis
             for entity in entities:
-                entity.beside = entity.beside or ("kerb", basis)
+                entity.beside = entity.beside or (self._draft.kerb, basis)
                 self._draft.place(entity, None, {Approach.ADJACENT}, basis)
             return
         before = self._draft.tokens[prep.word.i - 1].low if prep.word.i else ""
-        if prep.value == "to" and (
-            before in _WITHIN_LANE or after_a_length(self._draft.tokens, prep.word.i)
+        if prep.value in {"to", "in"} and (
+            before in _WITHIN_LANE or after_a_measure(self._draft.tokens, prep.word.i)
         ):
             return  # "offset 0.5 m to the left"
         facing = target.kind in {"direction", "side"} and "opposite" in target.dirs
@@ -255,7 +256,7 @@ class Placer:
         basis: Basis,
     ) -> None:
         """``drives in the middle lane``, ``cuts in from the left lane``: where it is at first."""
-        named = lane_of(lane)
+        named = lane_of(lane) if "adjacent" not in lane.dirs else None
         steady = event is None or event.name in _STEADY or prep.value == "from"
         for entity in entities if named is not None and steady else []:
             if entity.start_lane is None and named is not None and not entity.parked:
@@ -323,6 +324,9 @@ class Placer:
             if not target.entities:
                 return
             reference = target.entities[0]
+        past = reference is not None and reference.parked
+        if approaches == {Approach.ADJACENT} and (past or any(e.parked for e in entities)):
+            return  # "1 m beside the parked cars": no lane of their own
         same = event is not None and any(_same_way(p) for p in event.pps)
         for entity in entities:
             if entity.is_vehicle or prep.value != "ahead" or same:

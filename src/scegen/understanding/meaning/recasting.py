@@ -307,6 +307,8 @@ def _between_lanes(scene: Scene, context: Context) -> bool:
     )
     if leaves and into_lane(event) is not None:
         return True  # "pulls out of the bus lane into the ego's lane"
+    if leaves and any(context.placed(e, Approach.ADJACENT) for e in scene.drivers):
+        return True  # "pulls out of the left lane ahead"
     ahead = any(
         _who(p) and (p.value == "ahead" or context.tokens[p.word.i].low == "on") for p in event.pps
     )

@@ -50,7 +50,8 @@ def occlude(scene: Scene, context: Context) -> None:
     if covers and not scene.targets and not isinstance(seen, Thing):
         return  # "has covered half of the way"
     walkers = [e for e in scene.actors if not e.is_vehicle]
-    by = [e for e in scene.actors if e.is_vehicle and not e.ego]
+    hiders = [] if scene.event.passive and _behind(scene.event) else scene.actors
+    by = [e for e in hiders if e.is_vehicle and not e.ego]
     by += [e for e in _behind(scene.event) if e not in by]
     hidden = bool(scene.targets) and not scene.actors  # "a hedge hiding two cyclists"
     hidden = hidden or _screened_by_a_thing(scene, context)

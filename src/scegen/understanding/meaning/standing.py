@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 from scegen.understanding.chunks import Event, Place
 from scegen.understanding.draft import Basis
@@ -11,6 +12,7 @@ STANDING = frozenset({"stand", "sit", "idle", "unload", "load", "deliver", "ling
 """Verbs by which somebody stays where it is."""
 _HELD = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_stop", "parking",
                    "sidewalk", "shoulder"})  # fmt: skip
+_WAY = frozenset({"lane", "road", "highway", "middle", "path"})
 _SINCE = frozenset({"is", "are", "has", "have", "was", "were", "had", "already", "'s", "stopped"})
 _REACH = 3
 
@@ -23,7 +25,7 @@ def stand(scene: Scene, context: Context) -> None:
         context: the scenario in the making.
     """
     event = scene.event
-    if event.negated or event.modal or event.nominal:
+    if event.negated or event.modal or event.nominal or _until(event, context):
         return
     lemma = context.tokens[event.i].forms[-1][0]
     stands = event.name in {"wait", "stop"} and lemma in STANDING
@@ -31,11 +33,19 @@ def stand(scene: Scene, context: Context) -> None:
     if not stands or any(p.kind in _HELD for p in scene.places()):
         return
     for entity in scene.actors:
-        if entity.ego or entity.parked:
+        if entity.parked:
             continue
         entity.stands = entity.stands or scene.words
+        if entity.ego and entity.speed is None:
+            entity.speed, entity.speed_basis = Interval(low=0.0, high=0.0), scene.words
         if not entity.is_vehicle and Maneuver.CROSS not in entity.maneuvers:
             context.draft.maneuver(entity, {Maneuver.STAY}, scene.words)
+
+
+def _until(event: Event, context: Context) -> bool:
+    """``brakes until it stands``: not before."""
+    before = context.tokens[max(0, event.i - _REACH) : event.i]
+    return any(t.low in {"until", "till"} for t in before)
 
 
 def _over(event: Event, context: Context) -> bool:
@@ -57,7 +67,11 @@ def in_the_road(scene: Scene, context: Context) -> bool:
         Whether that is said.
     """
     there = [e for e in scene.walkers if e.stands is not None and e.maneuvers == {Maneuver.STAY}]
-    lanes = [p for p in scene.places() if p.kind in {"lane", "road", "highway", "middle", "path"}]
+    lanes = [
+        p.target
+        for p in scene.event.pps
+        if p.value == "in" and isinstance(p.target, Place) and p.target.kind in _WAY
+    ]
     if there and lanes and there == scene.walkers:
         basis = Basis(scene.event.i, max(scene.event.j, lanes[0].j))
         context.draft.hazard(HazardKind.STOPPING, basis, there)

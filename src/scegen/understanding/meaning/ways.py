@@ -6,7 +6,7 @@ from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
 from scegen.understanding.chunks import Event, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.meaning.context import Context, Scene, span
-from scegen.understanding.words.quantities import after_a_length
+from scegen.understanding.words.quantities import after_a_measure
 from scegen.understanding.words.tokens import Token
 
 DIRECTIONS = {
@@ -44,7 +44,7 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
     }
     for prep in event.pps:
         target = prep.target
-        if prep.word.i in lanes or after_a_length(tokens, prep.word.i):
+        if prep.word.i in lanes or after_a_measure(tokens, prep.word.i):
             continue  # "in the next lane to the left", "offset 1 m to the left"
         leads_there = prep.value in {"to", "into", "for"}
         if leads_there and isinstance(target, Place) and target.kind in _GOALS:
@@ -207,7 +207,10 @@ def past_the_roadside(scene: Scene, context: Context) -> bool:
     named = scene.event.name in {"bypass", "pass"} and bool(scene.targets)
     return named and all(
         not e.is_vehicle
-        or (e.parked and any(p.entity is e and p.approaches <= sides for p in context.draft.placements))
+        or (
+            e.parked
+            and any(p.entity is e and p.approaches <= sides for p in context.draft.placements)
+        )
         for e in scene.targets
     )
 

@@ -108,6 +108,7 @@ class Discourse:
     def _noun(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         basis = Basis(mention.i, mention.j)
         if reading.ego and not reading.plural:
+            self._roster.ego_by_order(mention)
             if mention.prep is None and (mention.joined is not None or not exclude):
                 self._roster.last_is_ego(mention)
             ego = self._ego(reading.kind, basis, told=not reading.generic)

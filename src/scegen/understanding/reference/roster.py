@@ -161,6 +161,23 @@ class Roster:
                 last.ego = last.claimed = True
                 last.named_by.add("ego")
 
+    def ego_by_order(self, mention: Mention) -> None:
+        """``three cars in a row …, the ego is the last``: one of them."""
+        after = [t.low for t in self.tokens[mention.j : mention.j + 3]]
+        named = after[:2] == ["is", "the"] and bool(after[2:])
+        position = (
+            -1 if named and after[2] == "last" else POSITIONS.get(after[2]) if named else None
+        )
+        if position is None or any(e.ego for e in self.draft.entities) or not self.groups:
+            return
+        members = self.groups[-1].members
+        if not -len(members) <= position < len(members) or self.groups[-1].vague:
+            return
+        chosen = members[position]
+        if chosen.kind is ParticipantKind.CAR and not chosen.parked:
+            chosen.ego = chosen.claimed = True
+            chosen.named_by.add("ego")
+
     def _of_two(self, group: Group, mention: Mention) -> bool:
         """``two cars drive in one lane, the ego behind the other``: one of the two."""
         pair = len(group.members) == 2 == len(group.free) and not (group.vague or group.specific)

@@ -8,6 +8,8 @@ from scegen.understanding.words.particles import a_drive
 from scegen.understanding.words.terms import Term, longest_match
 from scegen.understanding.words.tokens import Token
 
+_LANE_REACH = 6
+
 
 def other_class(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     """The term with the class that the words around it ask for.
@@ -21,6 +23,10 @@ def other_class(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         return Term("dir", "rear", term.i, term.j)
     if (term.cat, term.value) == ("manner", "close") and _how_measured(term, terms, tokens):
         return replace(term, value="mild")
+    if _changes_from(term, tokens):
+        return Term("verb", "lane_change", term.i, term.j, tokens[term.i].forms[-1][1])
+    if term.value == "close" and tokens[term.i].low == "closes":
+        return Term("verb", "approach", term.i, term.j, "s")
     if term.value == "neither" and _negates_a_verb(term, terms, tokens):
         return replace(term, cat="neg", value="not")
     if term.value == "left" and term.cat == "dir" and _remains(terms, tokens, term):
@@ -48,6 +54,15 @@ def _how_measured(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
         if (before.cat, before.value) == ("quantity", "length"):
             return True
     return False
+
+
+def _changes_from(term: Term, tokens: list[Token]) -> bool:
+    """``changes from the right lane into the left``."""
+    word = tokens[term.i]
+    after = tokens[term.j : term.j + _LANE_REACH]
+    lane = any(t.forms[-1][0] == "lane" for t in after)
+    verbal = term.j - term.i == 1 and word.forms[-1][0] == "change"
+    return verbal and lane and bool(after) and after[0].low in {"from", "out"}
 
 
 def _negates_a_verb(term: Term, terms: list[Term], tokens: list[Token]) -> bool:

@@ -135,8 +135,8 @@ def _build(tokens: list[Token], i: int, j: int, values: list[float], dimension: 
     return Quantity(dimension, value, i, j, note, parts)
 
 
-def after_a_length(tokens: list[Token], i: int) -> bool:
-    """``0.5 m to the left``: whether a length ends right before a token.
+def after_a_measure(tokens: list[Token], i: int) -> bool:
+    """``0.5 m to the left``, ``50 % on the right``: whether such a number ends before a token.
 
     Args:
         tokens: the tokens of the text.
@@ -145,5 +145,5 @@ def after_a_length(tokens: list[Token], i: int) -> bool:
     for k in range(max(0, i - _LONGEST_UNIT - 1), i):
         found = quantity_at(tokens, k)
         if found is not None and found.j == i:
-            return found.dimension == "length"
+            return found.dimension in {"length", "percentage"}
     return False

@@ -31,7 +31,7 @@ Ways = tuple[int, int, int, int]
 
 
 @lru_cache(maxsize=64)
-def swinging_pairs(junction: Junction, *, u_turns: bool = False) -> frozenset[Ways]:
+def curves_that_meet(junction: Junction, *, u_turns: bool = False) -> frozenset[Ways]:
     """Pairs of ways from different arms to different arms whose centre lines meet as drawn.
 
     The road is the one that the description's junction gets by default. Empty where all arms lie

@@ -1,7 +1,7 @@
 """Participants next to each other in the description, and what they do: parts of many scenarios.
 
 A listing runs through its last participants while the first stay as they are. So scenarios are
-joined from two stretches, and what one has to say, alone or against another's share, is said once.
+joined from two parts, and what one has to say, alone or against another's share, is said once.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from scegen.scenario.logical import Assignment, Conflict
 from scegen.scenario.parameters import ParameterRange
 
 
-class Stretch:
+class PartialScenario:
     """The shares of some participants.
 
     ``met`` are their conflicts with one who is listed before all of them, ``offsets`` their
@@ -32,8 +32,8 @@ class Stretch:
         self.met: Kept[Share, tuple[Conflict, ...]] = Kept(lambda first: _met(first, shares))
         self.offsets: Kept[Share, tuple[ParameterRange, ...]] = Kept(self._offsets)
 
-    def conflicts_before(self, back: Stretch) -> tuple[Conflict, ...]:
-        """All pairs whose paths meet, here and in the stretch behind, by first and by second."""
+    def conflicts_before(self, back: PartialScenario) -> tuple[Conflict, ...]:
+        """All pairs whose paths meet, here and in the part behind, by first and by second."""
         found: list[Conflict] = []
         met = back.met
         for share, row in zip(self.shares, self.rows, strict=True):
