@@ -130,6 +130,9 @@ class Runner:
     moves: list[Move] = field(default_factory=list)
     box: Body | None = None
     keeps_left: bool = False
+    _told: tuple[tuple[float, tuple[Step, ...]], Profile] | None = field(
+        default=None, init=False, repr=False, compare=False
+    )
 
     @property
     def body(self) -> Body:
@@ -149,7 +152,10 @@ class Runner:
     @property
     def profile(self) -> Profile:
         """Its way over time."""
-        return Profile(self.speed_mps, tuple(self.steps))
+        key = (self.speed_mps, tuple(self.steps))
+        if self._told is None or self._told[0] != key:
+            self._told = key, Profile(*key)
+        return self._told[1]
 
     def x_m(self, time_s: float) -> float:
         """Where its reference point is."""
