@@ -39,7 +39,8 @@ def acts_in(text: Sentences, context: Context) -> list[Doing]:
     for scene in described:  # "the braking car ahead": unless the text tells of it
         for doing in _acts_of(scene, text, context):
             known = any(d.entity is doing.entity and d.kind is doing.kind for d in found)
-            if doing.kind is ActKind.BRAKE and not known:
+            braking = doing.kind is ActKind.BRAKE and scene.event.form == "ing"
+            if braking and not known:
                 found.append(doing)
     found.sort(key=lambda d: d.i)
     return found
@@ -84,6 +85,8 @@ def _kind(kind: ActKind, entity: Entity, event: Event, text: Sentences) -> ActKi
     """``starts to walk``: crosses; ``veers into the left lane``: changes lanes."""
     afoot = not entity.is_vehicle
     if kind in _DRIVEN and afoot:
+        return None
+    if kind is ActKind.OVERTAKE and Maneuver.OVERTAKE not in entity.maneuvers:
         return None
     if kind is ActKind.CROSS and not afoot and Maneuver.CROSS not in entity.maneuvers:
         return None
@@ -141,7 +144,8 @@ def _aside(doing: Doing, scene: Scene, context: Context) -> None:
         if named and doing.side is None and place is not None:
             doing.side, doing.side_basis = _OTHER[_SIDES[named[0]]], Basis(place.i, place.j)
     _into(doing, scene, context)
-    if doing.into is not None and doing.into.ego and doing.side is None and entity.beside:
+    homeward = doing.into is None or doing.into.ego
+    if homeward and doing.kind is ActKind.CHANGE_LANE and doing.side is None and entity.beside:
         side, words = entity.beside
         doing.side = _OTHER[_SIDES[side]] if side in _SIDES else None
         doing.side_basis = Basis(words.i, words.j, "into the lane beside its own")
@@ -203,8 +207,11 @@ def _continued(doing: Doing, found: list[Doing], text: Sentences) -> bool:
         return False
     same = text.bounds(before.i) == text.bounds(doing.i)
     if not same or "target_speed_mps" in before.amounts:
-        return same and "target_speed_mps" in before.amounts
+        if same:
+            before.told.append(doing.i)
+        return same
     before.amounts["target_speed_mps"] = Amount(_zero(), doing.basis)
+    before.told.append(doing.i)
     return True
 
 

@@ -85,7 +85,7 @@ class Filler:
         here = [a for a in fitting if start <= a.i < end]
         scene = self._text.scene_at(number.i, number.j)
         if number.frame.role == "duration" and scene is not None:
-            own = [a for a in here if a.i == scene.event.i]
+            own = [a for a in here if scene.event.i in (a.i, *a.told)]
             return own[-1] if own else None
         before = [a for a in here if a.i < number.i]
         free = [a for a in before if name not in a.amounts]
@@ -109,7 +109,7 @@ class Filler:
         who = self._text.subject_before(number.i)
         if kind is None or not who:
             return None
-        accelerates = "accelerat" in number.around.before
+        accelerates = any(w in number.around.before for w in ("accelerat", "start", "sets off"))
         kind = ActKind.ACCELERATE if role == "rate" and accelerates else kind
         doing = Doing(kind, who[0], amount_of(number).basis, number.i)
         self._happenings.acts.append(doing)

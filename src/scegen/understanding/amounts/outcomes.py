@@ -150,7 +150,9 @@ class Judge:
             if place.kind == "front":
                 part = BodySide.FRONT
             whose = self._owner(place, i)
-            if part is None or whose is None or part not in _OPPOSED:
+            flank = part is not None and part not in _OPPOSED
+            hit_by = place.prep is not None and place.prep.value in {"by", "with"}
+            if part is None or whose is None or (flank and not (hit_by and whose is ego)):
                 continue
             basis = Basis(place.i, place.j)
             if whose is ego and ending.struck is None:

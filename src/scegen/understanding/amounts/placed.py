@@ -69,6 +69,8 @@ class Spacer:
         if measure is Measure.GAP_M and sideways and self._beside(entity, reference):
             measure = Measure.LATERAL_GAP_M
         amount, side = self._with_place(amount_of(number), number), None
+        if len(number.quantity.parts) > 1 and number.around.preceded("from"):
+            amount = Amount(number.quantity.parts[0], amount.basis)  # "closes from 40 m to 15 m"
         if measure is Measure.LATERAL_OFFSET_M:
             amount = self._signed(number)
         if measure in {Measure.HEADWAY_S, Measure.TTC_S}:
@@ -81,6 +83,7 @@ class Spacer:
                 for s in self._happenings.spacings
                 if s.measure is not measure or s.entity is not entity
             ]  # "with full overlap (100 %)"
+        self._behind_or_ahead(number, *pair)
         self._in_file(measure, entity, reference, amount)
         at = self._moment(number, measure, entity, reference)
         self._happenings.spacings.append(Apart(measure, entity, reference, amount, at, side))
@@ -89,21 +92,36 @@ class Spacer:
     def _to_a_thing(self, number: Measured) -> bool:
         """``a mattress lies 60 m ahead``, ``60 m ahead of the ego lies a mattress``."""
         start, end = self._text.bounds(number.i)
+        items = {x.basis.i: x for x in self._happenings.items if start <= (x.basis.i or 0) < end}
         others = [
-            e
+            m.i
             for m in self._text.mentions
-            if start <= m.i < end
-            for e in m.entities
-            if not e.ego and (m.i < number.i or not e.still)
+            if start <= m.i < number.i and any(not e.ego for e in m.entities)
         ]
-        items = [x for x in self._happenings.items if start <= (x.basis.i or 0) < end]
-        ego = ego_of(self._context)
-        if others or not items:
+        before = [i for i in items if i is not None and i < number.i]
+        nearest = max(before, default=None) if before else None
+        if nearest is None and not others:
+            nearest = min((i for i in items if i is not None), default=None)
+        if nearest is None or any(i > nearest for i in others):
             return False
         amount = self._with_place(amount_of(number), number)
-        for item in items[:1]:
-            self._happenings.spacings.append(Apart(Measure.GAP_M, item, ego, amount))
+        apart = Apart(Measure.GAP_M, items[nearest], ego_of(self._context), amount)
+        self._happenings.spacings.append(apart)
         return True
+
+    def _behind_or_ahead(self, number: Measured, one: Entity, other: Entity) -> None:
+        """``15 m behind``: who is said to be there, if no place of the two is said."""
+        draft, after = self._context.draft, number.around.after
+        way = {" behind ": Approach.BEHIND, " ahead ": Approach.AHEAD, " in front ": Approach.AHEAD}
+        said = next((a for w, a in way.items() if after.startswith(w)), None)
+        known = any(
+            {p.entity, p.reference or ego_of(self._context)} == {one, other}
+            for p in draft.placements
+        )
+        vehicles = one.is_vehicle and other.is_vehicle and not (one.parked or other.parked)
+        sideways = {Maneuver.CROSS, Maneuver.LANE_CHANGE} & (one.maneuvers | other.maneuvers)
+        if said is not None and not known and vehicles and not sideways:
+            draft.place(one, other, {said}, amount_of(number).basis)
 
     def _in_file(self, measure: Measure, one: Entity, other: Entity, amount: Amount) -> None:
         """``ego and target at 50 km/h, gap 12 m``: the other is ahead, if no place is said."""
@@ -124,7 +142,8 @@ class Spacer:
     def _where_it_stops(self, number: Measured) -> bool:
         """``stops 1 m before the pedestrian``: how far apart they end up."""
         scene = self._text.scene_at(number.i, number.j)
-        stops = scene is not None and scene.event.name in {"stop", "wait"}
+        name = scene.event.name if scene is not None else ""
+        stops = name in {"stop", "wait"} or (name == "pass" and not (scene and scene.targets))
         stops = stops and scene is not None and not any(e.still for e in scene.actors)
         return stops and number.around.after.startswith((" before ", " short ", " in front "))
 
@@ -231,7 +250,7 @@ class Spacer:
         here = [a for a in acts if start <= a.i < end and a.i < number.i]
         if trigger is not None and trigger[2] in words()["triggers"] and here:
             return here[-1]
-        laned = [a for a in here if a.kind in _LANED]
+        laned = [a for a in here if a.kind in _LANED or a.kind is ActKind.CROSS]
         if laned:
             return laned[-1]
         one, other = entity.speed, reference.speed
@@ -291,6 +310,7 @@ class Spacer:
         if other is None or other is subject:
             return False
         entity, reference = subject, other
+        self._behind_or_ahead(number, subject, other)
         if measure is not Measure.GAP_M:
             entity, reference = in_file(entity, reference, self._context)
         doing.when = Trigger("measure", amount_of(number).basis, amount_of(number))

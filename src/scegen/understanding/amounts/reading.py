@@ -128,6 +128,9 @@ def _speed(number: Measured, text: Sentences, context: Context, found: Happening
     if taken:
         return True
     whose = _whose(number, text, context)
+    ego = ego_of(context)
+    if not whose and ego is not None and ego.speed is None:
+        whose = [ego]
     if whose and all(e.speed not in (None, quantity.value) for e in whose):
         whose = _without_speed(number, text) or whose
     for entity in whose:
@@ -175,6 +178,9 @@ def _whose(number: Measured, text: Sentences, context: Context) -> list[Entity]:
     adjacent = text.adjacent(number.i)
     if adjacent:
         return adjacent
+    inside = text.own_subject(number.i)
+    if inside:
+        return inside
     movers = [e for e in (scene.actors if scene is not None else []) if not e.parked]
     if movers:
         return movers

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from scegen.scenario.acts import ActKind
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.chunks import Word
 from scegen.understanding.draft import Basis
@@ -72,12 +73,18 @@ class Clock:
             return None, "end"
         nearby = {t.low for t in tokens[number.j : number.j + 2]}
         own = before[-1].entity is doing.entity
-        return (before[-1], "end") if own or nearby & _LATER else (None, "end")
+        ends = bool({"target_speed_mps", "duration_s", "distance_m"} & set(before[-1].amounts))
+        ends = ends or before[-1].kind not in {ActKind.BRAKE, ActKind.ACCELERATE}
+        since = "end" if ends else "begin"  # braking without an end: since it began
+        return (before[-1], since) if own or nearby & _LATER else (None, "end")
 
     def order(self) -> None:
         """Acts without a number: "then", "as soon as", and what one does in turn."""
         acts = self._happenings.acts
         self._clauses()
+        for doing in acts:  # "both brake when they are 80 m apart"
+            alike = [a for a in acts if a.i == doing.i and a.kind is doing.kind and a.when]
+            doing.when = doing.when or (alike[0].when if alike else None)
         for doing, before in zip(acts[1:], acts, strict=False):
             if doing.when is not None or doing.i == before.i:
                 continue
@@ -86,7 +93,7 @@ class Clock:
             phrase = self._then(before, doing)
             basis = Basis(*phrase) if phrase is not None else doing.basis
             mine = [a for a in acts if a.entity is doing.entity and a.i < doing.i]
-            if phrase is not None and (before.always or doing.always):
+            if phrase is not None and (before.always or before.amounts or doing.always):
                 doing.when = Trigger("after", basis, act=before)
             elif mine and mine[-1].always and doing.always and not self._at_once(mine[-1], doing):
                 reason = "what one does in turn happens in the order of the text"

@@ -82,6 +82,7 @@ class Interpreter:
         self._limit = limit
         self._scenes: list[Scene] = []
         self._of_verbs: set[int] = set()
+        self._chunks: list[Chunk] = []
 
     def run(self, chunks: list[Chunk], events: list[Event]) -> list[Scene]:
         """All statements of a text.
@@ -93,6 +94,7 @@ class Interpreter:
         Returns:
             What happens, in the order of the text.
         """
+        self._chunks = chunks
         self._of_verbs = {
             id(p)
             for e in events
@@ -104,6 +106,9 @@ class Interpreter:
                 or bearing.own_lane(e, p)
             )
         }
+        self._context.told_in_the_past = any(
+            e.finite and e.form == "ed" and e.name != "stop" for e in events
+        )
         set_off(events, self._context)
         numbered_lanes.note_lanes(chunks, events, self._context.tokens)
         handled = {
@@ -238,6 +243,14 @@ class Interpreter:
             dangers.oncoming_lane(scene, self._context)
         screens.from_behind(scene, self._context)
 
+    def _of_another_clause(self, event: Event, term: Term) -> bool:
+        """``crosses when the ego is 35 m away at 50 km/h``: the ego's speed."""
+        between = [c for c in self._chunks if event.j <= c.i < term.i]
+        opened = next((k for k, c in enumerate(between) if getattr(c, "cat", "") == "sub"), None)
+        if opened is None:
+            return False
+        return any(isinstance(c, Mention) and c.prep is None for c in between[opened:])
+
     def _ended(self, event: Event) -> bool:
         """``ends up in front of the ego``: where it gets to, not where it comes from."""
         word = self._context.tokens[event.i].forms[-1][0]
@@ -271,7 +284,7 @@ class Interpreter:
     def _manner(self, scene: Scene) -> None:
         event = scene.event
         for term in event.mods:
-            if term.cat == "quantity":
+            if term.cat == "quantity" and not self._of_another_clause(event, term):
                 self._quantity(term, scene.actors, event.name)
             elif term.cat == "compass":
                 self._placer.heading(term, scene.actors)

@@ -209,6 +209,8 @@ class Placer:
             self._apart(entities, basis)
             return
         word = self._draft.tokens[prep.word.i].low
+        edge = self._draft.tokens[target.j - 1].low == "edge" and prep.value == "in"
+        entities = [e for e in entities if not (edge and e.is_vehicle)]  # within its lane
         approaches = _place_approaches(target, word if word in _AROUND else prep.value)
         approaches = _between_lanes(approaches, event)
         if not approaches:
@@ -259,6 +261,9 @@ class Placer:
         named = lane_of(lane) if "adjacent" not in lane.dirs else None
         steady = event is None or event.name in _STEADY or prep.value == "from"
         for entity in entities if named is not None and steady else []:
+            implied = self._draft.lanes_implied
+            reason = "one of several lanes is named"
+            self._draft.lanes_implied = implied or Basis(basis.i, basis.j, reason)
             if entity.start_lane is None and named is not None and not entity.parked:
                 entity.start_lane = (named, basis)
 

@@ -53,7 +53,8 @@ def _over(event: Event, context: Context) -> bool:
     if event.perfect or event.passive:
         return event.form == "ed"
     before = {t.low for t in context.tokens[max(0, event.i - _REACH) : event.i]}
-    return event.form == "ed" and (event.reduced or bool(before & _SINCE))
+    now = not context.told_in_the_past and not event.mods
+    return event.form == "ed" and (event.reduced or now or bool(before & _SINCE))
 
 
 def in_the_road(scene: Scene, context: Context) -> bool:

@@ -90,7 +90,8 @@ class Discourse:
         """``five cars wait in a queue``: they are the queue."""
         mass = bool(mention.head and mention.head.data.get("mass"))
         within = mention.prep is not None and mention.prep.value == "in"
-        return mass and within and len(self._roster.subject) > 1
+        end = mention.prep is not None and mention.prep.value == "of" and bool(self._roster.groups)
+        return mass and ((within and len(self._roster.subject) > 1) or end)
 
     def _we(self, mention: Mention) -> list[Entity]:
         """``three of us``: the ego and two more."""

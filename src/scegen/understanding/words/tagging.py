@@ -152,6 +152,9 @@ def _crossed(tokens: list[Token], j: int) -> bool:
         return False
     if tokens[j].low in {"from", "against", "into"}:
         return True
+    speed = quantity_at(tokens, j + 1) if tokens[j].low == "at" and j + 1 < len(tokens) else None
+    if speed is not None and speed.dimension == "speed":
+        return True
     following = longest_match(tokens, j)
     if following is None:
         return False
