@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 DEMO_TEXT := A vehicle tailgating another car at a four-way stop, leading to a sudden braking event as a pedestrian steps into the crosswalk.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test lint types layers asam interop benchmark bench schemas lock clean
+.PHONY: help demo test lint types layers asam interop benchmark bench glossary lock clean
 
 help: ## what there is to make
 	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## /  \1\t/' | expand -t 14
@@ -55,6 +55,9 @@ bench: $(VENV)/.installed ## the danger's benchmarks, beside esmini and commonro
 	@$(MAKE) --no-print-directory $(VENV)/crime/.installed || echo "going on without commonroad-crime" >&2
 	@status=0; for tool in batch scaling players search solved; do \
 	  echo "== $$tool"; $(BIN)/python benchmarks/$$tool.py || status=1; done; exit $$status
+
+glossary: $(VENV)/.installed ## docs/glossary.md from the definitions in the code
+	$(BIN)/python -m scegen.scenario.glossary > docs/glossary.md
 
 lock: ## pin what is installed now
 	@{ sed -n '1p' constraints.txt; $(BIN)/python -m pip freeze --exclude-editable | grep -vE '^(pip|setuptools)=='; } > constraints.new

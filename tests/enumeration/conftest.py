@@ -38,7 +38,7 @@ def describe():
     return _describe
 
 
-def _describe(kind, arms, participants, hazards=(), relations=(), **junction):
+def _describe(kind, arms, participants, hazards=(), relations=(), more=None, **junction):
     return FunctionalScenario.model_validate(
         {
             "description": "made for a test",
@@ -46,6 +46,7 @@ def _describe(kind, arms, participants, hazards=(), relations=(), **junction):
             "participants": participants,
             "hazards": hazards,
             "relations": relations,
+            **(more or {}),
         }
     )
 
@@ -104,32 +105,35 @@ def assignments(functional: FunctionalScenario) -> list[Assignment]:
     vehicles, arms = functional.vehicles, functional.junction.arms
     ego = next(i for i, v in enumerate(vehicles) if v.id == functional.ego.id)
     entry_sets = [sorted(v.entries) or range(arms) for v in vehicles]
-    if _nothing_said(functional):
-        entry_sets = [[i % arms] for i in range(len(vehicles))]
-    found: list[tuple[int, Assignment]] = []
+    found: list[Assignment] = []
     for entries in itertools.product(*entry_sets):
         for places in itertools.product(
             *(_places(functional, i, entries, ego) for i in range(len(vehicles)))
         ):
-            crowd = _crowding(functional, entries, places, ego)
-            if crowd is None:
+            if not _in_order(functional, entries, places, ego):
                 continue
             choices = [_choices(functional, v, e) for v, e in zip(vehicles, entries, strict=True)]
             for moves in itertools.product(*choices):
                 made = tuple(
                     (e, d, m, w) for e, (d, m), w in zip(entries, moves, places, strict=True)
                 )
-                if _hazards_hold(functional, made):
-                    found.append((crowd, made))
-    if not found:
-        return []
-    least = min(crowd for crowd, _ in found) if not _nothing_said(functional) else math.inf
-    return [made for crowd, made in found if crowd <= least]
+                if _hazards_hold(functional, made) and _groups_hold(functional, made):
+                    found.append(made)
+    return found
 
 
-def _nothing_said(functional: FunctionalScenario) -> bool:
-    return not functional.hazards and not any(
-        v.maneuvers or v.approaches or v.entries for v in functional.vehicles
+def _groups_hold(functional, made: Assignment) -> bool:
+    """As many of each group make one of its turns as are said."""
+    angles = arm_angles_deg(functional.junction)
+    names = [v.id for v in functional.vehicles]
+    return all(
+        group.number
+        == sum(
+            turn_name(angles, e, d) in group.maneuvers and m == "plain"
+            for name, (e, d, m, _) in zip(names, made, strict=True)
+            if name in group.members
+        )
+        for group in functional.groups
     )
 
 
@@ -141,8 +145,10 @@ def _choices(functional, vehicle, entry):
         return [(d, "plain") for d in moves]
     found = set()
     for word in vehicle.maneuvers:
-        if word in (Maneuver.LANE_CHANGE, Maneuver.OVERTAKE):
+        if word is Maneuver.OVERTAKE:
             found |= {(d, word.value) for d in moves}
+        elif word is Maneuver.LANE_CHANGE:
+            found |= {(d, f"lane_change_{side}") for d in moves for side in ("left", "right")}
         elif word.startswith("exit_"):
             count = int(word[-1])
             step = count if junction.driving_side is DrivingSide.RIGHT else -count
@@ -170,50 +176,36 @@ def _places(functional, index, entries, ego):
     if not vehicle.approaches:
         return ["unsaid"]
     if entries[index] == entries[ego]:
-        return sorted(word.value for word in vehicle.approaches & SAME_ARM)
+        found = [word.value for word in vehicle.approaches & SAME_ARM]
+        if Approach.ADJACENT in vehicle.approaches:
+            found.remove("adjacent")
+            sides = [w.value for w in vehicle.approaches & {Approach.LEFT, Approach.RIGHT}]
+            sides = sides if len(sides) == 1 else ["left", "right"]
+            found += [f"adjacent_{side}" for side in sides]
+        return sorted(found)
     words = seen_from(arm_angles_deg(functional.junction), entries[ego], entries[index])
     return ["elsewhere"] if words & vehicle.approaches else []
 
 
-def _crowding(functional, entries, places, ego):
-    """Vehicles on arms beyond the fair share; None if the order contradicts itself."""
-    vehicles, arms = functional.vehicles, functional.junction.arms
-    share = math.ceil(len(vehicles) / arms)
-    links = [(i, ego) for i, place in enumerate(places) if place in {w.value for w in SAME_ARM}]
-    index = {v.id: i for i, v in enumerate(vehicles)}
+def _in_order(functional, entries, places, ego):
+    """Whether who tailgates can be behind, on one arm."""
+    index = {v.id: i for i, v in enumerate(functional.vehicles)}
     for hazard in functional.hazards:
         if hazard.kind is HazardKind.TAILGATING:
             by, to = index[hazard.by[0]], index[hazard.to[0]]
             if entries[by] != entries[to] or not _may_follow(places, by, to, ego):
-                return None
-            links.append((by, to))
-    led = [min(_chain(links, i)) == i for i in range(len(vehicles))]
-    leaders = Counter(e for e, lead in zip(entries, led, strict=True) if lead)
-    return sum(
-        1
-        for v, e, lead in zip(vehicles, entries, led, strict=True)
-        if lead and not v.entries and leaders[e] > share
-    )
+                return False
+    return True
 
 
 def _may_follow(places, by, to, ego) -> bool:
     """Whether ``by`` can be behind ``to``, given where both are, seen from the ego."""
-    position = {"ahead": 1, "adjacent": 0, "behind": -1}
+    position = {"ahead": 1, "adjacent_left": 0, "adjacent_right": 0, "behind": -1}
     back = 0 if by == ego else position.get(places[by])
     front = 0 if to == ego else position.get(places[to])
     if back is None or front is None:
         return True
     return back < front or (back == front != 0)
-
-
-def _chain(links, start):
-    """All that hang together with a vehicle."""
-    group = {start}
-    while True:
-        grown = group.union(*(pair for pair in links if group & set(pair)))
-        if grown == group:
-            return group
-        group = grown
 
 
 def _hazards_hold(functional, made: Assignment) -> bool:
@@ -294,9 +286,8 @@ def classes(functional: FunctionalScenario, reduction: Reduction, arms: ArmsMode
     if reduction is Reduction.PATTERN:
         return Counter(tuple(sorted(d for _, d, _, _ in made)) for made in every)
     labels = [_label(functional, v, arms) for v in functional.vehicles]
-    spread = _nothing_said(functional)
     number = functional.junction.arms
-    turns = [r for r in range(number) if _turn_allowed(functional, labels, r, arms, spread)]
+    turns = [r for r in range(number) if _turn_allowed(functional, labels, r, arms)]
     out: Counter = Counter()
     for made in every:
         copies = []
@@ -304,25 +295,19 @@ def classes(functional: FunctionalScenario, reduction: Reduction, arms: ArmsMode
             turned = (((e + turn) % number, d, m, w) for e, d, m, w in made)
             # Interchangeable vehicles with the same arms to choose from trade places, so what
             # tells scenarios apart is the multiset of choices under each label.
-            targets = _targets(functional, labels, spread, turn)
+            targets = _targets(functional, labels, turn)
             chosen = Counter(zip(targets, turned, strict=True))
             copies.append(tuple(sorted(chosen.items(), key=repr)))
         out[min(copies, key=repr)] += 1
     return out
 
 
-def _sets(functional, spread):
+def _targets(functional, labels, turn):
     arms = functional.junction.arms
-    if spread:
-        return [(i % arms,) for i in range(len(functional.vehicles))]
-    return [tuple(sorted(v.entries)) for v in functional.vehicles]
-
-
-def _targets(functional, labels, spread, turn):
-    arms = functional.junction.arms
+    sets = [tuple(sorted(v.entries)) for v in functional.vehicles]
     return [
         (label, tuple(sorted((e + turn) % arms for e in entries)))
-        for label, entries in zip(labels, _sets(functional, spread), strict=True)
+        for label, entries in zip(labels, sets, strict=True)
     ]
 
 
@@ -331,17 +316,18 @@ def _label(functional, vehicle, arms: ArmsMode):
     if arms is ArmsMode.EQUAL and not any(p.approaches for p in functional.participants):
         role = "any"
     named = [(i, vehicle.id in h.by, vehicle.id in h.to) for i, h in enumerate(functional.hazards)]
+    named += [(i, vehicle.id in group.members) for i, group in enumerate(functional.groups)]
     return repr(
         (vehicle.kind.value, role, sorted(vehicle.maneuvers), sorted(vehicle.approaches), named)
     )
 
 
-def _turn_allowed(functional, labels, turn, arms: ArmsMode, spread) -> bool:
+def _turn_allowed(functional, labels, turn, arms: ArmsMode) -> bool:
     junction = functional.junction
     n = junction.arms
     angles = arm_angles_deg(junction)
-    before = Counter(_targets(functional, labels, spread, 0))
-    if before != Counter(_targets(functional, labels, spread, turn)):
+    before = Counter(_targets(functional, labels, 0))
+    if before != Counter(_targets(functional, labels, turn)):
         return False
     if arms is ArmsMode.DISTINCT:
         steps = {round((angles[(i + turn) % n] - angles[i]) % 360, 6) for i in range(n)}

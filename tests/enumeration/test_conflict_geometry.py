@@ -15,7 +15,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from scegen.enumeration.conflicts import conflict_table
-from scegen.enumeration.swings import CLOSE_DEG, NEAR_M, swinging_pairs
+from scegen.enumeration.wide_curves import CLOSE_DEG, NEAR_M, curves_that_meet
 from scegen.errors import RoadInfeasibleError
 from scegen.road import build_network, plan_road
 from scegen.scenario.functional import Junction
@@ -76,7 +76,7 @@ def disagreements(junction, **extra):
 def test_every_template(kind, arms, side):
     junction = Junction(kind=kind, arms=arms, driving_side=side)
     assert disagreements(junction) == []
-    assert not swinging_pairs(junction)
+    assert not curves_that_meet(junction)
 
 
 @pytest.mark.parametrize("side", ["right", "left"])
@@ -117,7 +117,7 @@ def test_arms_well_apart_need_no_drawing(junction):
         assert disagreements(junction) == []
     except RoadInfeasibleError:
         assume(False)
-    assert not swinging_pairs(junction)
+    assert not curves_that_meet(junction)
 
 
 def test_a_curve_that_swings_over_another():

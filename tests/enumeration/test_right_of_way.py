@@ -11,7 +11,7 @@ from scegen.enumeration import enumerate_scenarios, plain_crossing
 from scegen.enumeration.deadlock import deadlock_among
 from scegen.enumeration.programs import Part, consequences
 from scegen.enumeration.right_of_way import road_rules
-from scegen.enumeration.swings import swinging_pairs
+from scegen.enumeration.wide_curves import curves_that_meet
 from scegen.scenario.control import signal_phases
 from scegen.scenario.functional import ARM_COUNTS, Junction
 from scegen.scenario.logical import Conflict, ConflictKind
@@ -150,7 +150,7 @@ def junctions(draw):
 def test_every_pair_that_meets_is_decided_once(junction):
     """Only curves that swing over each other without need are nobody's business."""
     rules = road_rules(junction)
-    swings = swinging_pairs(junction)
+    swings = curves_that_meet(junction)
     for (e, x, f, y), kind in rules.kinds.items():
         said = [
             rules.gives_way.get((e, x, f, y)),

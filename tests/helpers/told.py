@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from scegen.concretization import concretize
 from scegen.criticality import raise_criticality
 from scegen.enumeration import enumerate_scenarios
-from scegen.motion import concretize
 from scegen.scenario.functional import ARM_COUNTS, FunctionalScenario
 from scegen.scenario.vocabulary import JunctionKind
 

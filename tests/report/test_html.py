@@ -35,9 +35,9 @@ from scegen.scenario.logical import (
     Drive,
     LogicalScenario,
     LogicalSet,
-    ParameterRange,
 )
 from scegen.scenario.model import Interval
+from scegen.scenario.parameters import ParameterRange
 from scegen.scenario.vocabulary import (
     ArmsMode,
     EvidenceSource,

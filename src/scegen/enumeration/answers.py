@@ -33,12 +33,12 @@ class Two(Predicate):
     other_way: tuple[int, int, ConstantStr]
 
 
-class Crosses(Predicate):
-    """A crosser's arm and the side on which it starts."""
+class GoesOnFoot(Predicate, name="goes_on_foot"):
+    """The arm and the way of one who is not in the traffic."""
 
     id: ConstantStr
     arm: int
-    side: ConstantStr
+    way: ConstantStr
 
 
 class Place(Predicate):
@@ -74,7 +74,7 @@ class TurnsLeft(Predicate, name="turns_left"):
     id: ConstantStr
 
 
-class Tied(Predicate):
+class Dependent(Predicate):
     """A vehicle whose move matters to others."""
 
     id: ConstantStr

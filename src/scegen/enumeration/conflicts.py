@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from scegen.enumeration.right_of_way import RoadRules, right_of_way, road_rules
-from scegen.enumeration.swings import Ways
+from scegen.enumeration.wide_curves import Ways
 from scegen.scenario.functional import Junction
-from scegen.scenario.logical import Assignment, Conflict, ConflictKind, Crossing, Drive, Standing
+from scegen.scenario.logical import Assignment, Conflict, ConflictKind, Crossing, Drive
+from scegen.scenario.vocabulary import Maneuver
 
 
 def conflict_table(junction: Junction, *, u_turns: bool = False) -> dict[Ways, ConflictKind]:
@@ -15,7 +16,7 @@ def conflict_table(junction: Junction, *, u_turns: bool = False) -> dict[Ways, C
 
 def conflict_between(rules: RoadRules, first: Assignment, second: Assignment) -> Conflict | None:
     """The conflict of two participants and who yields, None if their paths do not meet."""
-    kind = _kind(rules.kinds, first, second)
+    kind = _kind(rules, first, second)
     if kind is ConflictKind.NONE:
         return None
     yields, rule = right_of_way(rules, first, second)
@@ -24,20 +25,21 @@ def conflict_between(rules: RoadRules, first: Assignment, second: Assignment) ->
     )
 
 
-def _kind(table: dict[Ways, ConflictKind], first: Assignment, second: Assignment) -> ConflictKind:
+def _kind(rules: RoadRules, first: Assignment, second: Assignment) -> ConflictKind:
     if not isinstance(first, Drive):
         first, second = second, first
     if not isinstance(first, Drive):
         return ConflictKind.NONE
     if isinstance(second, Drive):
+        stands = Maneuver.STAY in {first.maneuver, second.maneuver}
+        if stands and first.entry != second.entry:
+            return ConflictKind.NONE
         ways = (first.entry, first.exit, second.entry, second.exit)
-        return table.get(ways, ConflictKind.NONE)
+        return rules.kinds.get(ways, ConflictKind.NONE)
     if isinstance(second, Crossing):
         meets = second.arm in {first.entry, first.exit}
         return ConflictKind.CROSSING if meets else ConflictKind.NONE
-    return _behind_obstacle(first, second)
-
-
-def _behind_obstacle(drive: Drive, standing: Standing) -> ConflictKind:
-    blocked = standing.in_lane and standing.arm == drive.entry
+    blocked = second.in_lane and second.arm == (
+        first.entry if second.side is rules.kerb else first.exit
+    )
     return ConflictKind.FOLLOWING if blocked else ConflictKind.NONE

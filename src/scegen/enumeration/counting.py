@@ -3,7 +3,7 @@
 The solver lists *states*: entries, and the moves of those whose moves matter to others. All
 other moves are independent, so a state stands for a product: c cars at an arm with a choices
 each make a**c assignments, or C(c+a-1, c) if the cars are interchangeable. Vehicles that nothing
-ties to others (loners) are not in the states at all, but added by the room that a state leaves.
+relates to others are not in the states at all, but added by the room that a state leaves.
 Rotations divide by Burnside's lemma: the number of classes is the mean number of scenarios that a
 rotation fixes.
 """
@@ -16,14 +16,14 @@ from collections.abc import Hashable
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from scegen.enumeration.capacity import Room
 from scegen.enumeration.class_sizes import Choice, Chosen, ClassSizes, arrangements
-from scegen.enumeration.loners import Loners, loners_of
 from scegen.enumeration.patterns import Polynomial, Row, product
 from scegen.enumeration.problem import Problem
 from scegen.enumeration.reading import COUNTED, Solution
-from scegen.enumeration.rooms import Room
 from scegen.enumeration.solving import Space, states
 from scegen.enumeration.symmetry import Symmetry
+from scegen.enumeration.unrelated import Unrelated, unrelated_of
 from scegen.errors import InputError
 from scegen.scenario.vocabulary import Reduction
 
@@ -36,8 +36,8 @@ class Census:
     """Sums over all states.
 
     ``fixed[r]`` is the number of scenarios, up to swaps, that turning by r arms maps onto
-    themselves. ``placed`` sums the assignments of entries by the room that they leave to loners,
-    the choices that they leave to the independent vehicles (one row each), and the tied moves.
+    themselves. ``placed`` sums the assignments of entries by the room that they leave to the unrelated,
+    the choices that they leave to the independent vehicles (one row each), and the dependent moves.
     """
 
     problem: Problem
@@ -45,7 +45,7 @@ class Census:
     total: int = 0
     states: int = 0
     fixed: Counter[int] = field(default_factory=Counter)
-    loners: Loners | None = None
+    unrelated: Unrelated | None = None
     anchor: str | None = None
     placed: Counter[tuple[Room, tuple[Row, ...], tuple[int, ...]]] = field(default_factory=Counter)
     polynomial: Polynomial | None = None
@@ -93,12 +93,12 @@ class Census:
 
     @cached_property
     def loose(self) -> Counter[tuple[tuple[Row, ...], tuple[int, ...]]]:
-        """The assignments of entries by rows and tied moves, with the loners; patterns follow."""
-        if self.loners is None:
+        """The assignments of entries by rows and dependent moves, with the unrelated; patterns follow."""
+        if self.unrelated is None:
             return Counter({(rows, tied): n for (_, rows, tied), n in self.placed.items()})
         out: Counter[tuple[tuple[Row, ...], tuple[int, ...]]] = Counter()
         for (room, rows, tied), number in self.placed.items():
-            for more, ways in self.loners.rows(room).items():
+            for more, ways in self.unrelated.rows(room).items():
                 out[tuple(sorted((*rows, *more))), tied] += number * ways
         return out
 
@@ -117,13 +117,13 @@ class Census:
     def _made(self, solution: Solution) -> tuple[Choice, ...]:
         """What everybody chose, and the places of those who have several to choose from."""
         if not self.problem.open_places:
-            return (*solution.drives, *solution.crossings)
+            return (*solution.drives, *solution.on_foot)
         stances = dict.fromkeys(self.problem.names, "none")
         open_pairs = set(self.problem.open_places)
         stances |= {v: word for v, ref, word in solution.places if (v, ref) in open_pairs}
         vehicles = zip(self.problem.vehicles, solution.drives, strict=True)
         stands = [(*drive, stances[vehicle.id]) for vehicle, drive in vehicles]
-        return (*stands, *solution.crossings)
+        return (*stands, *solution.on_foot)
 
     def _turned(self, chosen: Chosen, turn: int) -> Counter[tuple[int, Choice]]:
         images, arms = self.symmetry.rotations[turn], self.problem.arms
@@ -136,11 +136,11 @@ class Census:
     def add(self, state: Solution) -> None:
         """Add what one state stands for."""
         chosen = self._sizes.groups(self._made(state))
-        room: Room = ()
+        room = Room((), ())
         alone, ways = frozenset[str](), 1
-        if self.loners is not None:
-            room, alone = self.loners.room(state), self.loners.names
-            ways = self.loners.assignments(room)
+        if self.unrelated is not None:
+            room, alone = self.unrelated.room(state), self.unrelated.names
+            ways = self.unrelated.assignments(room)
             groups = zip(self.symmetry.groups, chosen, strict=True)
             chosen = tuple(() if g.members[0] in alone else choices for g, choices in groups)
         rows = [
@@ -158,8 +158,8 @@ class Census:
         # Every rotation but 0 moves one who is one of a kind: it fixes nothing.
         for turn in self.symmetry.rotations if self.symmetry.anchor is None else [0]:
             fixed = self._fixed_by(chosen, turn)
-            if fixed and self.loners is not None:
-                fixed *= self.loners.scenarios(room, turn)
+            if fixed and self.unrelated is not None:
+                fixed *= self.unrelated.scenarios(room, turn)
             self.fixed[turn] += turned * fixed
 
     def _row(self, vehicle: str, entry: int) -> Row:
@@ -198,10 +198,10 @@ def census(space: Space, symmetry: Symmetry) -> Census:
     Raises:
         InputError: there are too many states to count.
     """
-    alone = loners_of(space)
+    alone = unrelated_of(space)
     anchor = symmetry.anchor_among(set(space.problem.names) - alone)
-    loners = Loners(space.problem, symmetry, alone) if alone else None
-    out = Census(space.problem, symmetry, loners=loners, anchor=anchor)
+    unrelated = Unrelated(space.problem, symmetry, alone) if alone else None
+    out = Census(space.problem, symmetry, unrelated=unrelated, anchor=anchor)
     for state in states(space, symmetry, anchor=anchor, without=alone):
         if out.states >= MAX_STATES:
             raise InputError(

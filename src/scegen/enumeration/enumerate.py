@@ -11,7 +11,7 @@ from pathlib import Path
 from scegen.enumeration.building import Builder
 from scegen.enumeration.choosing.where import where as where_test
 from scegen.enumeration.counting import Census, census
-from scegen.enumeration.guesses import feasible
+from scegen.enumeration.feasibility import feasible
 from scegen.enumeration.problem import Problem
 from scegen.enumeration.ruled import MAX_LISTED, RuledClasses, ruled_classes
 from scegen.enumeration.solving import Space, solutions
@@ -287,11 +287,6 @@ def _certificate(prepared: _Prepared, reduction: Reduction, *, listed: int | Non
 
 def _notes(prepared: _Prepared, reduction: Reduction) -> tuple[str, ...]:
     notes = list(prepared.problem.notes)
-    if prepared.space.crowding:
-        notes.append(
-            f"The statements put {prepared.space.crowding} vehicles on arms that are "
-            "already taken; all others have the room of an even spread."
-        )
     if reduction is Reduction.PATTERN:
         notes.append(
             "The reduction pattern tells scenarios apart by how many vehicles make each move, "

@@ -185,10 +185,136 @@ class To(Predicate):
     id: ConstantStr
 
 
-class LeftOpen(Predicate, name="left_open"):
-    """A guess about who suffers it was given up."""
+class Row(Predicate):
+    """A hazard of a kind needs something of the ways of both, in a case of scenario.hazards."""
+
+    kind: ConstantStr
+    case: int
+    what: ConstantStr
+
+
+class LeavesLane(Predicate, name="leaves_lane"):
+    """Who causes a hazard of this kind leaves its lane."""
+
+    kind: ConstantStr
+
+
+class MustMeet(Predicate, name="must_meet"):
+    """A hazard that needs nothing by its kind: the ways of the two that are named meet."""
 
     statement: int
+
+
+class Outcome(Predicate):
+    """A statement says how it ends."""
+
+    statement: int
+
+
+class MayMeet(Predicate, name="may_meet"):
+    """Between these two an outcome may come about, a vehicle first."""
+
+    statement: int
+    id: ConstantStr
+    other: ConstantStr
+
+
+class ComesBeside(Predicate, name="comes_beside"):
+    """Who comes into another's lane starts beside it, where both enter by one arm."""
+
+    statement: int
+    id: ConstantStr
+    reference: ConstantStr
+
+
+class ComesInto(Predicate, name="comes_into"):
+    """Somebody comes into another's lane from beside it."""
+
+    statement: int
+    id: ConstantStr
+    reference: ConstantStr
+
+
+class Changes(Predicate):
+    """Somebody changes lane, by an act."""
+
+    id: ConstantStr
+
+
+class Goes(Predicate):
+    """The side to which somebody changes lane."""
+
+    id: ConstantStr
+    side: ConstantStr
+
+
+class InLanes(Predicate, name="in_lanes"):
+    """A statement says in which lanes somebody may be."""
+
+    statement: int
+    id: ConstantStr
+
+
+class Lane(Predicate):
+    """A lane in which somebody may be, counted from the centre line."""
+
+    id: ConstantStr
+    number: int
+
+
+class SomeOf(Predicate, name="some_of"):
+    """A statement says how many of a group do something."""
+
+    statement: int
+    group: int
+    number: int
+    members: int
+
+
+class InGroup(Predicate, name="in_group"):
+    """Somebody is one of a group."""
+
+    group: int
+    id: ConstantStr
+
+
+class GroupWay(Predicate, name="group_way"):
+    """Of who does this, it counts as what the group says."""
+
+    group: int
+    entry: int
+    move: int
+    manner: ConstantStr
+
+
+class OnFoot(Predicate, name="on_foot"):
+    """A way that the words allow one who is not in the traffic."""
+
+    id: ConstantStr
+    way: ConstantStr
+
+
+class Over(Predicate, name="crossing"):
+    """A way over an arm, from a side."""
+
+    way: ConstantStr
+    side: ConstantStr
+
+
+class Along(Predicate):
+    """A way along an arm: on which side, in a lane or at the edge, headed inward or outward."""
+
+    way: ConstantStr
+    side: ConstantStr
+    lane: ConstantStr
+    heading: ConstantStr
+
+
+class Nth(Predicate):
+    """Ways on foot in the order of the listing."""
+
+    way: ConstantStr
+    number: int
 
 
 class DefaultPlace(Predicate, name="default_place"):
@@ -205,19 +331,7 @@ class QueueLimit(Predicate, name="queue_limit"):
     vehicles: int
 
 
-# --- occupancy, symmetry ------------------------------------------------------------------
-
-
-class FairShare(Predicate, name="fair_share"):
-    """Vehicles per arm if they spread evenly, rounded up."""
-
-    vehicles: int
-
-
-class Crowding(Predicate):
-    """Vehicles that may share an arm beyond the fair share."""
-
-    vehicles: int
+# --- symmetry -------------------------------------------------------------------------------
 
 
 class Member(Predicate):

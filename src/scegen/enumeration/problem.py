@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -12,11 +11,14 @@ from clorm import Predicate
 
 from scegen.enumeration import answers as a
 from scegen.enumeration import predicates as p
+from scegen.enumeration.dangers import say_dangers
 from scegen.enumeration.programs import Part, consequences
-from scegen.enumeration.statements import ALONG, QUEUE_LIMIT, say_entries, stated
+from scegen.enumeration.statements import ALONG_WORDS, QUEUE_LIMIT, stated
 from scegen.errors import InfeasibleError
+from scegen.scenario.acts import ActKind
 from scegen.scenario.arms import arm_angles_deg
 from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.hazards import HAZARDS, Arrangement, Case
 from scegen.scenario.vocabulary import HazardKind
 
 MAX_VEHICLES = 60
@@ -28,9 +30,9 @@ Choice = tuple[int, str]
 
 @dataclass(frozen=True)
 class Demand:
-    """What a hazard of this kind demands of ``by`` and ``to``."""
+    """What a danger demands of ``by`` and ``to``."""
 
-    kind: HazardKind
+    statement: int
     by: str
     to: str
     what: str
@@ -41,10 +43,10 @@ class Problem:
     """Everything that the encodings and the counting need.
 
     ``entries`` are the arms to which a participant is limited, absent where the text leaves
-    them open; ``spread`` says that the program put the vehicles on the arms in turn.
-    ``settled`` says that every entry is known and every move open, so nothing need be solved.
-    ``wanted[vehicle, entry]`` are the choices that the words allow there. ``tied`` are the
-    vehicles whose moves matter to others; the moves of all others are independent.
+    them open. ``settled`` says that every entry is known and every move open, so nothing need be
+    solved. ``wanted[vehicle, entry]`` are the choices that the words allow there. ``dependent``
+    are the vehicles whose moves matter to others; the moves of all others are independent.
+    ``presumed`` are the dangers, by statement, of which something is presumed.
     """
 
     functional: FunctionalScenario
@@ -52,11 +54,11 @@ class Problem:
     words: tuple[str, ...]
     notes: tuple[str, ...]
     entries: dict[str, tuple[int, ...]]
-    spread: bool
     settled: bool
     wanted: dict[tuple[str, int], tuple[Choice, ...]]
     demands: tuple[Demand, ...]
-    tied: frozenset[str]
+    dependent: frozenset[str]
+    presumed: dict[int, int]
 
     @property
     def arms(self) -> int:
@@ -83,27 +85,32 @@ class Problem:
         """Directions of the arms."""
         return arm_angles_deg(self.functional.junction)
 
-    @property
-    def fair_share(self) -> int:
-        """Vehicles per arm if they spread evenly, rounded up."""
-        return math.ceil(len(self.vehicles) / self.arms)
-
     @cached_property
     def open_places(self) -> tuple[tuple[str, str], ...]:
         """(vehicle, reference) where more than one place on the same arm is allowed."""
         said = Counter((f.id, f.reference) for f in self.facts if _says_along(f))
         drivers = {v.id for v in self.vehicles}
-        return tuple(pair for pair, words in said.items() if words > 1 and pair[0] in drivers)
+        found = [pair for pair, words in said.items() if words > 1 and pair[0] in drivers]
+        return (*found, *((f.id, f.reference) for f in self.facts if isinstance(f, p.ComesBeside)))
+
+    @cached_property
+    def besides(self) -> tuple[tuple[str, str], ...]:
+        """Who comes into whose lane."""
+        return tuple((f.id, f.reference) for f in self.facts if isinstance(f, p.ComesInto))
 
 
 def _says_along(fact: Predicate) -> bool:
-    return isinstance(fact, p.Says) and fact.word in {word.value for word in ALONG}
+    return isinstance(fact, p.Says) and fact.word in ALONG_WORDS
 
 
-def build_problem(functional: FunctionalScenario, *, notes: tuple[str, ...] = ()) -> Problem:
+def build_problem(
+    functional: FunctionalScenario, left_open: frozenset[int] = frozenset()
+) -> Problem:
     """Read the statements and derive what follows from the words alone.
 
-    ``notes`` are what is already to be said of it.
+    Args:
+        functional: the description, understood.
+        left_open: dangers, by their place, of which nothing is presumed.
 
     Raises:
         InfeasibleError: too many vehicles, or an ego that does not drive.
@@ -112,42 +119,53 @@ def build_problem(functional: FunctionalScenario, *, notes: tuple[str, ...] = ()
     _check_size(functional)
     said = stated(functional)
     wordless = _wordless(functional)
-    derived = (
-        []
-        if wordless
-        else consequences(
-            said.facts, (Part.ARMS, Part.WORDS), (a.Wanted, a.Needs, a.TurnsLeft, a.Tied)
+    presumed: dict[int, int] = {}
+    derived: list[Predicate] = []
+    if not wordless:
+        presumed = say_dangers(said, functional, left_open)
+        derived = consequences(
+            said.facts, (Part.ARMS, Part.WORDS), (a.Wanted, a.Needs, a.TurnsLeft, a.Dependent)
         )
-    )
-    demands = _demands(said.facts, derived)
+    demands = _demands(derived)
+    said.facts += _besides(said.facts, demands)
     entries = {
         m.id: tuple(sorted(m.entries)) for m in (*vehicles, *functional.crossers) if m.entries
     }
-    spread = not (
-        any(v.maneuvers or v.approaches or v.entries for v in vehicles)
-        or any(r.participant in {v.id for v in vehicles} for r in functional.relations)
-        or demands
-        or any(isinstance(fact, a.TurnsLeft) for fact in derived)
-    )
-    if spread:
-        # As in the source paper: car i enters at arm i mod n.
-        for index, vehicle in enumerate(vehicles):
-            entries[vehicle.id] = (index % functional.junction.arms,)
-            say_entries(said, vehicle.id, entries[vehicle.id])
-        said.notes.append("Nothing is said about entries: the vehicles take the arms in turn.")
-    _check_queues(entries, vehicles, spread=spread)
+    _check_queues(entries, vehicles)
+    dependent = {fact.id for fact in derived if isinstance(fact, a.Dependent)}
+    related = related_among(said.facts)
     return Problem(
         functional=functional,
         facts=tuple(said.facts),
         words=tuple(said.words),
-        notes=(*notes, *said.notes),
+        notes=(*said.notes, *_given_up(functional, left_open)),
         entries=entries,
-        spread=spread,
         settled=wordless and all(len(entries.get(v.id, ())) == 1 for v in vehicles),
         wanted=_every_move(functional) if wordless else _wanted(derived),
         demands=demands,
-        tied=frozenset(fact.id for fact in derived if isinstance(fact, a.Tied)),
+        # Of a group whose members are related to others, who does what is said matters to all.
+        dependent=frozenset(
+            dependent | {name for g in functional.groups for name in g.members if name in related}
+        ),
+        presumed=presumed,
     )
+
+
+def related_among(facts: Iterable[Predicate]) -> set[str]:
+    """Those whose place is told in relation to another's."""
+    found = set[str]()
+    for fact in facts:
+        if isinstance(fact, p.Approach):
+            found |= {fact.id, fact.reference}
+    return found
+
+
+def _given_up(functional: FunctionalScenario, left_open: frozenset[int]) -> list[str]:
+    kinds = [functional.hazards[index].kind for index in sorted(left_open)]
+    return [
+        f"{kind}: whom it concerns is not said, and nobody fits whom it could: left open."
+        for kind in kinds
+    ]
 
 
 def _wordless(functional: FunctionalScenario) -> bool:
@@ -155,9 +173,30 @@ def _wordless(functional: FunctionalScenario) -> bool:
     return not (
         functional.hazards
         or functional.relations
+        or functional.groups
+        or functional.acts
+        or functional.outcome
         or functional.crossers
-        or any(v.maneuvers or v.approaches for v in functional.vehicles)
+        or any(v.maneuvers or v.approaches or v.lanes for v in functional.vehicles)
     )
+
+
+def _besides(facts: Iterable[Predicate], demands: Iterable[Demand]) -> list[Predicate]:
+    """Who comes into another's lane starts beside it, where no words say where it starts."""
+    facts = tuple(facts)
+    kinds = {f.statement: HazardKind(f.kind) for f in facts if isinstance(f, p.Hazard)}
+    placed = {frozenset((f.id, f.reference)) for f in facts if isinstance(f, p.Approach)}
+    found: list[Predicate] = []
+    for demand in demands:
+        row = HAZARDS[kinds[demand.statement]]
+        comes = ActKind.CHANGE_LANE in row.acts or Case.PLAIN_ROAD in row.needs
+        if demand.what != Arrangement.TOGETHER or not comes:
+            continue
+        found.append(p.ComesInto(demand.statement, demand.by, demand.to))
+        if frozenset((demand.by, demand.to)) not in placed:
+            found.append(p.ComesBeside(demand.statement, demand.by, demand.to))
+            placed.add(frozenset((demand.by, demand.to)))
+    return found
 
 
 def _every_move(functional: FunctionalScenario) -> dict[tuple[str, int], tuple[Choice, ...]]:
@@ -167,14 +206,13 @@ def _every_move(functional: FunctionalScenario) -> dict[tuple[str, int], tuple[C
     return {(v.id, entry): moves for v in functional.vehicles for entry in range(arms)}
 
 
-def _demands(said: Iterable[Predicate], derived: Iterable[Predicate]) -> tuple[Demand, ...]:
-    kinds = {f.statement: HazardKind(f.kind) for f in said if isinstance(f, p.Hazard)}
+def _demands(derived: Iterable[Predicate]) -> tuple[Demand, ...]:
     found = [
-        Demand(kinds[fact.statement], fact.by, fact.to, fact.what)
+        Demand(fact.statement, fact.by, fact.to, fact.what)
         for fact in derived
         if isinstance(fact, a.Needs)
     ]
-    return tuple(sorted(found, key=lambda d: (d.kind, d.by, d.to, d.what)))
+    return tuple(sorted(found, key=lambda d: (d.statement, d.by, d.to, d.what)))
 
 
 def _wanted(derived: Iterable[Predicate]) -> dict[tuple[str, int], tuple[Choice, ...]]:
@@ -202,14 +240,12 @@ def _check_size(functional: FunctionalScenario) -> None:
         )
 
 
-def _check_queues(
-    entries: dict[str, tuple[int, ...]], vehicles: tuple[Participant, ...], *, spread: bool
-) -> None:
+def _check_queues(entries: dict[str, tuple[int, ...]], vehicles: tuple[Participant, ...]) -> None:
     fixed = Counter(entries[v.id][0] for v in vehicles if len(entries.get(v.id, ())) == 1)
     for arm, number in sorted(fixed.items()):
         if number > QUEUE_LIMIT:
             raise InfeasibleError(
                 f"{number} vehicles enter at arm {arm}, and its road holds {QUEUE_LIMIT}",
-                where="participants" if spread else f"participants entering at arm {arm}",
+                where=f"participants entering at arm {arm}",
                 hint="Describe fewer vehicles or more arms.",
             )

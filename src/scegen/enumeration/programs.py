@@ -23,8 +23,8 @@ class Part(StrEnum):
     DRIVES = "drives"
     PLACES = "places"
     HAZARDS = "hazards"
-    CROSSERS = "crossers"
-    BALANCE = "balance"
+    ON_FOOT = "on_foot"
+    GROUPS = "groups"
     INTERCHANGEABLE = "interchangeable"
     ROTATIONS = "rotations"
     PATTERN = "pattern"
@@ -44,7 +44,8 @@ SCENARIO_PARTS = (
     Part.DRIVES,
     Part.PLACES,
     Part.HAZARDS,
-    Part.CROSSERS,
+    Part.ON_FOOT,
+    Part.GROUPS,
 )
 """What makes an assignment a scenario, without symmetry and without who decides."""
 

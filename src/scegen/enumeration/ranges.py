@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from scegen.scenario.acts import WhenMeasure
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.logical import (
     Assignment,
     ConflictKind,
     Crossing,
     Drive,
-    ParameterRange,
     Standing,
 )
+from scegen.scenario.model import FrozenModel, Interval
+from scegen.scenario.parameters import ParameterRange
 from scegen.scenario.speed_limits import (
     FAST_FOR_KIND_MPS,
     implied_limit_mps,
@@ -97,3 +99,30 @@ def _parameter(name: str, chosen: Range) -> ParameterRange:
     return ParameterRange(
         name=name, low=round(low, 3), high=round(high, 3), default=round(default, 3), reason=reason
     )
+
+
+def said_numbers(functional: FunctionalScenario) -> tuple[ParameterRange, ...]:
+    """What is said of acts, spacings and the outcome, alike in every scenario."""
+    found: list[ParameterRange] = []
+    for act in functional.acts:
+        found += _quantities(act.id, act)
+        if act.when is not None:
+            found += _quantities(f"{act.id}.when", act.when)
+    for index, spacing in enumerate(functional.spacings):
+        found.append(_stated(f"spacing_{index}.{spacing.measure}", spacing.value))
+    if functional.outcome is not None:
+        found += _quantities("outcome", functional.outcome)
+    return tuple(found)
+
+
+def _quantities(name: str, said: FrozenModel) -> list[ParameterRange]:
+    """The ranges among the fields; that of a measure is named after the measure."""
+    return [
+        _stated(f"{name}.{said.measure if isinstance(said, WhenMeasure) else field}", value)
+        for field, value in said
+        if isinstance(value, Interval)
+    ]
+
+
+def _stated(name: str, value: Interval) -> ParameterRange:
+    return _parameter(name, (value.low, value.high, value.middle, "stated"))

@@ -17,7 +17,7 @@ COUNTED = -1
 Way = tuple[int, int, str]
 """Entry, move and manner of a vehicle."""
 
-_SHOWN = (a.Drive, a.Two, a.Enters, a.Crosses, a.Place)
+_SHOWN = (a.Drive, a.Two, a.Enters, a.GoesOnFoot, a.Place)
 _UNSET: Way = (-1, COUNTED, "")
 
 
@@ -25,12 +25,12 @@ class Solution(NamedTuple):
     """One assignment, in listing order of the participants.
 
     ``drives`` holds (entry, move, manner); in a state, of which only the entries are chosen,
-    the move of an independent vehicle is COUNTED. ``crossings`` holds (arm, side), ``places``
+    the move of an independent vehicle is COUNTED. ``on_foot`` holds (arm, way), ``places``
     (vehicle, reference, word).
     """
 
     drives: tuple[Way, ...]
-    crossings: tuple[tuple[int, str], ...]
+    on_foot: tuple[tuple[int, str], ...]
     places: tuple[tuple[str, str, str], ...]
 
     @property
@@ -47,7 +47,7 @@ class Reader:
 
     def __init__(self, problem: Problem) -> None:
         self._slots = {vehicle.id: slot for slot, vehicle in enumerate(problem.vehicles)}
-        self._crossers = {crosser.id: slot for slot, crosser in enumerate(problem.crossers)}
+        self._walkers = {crosser.id: slot for slot, crosser in enumerate(problem.crossers)}
         self._ways: dict[Symbol, list[tuple[int, Way]]] = {}
         self._facts: dict[Symbol, Predicate] = {}
         self._equal: dict[Way, Way] = {}  # equal ways are one object, so they compare at once
@@ -66,7 +66,7 @@ class Reader:
                     drives[slot] = way
         if not others:
             return Solution(tuple(drives), (), ())
-        crossings: list[tuple[int, str]] = [(0, "")] * len(self._crossers)
+        on_foot: list[tuple[int, str]] = [(0, "")] * len(self._walkers)
         places: list[tuple[str, str, str]] = []
         for symbol in others:
             fact = self._fact(symbol)
@@ -75,13 +75,13 @@ class Reader:
                 self._ways[symbol] = ways
                 for slot, way in ways:
                     drives[slot] = way
-            elif isinstance(fact, a.Crosses):
-                crossings[self._crossers[fact.id]] = (fact.arm, fact.side)
+            elif isinstance(fact, a.GoesOnFoot):
+                on_foot[self._walkers[fact.id]] = (fact.arm, fact.way)
             elif isinstance(fact, a.Place):
                 places.append((fact.id, fact.reference, fact.word))
             elif isinstance(fact, a.Enters) and drives[self._slots[fact.id]] is _UNSET:
                 drives[self._slots[fact.id]] = (fact.arm, COUNTED, "none")
-        return Solution(tuple(drives), tuple(crossings), tuple(sorted(places)))
+        return Solution(tuple(drives), tuple(on_foot), tuple(sorted(places)))
 
     def _driven(self, fact: Predicate) -> list[tuple[int, Way]]:
         """The ways that an atom tells, of one vehicle or of two."""

@@ -30,7 +30,7 @@ from scegen.enumeration import predicates as p
 from scegen.enumeration import rule_predicates as r
 from scegen.enumeration.programs import Part, consequences
 from scegen.enumeration.statements import junction_facts
-from scegen.enumeration.swings import Ways, swinging_pairs
+from scegen.enumeration.wide_curves import Ways, curves_that_meet
 from scegen.scenario.arms import arm_angles_deg, turn_deg
 from scegen.scenario.control import (
     controlled_arms,
@@ -40,7 +40,7 @@ from scegen.scenario.control import (
 )
 from scegen.scenario.functional import Junction
 from scegen.scenario.logical import Assignment, ConflictKind, Crossing, Drive, Rule
-from scegen.scenario.vocabulary import Control, JunctionKind, Maneuver
+from scegen.scenario.vocabulary import Control, JunctionKind, Maneuver, Side
 
 Footing = tuple[int, int, int]
 """Entry and exit of a vehicle, arm that somebody crosses."""
@@ -52,7 +52,7 @@ class RoadRules:
 
     ``gives_way[e, x, f, y]`` is the rule by which the driver on e -> x gives way to the one on
     f -> y, ``open`` the reason why nobody can say; for those who cross an arm likewise.
-    ``stuck`` are the ways that a deadlock may hold up.
+    ``stuck`` are the ways that a deadlock may hold up. Who enters keeps to the side ``kerb``.
     """
 
     kinds: dict[Ways, ConflictKind]
@@ -62,6 +62,7 @@ class RoadRules:
     waits_to_cross: dict[Footing, Rule]
     open_to_cross: dict[Footing, Rule]
     stuck: frozenset[tuple[int, int]]
+    kerb: Side
 
 
 @lru_cache(maxsize=64)
@@ -80,6 +81,7 @@ def road_rules(junction: Junction, *, u_turns: bool = False) -> RoadRules:
         waits_to_cross=_on_foot(found, r.WaitsToCross),
         open_to_cross=_on_foot(found, r.OpenToCross),
         stuck=frozenset((fact.way[0], fact.way[1]) for fact in found if isinstance(fact, r.Stuck)),
+        kerb=Side(junction.driving_side.value),
     )
 
 
@@ -99,7 +101,7 @@ def rule_facts(junction: Junction, *, u_turns: bool = False) -> list[Predicate]:
         if arm != other and turn_deg(angles, arm, (other - arm) % junction.arms) < 0
     ]
     facts += [r.Oncoming(*pair) for pair in sorted(oncoming_arms(junction))]
-    facts += [r.Swings(*pair) for pair in sorted(swinging_pairs(junction, u_turns=u_turns))]
+    facts += [r.CurvesMeet(*pair) for pair in sorted(curves_that_meet(junction, u_turns=u_turns))]
     facts += [r.Crosswalk(arm) for arm in arms if has_crosswalk(junction, arm)]
     if control in {Control.YIELD, Control.STOP}:
         facts += [r.Minor(arm) for arm in sorted(controlled_arms(junction))]

@@ -47,7 +47,7 @@ class Crosswalk(Predicate):
     arm: int
 
 
-class Swings(Predicate):
+class CurvesMeet(Predicate, name="curves_meet"):
     """As drawn, two ways cross although their ends do not interleave."""
 
     entry: int

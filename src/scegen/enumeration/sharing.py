@@ -12,6 +12,7 @@ from typing import Any, TypeVar
 
 from scegen.enumeration.conflicts import conflict_between
 from scegen.enumeration.deadlock import deadlock_among, may_be_stuck
+from scegen.enumeration.on_foot import Place
 from scegen.enumeration.problem import Problem
 from scegen.enumeration.ranges import offset_range, speed_range
 from scegen.enumeration.reading import Way
@@ -23,18 +24,20 @@ from scegen.scenario.logical import (
     ConflictKind,
     Crossing,
     Drive,
-    ParameterRange,
     Reverses,
     Standing,
+    Walking,
 )
-from scegen.scenario.vocabulary import Maneuver
+from scegen.scenario.parameters import ParameterRange
+from scegen.scenario.vocabulary import Maneuver, Side
 
 MOST_DEADLOCKS = 4096
 """Deadlocks that are kept."""
 MOST_PAIRS = 400_000
 """Pairs that are kept (some 100 MB at the very most); then they are made anew."""
 
-_MANNERS = {m.value: m for m in (Maneuver.LANE_CHANGE, Maneuver.OVERTAKE, Maneuver.STAY)}
+_MANNERS = {m.value: m for m in (Maneuver.OVERTAKE, Maneuver.STAY)}
+_CHANGES = {f"lane_change_{side.value}": side for side in Side}
 _REVERSES = {r.value: r for r in Reverses}
 
 
@@ -97,34 +100,44 @@ class Sharing:
         self._pairs = 0
         self.full = False
         self._equal: dict[Any, Any] = {}
-        self._drives: dict[tuple[int, int, str | None], Kept[Way, Share]] = {}
+        self._drives: dict[tuple[int, Place], Kept[Way, Share]] = {}
         self._others: dict[Assignment, Share] = {}
         self._deadlocks: dict[tuple[Share, ...], tuple[str, ...]] = {}
 
-    def drives(self, slot: int, rank: int, beside: str | None) -> Kept[Way, Share]:
+    def drives(self, slot: int, place: Place) -> Kept[Way, Share]:
         """The shares of the vehicle in this place of the listing order, by way."""
-        key = (slot, rank, beside)
+        key = (slot, place)
         if key not in self._drives:
             self._drives[key] = Kept(lambda way: Share(self, self._drive(way, *key)))
         return self._drives[key]
 
-    def _drive(self, way: Way, slot: int, rank: int, beside: str | None) -> Drive:
+    def _drive(self, way: Way, slot: int, place: Place) -> Drive:
         entry, move, manner = way
         angles = self._problem.angles_deg
         turn = turn_name(angles, entry, move)
+        vehicle = self._problem.vehicles[slot]
+        said = Maneuver.LANE_CHANGE in vehicle.maneuvers
+        changes_to = _CHANGES.get(manner)
+        if changes_to is None and place.beside is not None:
+            other, side = place.beside
+            if (vehicle.id, other) in self._problem.besides:
+                changes_to = Side.LEFT if side is Side.RIGHT else Side.RIGHT
         return Drive(
-            participant=self._problem.vehicles[slot].id,
+            participant=vehicle.id,
             entry=entry,
             move=move,
             exit=exit_arm(entry, move, len(angles)),
             turn=turn,
-            maneuver=_MANNERS.get(manner, turn),
-            rank=rank,
-            beside=beside,
+            maneuver=Maneuver.LANE_CHANGE
+            if manner in _CHANGES and said
+            else _MANNERS.get(manner, turn),
+            changes_to=changes_to,
+            circulating=vehicle.circulating,
             reverses=_REVERSES.get(manner),
+            **place.fields(),
         )
 
-    def other(self, assignment: Crossing | Standing) -> Share:
+    def other(self, assignment: Crossing | Standing | Walking) -> Share:
         """The share of one who crosses an arm or stands on one."""
         found = self._others.get(assignment)
         if found is None:

@@ -24,29 +24,22 @@ MOST_COMBINATIONS = 49
 
 @dataclass(frozen=True)
 class Space:
-    """The assignments that satisfy the problem: its facts with the occupancy limit found."""
+    """The assignments that satisfy the problem: its facts and encodings."""
 
     problem: Problem
     facts: tuple[Predicate, ...]
     parts: tuple[Part, ...]
-    crowding: int
 
 
 def space_of(problem: Problem) -> Space | None:
-    """Find the least crowding of arms with which the problem has a solution; None if none has."""
-    parts: tuple[Part, ...] = (*SCENARIO_PARTS, Part.HOLDS)
-    if problem.settled or problem.spread:
-        return Space(problem, problem.facts, parts, 0)
-    facts = (*problem.facts, p.FairShare(problem.fair_share))
-    parts = (*parts, Part.BALANCE)
-    tied = tuple(p.Decides(name) for name in sorted(problem.tied))
-    for crowding in range(len(problem.vehicles) + 1):
-        space = Space(problem, (*facts, p.Crowding(crowding)), parts, crowding)
-        if satisfiable(grounded((*space.facts, *tied), parts)):
-            return space
-        if crowding == 0 and not satisfiable(grounded((*facts, *tied), parts)):
-            break
-    return None
+    """The problem's space; None if it has no solution."""
+    space = Space(problem, problem.facts, (*SCENARIO_PARTS, Part.HOLDS))
+    if problem.settled:
+        return space
+    # Where a group counts its members, everybody's move matters to whether there is a solution.
+    deciding = problem.names if problem.functional.groups else sorted(problem.dependent)
+    decides = tuple(p.Decides(name) for name in deciding)
+    return space if satisfiable(grounded((*space.facts, *decides), space.parts)) else None
 
 
 def solutions(
@@ -110,7 +103,7 @@ def states(
         return
     facts = [f for f in space.facts if not isinstance(f, ABOUT_ONE) or f.id not in without]
     facts += group_facts(problem, symmetry)
-    facts += [p.Decides(name) for name in sorted(problem.tied)]
+    facts += [p.Decides(name) for name in sorted(problem.dependent)]
     parts = [*space.parts, Part.INTERCHANGEABLE, Part.STATE]
     if anchor is not None:
         facts += [p.Anchor(anchor), *(p.Rotation(turn) for turn in symmetry.rotations if turn)]
@@ -151,17 +144,18 @@ def _rotation_facts(problem: Problem, symmetry: Symmetry) -> list[Predicate]:
 
 def _trade_facts(problem: Problem) -> list[Predicate]:
     """Vehicles may trade moves if they are free of each other and have the same to choose from."""
-    last: dict[frozenset[int], str] = {}
+    last: dict[tuple[frozenset[int], frozenset[int]], str] = {}
     facts: list[Predicate] = []
     for vehicle in problem.vehicles:
         per_entry = {
             frozenset(move for move, _ in problem.wanted.get((vehicle.id, entry), ()))
             for entry in problem.entries.get(vehicle.id, range(problem.arms))
         }
-        if vehicle.id in problem.tied or len(per_entry) != 1:
+        if vehicle.id in problem.dependent or len(per_entry) != 1:
             continue
-        moves = per_entry.pop()
-        if moves in last:
-            facts.append(p.Trades(last[moves], vehicle.id))
-        last[moves] = vehicle.id
+        groups = problem.functional.groups
+        key = per_entry.pop(), frozenset(i for i, g in enumerate(groups) if vehicle.id in g.members)
+        if key in last:
+            facts.append(p.Trades(last[key], vehicle.id))
+        last[key] = vehicle.id
     return facts

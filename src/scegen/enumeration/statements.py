@@ -10,15 +10,23 @@ from dataclasses import dataclass, field
 from clorm import Predicate
 
 from scegen.enumeration import predicates as p
+from scegen.enumeration.on_foot import way_facts, ways_of
 from scegen.scenario.arms import arm_angles_deg, seen_from, turn_deg, turn_name
 from scegen.scenario.functional import FunctionalScenario, Junction, Participant
-from scegen.scenario.vocabulary import Approach, DrivingSide, JunctionKind, Maneuver
+from scegen.scenario.vocabulary import Approach, DrivingSide, HazardKind, JunctionKind, Maneuver
 
 QUEUE_LIMIT = 12
 """Vehicles that one approach road holds: 12 cars with their gaps fill about 120 m."""
 
-ALONG = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.ADJACENT})
+ALONG_WORDS = frozenset({"ahead", "behind", "adjacent_left", "adjacent_right"})
 """Words that put two vehicles on one arm."""
+
+MANNERS: dict[Maneuver, tuple[str, ...]] = {
+    Maneuver.LANE_CHANGE: ("lane_change_left", "lane_change_right"),
+    Maneuver.OVERTAKE: ("overtake",),
+    Maneuver.STAY: ("stay",),
+}
+"""What the solver calls maneuvers that are no turns."""
 
 
 @dataclass
@@ -60,7 +68,7 @@ def junction_facts(junction: Junction) -> list[Predicate]:
 
 
 def stated(functional: FunctionalScenario) -> Stated:
-    """All statements about who enters where and does what."""
+    """All statements about who enters where and does what, but for dangers, acts and outcome."""
     out = Stated()
     vehicles, crossers = functional.vehicles, functional.crossers
     out.facts += junction_facts(functional.junction)
@@ -73,16 +81,24 @@ def stated(functional: FunctionalScenario) -> Stated:
         _maneuvers(out, vehicle, functional.junction)
     for participant in (*vehicles, *crossers):
         if participant.entries:
-            say_entries(out, participant.id, tuple(sorted(participant.entries)))
+            _entries(out, participant.id, tuple(sorted(participant.entries)))
+    for vehicle in vehicles:
+        if vehicle.lanes:
+            number = out.number(f"{vehicle.id} is in lane {_either(tuple(sorted(vehicle.lanes)))}")
+            out.facts.append(p.InLanes(number, vehicle.id))
+            out.facts += [p.Lane(vehicle.id, lane) for lane in sorted(vehicle.lanes)]
     _approaches(out, functional)
-    _hazards(out, functional)
+    _groups(out, functional)
+    if crossers:
+        out.facts += way_facts()
     for crosser in crossers:
-        number = out.number(f"{crosser.id} crosses an arm that the ego uses (the default)")
+        out.facts += [p.OnFoot(crosser.id, way) for way in ways_of(functional, crosser)]
+        number = out.number(f"{crosser.id} is where the ego drives (the default)")
         out.facts.append(p.DefaultPlace(number, crosser.id))
     return out
 
 
-def say_entries(out: Stated, name: str, arms: tuple[int, ...]) -> None:
+def _entries(out: Stated, name: str, arms: tuple[int, ...]) -> None:
     """State that a participant enters at (or crosses) one of these arms."""
     number = out.number(f"{name} is limited to arm {_either(arms)}")
     out.facts.append(p.Entries(number, name))
@@ -97,13 +113,8 @@ def _maneuvers(out: Stated, vehicle: Participant, junction: Junction) -> None:
     out.facts.append(p.Maneuvers(number, vehicle.id))
     for word in words:
         if word.startswith("exit_"):
-            exit_number = int(word.removeprefix("exit_"))
-            if exit_number > junction.arms:
-                continue
-            # Traffic goes round counter-clockwise where it keeps right, clockwise where left.
-            right = junction.driving_side is DrivingSide.RIGHT
-            move = exit_number if right else junction.arms - exit_number
-            out.facts.append(p.WantsMove(vehicle.id, move % junction.arms))
+            if int(word.removeprefix("exit_")) <= junction.arms:
+                out.facts.append(p.WantsMove(vehicle.id, ring_move(junction, word)))
         elif word is Maneuver.CROSS:
             # A set with other words in it is a vehicle's: it crosses the junction.
             out.facts.append(p.Wants(vehicle.id, Maneuver.STRAIGHT.value))
@@ -111,43 +122,84 @@ def _maneuvers(out: Stated, vehicle: Participant, junction: Junction) -> None:
             out.facts.append(p.Wants(vehicle.id, word.value))
 
 
+def ring_move(junction: Junction, word: Maneuver) -> int:
+    """The symbolic move to the k-th exit of a ring.
+
+    Traffic goes round counter-clockwise where it keeps right, clockwise where left.
+    """
+    number = int(word.removeprefix("exit_"))
+    right = junction.driving_side is DrivingSide.RIGHT
+    return (number if right else junction.arms - number) % junction.arms
+
+
 def _approaches(out: Stated, functional: FunctionalScenario) -> None:
     ego = functional.ego.id
     known = {m.id for m in (*functional.vehicles, *functional.crossers)}
     drivers = {v.id for v in functional.vehicles}
+    reversing = {n for h in functional.hazards if h.kind is HazardKind.REVERSING for n in h.by}
     sayings = [(m.id, ego, m.approaches) for m in functional.participants if m.approaches]
     sayings += [(r.participant, r.reference, r.approaches) for r in functional.relations]
     for name, reference, approaches in sayings:
         if functional.participant(name).parked:
             continue  # where a parked vehicle stands is not enumerated
-        words = _places([a for a in Approach if a in approaches])
-        told = f"{name} comes from {_either(words)}, seen from {reference}"
+        said = [a for a in Approach if a in approaches]
+        told = f"{name} comes from {_either(said)}, seen from {reference}"
         if name == reference or name not in known or reference not in drivers:
             out.notes.append(f"Not used: {told}.")
             continue
         number = out.number(told)
         out.facts.append(p.Approach(number, name, reference))
-        out.facts += [p.Says(name, reference, word.value) for word in words]
+        open_road = functional.junction.kind is JunctionKind.STRAIGHT and name not in reversing
+        on_foot = name not in drivers
+        words = _places(said, open_road=open_road and not on_foot)
+        out.facts += [p.Says(name, reference, word) for word in words]
 
 
-def _places(words: list[Approach]) -> list[Approach]:
-    """``adjacent`` together with a side is one place: the lane beside, on that side."""
+def _places(words: list[Approach], *, open_road: bool) -> list[str]:
+    """The words for places: ``adjacent`` is on either side, or with a side on that one.
+
+    On a road without a junction nobody comes from the side but out of the next lane.
+    """
     sides = [word for word in words if word in {Approach.LEFT, Approach.RIGHT}]
-    if Approach.ADJACENT in words and len(sides) == 1:
-        return [word for word in words if word not in sides]
-    return words
+    others = [word.value for word in words if word not in sides and word is not Approach.ADJACENT]
+    if Approach.ADJACENT in words:
+        lanes = sides if len(sides) == 1 else [Approach.LEFT, Approach.RIGHT]
+        arms = [] if len(sides) == 1 else sides
+    else:
+        lanes, arms = (sides, []) if open_road else ([], sides)
+    return [*others, *(word.value for word in arms), *(f"adjacent_{side}" for side in lanes)]
 
 
-def _hazards(out: Stated, functional: FunctionalScenario) -> None:
-    explained = {evidence.field for evidence in functional.evidence}
-    for hazard in functional.hazards:
-        by, to = ", ".join(hazard.by) or "not said", ", ".join(hazard.to) or "not said"
-        number = out.number(f"hazard {hazard.kind} (by {by}; to {to})")
-        out.facts.append(p.Hazard(number, hazard.kind.value))
-        out.facts += [p.By(number, name) for name in hazard.by]
-        out.facts += [p.To(number, name) for name in hazard.to]
-        if not hazard.to and f"hazards.{hazard.kind}.to" in explained:
-            out.facts.append(p.LeftOpen(number))  # see guesses.py
+def _groups(out: Stated, functional: FunctionalScenario) -> None:
+    drivers = {v.id for v in functional.vehicles}
+    for index, group in enumerate(functional.groups):
+        members = [name for name in group.members if name in drivers]
+        words = _either([m for m in Maneuver if m in group.maneuvers])
+        of = f"{group.number} of {len(group.members)} ({group.members[0]}, …)"
+        number = out.number(f"{of} do: {words}")
+        out.facts.append(p.SomeOf(number, index, group.number, len(members)))
+        out.facts += [p.InGroup(index, name) for name in members]
+        out.facts += [
+            p.GroupWay(index, entry, move, manner)
+            for entry in range(functional.junction.arms)
+            for move, manner in group_ways(functional.junction, group.maneuvers, entry)
+        ]
+
+
+def group_ways(
+    junction: Junction, words: frozenset[Maneuver], entry: int
+) -> frozenset[tuple[int, str]]:
+    """The moves and manners from an arm that are one of these maneuvers."""
+    angles, arms = arm_angles_deg(junction), range(junction.arms)
+    found: set[tuple[int, str]] = set()
+    for word in words:
+        if word.startswith("exit_"):
+            found.add((ring_move(junction, word), "plain"))
+        elif word in MANNERS:
+            found |= {(move, manner) for move in arms for manner in MANNERS[word]}
+        else:
+            found |= {(m, "plain") for m in arms if turn_name(angles, entry, m) is word}
+    return frozenset(found)
 
 
 def _either(words: tuple[int, ...] | list[Maneuver] | list[Approach]) -> str:

@@ -12,6 +12,7 @@ from collections.abc import Hashable, Set
 from dataclasses import dataclass
 
 from scegen.enumeration.problem import Problem
+from scegen.scenario.acts import AfterAct
 from scegen.scenario.arms import seen_from, turn_name
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.vocabulary import ArmsMode, Control, JunctionKind
@@ -103,7 +104,8 @@ def role_matters(functional: FunctionalScenario, arms: ArmsMode) -> bool:
     With equal arms, the source paper's view, cars are cars, unless something is seen from the
     ego; with arms as built, the vehicle under test is somebody.
     """
-    seen = any(m.approaches for m in functional.participants)
+    seen = any(m.approaches for m in functional.participants) or functional.outcome is not None
+    seen = seen or not all(hazard.by and hazard.to for hazard in functional.hazards)
     others = len(functional.participants) > len(functional.vehicles)
     return arms is ArmsMode.DISTINCT or seen or others
 
@@ -122,27 +124,53 @@ def _turned(entries: tuple[int, ...] | None, turn: int, arms: int) -> tuple[int,
     return None if entries is None else tuple(sorted((e + turn) % arms for e in entries))
 
 
+_TOLD_OF_SEVERAL = ("relations", "groups", "hazards", "objects", "spacings", "acts")
+
+
 def _what_is_said(
     functional: FunctionalScenario, member: Participant, *, role_counts: bool
 ) -> Hashable:
-    """Everything said about a participant, except its arms."""
-    return (
-        member.kind,
-        member.role if role_counts else None,
-        member.maneuvers,
-        member.approaches,
-        member.speed_mps,
-        tuple(
-            (index, member.id in hazard.by, member.id in hazard.to)
-            for index, hazard in enumerate(functional.hazards)
-        ),
-        frozenset(
-            (r.reference, r.approaches) for r in functional.relations if r.participant == member.id
-        ),
-        frozenset(
-            (r.participant, r.approaches) for r in functional.relations if r.reference == member.id
-        ),
-    )
+    """Everything said about a participant, except its name and its arms."""
+    referred = {s.at for s in functional.spacings}
+    referred |= {a.when.act for a in functional.acts if isinstance(a.when, AfterAct)}
+    own = member.model_dump(exclude={"id", "role", "entries"}, mode="json")
+    told: list[object] = []
+    for section in _TOLD_OF_SEVERAL:
+        for index, item in enumerate(getattr(functional, section)):
+            data = item.model_dump(mode="json")
+            if section == "acts" and data["id"] not in referred:
+                del data["id"]  # its name tells nothing
+            told += _mention(section, index, data, member.id)
+    if functional.outcome is not None:
+        told += _mention("outcome", 0, functional.outcome.model_dump(mode="json"), member.id)
+    return repr(own), member.role if role_counts else None, tuple(sorted(map(repr, told)))
+
+
+def _mention(section: str, index: int, data: dict[str, object], name: str) -> list[object]:
+    """What one item says of somebody, with its own name left out; nothing if it is not named.
+
+    Of several who are named together each is told alike, so these items count by their place.
+    """
+    together = {
+        key: tuple(value)
+        for key, value in data.items()
+        if isinstance(value, list) and name in value
+    }
+    plain = {key: value for key, value in data.items() if key not in together}
+    words = _without(plain, name)
+    if not together and words == plain:
+        return []
+    several = any(len(names) > 1 for names in together.values())
+    return [(section, index if several else None, sorted(together), words)]
+
+
+def _without(data: object, name: str) -> object:
+    """The same with somebody's name replaced, however deep."""
+    if isinstance(data, dict):
+        return {key: _without(value, name) for key, value in data.items()}
+    if isinstance(data, list):
+        return [_without(value, name) for value in data]
+    return "·" if data == name else data
 
 
 def _road_allows(problem: Problem, turn: int, arms: ArmsMode) -> bool:
@@ -169,7 +197,10 @@ def _words_need_geometry(problem: Problem) -> bool:
     return bool(
         any(m.maneuvers or m.approaches for m in functional.participants)
         or functional.relations
+        or functional.groups
         or functional.hazards
+        or functional.acts
+        or functional.outcome
     )
 
 

@@ -10,7 +10,7 @@ from math import atan2, cos, hypot, pi, radians, sin
 
 from scegen.scenario.arms import arm_angles_deg
 from scegen.scenario.functional import Junction
-from scegen.scenario.logical import Crossing, Drive, Reverses, Standing
+from scegen.scenario.logical import Crossing, Drive, Heading, Reverses, Standing, Walking
 from scegen.scenario.vocabulary import DrivingSide, JunctionKind, Maneuver, Side
 
 Point = tuple[float, float]
@@ -217,14 +217,25 @@ def crossing_line(plan: Plan, crossing: Crossing, number: int) -> list[Point]:
 def standing_box(plan: Plan, standing: Standing, number: int) -> list[Point]:
     """The corners of a standing vehicle on its arm."""
     distance = min(plan.inner + 30.0 + 24.0 * number, REACH - 12.0)
-    sign = 1 if standing.side is Side.RIGHT else -1
-    aside = (
-        plan.half(standing.arm) - plan.lane / 2
-        if standing.in_lane
-        else plan.half(standing.arm) + _BOX / 2 + 2.0
-    )
+    aside = _aside(plan, standing)
     corners = ((-_BOX, -_BOX / 2), (_BOX, -_BOX / 2), (_BOX, _BOX / 2), (-_BOX, _BOX / 2))
-    return [plan.at(standing.arm, distance + du, sign * aside + dv) for du, dv in corners]
+    return [plan.at(standing.arm, distance + du, aside + dv) for du, dv in corners]
+
+
+def walking_line(plan: Plan, walking: Walking) -> list[Point]:
+    """Along an arm, towards the junction or away from it."""
+    aside = _aside(plan, walking)
+    ends = [plan.inner + 40.0, plan.inner + 12.0]
+    if walking.heading is Heading.OUTWARD:
+        ends.reverse()
+    return [plan.at(walking.arm, min(end, REACH - 8.0), aside) for end in ends]
+
+
+def _aside(plan: Plan, place: Standing | Walking) -> float:
+    """From the middle of an arm, to the right of who enters."""
+    half = plan.half(place.arm)
+    aside = half - plan.lane / 2 if place.in_lane else half + _BOX / 2 + 2.0
+    return aside if place.side is Side.RIGHT else -aside
 
 
 def arrow_head(points: list[Point], size: float) -> list[Point]:

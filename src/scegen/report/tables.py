@@ -19,7 +19,7 @@ from scegen.scenario.concrete import (
     StandingMotion,
 )
 from scegen.scenario.functional import Environment
-from scegen.scenario.logical import ParameterRange
+from scegen.scenario.parameters import ParameterRange
 from scegen.scenario.vocabulary import Role
 
 Row = tuple[str, ...]

@@ -15,6 +15,7 @@ from scegen.report.plan import (
     drive_line,
     make_plan,
     standing_box,
+    walking_line,
 )
 from scegen.report.strokes import (
     MARK,
@@ -29,7 +30,7 @@ from scegen.report.strokes import (
 )
 from scegen.report.words import REVERSES
 from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.logical import Assignment, Crossing, Drive, LogicalScenario
+from scegen.scenario.logical import Assignment, Crossing, Drive, LogicalScenario, Walking
 from scegen.scenario.vocabulary import JunctionKind, Maneuver
 
 TILE_WIDTH = 240
@@ -85,6 +86,9 @@ def tile_body(
             line = lines[name] = crossing_line(plan, assignment, crossings)
             drawing = walk(line, colour[name])
             crossings += 1
+        elif isinstance(assignment, Walking):
+            line = lines[name] = walking_line(plan, assignment)
+            drawing = walk(line, colour[name])
         else:
             drawing = box(standing_box(plan, assignment, standings), colour[name])
             standings += 1
@@ -129,6 +133,8 @@ def way(assignment: Assignment) -> str:
         return f"{assignment.entry} → {assignment.exit}, {words}"
     if isinstance(assignment, Crossing):
         return f"crosses {assignment.arm} from {assignment.start}"
+    if isinstance(assignment, Walking):
+        return f"walks along {assignment.arm}, {assignment.side}, {assignment.heading}"
     if assignment.in_lane:
         return f"blocks arm {assignment.arm}"
     return f"stands at {assignment.arm}, {assignment.side}"

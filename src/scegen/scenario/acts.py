@@ -2,29 +2,69 @@
 
 from __future__ import annotations
 
-from enum import StrEnum
 from typing import Annotated, Literal
 
 from pydantic import Field
 
+from scegen.scenario.definitions import Word
 from scegen.scenario.model import FrozenModel, Identifier, Interval
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Side
 
 
-class ActKind(StrEnum):
+class ActKind(Word):
     """What somebody does at some moment, beside driving its way."""
 
-    BRAKE = "brake"
-    ACCELERATE = "accelerate"
-    STOP = "stop"
-    SET_OFF = "set_off"
-    CHANGE_LANE = "change_lane"
-    SWERVE = "swerve"
-    TURN = "turn"
-    CROSS = "cross"
-    REVERSE = "reverse"
-    OVERTAKE = "overtake"
+    BRAKE = (
+        "brake",
+        "slows down, to a speed that may be given",
+        "`stop`, which ends at rest",
+        "brakes with 6 m/s2 to 20 km/h",
+    )
+    ACCELERATE = "accelerate", "gains speed", "`set_off`, from rest", "accelerates to 80 km/h"
+    STOP = (
+        "stop",
+        "comes to rest and stays there",
+        "`brake`, which ends in motion; standing all the time (maneuver `stay`)",
+        "brakes with 4 m/s2 to a standstill",
+    )
+    SET_OFF = (
+        "set_off",
+        "begins to move from rest, up to a speed that may be given",
+        "`accelerate`, for one who moves already",
+        "pulls away with 2 m/s2 to 30 km/h",
+    )
+    CHANGE_LANE = (
+        "change_lane",
+        "goes over into the lane beside",
+        "`swerve`, which leaves no lane for good; `turn`",
+        "changes to the left lane; cuts in; drifts into the ego's lane",
+    )
+    SWERVE = (
+        "swerve",
+        "moves sideways, fast or slowly, and does not end in another lane",
+        "`change_lane`, which does",
+        "drifts 0.6 m to the left",
+    )
+    TURN = (
+        "turn",
+        "begins to turn at the junction, or back",
+        "`change_lane`",
+        "turns left as soon as the ego is near",
+    )
+    CROSS = (
+        "cross",
+        "begins to go over the road, from its edge",
+        "a vehicle through a junction (maneuver `straight`)",
+        "steps off the kerb when the ego is 30 m away",
+    )
+    REVERSE = "reverse", "begins to drive backwards", "a U-turn (`turn`)", "backs up for 3 s"
+    OVERTAKE = (
+        "overtake",
+        "begins to pass somebody in front of it",
+        "`change_lane` without getting past",
+        "pulls out to overtake the truck",
+    )
 
 
 class AfterStart(FrozenModel):

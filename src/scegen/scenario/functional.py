@@ -94,11 +94,11 @@ class Participant(FrozenModel):
 
     ``approaches`` are relative to the ego, ``adjacent`` with ``left`` or ``right`` is the lane
     beside on that side; ``entries`` are arm numbers; ``lanes`` the lanes in which it may start,
-    counted from the centre line outwards (empty = free); ``speed_mps`` is the range that the text
-    gives until the first act that concerns it, None if it gives none. One who is ``parked`` stands
-    beside the travelled lanes; with ``maneuvers`` other than to stay it pulls out. One who stands
-    in the lane is not parked and has the maneuver ``stay``. ``circulating``: it is in the
-    roundabout already. A pedestrian whose maneuver is ``straight`` walks along the road.
+    counted from 1 at the centre line (or the island) outwards, empty = free; ``speed_mps`` is the
+    range that the text gives until the first act that concerns it, None if it gives none. One who
+    is ``parked`` stands beside the travelled lanes; with ``maneuvers`` other than to stay it pulls
+    out. One who stands in the lane is not parked and has the maneuver ``stay``. ``circulating``: it
+    is in the roundabout already. A pedestrian whose maneuver is ``straight`` walks along the road.
     """
 
     id: Identifier
@@ -132,6 +132,25 @@ class Hazard(FrozenModel):
     kind: HazardKind
     by: tuple[Identifier, ...] = ()
     to: tuple[Identifier, ...] = ()
+
+
+class Group(FrozenModel):
+    """So many of the ``members``, no matter which, do one of these maneuvers; the others do not.
+
+    What a text says of some of several alike ("three of the ten turn left") stands here and not
+    with any one of them, so they stay interchangeable.
+    """
+
+    members: tuple[Identifier, ...] = Field(min_length=2)
+    number: int = Field(ge=0)
+    maneuvers: VocabularySet[Maneuver] = Field(min_length=1)
+
+    @model_validator(mode="after")
+    def _not_more_than_there_are(self) -> Group:
+        if self.number > len(self.members):
+            msg = f"{self.number} of {len(self.members)} members are more than there are"
+            raise ValueError(msg)
+        return self
 
 
 class Environment(FrozenModel):
@@ -187,6 +206,7 @@ class FunctionalScenario(FrozenModel):
     junction: Junction
     participants: tuple[Participant, ...] = Field(min_length=1)
     relations: tuple[Relation, ...] = ()
+    groups: tuple[Group, ...] = ()
     hazards: tuple[Hazard, ...] = ()
     objects: tuple[Thing, ...] = ()
     spacings: tuple[Spacing, ...] = ()
@@ -227,6 +247,7 @@ class FunctionalScenario(FrozenModel):
         named = [
             (name, "relations") for r in self.relations for name in (r.participant, r.reference)
         ]
+        named += [(name, "groups") for g in self.groups for name in g.members]
         named += [(name, f"hazards.{h.kind}") for h in self.hazards for name in (*h.by, *h.to)]
         named += [(name, f"objects.{o.id}") for o in self.objects for name in o.hides]
         named += [(o.in_way_of, f"objects.{o.id}") for o in self.objects if o.in_way_of]

@@ -9,10 +9,12 @@ from __future__ import annotations
 from enum import StrEnum
 from typing import Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
+from scegen.scenario.acts import Act
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.model import FrozenModel, Identifier
+from scegen.scenario.parameters import ParameterRange
 from scegen.scenario.vocabulary import ArmsMode, Maneuver, Reduction, Side
 
 
@@ -30,24 +32,47 @@ class Reverses(StrEnum):
     FROM_LEFT = "from_left"
 
 
-class Drive(FrozenModel):
+class Heading(StrEnum):
+    """Which way somebody walks along an arm: as the traffic that enters on it, or against it."""
+
+    INWARD = "inward"
+    OUTWARD = "outward"
+
+
+class InLine(FrozenModel):
+    """The place of one who uses a lane of an arm, among the others there.
+
+    ``rank`` orders those of one arm, 0 = foremost, the first at the junction; it is shared by
+    those side by side. Who is said to be ahead or behind is in the same lane. ``lane`` is counted
+    from 1 at the centre line outwards, None where the text does not limit it. ``beside`` names the one
+    next to whom it is, in the next lane, and ``beside_on`` the side of that one on which.
+    """
+
+    participant: Identifier
+    rank: int = Field(default=0, ge=0)
+    lane: int | None = Field(default=None, ge=0)
+    beside: Identifier | None = None
+    beside_on: Side | None = None
+
+
+class Drive(InLine):
     """A vehicle's assignment: enters at arm ``entry``, makes move ``move``, leaves at ``exit``.
 
     ``turn`` names the movement by geometry; ``maneuver`` is what it does beside (a lane
-    change, an overtake), or the same as ``turn``. ``rank`` orders the vehicles of one entry
-    arm, 0 = first to arrive; ``beside`` names the one next to which it travels, in another lane.
-    ``reverses`` says how it comes to drive backwards, None if it does not.
+    change, an overtake), or the same as ``turn``; ``stay``: it stands in its lane all the time,
+    with everything else as for one who drives. ``changes_to`` is its own side to which it changes
+    lane, None where it does not. ``circulating``: it is in the ring at the start, as if it had
+    entered at ``entry``. ``reverses`` says how it comes to drive backwards, None if it does not.
     """
 
     type: Literal["drive"] = "drive"
-    participant: Identifier
     entry: int = Field(ge=0)
     move: int = Field(ge=0)
     exit: int = Field(ge=0)
     turn: Maneuver
     maneuver: Maneuver
-    rank: int = Field(default=0, ge=0)
-    beside: Identifier | None = None
+    changes_to: Side | None = None
+    circulating: bool = False
     reverses: Reverses | None = None
 
 
@@ -60,20 +85,34 @@ class Crossing(FrozenModel):
     start: Side
 
 
-class Standing(FrozenModel):
-    """A parked vehicle's assignment: stands on side ``side`` of arm ``arm``.
+class Standing(InLine):
+    """Who stands beside the lanes of arm ``arm``, and a pedestrian who stands in one.
 
-    ``in_lane`` says that it blocks the travelled lane instead of standing beside it.
+    ``side`` is the side of the road, seen by traffic that enters on the arm. ``in_lane`` says that
+    it blocks a lane of the traffic that keeps to that side, instead of standing beside it: where
+    traffic keeps right, the right is the side of who enters, the left of who leaves.
     """
 
     type: Literal["standing"] = "standing"
-    participant: Identifier
     arm: int = Field(ge=0)
     side: Side = Side.RIGHT
     in_lane: bool = False
 
 
-Assignment = Drive | Crossing | Standing
+class Walking(InLine):
+    """A pedestrian's assignment: walks along arm ``arm``, on side ``side`` as of a Standing.
+
+    ``in_lane``: in a lane of the traffic that keeps to that side, instead of beside it.
+    """
+
+    type: Literal["walking"] = "walking"
+    arm: int = Field(ge=0)
+    side: Side = Side.RIGHT
+    in_lane: bool = False
+    heading: Heading = Heading.INWARD
+
+
+Assignment = Drive | Crossing | Standing | Walking
 
 
 class ConflictKind(StrEnum):
@@ -118,33 +157,13 @@ class Conflict(FrozenModel):
     rule: Rule | None = None
 
 
-class ParameterRange(FrozenModel):
-    """A parameter that concretization may choose within ``[low, high]``; ``name`` ends in its unit.
-
-    ``name`` is ``<participant>.<quantity>`` or ``road.<quantity>``; ``reason`` says where the
-    range comes from.
-    """
-
-    name: str
-    low: float
-    high: float
-    default: float
-    reason: str
-
-    @model_validator(mode="after")
-    def _ordered(self) -> ParameterRange:
-        if not self.low <= self.default <= self.high:
-            msg = f"{self.name}: default {self.default:g} outside [{self.low:g}, {self.high:g}]"
-            raise ValueError(msg)
-        return self
-
-
 class LogicalScenario(FrozenModel):
     """One distinct traffic scenario.
 
     ``pattern`` is the multiset of the drivers' symbolic moves, sorted (the source paper's
     caption); ``class_size`` counts the assignments that the reduction holds to be this one.
-    ``hazards`` are the functional ones with everybody named who causes and who suffers them.
+    ``hazards`` are the functional ones with everybody named who causes and who suffers them,
+    ``acts`` the functional ones with the side to which they go and into whose lane.
     ``deadlock`` are those of whom each must wait for another of them, if all who are first on
     their arms arrive at once.
     """
@@ -155,6 +174,7 @@ class LogicalScenario(FrozenModel):
     class_size: int = Field(default=1, ge=1)
     assignments: tuple[Assignment, ...]
     hazards: tuple[Hazard, ...] = ()
+    acts: tuple[Act, ...] = ()
     conflicts: tuple[Conflict, ...] = ()
     deadlock: tuple[Identifier, ...] = ()
     parameters: tuple[ParameterRange, ...] = ()
@@ -171,8 +191,13 @@ class LogicalScenario(FrozenModel):
 
     @property
     def standings(self) -> tuple[Standing, ...]:
-        """The assignments of parked vehicles."""
+        """The assignments of parked vehicles, and of pedestrians who stand."""
         return tuple(a for a in self.assignments if isinstance(a, Standing))
+
+    @property
+    def walkings(self) -> tuple[Walking, ...]:
+        """The assignments of those who walk along an arm."""
+        return tuple(a for a in self.assignments if isinstance(a, Walking))
 
     def assignment(self, participant: str) -> Assignment:
         """The assignment of one participant; KeyError if it has none."""

@@ -2,20 +2,34 @@
 
 from __future__ import annotations
 
-from enum import StrEnum
-
 from pydantic import Field
 
+from scegen.scenario.definitions import Word
 from scegen.scenario.model import FrozenModel, Identifier, Interval
 from scegen.scenario.vocabulary import BodySide
 
 
-class OutcomeKind(StrEnum):
+class OutcomeKind(Word):
     """How it ends."""
 
-    NEAR_MISS = "near_miss"
-    COLLISION = "collision"
-    AVOIDED = "avoided"
+    NEAR_MISS = (
+        "near_miss",
+        "they nearly touch and do not",
+        "`avoided`, where nothing is said about how close",
+        "narrowly misses; a near-collision",
+    )
+    COLLISION = (
+        "collision",
+        "they touch",
+        "`near_miss`; a danger or risk of collision",
+        "hits; crashes into; is struck",
+    )
+    AVOIDED = (
+        "avoided",
+        "nobody touches anybody, by whatever margin",
+        "`near_miss`; an attempt to avoid, whose end is open",
+        "there is no contact",
+    )
 
 
 class Outcome(FrozenModel):

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from enum import StrEnum
-
 from pydantic import Field
 
+from scegen.scenario.definitions import Word
 from scegen.scenario.model import FrozenModel, Identifier, Interval
 from scegen.scenario.vocabulary import Side
 
@@ -13,7 +12,7 @@ START, CONTACT = "start", "contact"
 """The moments of a spacing that are no act."""
 
 
-class Measure(StrEnum):
+class Measure(Word):
     """How a spacing is measured.
 
     ``gap_m``: free length between the bumpers along the road. ``headway_s``: that gap by the speed
@@ -23,12 +22,42 @@ class Measure(StrEnum):
     the participant's covers.
     """
 
-    GAP_M = "gap_m"
-    HEADWAY_S = "headway_s"
-    TTC_S = "ttc_s"
-    LATERAL_GAP_M = "lateral_gap_m"
-    LATERAL_OFFSET_M = "lateral_offset_m"
-    OVERLAP_PERCENT = "overlap_percent"
+    GAP_M = (
+        "gap_m",
+        "free length between the bumpers along the road, m; to who crosses, up to its place",
+        "`lateral_gap_m`, beside",
+        "20 m behind; when it is 12 m away",
+    )
+    HEADWAY_S = (
+        "headway_s",
+        "that gap by the speed of who follows, s",
+        "`ttc_s`",
+        "a time gap of 1.2 s; two seconds behind",
+    )
+    TTC_S = (
+        "ttc_s",
+        "that gap by the difference of speeds, s",
+        "`headway_s`",
+        "a time to collision of 4 s; is 3 s away",
+    )
+    LATERAL_GAP_M = (
+        "lateral_gap_m",
+        "free width between the sides as one passes the other, m",
+        "`lateral_offset_m`, between the centres",
+        "passes with 1 m to spare",
+    )
+    LATERAL_OFFSET_M = (
+        "lateral_offset_m",
+        "offset of its centre from the reference's line, m, positive to the reference's left",
+        "`lateral_gap_m`",
+        "0.5 m left of the ego's centre line",
+    )
+    OVERLAP_PERCENT = (
+        "overlap_percent",
+        "share of the reference's width that the participant's covers",
+        "the impact point (`outcome.impact_percent`)",
+        "with 50 % overlap",
+    )
 
 
 class Spacing(FrozenModel):

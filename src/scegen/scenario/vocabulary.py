@@ -4,101 +4,318 @@ from __future__ import annotations
 
 from enum import StrEnum
 
+from scegen.scenario.definitions import Word
 
-class JunctionKind(StrEnum):
+
+class JunctionKind(Word):
     """Shape of the road network; ``straight`` has two arms and no crossing."""
 
-    STRAIGHT = "straight"
-    T = "t"
-    Y = "y"
-    FOUR_WAY = "four_way"
-    SKEWED = "skewed"
-    MULTI_WAY = "multi_way"
-    ROUNDABOUT = "roundabout"
+    STRAIGHT = (
+        "straight",
+        "one road without a crossing; its two directions are two arms",
+        "a junction that is driven straight through",
+        "on a country road; on the motorway",
+    )
+    T = (
+        "t",
+        "a road ends at another that goes straight through",
+        "`y`, where no way goes straight on; a driveway that nobody uses",
+        "a T-junction; a side road joins; a three-way intersection",
+    )
+    Y = (
+        "y",
+        "three roads meet at wide angles, so that none goes straight on",
+        "`t`, unless the text says fork or Y",
+        "a fork; a Y-intersection",
+    )
+    FOUR_WAY = (
+        "four_way",
+        "two roads cross at right angles",
+        "`skewed`, if the angles are said to be others",
+        "a crossroads; an intersection without further words",
+    )
+    SKEWED = (
+        "skewed",
+        "four roads meet at other than right angles",
+        "`multi_way`, which has five arms or more",
+        "a skewed intersection",
+    )
+    MULTI_WAY = (
+        "multi_way",
+        "five roads or more meet",
+        "`roundabout`, where traffic goes round an island",
+        "a five-way intersection",
+    )
+    ROUNDABOUT = (
+        "roundabout",
+        "traffic goes round an island in one direction",
+        "`multi_way`, which is crossed",
+        "a roundabout with four exits",
+    )
 
 
-class Control(StrEnum):
+class Control(Word):
     """Who regulates priority at the junction."""
 
-    UNCONTROLLED = "uncontrolled"
-    PRIORITY_TO_RIGHT = "priority_to_right"
-    YIELD = "yield"
-    STOP = "stop"
-    ALL_WAY_STOP = "all_way_stop"
-    SIGNALS = "signals"
+    UNCONTROLLED = (
+        "uncontrolled",
+        "nothing is said about signs, lights or priority",
+        "`priority_to_right`, unless the text says that rule",
+        "an uncontrolled intersection",
+    )
+    PRIORITY_TO_RIGHT = (
+        "priority_to_right",
+        "who comes from the right goes first",
+        "who merely comes from the right",
+        "right before left applies",
+    )
+    YIELD = (
+        "yield",
+        "the road that ends or is said to be minor has a give-way sign",
+        "`stop`; somebody who yields without a sign",
+        "a give-way junction",
+    )
+    STOP = (
+        "stop",
+        "the road that ends or is said to be minor has a stop sign",
+        "`all_way_stop`, where every road has one",
+        "at the stop line of a side road",
+    )
+    ALL_WAY_STOP = (
+        "all_way_stop",
+        "every road has a stop sign",
+        "`stop`, where only the minor road has one",
+        "a four-way stop",
+    )
+    SIGNALS = (
+        "signals",
+        "traffic lights regulate the junction",
+        "lights of a vehicle",
+        "somebody runs a red light; at the lights",
+    )
 
 
-class DrivingSide(StrEnum):
+class DrivingSide(Word):
     """The side of the road on which traffic keeps."""
 
-    RIGHT = "right"
-    LEFT = "left"
+    RIGHT = "right", "traffic keeps to the right", "", "Germany, USA; not said"
+    LEFT = "left", "traffic keeps to the left", "", "in the UK; in Japan"
 
 
-class ParticipantKind(StrEnum):
+class ParticipantKind(Word):
     """What a traffic participant is."""
 
-    CAR = "car"
-    VAN = "van"
-    TRUCK = "truck"
-    BUS = "bus"
-    MOTORCYCLE = "motorcycle"
-    BICYCLE = "bicycle"
-    PEDESTRIAN = "pedestrian"
-    EMERGENCY_VEHICLE = "emergency_vehicle"
+    CAR = (
+        "car",
+        "a passenger car, and any vehicle of which no more is said",
+        "`van`, `truck`",
+        "a vehicle; a taxi; an SUV",
+    )
+    VAN = "van", "a light goods or transit vehicle", "`truck`", "a delivery van"
+    TRUCK = (
+        "truck",
+        "a heavy goods vehicle, also an agricultural one",
+        "`van`",
+        "a lorry; a tractor",
+    )
+    BUS = "bus", "a bus or coach", "`van`, for a minibus", "a school bus"
+    MOTORCYCLE = (
+        "motorcycle",
+        "a motorcycle or scooter with its rider",
+        "`bicycle`",
+        "a motorcyclist",
+    )
+    BICYCLE = (
+        "bicycle",
+        "a bicycle with its rider, who drives in the lanes or crosses",
+        "`pedestrian`, for one who pushes it",
+        "a cyclist",
+    )
+    PEDESTRIAN = (
+        "pedestrian",
+        "somebody on foot, also on skates or a toy scooter",
+        "people inside vehicles",
+        "a child; a jogger",
+    )
+    EMERGENCY_VEHICLE = (
+        "emergency_vehicle",
+        "a vehicle of police, fire or rescue service",
+        "`car`, `truck`",
+        "an ambulance",
+    )
 
 
-class Side(StrEnum):
+class Side(Word):
     """A side: of the road, seen by traffic that enters on that arm; or of who acts or is met."""
 
-    RIGHT = "right"
-    LEFT = "left"
+    RIGHT = (
+        "right",
+        "to the right, seen by who is spoken of",
+        "`Approach.right`, where one comes from",
+        "on its right",
+    )
+    LEFT = (
+        "left",
+        "to the left, seen by who is spoken of",
+        "`Approach.left`, where one comes from",
+        "on its left",
+    )
 
 
-class BodySide(StrEnum):
+class BodySide(Word):
     """A side of a vehicle's body."""
 
-    FRONT = "front"
-    REAR = "rear"
-    LEFT = "left"
-    RIGHT = "right"
+    FRONT = "front", "the front of the body", "", "hit head-on"
+    REAR = "rear", "the rear of the body", "", "hit from behind"
+    LEFT = (
+        "left",
+        "the left side of the body",
+        "the left half of its front",
+        "struck in the driver's side",
+    )
+    RIGHT = (
+        "right",
+        "the right side of the body",
+        "the right half of its front",
+        "struck from the right",
+    )
 
 
-class Role(StrEnum):
+class Role(Word):
     """``ego`` is the vehicle under test; there is exactly one."""
 
-    EGO = "ego"
-    OTHER = "other"
+    EGO = (
+        "ego",
+        "the vehicle under test; there is exactly one",
+        "",
+        "the ego vehicle; the subject vehicle",
+    )
+    OTHER = "other", "everybody else", "", "the adversary; the lead car"
 
 
-class Approach(StrEnum):
+class Approach(Word):
     """Where a participant comes from, seen from a reference participant (the ego by default)."""
 
-    OPPOSITE = "opposite"
-    LEFT = "left"
-    RIGHT = "right"
-    AHEAD = "ahead"
-    BEHIND = "behind"
-    ADJACENT = "adjacent"
+    OPPOSITE = (
+        "opposite",
+        "comes towards the reference: on its road, or from the arm that lies opposite",
+        "`ahead`, which goes the same way",
+        "oncoming",
+    )
+    LEFT = (
+        "left",
+        "comes from the reference's left, by another arm or over the kerb",
+        "turning left (a maneuver); with `adjacent`, the lane beside",
+        "a car from the left",
+    )
+    RIGHT = (
+        "right",
+        "comes from the reference's right, by another arm or over the kerb",
+        "turning right (a maneuver); with `adjacent`, the lane beside",
+        "a child from the right",
+    )
+    AHEAD = (
+        "ahead",
+        "on the reference's arm and in its direction, before it",
+        "`opposite`, which faces it",
+        "the lead vehicle",
+    )
+    BEHIND = (
+        "behind",
+        "on the reference's arm and in its direction, after it",
+        "`opposite`",
+        "a following car",
+    )
+    ADJACENT = (
+        "adjacent",
+        "in a lane beside the reference's, same direction; with `left` or `right`: on that side",
+        "`left`, `right` alone, which are other roads",
+        "the car in the next lane",
+    )
 
 
-class Maneuver(StrEnum):
+class Maneuver(Word):
     """What a participant does; ``exit_k`` is the k-th exit of a roundabout in driving direction."""
 
-    STRAIGHT = "straight"
-    LEFT = "left"
-    RIGHT = "right"
-    U_TURN = "u_turn"
-    LANE_CHANGE = "lane_change"
-    OVERTAKE = "overtake"
-    CROSS = "cross"
-    STAY = "stay"
-    EXIT_1 = "exit_1"
-    EXIT_2 = "exit_2"
-    EXIT_3 = "exit_3"
-    EXIT_4 = "exit_4"
-    EXIT_5 = "exit_5"
-    EXIT_6 = "exit_6"
+    STRAIGHT = (
+        "straight",
+        "goes on through the junction or along the road; on foot: walks along it",
+        "what the text leaves open",
+        "goes straight through",
+    )
+    LEFT = (
+        "left",
+        "turns left at the junction",
+        "`lane_change` to the left; coming from the left (an approach)",
+        "turns off to the left",
+    )
+    RIGHT = (
+        "right",
+        "turns right at the junction",
+        "`lane_change` to the right; coming from the right (an approach)",
+        "takes the right-hand branch",
+    )
+    U_TURN = "u_turn", "turns back the way that it came", "`left`", "makes a U-turn"
+    LANE_CHANGE = (
+        "lane_change",
+        "goes over to another lane and stays there",
+        "`overtake`, which ends before somebody; a forced reaction",
+        "merges into the ego's lane",
+    )
+    OVERTAKE = (
+        "overtake",
+        "passes somebody that moves, or bypasses somebody that stands in its lane",
+        "`lane_change` without getting past",
+        "overtakes the truck",
+    )
+    CROSS = (
+        "cross",
+        "goes over a road from its edge, on foot or by bicycle",
+        "`straight`, for vehicles through a junction",
+        "crosses the street",
+    )
+    STAY = (
+        "stay",
+        "stands all the time",
+        "one that stops or sets off (an act)",
+        "a stationary car; somebody who waits",
+    )
+    EXIT_1 = (
+        "exit_1",
+        "leaves the roundabout by the first exit that it reaches",
+        "",
+        "takes the first exit",
+    )
+    EXIT_2 = (
+        "exit_2",
+        "leaves the roundabout by the second exit that it reaches",
+        "",
+        "takes the second exit",
+    )
+    EXIT_3 = (
+        "exit_3",
+        "leaves the roundabout by the third exit that it reaches",
+        "",
+        "takes the third exit",
+    )
+    EXIT_4 = (
+        "exit_4",
+        "leaves the roundabout by the fourth exit that it reaches",
+        "",
+        "takes the fourth exit",
+    )
+    EXIT_5 = (
+        "exit_5",
+        "leaves the roundabout by the fifth exit that it reaches",
+        "",
+        "takes the fifth exit",
+    )
+    EXIT_6 = (
+        "exit_6",
+        "leaves the roundabout by the sixth exit that it reaches",
+        "",
+        "takes the sixth exit",
+    )
 
 
 class HazardKind(StrEnum):
@@ -132,61 +349,89 @@ FROM_BESIDE = frozenset({HazardKind.MERGING_CONFLICT, HazardKind.FAILURE_TO_YIEL
 """On a road without a junction, these come from the lane beside, as a cut-in does."""
 
 
-class Weather(StrEnum):
+class Weather(Word):
     """Sky and precipitation."""
 
-    CLEAR = "clear"
-    CLOUDY = "cloudy"
-    RAIN = "rain"
-    HEAVY_RAIN = "heavy_rain"
-    SNOW = "snow"
-    FOG = "fog"
+    CLEAR = (
+        "clear",
+        "no clouds and no precipitation",
+        "good visibility, which is not weather",
+        "sunny",
+    )
+    CLOUDY = "cloudy", "a covered sky without precipitation", "`fog`", "overcast"
+    RAIN = "rain", "it rains", "`heavy_rain`; a wet road after rain", "in the rain"
+    HEAVY_RAIN = "heavy_rain", "it rains strongly", "`rain`", "a downpour"
+    SNOW = "snow", "it snows", "a snowy road without snowfall", "in a snowstorm"
+    FOG = "fog", "fog or mist", "smoke, dust (visibility)", "in dense fog"
 
 
-class TimeOfDay(StrEnum):
+class TimeOfDay(Word):
     """Light conditions by the position of the sun."""
 
-    DAY = "day"
-    DAWN = "dawn"
-    DUSK = "dusk"
-    NIGHT = "night"
+    DAY = "day", "the sun is up", "", "at noon"
+    DAWN = "dawn", "the sun rises", "`dusk`", "at sunrise"
+    DUSK = "dusk", "the sun sets", "`dawn`", "at twilight"
+    NIGHT = "night", "the sun is down", "a dark place by day", "in darkness"
 
 
-class RoadSurface(StrEnum):
+class RoadSurface(Word):
     """Condition of the road surface."""
 
-    DRY = "dry"
-    WET = "wet"
-    ICY = "icy"
-    SNOWY = "snowy"
+    DRY = "dry", "the road is dry", "", "on dry asphalt"
+    WET = (
+        "wet",
+        "there is water on the road",
+        "rain alone, which leaves this field empty",
+        "on a wet road",
+    )
+    ICY = "icy", "there is ice on the road", "`snowy`", "black ice"
+    SNOWY = "snowy", "there is snow on the road", "`icy`; snowfall alone", "on packed snow"
 
 
-class Visibility(StrEnum):
+class Visibility(Word):
     """How far one sees."""
 
-    GOOD = "good"
-    REDUCED = "reduced"
-    POOR = "poor"
+    GOOD = "good", "one is said to see far", "", "with good visibility"
+    REDUCED = (
+        "reduced",
+        "one is said to see less than usual",
+        "`poor`; somebody hidden (`occlusion`); fog or night alone",
+        "reduced visibility; glare",
+    )
+    POOR = (
+        "poor",
+        "one is said to see badly",
+        "`reduced`; fog or night alone, which leave this field empty",
+        "one can hardly see",
+    )
 
 
-class EvidenceSource(StrEnum):
+class EvidenceSource(Word):
     """What a field rests on: the words, a conclusion from them, or a default."""
 
-    STATED = "stated"
-    INFERRED = "inferred"
-    DEFAULT = "default"
+    STATED = "stated", "rests on words of the text", "`inferred`", "quoted with their place"
+    INFERRED = (
+        "inferred",
+        "follows from the text, for a reason that is given",
+        "`default`",
+        "who cuts in comes from the next lane",
+    )
+    DEFAULT = "default", "the text does not say it", "`inferred`", "driving side: right"
 
 
-class Reduction(StrEnum):
+class Reduction(Word):
     """Which assignments count as one scenario."""
 
-    NONE = "none"
-    PATTERN = "pattern"
-    EXACT = "exact"
+    NONE = "none", "every assignment counts"
+    PATTERN = "pattern", "one scenario for each multiset of symbolic moves, as in the source paper"
+    EXACT = (
+        "exact",
+        "one scenario for all that rotating the junction and swapping equal vehicles make alike",
+    )
 
 
-class ArmsMode(StrEnum):
+class ArmsMode(Word):
     """Whether the arms of a junction count alike (the source paper's view) or as built."""
 
-    EQUAL = "equal"
-    DISTINCT = "distinct"
+    EQUAL = "equal", "every arm counts alike"
+    DISTINCT = "distinct", "arms count alike only where geometry, lanes and control are"

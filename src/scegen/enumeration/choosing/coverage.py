@@ -14,7 +14,7 @@ from functools import lru_cache
 
 from scegen.scenario.arms import arm_angles_deg, seen_from
 from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.logical import Assignment, Conflict, Crossing, Drive, LogicalScenario, Standing
+from scegen.scenario.logical import Assignment, Conflict, Drive, LogicalScenario
 
 SAME_ARM = "same arm"
 
@@ -97,7 +97,7 @@ def _movement(assignment: Assignment) -> str:
         plain = assignment.maneuver is assignment.turn
         words = assignment.turn if plain else f"{assignment.maneuver} {assignment.turn}"
         return str(words).replace("_", " ")
-    return "crosses" if isinstance(assignment, Crossing) else "stands"
+    return {"crossing": "crosses", "standing": "stands", "walking": "walks along"}[assignment.type]
 
 
 def _seen(first: Assignment, second: Assignment, angles: tuple[float, ...]) -> str:
@@ -108,4 +108,4 @@ def _seen(first: Assignment, second: Assignment, angles: tuple[float, ...]) -> s
 
 
 def _arm(assignment: Assignment) -> int:
-    return assignment.arm if isinstance(assignment, Crossing | Standing) else assignment.entry
+    return assignment.entry if isinstance(assignment, Drive) else assignment.arm

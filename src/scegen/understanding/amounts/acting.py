@@ -150,7 +150,7 @@ def _aside(doing: Doing, scene: Scene, context: Context) -> None:
     homeward = doing.into is None or doing.into.ego
     if homeward and doing.kind is ActKind.CHANGE_LANE and doing.side is None and entity.beside:
         side, words = entity.beside
-        doing.side = _OTHER[Side(side)]
+        doing.side = _OTHER[_SIDES[side]] if side in _SIDES else None
         doing.side_basis = Basis(words.i, words.j, "into the lane beside its own")
 
 

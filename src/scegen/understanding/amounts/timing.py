@@ -130,7 +130,7 @@ class Clock:
                 continue
             opening = self._text.low(chunk.i, chunk.j).strip()
             because = opening in {"because", "since"}
-            if not because and opening not in words()["triggers"] or opening in {"if", "until"}:
+            if (not because and opening not in words()["triggers"]) or opening in {"if", "until"}:
                 continue
             start, stop = self._text.bounds(chunk.i)
             if quantity_at(self._text.tokens, chunk.j) is not None:

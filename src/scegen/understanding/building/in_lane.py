@@ -68,7 +68,7 @@ def beside_of(entity: Entity) -> Approach | None:
 
 
 def lanes_of(entity: Entity, junction: Junction, draft: Draft) -> frozenset[int]:
-    """The lane that the text names, counted from the centre line outwards.
+    """The lane that the text names, counted from 1 at the centre line outwards.
 
     Args:
         entity: a participant.
@@ -76,16 +76,16 @@ def lanes_of(entity: Entity, junction: Junction, draft: Draft) -> frozenset[int]
         draft: the scenario in the making.
     """
     count = min(junction.lanes, default=1)
-    count -= draft.ramp is not None and count > 2  # noqa: PLR2004 - the ramp's own
-    if entity.start_lane is None or count < 2:  # noqa: PLR2004
+    count -= draft.ramp is not None and count > 2
+    if entity.start_lane is None or count < 2:
         return frozenset()
     name = entity.start_lane[0]
     if name == "middle":
-        return frozenset({count // 2}) if count >= _FEWEST_WITH_A_MIDDLE else frozenset()
+        return frozenset({count // 2 + 1}) if count >= _FEWEST_WITH_A_MIDDLE else frozenset()
     if name in {"fast", "slow"}:
-        return frozenset({0 if name == "fast" else count - 1})
+        return frozenset({1 if name == "fast" else count})
     inner = "right" if junction.driving_side is DrivingSide.LEFT else "left"
-    return frozenset({0 if name == inner else count - 1})
+    return frozenset({1 if name == inner else count})
 
 
 def circulates(entity: Entity, junction: Junction) -> bool:

@@ -11,7 +11,7 @@ from functools import lru_cache
 from importlib.resources import files
 from typing import Any
 
-from scegen.scenario.files import parse
+from scegen.scenario.parsing import parse
 
 _ENTRY_FILES = (
     "participants",

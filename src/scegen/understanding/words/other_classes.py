@@ -8,7 +8,6 @@ from scegen.understanding.words.particles import a_drive
 from scegen.understanding.words.terms import Term, longest_match
 from scegen.understanding.words.tokens import Token
 
-
 _LANE_REACH = 6
 
 

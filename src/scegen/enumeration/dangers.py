@@ -1,0 +1,108 @@
+"""What dangers, acts and the outcome say of the ways of those concerned, as statements."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from scegen.enumeration import predicates as p
+from scegen.enumeration.presuming import Parties, outcome_pairs, parties
+from scegen.enumeration.statements import Stated
+from scegen.scenario.acts import ActKind
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.hazards import HAZARDS, Case
+from scegen.scenario.vocabulary import HazardKind
+
+LEAVING = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.OVERTAKE})
+"""Acts by which somebody leaves its lane."""
+
+
+def say_dangers(
+    out: Stated, functional: FunctionalScenario, left_open: frozenset[int]
+) -> dict[int, int]:
+    """State what dangers, acts and the outcome demand.
+
+    Args:
+        out: the statements so far.
+        functional: the description, understood.
+        left_open: dangers, by their place, of which nothing is presumed.
+
+    Returns:
+        The dangers, by their place, of which something is presumed, by statement.
+    """
+    for row_kind, row in HAZARDS.items():
+        out.facts += [
+            p.Row(row_kind.value, list(Case).index(case), what.value)
+            for case, needs in row.needs.items()
+            for what in needs
+        ]
+        if LEAVING & set(row.acts):
+            out.facts.append(p.LeavesLane(row_kind.value))
+    presumed: dict[int, int] = {}
+    sides = []
+    for index, hazard in enumerate(functional.hazards):
+        both = parties(functional, hazard, left_open=index in left_open)
+        sides.append(both)
+        number = out.number(f"hazard {hazard.kind} (by {_told(hazard.by, both.by)}; "
+                            f"to {_told(hazard.to, both.to)})")  # fmt: skip
+        _say(out, number, hazard.kind, both)
+        meet = bool(hazard.by and hazard.to) and not HAZARDS[hazard.kind].needs
+        if meet and index not in left_open:
+            out.facts.append(p.MustMeet(number))
+        if both.presumed or (meet and index not in left_open):
+            presumed[number] = index
+    _say_acts(out, functional)
+    _say_outcome(out, functional, sides)
+    return presumed
+
+
+def _say(out: Stated, number: int, kind: HazardKind, both: Parties) -> None:
+    out.facts.append(p.Hazard(number, kind.value))
+    out.facts += [p.By(number, name) for name in both.by]
+    out.facts += [p.To(number, name) for name in both.to]
+
+
+def _say_acts(out: Stated, functional: FunctionalScenario) -> None:
+    """Who changes into another's lane does so as one who cuts in; who overtakes, from behind."""
+    changing = set[str]()
+    astray = {
+        name for h in functional.hazards if h.kind is HazardKind.ONCOMING_LANE for name in h.by
+    }
+    for act in functional.acts:
+        if act.kind is ActKind.CHANGE_LANE and act.participant not in changing:
+            changing.add(act.participant)  # the first change decides where it begins
+            out.facts.append(p.Changes(act.participant))
+            if act.side is not None:
+                out.facts.append(p.Goes(act.participant, act.side.value))
+        if act.kind is ActKind.CHANGE_LANE and act.into not in {None, act.participant}:
+            kind = HazardKind.ONCOMING_LANE if act.participant in astray else HazardKind.CUT_IN
+        elif act.kind is ActKind.OVERTAKE and act.into is not None:
+            kind = HazardKind.OVERTAKING
+        else:
+            continue
+        number = out.number(f"act {act.id}: {act.participant} comes into the lane of {act.into}")
+        _say(out, number, kind, Parties((act.participant,), (str(act.into),)))
+
+
+def _say_outcome(out: Stated, functional: FunctionalScenario, sides: Sequence[Parties]) -> None:
+    outcome = functional.outcome
+    if outcome is None:
+        return
+    pairs = outcome_pairs(functional, outcome, sides)
+    if not pairs:
+        return
+    drivers = {v.id for v in functional.vehicles}
+    number = out.number(f"outcome {outcome.kind} (between {_either(pairs)})")
+    out.facts.append(p.Outcome(number))
+    out.facts += [
+        p.MayMeet(number, *sorted(pair, key=lambda name: name not in drivers)) for pair in pairs
+    ]
+
+
+def _told(said: tuple[str, ...], taken: tuple[str, ...]) -> str:
+    if said:
+        return ", ".join(said)
+    return f"{', '.join(taken)}, not said" if taken else "not said"
+
+
+def _either(pairs: Sequence[tuple[str, str]]) -> str:
+    return " or ".join(f"{one} and {other}" for one, other in pairs)
