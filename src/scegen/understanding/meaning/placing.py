@@ -196,6 +196,8 @@ class Placer:
                 self._draft.place(entity, None, {Approach.ADJACENT}, basis)
             return
         before = self._draft.tokens[prep.word.i - 1].low if prep.word.i else ""
+        if prep.value == "to" and any(e.dirs & {"ahead", "behind"} for e in entities):
+            return  # "the lane change of the lead vehicle to the left"
         if prep.value in {"to", "in"} and (
             before in _WITHIN_LANE or after_a_measure(self._draft.tokens, prep.word.i)
         ):

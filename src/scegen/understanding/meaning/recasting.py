@@ -13,6 +13,7 @@ from scegen.understanding.meaning import numbered_lanes
 from scegen.understanding.meaning.context import Context, Scene
 from scegen.understanding.meaning.ways import into_lane
 
+_SHIFTING = frozenset({"move", "shift", "steer", "drift", "wander", "sway", "edge", "ease"})
 _BEING = frozenset({"is", "are", "was", "were", "be", "been", "gets", "being"})
 _OPEN = frozenset({"dash", "breach"})
 """Verbs that say nothing without a phrase of place."""
@@ -52,6 +53,8 @@ def recast(scene: Scene, context: Context) -> str:
         return "breach"
     if _runs_into(scene, context):
         return "collide"
+    if _within_its_lane(scene, context):
+        return "swerve"
     if _next_lane(scene, context):
         return "lane_change"
     afoot = _on_foot(scene, context)
@@ -82,6 +85,15 @@ def _next_lane(scene: Scene, context: Context) -> bool:
     if scene.event.name == "pass":
         return not scene.targets and _into_next_lane(scene.event)
     return numbered_lanes.leaves_it(scene.event, scene.drivers, context.tokens)
+
+
+def _within_its_lane(scene: Scene, context: Context) -> bool:
+    """``moves within its lane, 0.5 m to the right``: to the side, without leaving it."""
+    event = scene.event
+    shifts = event.name == "move" and context.tokens[event.i].forms[-1][0] in _SHIFTING
+    inside = [p for p in event.pps if context.tokens[p.word.i].low in {"within", "inside"}]
+    lane = any(isinstance(p.target, Place) and p.target.kind == "lane" for p in inside)
+    return shifts and lane and bool(scene.drivers)
 
 
 def _runs_into(scene: Scene, context: Context) -> bool:
