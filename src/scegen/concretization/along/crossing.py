@@ -141,7 +141,7 @@ def _aim_y_m(story: Story, name: str, meets: Runner, body: Body, speed: float, i
 def _brakes(story: Story, name: str) -> bool:
     """Whether the one whom it meets is said to brake for it."""
     kinds = {h.kind for h in story.hazards if name in h.by}
-    acts = {a.kind for a in story.acts if a.participant == name and a.when is None}
+    acts = {a.kind for a in story.acts if a.participant == name and story.is_loose(a)}
     return bool(kinds & _BRAKES) or bool(acts & {ActKind.BRAKE, ActKind.STOP})
 
 

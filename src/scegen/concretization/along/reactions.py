@@ -81,7 +81,7 @@ def _brake_for(story: Story, who: Runner, other: Runner) -> bool:
     """Add the latest braking that keeps them apart; whether there is one."""
     own = next(
         (s for s in who.steps if s.act is not None and s.target_mps < who.speed_mps
-         and not s.timed and story.act(s.act).when is None), None
+         and not s.timed and story.is_loose(story.act(s.act))), None
     )  # fmt: skip
     hard = any(
         h.kind in _BRAKES and who.id in h.by for h in story.hazards
