@@ -161,7 +161,12 @@ class Judge:
             if whose is ego and ending.struck is None:
                 ending.struck, ending.struck_basis = part, basis
                 self._middle(ending, place, start)
-            elif ending.struck is None and not flank and ego in ending.between and part is BodySide.REAR:
+            elif (
+                ending.struck is None
+                and not flank
+                and ego in ending.between
+                and part is BodySide.REAR
+            ):
                 ending.struck, ending.struck_basis = BodySide.FRONT, basis
                 if ego is not None and self._is_hit(ego, i):
                     ending.struck = None

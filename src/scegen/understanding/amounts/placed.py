@@ -327,9 +327,7 @@ class Spacer:
         doing.when.measure, doing.when.entity, doing.when.reference = measure, entity, reference
         return True
 
-    def _acts_inside(
-        self, clause: tuple[int, int, str], number: Measured, subject: Entity
-    ) -> bool:
+    def _acts_inside(self, clause: tuple[int, int, str], number: Measured, subject: Entity) -> bool:
         acts = self._happenings.acts
         return any(clause[0] <= a.i < number.i and a.entity is subject for a in acts)
 

@@ -177,17 +177,8 @@ class Interpreter:
                 self._draft.hazard(HazardKind.TAILGATING, basis, follows)
         elif term.cat == "quantity":
             self._quantity(term, entities)
-        elif term.cat == "state" and term.value == "stationary":
-            others = [e for e in drivers if not e.ego]
-            if others:
-                self._draft.hazard(HazardKind.STOPPING, basis, others)
-            for entity in entities:
-                if not entity.ego and not entity.parked:
-                    entity.stands = entity.stands or basis
-        elif term.cat == "state" and term.value == "parked":
-            for entity in entities:
-                if not entity.ego and entity.is_vehicle and entity.sets_off < 0:
-                    entity.parked, entity.parked_basis = True, basis
+        elif term.cat == "state":
+            standing.state(term, entities, self._context)
 
     def _quantity(self, term: Term, entities: list[Entity], verb: str = "") -> None:
         quantity = term.data["quantity"]
@@ -235,8 +226,7 @@ class Interpreter:
         movement = MOVEMENTS.get(event.name)
         if movement is not None:
             movement(scene, self._context)
-        if not standing.in_the_road(scene, self._context):
-            encounters.onto_the_road(scene, self._context)
+        encounters.onto_the_road(scene, self._context)
         encounters.after_a_thing(scene, self._context)
         danger = dangers.DANGERS.get(event.name)
         if danger is not None and not self._overruled(scene):
