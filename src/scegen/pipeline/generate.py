@@ -9,7 +9,7 @@ from pathlib import Path
 
 from scegen.checking import CHECKERS, QUICK_CHECKERS, CheckReport, check_files
 from scegen.criticality.search.refusing import too_fast
-from scegen.enumeration import enumerate_scenarios
+from scegen.enumeration import LIST_LIMIT, enumerate_scenarios
 from scegen.errors import InfeasibleError, InputError, NoScenarioError
 from scegen.llm import Session
 from scegen.motion import concretize
@@ -94,6 +94,7 @@ def generate(
             functional,
             reduction=options.reduction,
             arms=options.arms,
+            limit=LIST_LIMIT,
             where=options.where,
             rules=options.rules,
         )
