@@ -17,7 +17,7 @@ from time import process_time
 
 import numpy as np
 
-from scegen.criticality import Scene, build_scene, evaluate
+from scegen.measures import Scene, build_scene, evaluate
 from scegen.motion.batch import (
     Candidates,
     Phase,

@@ -31,11 +31,13 @@ import numpy as np
 from drawing import draw
 
 from scegen.checking.environment import ESMINI_HINT, esmini, own_python
-from scegen.criticality import Scene, build_scene, evaluate, measure, raise_criticality
+from scegen.concretization import concretize
+from scegen.criticality import raise_criticality
 from scegen.criticality.search.pairs import has_areas
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import InfeasibleError
-from scegen.motion import build_paths, concretize
+from scegen.measures import Scene, build_scene, evaluate, measure
+from scegen.motion import build_paths
 from scegen.motion.batch import compile_program, repeat, simulate_batch
 from scegen.motion.batch.arrays import HEADING, SPEED, Candidates, Program, X, Y
 from scegen.motion.model import Path as Way

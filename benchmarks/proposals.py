@@ -10,10 +10,11 @@ import statistics
 import sys
 import time
 
-from scegen.criticality import OfflineProposer, raise_criticality, warm_kernels
+from scegen.concretization import concretize
+from scegen.criticality import OfflineProposer, raise_criticality
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import ScegenError
-from scegen.motion import concretize
+from scegen.measures import warm_kernels
 from scegen.pipeline.picking import pick
 from scegen.understanding import paper_cases, read
 

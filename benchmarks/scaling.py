@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 from batch import DT_S, DURATION_S, crossing, varied
 
-from scegen.criticality import evaluate
+from scegen.measures import evaluate
 
 PARTICIPANTS = range(2, 11)
 CANDIDATES = (1, 10, 100, 1_000, 10_000, 100_000)

@@ -25,14 +25,14 @@ from time import perf_counter
 import numpy as np
 from drawing import draw
 
+from scegen.concretization import concretize
+from scegen.criticality.raising.stage import Stage
 from scegen.criticality.search import optimize
 from scegen.criticality.search.optimize import Best, _evolve, halton, search
 from scegen.criticality.search.problem import Outcome, Problem
-from scegen.criticality.search.stage import Stage
 from scegen.criticality.target import COLLISION, NEAR_MISS, parse_target
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import InfeasibleError
-from scegen.motion import concretize
 from scegen.motion.batch.arrays import Floats
 from scegen.pipeline.picking import pick
 from scegen.road import build_network

@@ -28,14 +28,15 @@ from drawing import draw
 from shapely.affinity import rotate, translate
 from shapely.geometry.base import BaseGeometry
 
+from scegen.concretization import concretize
 from scegen.criticality import raise_criticality
+from scegen.criticality.raising.raising import Raised
+from scegen.criticality.raising.stage import Stage
 from scegen.criticality.search.optimize import Best, _evolve
 from scegen.criticality.search.proving import examine
-from scegen.criticality.search.raising import Raised
-from scegen.criticality.search.stage import Stage
 from scegen.criticality.target import COLLISION, NEAR_MISS, parse_target
 from scegen.errors import InfeasibleError
-from scegen.motion import build_paths, concretize
+from scegen.motion import build_paths
 from scegen.motion.friction import friction_of
 from scegen.motion.model import Path as Way
 from scegen.road import build_network

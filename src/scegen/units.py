@@ -17,6 +17,18 @@ SPEED_UNITS_MPS = {
 }
 """Metres per second in one of each unit."""
 
+UNITS: dict[str, dict[str, float]] = {
+    "speed": SPEED_UNITS_MPS,
+    "length": {
+        "m": 1.0, "km": 1000.0, "cm": 0.01, "ft": 0.3048, "in": 0.0254, "yd": 0.9144,
+        "mile": 1609.344,
+    },
+    "time": {"s": 1.0, "ms": 0.001, "min": 60.0},
+    "acceleration": {"m/s2": 1.0, "g": 9.80665, "ft/s2": 0.3048},
+    "percentage": {"%": 1.0},
+}  # fmt: skip
+"""Dimension -> unit -> how much of m/s, m, s, m/s², percent one of it is."""
+
 
 def speed_mps(value: float, unit: str) -> float:
     """A speed in metres per second.

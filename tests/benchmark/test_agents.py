@@ -39,9 +39,9 @@ def cases(story):
 def reader_for(chat_server):
     def make(answers, models="openai:gpt-4o-mini", **changes):
         chat_server.answers = answers
-        quick = Limits(request_s=0.5, run_s=5.0, attempts=2, first_wait_s=0.01)
+        patient = Limits(request_s=60, run_s=300, attempts=2, first_wait_s=0.01)
         names = parse_models(models, url=chat_server.url)
-        return AgentReader(LlmSettings(names, chat_server.url, limits=quick, **changes), KEYS)
+        return AgentReader(LlmSettings(names, chat_server.url, limits=patient, **changes), KEYS)
 
     return make
 
@@ -70,9 +70,9 @@ def test_a_model_that_is_wrong_fails(cases, reader_for, good_answers):
 
 
 def test_models_that_waver_are_unstable(cases, reader_for, good_answers):
-    steady = good_answers["environment"]
-    foggy = {"environment": {"weather": "rain", "visibility": "poor"}}
-    good_answers["environment"] = [steady, steady, foggy, steady]
+    steady = good_answers["road"]
+    foggy = {**steady, "environment": {"weather": "rain", "visibility": "poor"}}
+    good_answers["road"] = [steady, steady, foggy, steady]
     good_answers["hazards"] = [good_answers["hazards"]] * 3 + [
         {"hazards": [{"kind": "swerving", "by": ["car_3"]}]}
     ]
@@ -140,8 +140,9 @@ def test_a_refused_text_is_a_wrong_answer_that_costs(reader_for, good_answers):
 def test_a_replay_gives_the_same_result_without_network(
     cases, reader_for, good_answers, chat_server, tmp_path, monkeypatch
 ):
-    good_answers["environment"] = [good_answers["environment"], {"environment": {}}]
-    good_answers["road"] = [good_answers["road"]] * 3 + [chat_server.kinds["Status"](401)]
+    dry = {**good_answers["road"], "environment": {}}
+    good = good_answers["road"]
+    good_answers["road"] = [good, dry, good, chat_server.kinds["Status"](401)]
     reader = reader_for(good_answers, record=tmp_path / "talk")
     result = run(cases(2), reader, repeat=2)
     chat_server.stop()

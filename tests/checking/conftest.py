@@ -8,10 +8,11 @@ from pathlib import Path
 import pytest
 from lxml import etree
 
+from scegen.concretization import concretize
 from scegen.enumeration import enumerate_scenarios
 from scegen.export.opendrive import write_opendrive
 from scegen.export.openscenario import write_openscenario
-from scegen.motion import build_paths, concretize
+from scegen.motion import build_paths
 from scegen.road import build_network, plan_road
 from scegen.scenario.files import to_yaml
 from scegen.scenario.functional import ARM_COUNTS, FunctionalScenario, Junction, Participant

@@ -9,10 +9,11 @@ from lxml import etree
 
 from scegen.checking import REPLAY, CheckStatus, check_folder
 from scegen.checking.environment import esmini
+from scegen.concretization import concretize
 from scegen.enumeration import enumerate_scenarios
 from scegen.export.opendrive import write_opendrive
 from scegen.export.openscenario import write_openscenario
-from scegen.motion import build_paths, concretize
+from scegen.motion import build_paths
 from scegen.road import build_network
 from scegen.scenario.files import to_yaml
 from scegen.understanding import read

@@ -22,11 +22,12 @@ from scegen.checking.replay import (
     position_errors,
     predict,
 )
+from scegen.concretization import concretize
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import InfeasibleError
 from scegen.export.opendrive import write_opendrive
 from scegen.export.openscenario import write_openscenario
-from scegen.motion import build_paths, concretize
+from scegen.motion import build_paths
 from scegen.motion.model import Trace
 from scegen.road import build_network
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion

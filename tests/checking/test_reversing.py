@@ -15,8 +15,8 @@ from scegen.checking.environment import esmini
 from scegen.checking.esmini.movement import check_movements
 from scegen.checking.esmini.recording import Movement
 from scegen.checking.replay import CHECKER as REPLAY
+from scegen.concretization import concretize
 from scegen.enumeration import enumerate_scenarios
-from scegen.motion import concretize
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import load
 from scegen.scenario.functional import FunctionalScenario, Hazard, Junction, Participant

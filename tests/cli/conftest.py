@@ -1,26 +1,19 @@
-"""Running the command line as a process, as a user does."""
+"""Running the command line as a user does."""
 
 import os
-import subprocess
-import sys
 
 import pytest
+from command import as_process, in_process
 
 
 @pytest.fixture
-def scegen(tmp_path):
+def scegen(tmp_path, capfd):
     """Run scegen with these arguments in an empty folder."""
 
-    def run(*arguments, path=None):
+    def run(*arguments, path=None, process=False):
         environment = os.environ | ({"PATH": path} if path is not None else {})
-        return subprocess.run(
-            [sys.executable, "-c", "from scegen.cli import main; main()", *map(str, arguments)],
-            capture_output=True,
-            text=True,
-            cwd=tmp_path,
-            env=environment,
-            timeout=300,
-            check=False,
-        )
+        if process:
+            return as_process(arguments, tmp_path, environment)
+        return in_process(arguments, tmp_path, environment, capfd)
 
     return run

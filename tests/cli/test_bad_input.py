@@ -1,6 +1,10 @@
 """Bad input: one clear message, exit code 2, no traceback, nothing half-written."""
 
+import json
+import math
+
 import pytest
+from whole import FUNCTIONAL, WHOLE
 
 SENTENCE = "Two cars meet at a four-way intersection."
 
@@ -110,3 +114,159 @@ def test_maneuvers_that_no_arm_allows(scegen, tmp_path):
 def test_checking_what_is_not_there(scegen, tmp_path):
     assert_refused(scegen("check", tmp_path / "nowhere"), "nowhere")
     assert_refused(scegen("check", tmp_path), str(tmp_path))
+
+
+DEEP = 100_000
+LAUGHS = "level: functional\na0: &a0 [x]\n" + "\n".join(
+    f"a{n}: &a{n} [{', '.join([f'*a{n - 1}'] * 10)}]" for n in range(1, 10)
+)
+BROKEN = {
+    "deep.json": ('{"a":' * DEEP, "nested too deeply"),
+    "deep list.json": ("[" * DEEP, "nested too deeply"),
+    "deep flow.yaml": ("a: " + "[" * DEEP + "]" * DEEP, "nested too deeply"),
+    "deep block.yaml": ("- " * DEEP, "nested too deeply"),
+    "laughs.yaml": (LAUGHS, "aliases repeat"),
+    "circle.yaml": ("a: &a [*a]", "the alias *a stands in itself"),
+    "empty.yaml": ("", "is empty"),
+    "picture.json": (b"\x89PNG\r\n\x1a\n\0", "is not UTF-8 text"),
+    "zeros.yaml": (b"\0\0\0", "is no text"),
+    "tab.yaml": ("level: functional\njunction:\n\tkind: t\n", "indent with blanks"),
+    "twice.yaml": ("level: functional\nlevel: logical\n", "'level' is given twice"),
+    "list.json": ("[1, 2]", "its level is nothing"),
+    "level.json": ('{"level": ["functional"]}', "its level is a list"),
+    "date.yaml": ("level: 2024-13-45", "a date or a number that does not exist"),
+    "number.json": ('{"level": ' + "9" * 5000 + "}", "a date or a number that does not exist"),
+    "comma.json": ('{"level": "functional",}', "not valid JSON at line 1"),
+}
+READING = {
+    "generate": ("-o", "out"),
+    "enumerate": (),
+    "understand": (),
+    "concretize": ("--index", "0"),
+    "gallery": (),
+    "simulate": (),
+}
+
+
+@pytest.mark.parametrize("command", READING)
+@pytest.mark.parametrize("name", BROKEN)
+def test_whatever_a_file_holds(scegen, tmp_path, command, name):
+    content, words = BROKEN[name]
+    (tmp_path / name).write_bytes(content if isinstance(content, bytes) else content.encode())
+    done = scegen(command, name, *READING[command])
+    assert_refused(done, words)
+    assert name in done.stderr
+    assert [p.name for p in tmp_path.iterdir()] == [name]
+
+
+@pytest.mark.parametrize("name", BROKEN)
+def test_whatever_a_concrete_scenario_that_is_checked_holds(scegen, tmp_path, name):
+    content, words = BROKEN[name]
+    for file in ("road.xodr", "scenario.xosc"):
+        (tmp_path / file).write_text("<x/>")
+    content = content if isinstance(content, bytes) else content.encode()
+    (tmp_path / "concrete.yaml").write_bytes(content)
+    assert_refused(scegen("check", "."), words)
+
+
+def test_a_deep_file_does_not_bring_the_process_down(scegen, tmp_path):
+    """A stack that overflows outside Python ends the process itself."""
+    (tmp_path / "deep.yaml").write_text("[" * DEEP)
+    for command in ("enumerate", "generate", "check"):
+        done = scegen(command, "deep.yaml", *READING.get(command, ()), process=True)
+        assert_refused(done, "deep.yaml")
+
+
+@pytest.mark.parametrize("command", READING)
+def test_what_is_no_file_at_all(scegen, tmp_path, command):
+    (tmp_path / "loop.yaml").symlink_to("loop.yaml")
+    (tmp_path / "folder.yaml").mkdir()
+    for name in ("loop.yaml", "folder.yaml", "nowhere.yaml"):
+        assert_refused(scegen(command, name, *READING[command]), name)
+
+
+@pytest.mark.parametrize("name", ["deep.json", "picture.json", "empty.yaml", "list.json"])
+@pytest.mark.parametrize("kind", ["understand", "said"])
+def test_labelled_files_too(scegen, tmp_path, name, kind):
+    content, _ = BROKEN[name]
+    (tmp_path / name).write_bytes(content if isinstance(content, bytes) else content.encode())
+    assert_refused(scegen("benchmark", kind, name), name)
+
+
+def test_a_number_stands_for_a_range_wherever_a_file_is_read(scegen, tmp_path):
+    text = json.dumps(FUNCTIONAL | {"acts": [], "spacings": [], "relations": []})
+    (tmp_path / "in.json").write_text(text.replace('{"low": 10.0, "high": 12.0}', "10.0"))
+    for command in ("understand", "enumerate"):
+        done = scegen(command, "in.json", "--json")
+        assert done.returncode == 0, done.stderr
+    ego = json.loads(scegen("understand", "in.json", "--json").stdout)["participants"][0]
+    assert ego["speed_mps"] == {"low": 10.0, "high": 10.0}
+
+
+@pytest.mark.parametrize(
+    ("level", "field", "value", "words"),
+    [
+        ("functional", "junction", {"kind": "hexagon"}, "junction.kind: 'hexagon' is not one of"),
+        ("functional", "particpants", [], "did you mean participants?"),
+        ("logical", "reduction", "total", "reduction: 'total' is not one of the words allowed"),
+        ("concrete", "duration_s", math.nan, "duration_s: nan is not a number that is finite"),
+        ("concrete", "duration_s", 1e300, "duration_s: 1e+300 is not allowed: it must be at most"),
+        ("concrete", "seed", "x", "seed: 'x' is not a whole number"),
+    ],
+)
+def test_fields_are_complained_about_in_words(scegen, tmp_path, level, field, value, words):
+    (tmp_path / "in.json").write_text(json.dumps(WHOLE[level] | {field: value}))
+    assert_refused(scegen("generate", "in.json", "-o", "out"), words)
+
+
+ONE = WHOLE["logical"]["scenarios"][0]
+DRIVE = ONE["assignments"][0]
+
+
+@pytest.mark.parametrize(
+    ("scenarios", "words"),
+    [
+        ([], "holds no logical scenario"),
+        ([ONE, ONE], "two scenarios have the index 0"),
+        ([ONE | {"assignments": ONE["assignments"][1:]}], "participant 'ego' has no assignment"),
+        (
+            [ONE | {"assignments": [*ONE["assignments"], DRIVE]}],
+            "participant 'ego' has 2 assignments",
+        ),
+        (
+            [ONE | {"assignments": [*ONE["assignments"], DRIVE | {"participant": "ghost"}]}],
+            "there is no participant 'ghost'; there are box, car_1, ego, van, walker",
+        ),
+        (
+            [ONE | {"assignments": [DRIVE | {"exit": 4}, *ONE["assignments"][1:]]}],
+            "ego uses arm 4, outside 0..3",
+        ),
+        ([ONE | {"hazards": [{"kind": "cut_in", "by": ["ghost"]}]}], "no participant 'ghost'"),
+        ([ONE | {"deadlock": ["ghost"]}], "no participant 'ghost'"),
+        (
+            [ONE | {"parameters": [ONE["parameters"][0] | {"name": "ego.warp"}]}],
+            "there is no parameter 'ego.warp'",
+        ),
+    ],
+)
+@pytest.mark.parametrize("command", ["generate", "concretize", "gallery"])
+def test_logical_scenarios_that_cannot_be(scegen, tmp_path, command, scenarios, words):
+    content = WHOLE["logical"] | {"scenarios": scenarios}
+    (tmp_path / "in.json").write_text(json.dumps(content))
+    assert_refused(scegen(command, "in.json", *READING[command]), words)
+
+
+def test_a_certificate_in_a_file_is_not_believed(scegen, tmp_path):
+    done = scegen("enumerate", "--entries", "0,1", "--junction-arms", "4", "-o", "in.json")
+    assert done.returncode == 0, done.stderr
+    listed = json.loads((tmp_path / "in.json").read_text())
+    right = listed["certificate"]
+    listed["certificate"] = right | {"count": 1, "total": 3, "complete": True}
+    (tmp_path / "in.json").write_text(json.dumps(listed))
+    plain = ("--check", "none", "--target", "none")
+    assert scegen("generate", "in.json", "-o", "out", *plain).returncode == 0
+    made = json.loads((tmp_path / "out" / "logical.json").read_text())
+    assert {name: made["certificate"][name] for name in ("count", "total", "complete")} == {
+        name: right[name] for name in ("count", "total", "complete")
+    }
+    assert "claims 1 scenarios of 3 assignments" in made["notes"][-1]

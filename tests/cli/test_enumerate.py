@@ -37,11 +37,24 @@ MILLION = (
 )  # fmt: skip
 
 
+IN_FRONT = (
+    "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+    "from scegen.cli import main; main()"
+)
+"""A shell lets its background jobs ignore Ctrl-C, and the tests may run in one."""
+
+
 @pytest.mark.parametrize("form", ["lines", "json"])
 def test_an_interrupt_says_how_far_it_came_and_leaves_the_list_whole(form):
-    program = "from scegen.cli import main; main()"
     with subprocess.Popen(
-        [sys.executable, "-c", program, *MILLION, "--all", *(["--json"] if form == "json" else [])],
+        [
+            sys.executable,
+            "-c",
+            IN_FRONT,
+            *MILLION,
+            "--all",
+            *(["--json"] if form == "json" else []),
+        ],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
@@ -65,6 +78,7 @@ def test_an_interrupt_says_how_far_it_came_and_leaves_the_list_whole(form):
 def test_an_interrupt_elsewhere_is_said_too():
     program = (
         "import os, signal; from scegen.cli import app, main\n"
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
         "app.app.command('wait')(lambda: os.kill(os.getpid(), signal.SIGINT))\n"
         "main()"
     )
@@ -72,6 +86,21 @@ def test_an_interrupt_elsewhere_is_said_too():
         [sys.executable, "-c", program, "wait"], capture_output=True, text=True, check=False
     )
     assert (done.returncode, done.stderr.strip()) == (130, "interrupted")
+
+
+def test_an_interrupt_in_the_background_is_ignored():
+    program = (
+        "import os, signal; from scegen.cli import listing, main\n"
+        "signal.signal(signal.SIGINT, signal.SIG_IGN)\n"
+        "whole = listing.line\n"
+        "listing.line = lambda one: os.kill(os.getpid(), signal.SIGINT) or whole(one)\n"
+        "main()"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program, *CARS], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    assert len(done.stdout.splitlines()) == 27
 
 
 def test_of_too_many_a_selection_is_listed_and_both_numbers_are_said(scegen):

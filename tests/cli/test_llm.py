@@ -2,11 +2,10 @@
 
 import json
 import os
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from command import PROGRAM, as_process, in_process
 
 KEY = "sk-secret-0123456789"
 NO_SOCKETS = """
@@ -19,18 +18,14 @@ FILES = ("functional.yaml", "logical.json", "report.html", "summary.json")
 
 
 @pytest.fixture
-def scegen(chat_server, tmp_path):
+def scegen(chat_server, tmp_path, capfd):
     def run(*arguments, code="", **environment):
         clean = {k: v for k, v in os.environ.items() if not k.lower().endswith("_proxy")}
-        done = subprocess.run(
-            [sys.executable, "-c", f"{code}\nfrom scegen.cli import main; main()", *arguments],
-            capture_output=True,
-            text=True,
-            cwd=tmp_path,
-            timeout=120,
-            check=False,
-            env={**clean, "OPENAI_API_KEY": KEY, **environment},
-        )
+        clean |= {"OPENAI_API_KEY": KEY, **environment}
+        if code:
+            done = as_process(arguments, tmp_path, clean, f"{code}\n{PROGRAM}")
+        else:
+            done = in_process(arguments, tmp_path, clean, capfd)
         assert "Traceback" not in done.stderr, done.stderr
         assert KEY not in done.stdout + done.stderr
         return done

@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
+from scegen.concretization import concretize
 from scegen.criticality import raise_criticality
-from scegen.criticality.search.braking_leader import REASON
+from scegen.criticality.raising.braking_leader import REASON
 from scegen.criticality.search.lead_in import second_enters_s
 from scegen.criticality.search.proving import examine
 from scegen.criticality.search.variables import LEAD_IN_S
 from scegen.criticality.target import COLLISION, NEAR_MISS, parse_target
 from scegen.enumeration import enumerate_scenarios
-from scegen.motion import concretize
 from scegen.motion.friction import friction_of
 from scegen.motion.ties import STEP_S
 from scegen.pipeline.picking import pick

@@ -6,15 +6,16 @@ from criticality_geometry import line
 from criticality_scenarios import participant, phase, scenario
 from things import thing
 
+from scegen.claims.hazards.judging import judge
+from scegen.claims.hazards.scenes import scene_of
+from scegen.claims.view import view_of
+from scegen.concretization import concretize
 from scegen.criticality import raise_criticality
 from scegen.criticality.careful_driver import Outcome, careful_driver_verdict
 from scegen.criticality.course import ego_course
-from scegen.criticality.hazards.judging import judge
 from scegen.criticality.reactivity.sensitivity import ego_start_sensitivity
-from scegen.criticality.search.pairs import candidate_pairs, scene_of
-from scegen.criticality.search.problem import view_of
+from scegen.criticality.search.pairs import candidate_pairs
 from scegen.enumeration import enumerate_scenarios
-from scegen.motion import concretize
 from scegen.motion.batch import compile_program, simulate_batch
 from scegen.scenario.concrete import AtTime
 from scegen.scenario.functional import Hazard

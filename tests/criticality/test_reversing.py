@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from scegen.criticality.conflict_areas import area_table
-from scegen.criticality.hazards.ways import paths_of, ways_of
+from scegen.claims.ways import paths_of, ways_of
+from scegen.concretization import concretize
+from scegen.criticality.raising.raising import raise_criticality
 from scegen.criticality.reactivity.sensitivity import ego_start_sensitivity
-from scegen.criticality.scene import build_scene
-from scegen.criticality.search.raising import raise_criticality
 from scegen.enumeration import enumerate_scenarios
-from scegen.motion import concretize
+from scegen.measures.conflict_areas import area_table
+from scegen.measures.scene import build_scene
 from scegen.motion.model import Path
 from scegen.road import build_network
 from scegen.scenario.functional import FunctionalScenario, Hazard, Junction, Participant

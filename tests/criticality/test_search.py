@@ -5,10 +5,12 @@ import itertools
 import numpy as np
 import pytest
 
-from scegen.criticality import build_scene, measure, raise_criticality
+from scegen.concretization import concretize
+from scegen.criticality import raise_criticality
 from scegen.criticality.search.rebuild import off_the_steps
 from scegen.enumeration import enumerate_scenarios
-from scegen.motion import build_paths, concretize, simulate
+from scegen.measures import build_scene, measure
+from scegen.motion import build_paths, simulate
 from scegen.motion.batch import stack_traces
 from scegen.pipeline.picking import pick
 from scegen.road import build_network

@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
+from scegen.concretization import concretize
 from scegen.errors import MotionInfeasibleError
-from scegen.motion import build_paths, concretize, simulate
+from scegen.motion import build_paths, simulate
 from scegen.motion.batch import compile_program, simulate_batch, stack_traces
 from scegen.motion.paths import lay_drive
 from scegen.road import build_network

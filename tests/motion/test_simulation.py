@@ -3,7 +3,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from scegen.motion import concretize, simulate
+from scegen.concretization import concretize
+from scegen.motion import simulate
 from scegen.motion.model import Path
 from scegen.scenario.concrete import (
     ArrivalBelow,

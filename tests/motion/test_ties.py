@@ -5,7 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from scegen.motion import concretize, simulate
+from scegen.concretization import concretize
+from scegen.motion import simulate
 from scegen.motion.model import Path
 from scegen.motion.ties import STEP_S, clear_of_ties
 from scegen.scenario.concrete import (

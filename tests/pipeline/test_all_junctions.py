@@ -4,11 +4,12 @@ from hypothesis import HealthCheck, event, given, settings
 from hypothesis import strategies as st
 
 from scegen.checking import check_folder
+from scegen.concretization import concretize
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import MotionInfeasibleError, RoadInfeasibleError
 from scegen.export.opendrive import write_opendrive
 from scegen.export.openscenario import write_openscenario
-from scegen.motion import build_paths, concretize
+from scegen.motion import build_paths
 from scegen.road import build_network
 from scegen.scenario.files import to_yaml
 from scegen.scenario.functional import ARM_COUNTS, FunctionalScenario, Junction, Participant

@@ -5,8 +5,8 @@ import json
 
 import yaml
 
+from scegen.concretization import concretize
 from scegen.enumeration import enumerate_scenarios
-from scegen.motion import concretize
 from scegen.pipeline.generate import generate
 from scegen.pipeline.options import CheckDepth, Options
 from scegen.pipeline.raising import raise_all

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 from lxml import etree
 
+from scegen.concretization import concretize
 from scegen.enumeration import enumerate_scenarios
-from scegen.motion import build_paths, concretize, simulate
+from scegen.motion import build_paths, simulate
 from scegen.report.preview import preview_png
 from scegen.report.tile import describe, tile_svg
 from scegen.report.words import participant_words

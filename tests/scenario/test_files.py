@@ -8,9 +8,10 @@ from hypothesis import strategies as st
 
 from scegen.errors import InputError, VocabularyError
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.files import from_data, json_schema, load, load_any, parse, to_json, to_yaml
+from scegen.scenario.files import from_data, json_schema, load, load_any, to_json, to_yaml
 from scegen.scenario.functional import FunctionalScenario, Junction, Participant
 from scegen.scenario.logical import LogicalSet
+from scegen.scenario.parsing import parse
 from scegen.scenario.vocabulary import Approach, Maneuver
 
 participants = st.builds(
@@ -82,13 +83,13 @@ def test_sets_are_written_in_the_order_of_the_vocabulary():
     ("content", "words"),
     [
         ("level: functional\njunction: [", "not valid YAML"),
-        ("level: martian\n", "no known 'level'"),
-        ("- 1\n- 2\n", "no known 'level'"),
-        ("level: functional\ndescription: x\n", "junction: Field required"),
+        ("level: martian\n", "its level is"),
+        ("- 1\n- 2\n", "its level is"),
+        ("level: functional\ndescription: x\n", "junction: is missing"),
         (
             "level: functional\ndescription: x\njunction: {kind: hexagon, arms: 6}\n"
             "participants: [{id: ego, role: ego}]\n",
-            r"junction.kind: .*found 'hexagon'",
+            "junction.kind: 'hexagon' is not one of the words allowed: straight",
         ),
         ("[" * 5000, "nested too deeply|not valid"),
     ],

@@ -9,8 +9,9 @@ from pydantic import ValidationError
 
 from scegen.errors import VocabularyError
 from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario, DriveMotion
-from scegen.scenario.files import from_data, parse, to_yaml
+from scegen.scenario.files import from_data, to_yaml
 from scegen.scenario.objects import ObjectCategory, StaticObject
+from scegen.scenario.parsing import parse
 from scegen.scenario.vocabulary import ParticipantKind, Role
 
 WAY = DriveMotion(

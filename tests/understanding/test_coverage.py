@@ -13,10 +13,9 @@ def reported(text):
     ("text", "word"),
     [
         ("The ego must react suddenly because a boy crosses the road.", "suddenly"),
-        ("A van on a road swerves to the right.", "right"),
         ("A northbound van brakes.", "northbound"),
         ("A van parks quickly.", "quickly"),
-        ("The ego drives 50 m behind a van.", "50 m"),
+        ("The ego drives past a van that is 12 m long.", "12 m"),
     ],
 )
 def test_what_fills_no_field_is_reported(text, word):

@@ -1,8 +1,7 @@
-"""Random texts: a scenario or a clear error, always, and soon."""
+"""Random texts: a scenario or a clear error, always; a loop without end would hang here."""
 
 import random
 import sys
-from time import process_time
 
 import pytest
 
@@ -12,18 +11,13 @@ from scegen.understanding import MAX_CHARACTERS, parse_report, read
 from scegen.understanding.lexicon import load
 
 STRANGE = "\x00\x07\t\n\r\u200b\u202e\ud800é日🚗 carturns left.-'’\"(){}"
-SECONDS = 2.0
-"""Far above what a text takes, far below what a loop without end would."""
 
 
 def outcome(text):
-    begin = process_time()
     try:
-        result = read(text)
+        return read(text)
     except ScegenError as error:
-        result = error
-    assert process_time() - begin < SECONDS
-    return result
+        return error
 
 
 @pytest.mark.parametrize("seed", range(8))

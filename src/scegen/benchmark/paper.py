@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from scegen.checking import REPLAY, CheckReport, CheckStatus, check_folder
-from scegen.criticality import warm_kernels
 from scegen.errors import ScegenError
+from scegen.measures import warm_kernels
 from scegen.pipeline.generate import generate
 from scegen.pipeline.options import CheckDepth, Options
 from scegen.scenario.functional import FunctionalScenario

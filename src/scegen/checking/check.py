@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from scegen.checking import asam, opendrive, openscenario, replay, schema
+from scegen.checking import asam, opendrive, openscenario, replay, said, schema
 from scegen.checking import esmini as player
 from scegen.checking.opendrive.network import Network
 from scegen.checking.results import CheckReport, CheckResult, error, not_run, verdict
@@ -21,6 +21,7 @@ CHECKERS = (
     asam.OPENDRIVE,
     asam.OPENSCENARIO,
     player.CHECKER,
+    said.CHECKER,
 )
 """All checkers, in the order of the reports."""
 REPLAY = replay.CHECKER
@@ -98,7 +99,7 @@ def _played(
     subject: Subject, scenario: File, network: Network | None, checkers: Collection[str]
 ) -> Iterator[CheckResult]:
     """What needs the player: the file must be XML that it can be given."""
-    asked = [name for name in (player.CHECKER, REPLAY) if name in checkers]
+    asked = [name for name in (player.CHECKER, REPLAY, said.CHECKER) if name in checkers]
     if not scenario.sound or not (subject.road is None or subject.road.sound):
         yield from (not_run(name, UNSOUND) for name in asked)
         return
@@ -114,6 +115,18 @@ def _played(
             yield not_run(REPLAY, f"{min(outside)} is driven from outside: nothing is predicted")
         else:
             yield replay.check_replay(scenario.path, subject.concrete)
+    if said.CHECKER in asked:
+        yield _said(subject, scenario, outside)
+
+
+def _said(subject: Subject, scenario: File, outside: frozenset[str]) -> CheckResult:
+    """What was said; who is driven from outside does as it likes."""
+    if subject.concrete is None or subject.functional is None:
+        lacking = "concrete.yaml" if subject.concrete is None else "functional.yaml"
+        return not_run(said.CHECKER, f"there is no {lacking} that tells what was said")
+    if outside:
+        return not_run(said.CHECKER, f"{min(outside)} is driven from outside")
+    return said.check_said(scenario.path, subject.concrete, subject.functional, subject.target)
 
 
 @dataclass(frozen=True)

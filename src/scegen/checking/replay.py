@@ -23,10 +23,10 @@ import numpy as np
 from scegen.checking.esmini.playing import STEP_S, NotPlayedError, play
 from scegen.checking.esmini.recording import Movement, RecordingError, read_recording
 from scegen.checking.results import CheckResult, Finding, error, not_run, verdict
-from scegen.criticality import build_scene
-from scegen.criticality.measures.contact import contact_series
-from scegen.criticality.measures.distance import distance_series
 from scegen.errors import ScegenError
+from scegen.measures import build_scene
+from scegen.measures.contact import contact_series
+from scegen.measures.distance import distance_series
 from scegen.motion import build_paths, simulate
 from scegen.motion.batch import compile_program, simulate_batch, stack_traces
 from scegen.motion.model import Array, Trace

@@ -5,12 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from pydantic import ValidationError
+
 from scegen.checking.documents import BrokenXmlError, parse_document, read_bytes
 from scegen.errors import InputError
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import load
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.proof import Proof
 
 ROAD_FILE, SCENARIO_FILE, CONCRETE_FILE = "road.xodr", "scenario.xosc", "concrete.yaml"
+FUNCTIONAL_FILE, PROOF_FILE = "functional.yaml", "proof.json"
 SUFFIXES = {".xodr": "OpenDRIVE", ".xosc": "OpenSCENARIO"}
 HINT = "name a folder made by scegen generate, an .xodr or an .xosc file"
 
@@ -31,12 +36,17 @@ class File:
 
 @dataclass(frozen=True)
 class Subject:
-    """A road, a scenario, or both, and the concrete scenario that they were made from."""
+    """A road, a scenario, or both, and what they were made from, as far as it is there.
+
+    ``target`` is what a search was asked for.
+    """
 
     place: Path
     road: File | None
     scenario: File | None
     concrete: ConcreteScenario | None
+    functional: FunctionalScenario | None = None
+    target: str | None = None
 
     @property
     def files(self) -> tuple[File, ...]:
@@ -72,13 +82,25 @@ def read_folder(folder: Path) -> Subject:
     Raises:
         InputError: a file is missing or cannot be read.
     """
-    concrete = folder / CONCRETE_FILE
+    concrete, proof = folder / CONCRETE_FILE, folder / PROOF_FILE
+    # Made by generate, the folder lies two levels below what it was made from.
+    functional = folder.absolute().parent.parent / FUNCTIONAL_FILE
     return Subject(
         place=folder,
         road=_read(folder / ROAD_FILE),
         scenario=_read(folder / SCENARIO_FILE),
         concrete=load(concrete, ConcreteScenario) if concrete.is_file() else None,
+        functional=load(functional, FunctionalScenario) if functional.is_file() else None,
+        target=_target(proof) if proof.is_file() else None,
     )
+
+
+def _target(proof: Path) -> str:
+    """What a search was asked for."""
+    try:
+        return Proof.model_validate_json(read_bytes(proof)).target
+    except ValidationError as problem:
+        raise InputError("is no proof of a search", where=str(proof)) from problem
 
 
 def _single(path: Path) -> Subject:

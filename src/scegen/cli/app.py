@@ -11,7 +11,19 @@ import typer
 from typer.core import TyperGroup
 
 from scegen import __version__
-from scegen.cli import benchmark, check, enumerating, gallery, generate, levels, machine, simulate
+from scegen.cli import (
+    benchmark,
+    check,
+    concretize,
+    doctor,
+    enumerate,  # noqa: A004 - named after its command
+    gallery,
+    generate,
+    play,
+    schema,
+    simulate,
+    understand,
+)
 from scegen.cli.console import INTERRUPTED, stderr
 from scegen.errors import ScegenError
 
@@ -57,15 +69,15 @@ def _options(
 
 
 app.command("generate")(generate.generate)
-app.command("understand")(levels.understand)
-app.command("enumerate")(enumerating.enumerate_)
+app.command("understand")(understand.understand)
+app.command("enumerate")(enumerate.enumerate_)
 app.command("gallery")(gallery.gallery)
-app.command("concretize")(levels.concretize)
+app.command("concretize")(concretize.concretize)
 app.command("check")(check.check)
 app.command("simulate")(simulate.simulate)
-app.command("play")(machine.play)
-app.command("schema")(levels.schema)
-app.command("doctor")(machine.doctor)
+app.command("play")(play.play)
+app.command("schema")(schema.schema)
+app.command("doctor")(doctor.doctor)
 app.add_typer(benchmark.app, name="benchmark")
 
 

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from scegen.cli.console import result_json, working
+from scegen.cli.options import JsonFlag
 from scegen.errors import InputError, MissingToolError
 
 
@@ -23,7 +24,7 @@ def check(
         bool,
         typer.Option("--replay", help="Also compare what esmini plays with our own simulation."),
     ] = False,
-    json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
+    json: JsonFlag = False,
 ) -> None:
     """Check files by geometry, topology, schema, the ASAM checkers and esmini."""
     from scegen.checking import CHECKERS, REPLAY, CheckStatus, check_files, reports_table

@@ -1,4 +1,4 @@
-"""What the command line says of a search for danger."""
+"""What the command line says of a search for danger, and of what was said."""
 
 from __future__ import annotations
 
@@ -10,29 +10,25 @@ if TYPE_CHECKING:
 
 
 def proof_lines(proof: Proof) -> Iterator[str]:
-    """A line on the target, and one for every danger that does not happen."""
+    """A line on the target, one on all statements, and one for each that does not hold."""
     measure = proof.of(proof.measure)
     values = ""
     if measure is not None:
         values = f" ({_value(measure.before)} → {_value(measure.after)} {measure.unit})"
     pair = " and ".join(proof.pair)
-    happened = ""
-    if proof.hazards:
-        happened = f"; {proof.hazards_happened} of {len(proof.hazards)} dangers happen"
     if proof.in_band:
-        yield f"{proof.target} of {pair}: {proof.measure}{values}{happened}"
+        yield f"{proof.target} of {pair}: {proof.measure}{values}"
     elif not pair:
-        why = proof.blocked_by or "there is no pair"
-        yield f"TARGET NOT REACHED: {proof.target}: {why}{happened}"
+        yield f"TARGET NOT REACHED: {proof.target}: {proof.blocked_by or 'there is no pair'}"
     else:
-        yield (
-            f"TARGET NOT REACHED: {proof.target} of {pair}: {proof.measure}{values}{happened}; "
-            f"the scenario stays as it was. {proof.blocked_by or ''}".rstrip()
-        )
-    for hazard in proof.hazards:
-        if not hazard.happened:
-            said = hazard.note or f"{_value(hazard.margin)} {hazard.unit} short of its threshold"
-            yield f"DOES NOT HAPPEN: {hazard.kind} by {', '.join(hazard.by) or 'nobody'} ({said})"
+        why = proof.blocked_by or ""
+        yield f"TARGET NOT REACHED: {proof.target} of {pair}: {proof.measure}{values}; {why}"
+    if proof.claims:
+        hold = len(proof.claims) - len(proof.missed)
+        yield f"{hold} of {len(proof.claims)} statements hold"
+    for claim in proof.missed:
+        words = f' ("{claim.words}")' if claim.words else ""
+        yield f"DOES NOT HOLD: {claim.statement}{words}: {claim.found}"
 
 
 def _value(value: float | None) -> str:

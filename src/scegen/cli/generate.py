@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from scegen.cli.choices import RulesOption, WhereOption
 from scegen.cli.console import result, result_json, say, working
 from scegen.cli.danger import proof_lines
 from scegen.cli.llm import (
@@ -22,6 +21,7 @@ from scegen.cli.llm import (
     tell,
     tell_proposals,
 )
+from scegen.cli.options import RulesOption, WhereOption
 from scegen.pipeline.options import CheckDepth, EgoMode, Options, OscVersion
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 

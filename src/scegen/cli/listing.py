@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from scegen.cli.claims import head, line, tell_claim
+from scegen.cli.certificates import head, line, tell_claim
 from scegen.cli.console import INTERRUPTED, counting, result, say
 
 if TYPE_CHECKING:

@@ -7,7 +7,8 @@ from typing import Annotated
 
 import typer
 
-from scegen.cli.console import result
+from scegen.cli.options import OutputFile
+from scegen.cli.writing import write_text
 from scegen.errors import InputError
 
 CONCRETE_FILE = "concrete.yaml"
@@ -20,9 +21,7 @@ def simulate(
     csv: Annotated[
         bool, typer.Option("--csv", help="As CSV (the one format, and so the default).")
     ] = True,
-    output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="Write to this file instead of stdout.")
-    ] = None,
+    output: OutputFile = None,
     dt: Annotated[
         float, typer.Option(min=0.001, max=1.0, help="Time step in s; esmini is played at 0.05.")
     ] = 0.05,
@@ -39,13 +38,7 @@ def simulate(
     concrete = load(_concrete_file(place), ConcreteScenario)
     paths = build_paths(concrete, build_network(concrete.road, concrete.name))
     table = traces_csv(run(concrete, paths, dt_s=dt))
-    if output is None:
-        result(table)
-        return
-    try:
-        output.write_text(table, encoding="utf-8", newline="")
-    except OSError as error:
-        raise InputError(f"cannot be written: {error.strerror}", where=str(output)) from error
+    write_text(table, output)
 
 
 def _concrete_file(place: Path) -> Path:

@@ -32,10 +32,10 @@ from functools import cached_property
 
 import numpy as np
 
-from scegen.criticality.bodies import body_table
-from scegen.criticality.measures.distance import distance_series
-from scegen.criticality.measures.injury import PROTECTED, UNPROTECTED
 from scegen.criticality.perception import perceivable_dangers
+from scegen.measures.bodies import body_table
+from scegen.measures.distance import distance_series
+from scegen.measures.injury import PROTECTED, UNPROTECTED
 from scegen.motion.batch import compile_program, simulate_batch
 from scegen.motion.batch.arrays import SPEED, BatchTraces, Bools, Floats
 from scegen.motion.friction import GRAVITY_MPS2, friction_of

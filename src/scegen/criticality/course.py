@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from scegen.criticality.bodies import body_table
-from scegen.criticality.measures.distance import distance_series
-from scegen.criticality.measures.injury import PROTECTED, UNPROTECTED
-from scegen.criticality.measures.time_to_collision import time_to_collision_series
+from scegen.measures.bodies import body_table
+from scegen.measures.distance import distance_series
+from scegen.measures.injury import PROTECTED, UNPROTECTED
+from scegen.measures.time_to_collision import time_to_collision_series
 from scegen.motion.batch import compile_program, simulate_batch
 from scegen.motion.batch.arrays import Floats
 from scegen.motion.friction import friction_of

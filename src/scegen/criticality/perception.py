@@ -22,9 +22,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from scegen.criticality.bodies import body_of
-from scegen.criticality.measures.contact import contact_series
-from scegen.criticality.measures.occlusion import occlusion_series
+from scegen.measures.bodies import body_of
+from scegen.measures.contact import contact_series
+from scegen.measures.occlusion import occlusion_series
 from scegen.motion.batch.arrays import COS, HEADING, SIN, SPEED, TRACK_ROWS, Bools, Floats, S, X, Y
 from scegen.motion.model import Path
 
@@ -41,7 +41,7 @@ def perceivable_dangers(
 
     Args:
         tracks: movements of one candidate, (i, track row, t).
-        bodies: as :func:`scegen.criticality.bodies.body_table` makes them.
+        bodies: as :func:`scegen.measures.bodies.body_table` makes them.
         paths: one per participant.
         ego: who looks; it is no danger to itself.
         horizon_s: how far ahead the driver looks at each step, s: (t,).

@@ -1,10 +1,8 @@
 """Targets: what a search is to reach, as a word or a range of a measure.
 
 near-miss: nobody touches anybody, and the pair comes as close as in a serious conflict, by one
-of several measures. PET below 1 s is serious (Allen, Shin, Cooper 1978); the least values keep
-it from being a contact by chance; the distances are this program's own choice. A small TTC
-alone says little at crossings, so it counts only together with a distance below 2 m. All of it must
-happen after a lead-in (``search.lead_in``).
+of several measures (``claims.near_miss``), after a lead-in (``search.lead_in``). avoided: nobody
+touches anybody, and nothing more.
 """
 
 from __future__ import annotations
@@ -12,26 +10,19 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+from scegen.claims.near_miss import NEAR_MISS as BANDS_OF_A_NEAR_MISS
+from scegen.claims.near_miss import Band
 from scegen.errors import InputError
 
-COLLISION, NEAR_MISS = "collision", "near-miss"
-
-
-@dataclass(frozen=True, slots=True)
-class Band:
-    """A range of a measure, in the measure's unit."""
-
-    measure: str
-    low: float
-    high: float
+COLLISION, NEAR_MISS, AVOIDED = "collision", "near-miss", "avoided"
 
 
 @dataclass(frozen=True, slots=True)
 class Target:
     """What to reach: one of ``choices``, each a set of bands that must hold together.
 
-    The first band of a choice is the one that is reported. ``contact`` says whether the pair
-    must (True) or must not (False) touch; None leaves it open.
+    Without choices, it is enough that nobody touches. The first band of a choice is reported.
+    ``contact`` says whether the pair must (True) or must not (False) touch; None leaves it open.
     """
 
     text: str
@@ -48,12 +39,6 @@ BANDS: dict[str, tuple[float, float]] = {
 }
 """Measures that a band can be asked for, and the widest range that makes sense."""
 
-_PET = (Band("pet", 0.2, 1.0),)
-_CLOSE = (Band("distance", 0.2, 0.8),)
-_TIME = (Band("ttc", 0.3, 1.5), Band("distance", 0.2, 2.0))
-HEADWAY = (Band("headway", 0.2, 0.8), Band("distance", 0.2, 8.0))
-"""One more way to a near-miss, where one tailgates another."""
-
 _PATTERN = re.compile(r"\s*([a-z]+)\s*=\s*(-?[0-9.]+)\s*\.\.\s*(-?[0-9.]+)\s*")
 
 
@@ -65,7 +50,9 @@ def parse_target(text: str) -> Target:
     """
     word = text.strip().lower()
     if word == NEAR_MISS:
-        return Target(word, (_PET, _CLOSE, _TIME), contact=False)
+        return Target(word, BANDS_OF_A_NEAR_MISS, contact=False)
+    if word == AVOIDED:
+        return Target(word, (), contact=False)
     if word == COLLISION:
         return Target(word, ((Band("distance", 0.0, 0.0),),), contact=True)
     match = _PATTERN.fullmatch(word)
@@ -73,7 +60,8 @@ def parse_target(text: str) -> Target:
         raise InputError(
             f"{text!r} is no target",
             where="--target",
-            hint=f"near-miss, collision, none, or a range: {', '.join(f'{n}=A..B' for n in BANDS)}",
+            hint="near-miss, collision, avoided, none, or a range: "
+            + ", ".join(f"{name}=A..B" for name in BANDS),
         )
     try:
         low, high = float(match[2]), float(match[3])

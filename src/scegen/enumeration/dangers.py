@@ -65,6 +65,9 @@ def _say(out: Stated, number: int, kind: HazardKind, both: Parties) -> None:
 def _say_acts(out: Stated, functional: FunctionalScenario) -> None:
     """Who changes into another's lane does so as one who cuts in; who overtakes, from behind."""
     changing = set[str]()
+    astray = {
+        name for h in functional.hazards if h.kind is HazardKind.ONCOMING_LANE for name in h.by
+    }
     for act in functional.acts:
         if act.kind is ActKind.CHANGE_LANE and act.participant not in changing:
             changing.add(act.participant)  # the first change decides where it begins
@@ -72,7 +75,7 @@ def _say_acts(out: Stated, functional: FunctionalScenario) -> None:
             if act.side is not None:
                 out.facts.append(p.Goes(act.participant, act.side.value))
         if act.kind is ActKind.CHANGE_LANE and act.into not in {None, act.participant}:
-            kind = HazardKind.CUT_IN
+            kind = HazardKind.ONCOMING_LANE if act.participant in astray else HazardKind.CUT_IN
         elif act.kind is ActKind.OVERTAKE and act.into is not None:
             kind = HazardKind.OVERTAKING
         else:

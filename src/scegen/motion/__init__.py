@@ -1,7 +1,6 @@
-"""Motion = path x speed program: paths on the road, a reference simulator, concretization."""
+"""Motion = path x speed program: paths on the road, the simulators."""
 
-from scegen.motion.concretization import concretize
 from scegen.motion.paths import build_paths
 from scegen.motion.simulation import simulate
 
-__all__ = ["build_paths", "concretize", "simulate"]
+__all__ = ["build_paths", "simulate"]

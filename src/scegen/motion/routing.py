@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import arm_lane_id, is_ring, ring_lane_id, ring_lane_number
 from scegen.motion.stretches import Shift, Stretch, lane_offset_d_m, stretch
-from scegen.road.model import RoadNetwork, Route, RouteStep
+from scegen.road.model import Road, RoadNetwork, Route, RouteStep
 from scegen.scenario.concrete import DriveMotion, LaneChange
 
 _ROUNDING_M = 1e-6
@@ -26,11 +26,29 @@ class _Walk:
     motion: DriveMotion
     who: str
     todo: list[LaneChange]
+    offset_m: float = 0.0
     done: list[Stretch] = field(default_factory=list)
 
     @property
     def end_m(self) -> float:
         return self.done[-1].end_m if self.done else 0.0
+
+    def stretch(self, road: Road, lane: int, start_m: float, *, forward: bool) -> Stretch:
+        """A road entered in a lane, as far beside its centre as the drive keeps now."""
+        piece = stretch(road, lane, start_m, forward=forward)
+        return replace(piece, d_m=piece.d_m + self.offset_m)
+
+    def shifted(self, piece: Stretch, change: LaneChange, before: int, after: int) -> Stretch:
+        """The stretch with one more change, from lane id ``before`` to ``after``."""
+        kept = self.offset_m
+        self.offset_m = change.offset_m
+        shift = Shift(
+            change.position_m,
+            change.length_m,
+            lane_offset_d_m(piece.road, before, forward=piece.forward) + kept,
+            lane_offset_d_m(piece.road, after, forward=piece.forward) + change.offset_m,
+        )
+        return piece.with_shift(shift, after)
 
     def takes(self, until_m: float) -> list[LaneChange]:
         """The changes that start before ``until_m``, taken off the list."""
@@ -86,7 +104,7 @@ def walk_route(
             hint="Routes: " + ", ".join(f"{a}->{b}" for a, b in sorted(network.routes)),
         )
     _check_order(motion, who)
-    walk = _Walk(network, motion, who, list(motion.lane_changes))
+    walk = _Walk(network, motion, who, list(motion.lane_changes), motion.offset_m)
     lane = _along_entry(walk)
     if network.junctions:
         route = _choose_route(walk, lane)
@@ -114,7 +132,7 @@ def _along_entry(walk: _Walk) -> int:
     """Lay the entry arm; returns the lane number at its inner end."""
     road = walk.network.arm_road(walk.motion.entry)
     lane = walk.motion.entry_lane
-    piece = stretch(road, arm_lane_id(road, lane, inbound=True), 0.0, forward=True)
+    piece = walk.stretch(road, arm_lane_id(road, lane, inbound=True), 0.0, forward=True)
     return _on_arm(walk, piece, lane, inbound=True)
 
 
@@ -122,7 +140,7 @@ def _along_exit(walk: _Walk, lane: int) -> int:
     """Lay the exit arm, entered in lane number ``lane``; returns the lane at its outer end."""
     road = walk.network.arm_road(walk.motion.exit)
     lane_id = arm_lane_id(road, lane, inbound=False)
-    piece = stretch(road, lane_id, walk.end_m, forward=False)
+    piece = walk.stretch(road, lane_id, walk.end_m, forward=False)
     if not walk.network.junctions:
         piece = _continued(walk, piece)
     arrived = _on_arm(walk, piece, lane, inbound=False)
@@ -156,10 +174,10 @@ def _on_arm(walk: _Walk, piece: Stretch, lane: int, *, inbound: bool) -> int:
             raise walk.refuse(change, piece)
         before = arm_lane_id(piece.road, lane, inbound=inbound)
         after = arm_lane_id(piece.road, change.lane_after, inbound=inbound)
-        piece = piece.with_shift(_shift(piece, change, before, after), after)
+        piece = walk.shifted(piece, change, before, after)
         lane = change.lane_after
     walk.done.append(piece)
-    if lane == 0 and not across:
+    if lane == 0 and walk.network.junctions:
         raise MotionInfeasibleError(
             f"the vehicle is still in the oncoming lane at the end of {piece.road.name}",
             where=walk.who,
@@ -172,7 +190,7 @@ def _along_step(walk: _Walk, steps: list[RouteStep], route: Route) -> list[Route
     """Append the first step; returns those that remain, by another lane after a ring change."""
     step, rest = steps[0], steps[1:]
     road = walk.network.road(step.road)
-    piece = stretch(road, step.lane, walk.end_m, forward=step.forward)
+    piece = walk.stretch(road, step.lane, walk.end_m, forward=step.forward)
     for change in walk.takes(piece.end_m):
         fits = change.position_m + change.length_m <= piece.end_m + _ROUNDING_M
         starts = change.position_m >= piece.start_m - _ROUNDING_M
@@ -180,7 +198,7 @@ def _along_step(walk: _Walk, steps: list[RouteStep], route: Route) -> list[Route
             raise walk.refuse(change, piece)
         before = piece.lane_after[-1][1] if piece.lane_after else piece.lane
         after = ring_lane_id(road, change.lane_after)
-        piece = piece.with_shift(_shift(piece, change, before, after), after)
+        piece = walk.shifted(piece, change, before, after)
         rest = _rest_from(walk, road.id, after, route)
     walk.done.append(piece)
     return rest
@@ -203,15 +221,6 @@ def _rest_from(walk: _Walk, road_id: int, lane: int, route: Route) -> list[Route
             f"no way leads from ring lane {number} to arm {walk.motion.exit}", where=walk.who
         )
     return min(found, key=lambda option: option[:2])[2]
-
-
-def _shift(piece: Stretch, change: LaneChange, before: int, after: int) -> Shift:
-    return Shift(
-        change.position_m,
-        change.length_m,
-        lane_offset_d_m(piece.road, before, forward=piece.forward),
-        lane_offset_d_m(piece.road, after, forward=piece.forward),
-    )
 
 
 def _choose_route(walk: _Walk, lane: int) -> Route:

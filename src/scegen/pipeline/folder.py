@@ -50,8 +50,8 @@ def require_usable(folder: Path, *, force: bool) -> None:
 def _in_the_way(folder: Path) -> list[tuple[str, str]]:
     summary = folder / SUMMARY_FILE
     try:
-        made = json.loads(summary.read_text(encoding="utf-8"))["files"]
-    except (OSError, ValueError, KeyError, TypeError):
+        made = dict(json.loads(summary.read_text(encoding="utf-8"))["files"])
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return [("the folder", "is not empty and was not made by scegen generate")]
     changed = []
     for path in sorted(p for p in folder.rglob("*") if p.is_file() and p != summary):

@@ -8,21 +8,22 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from scegen.checking import CHECKERS, QUICK_CHECKERS, CheckReport, check_files
-from scegen.criticality.search.refusing import too_fast
+from scegen.checking.subject import FUNCTIONAL_FILE
+from scegen.criticality.raising.refusing import too_fast
 from scegen.enumeration import LIST_LIMIT, enumerate_scenarios
 from scegen.errors import InfeasibleError, InputError, NoScenarioError
 from scegen.llm import Session
-from scegen.motion import concretize
+from scegen.pipeline.attempts import make_some
 from scegen.pipeline.contents import Made, folder_files
 from scegen.pipeline.export import export_scenario
 from scegen.pipeline.folder import replace_content, require_usable
 from scegen.pipeline.judging import Judged, judge
 from scegen.pipeline.options import CheckDepth, Options
 from scegen.pipeline.picking import pick
-from scegen.pipeline.raising import PROOF_FILE, chosen_target, raise_all
+from scegen.pipeline.raising import PROOF_FILE, Raising, chosen_target, raise_all
 from scegen.pipeline.source import Source
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.files import to_json
+from scegen.scenario.files import to_json, to_yaml
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
 from scegen.scenario.proof import Proof
@@ -56,9 +57,11 @@ class Result:
 
     @property
     def ok(self) -> bool:
-        """Whether no check failed, and every scenario reaches the target if one was asked for."""
-        reached = not self.target_asked or all(proof.in_band for proof in self.proofs.values())
-        return reached and all(report.ok for report in self.checks.values())
+        """Whether no check failed, all that is said holds, and targets asked for are reached."""
+        proofs = self.proofs.values()
+        reached = not self.target_asked or all(proof.in_band for proof in proofs)
+        said = not any(proof.missed for proof in proofs)
+        return said and reached and all(report.ok for report in self.checks.values())
 
 
 def generate(
@@ -83,7 +86,6 @@ def generate(
         raise InputError(f"must be at least 1, not {options.count}", where="--count")
     if options.solutions < 1:
         raise InputError(f"must be at least 1, not {options.solutions}", where="--solutions")
-    target = chosen_target(options, numbers_given=isinstance(source, ConcreteScenario))
     functional = source if isinstance(source, FunctionalScenario) else None
     logical = source if isinstance(source, LogicalSet) else None
     if impossible := too_fast(functional if logical is None else logical.functional):
@@ -104,17 +106,8 @@ def generate(
         raise InputError("--where and --rules narrow the enumeration of a functional scenario")
     if logical is not None:
         functional = logical.functional
-    concretes, skipped = _concretes(source, logical, options, progress)
-    raised = raise_all(
-        functional,
-        concretes,
-        target,
-        options.seed,
-        progress,
-        session,
-        solutions=options.solutions,
-    )
-    concretes, proofs, skipped = raised.concretes, raised.proofs, skipped | raised.skipped
+    raised = _raised(source, logical, options, progress, session)
+    concretes, proofs, skipped = raised.concretes, raised.proofs, raised.skipped
 
     with tempfile.TemporaryDirectory(prefix="scegen-") as staging:
         staged = Path(staging)
@@ -126,6 +119,8 @@ def generate(
                 proof = to_json(proofs[concrete.name])
                 files[concrete.name][PROOF_FILE] = proof.encode()
             _write(staged / "scenarios" / concrete.name, files[concrete.name])
+        if functional is not None:
+            _write(staged, {FUNCTIONAL_FILE: to_yaml(functional).encode()})
         progress("checking")
         checks = _checks(staged, [concrete.name for concrete in concretes], options.depth)
         progress("judging")
@@ -154,31 +149,24 @@ def generate(
     )
 
 
-def _concretes(
-    source: Source, logical: LogicalSet | None, options: Options, progress: Progress
-) -> tuple[list[ConcreteScenario], dict[str, str]]:
-    """The concrete scenarios asked for, and the reasons for those that cannot exist."""
-    if isinstance(source, ConcreteScenario):
-        return [source], {}
-    if logical is None:  # a source is of one of the three levels
+def _raised(
+    source: Source,
+    logical: LogicalSet | None,
+    options: Options,
+    progress: Progress,
+    session: Session | None,
+) -> Raising:
+    """The concrete scenarios asked for, their danger raised."""
+    numbers = isinstance(source, ConcreteScenario)
+    functional = None if logical is None else logical.functional
+    target = chosen_target(options, functional, numbers_given=numbers)
+    if logical is not None:
+        picked = pick(logical, options.pick)
+        return make_some(logical.functional, picked, target, options, progress, session)
+    if not isinstance(source, ConcreteScenario):  # a source is of one of the three levels
         raise InputError("has no logical scenarios")
-    picked = pick(logical, options.pick)
-    wanted = len(picked) if options.pick else min(options.count, len(picked))
-    concretes: list[ConcreteScenario] = []
-    skipped: dict[str, str] = {}
-    for scenario in picked:
-        if len(concretes) == wanted:
-            break
-        progress(f"concretizing {scenario.index:03d}-{scenario.slug}")
-        try:
-            concretes.append(concretize(logical.functional, scenario, seed=options.seed))
-        except InfeasibleError as error:
-            skipped[f"{scenario.index:03d}-{scenario.slug}"] = error.render()
-    if not concretes:
-        name, reason = next(iter(skipped.items()))
-        more = f" (and {len(skipped) - 1} more)" if len(skipped) > 1 else ""
-        raise InfeasibleError(f"none of the scenarios can be made: {name}{more}: {reason}")
-    return concretes, skipped
+    seed, solutions = options.seed, options.solutions
+    return raise_all(None, [source], target, seed, progress, session, solutions=solutions)
 
 
 def _checks(staged: Path, names: list[str], depth: CheckDepth) -> dict[str, CheckReport]:

@@ -8,15 +8,20 @@ from time import perf_counter
 
 from scegen.criticality import OfflineProposer, raise_criticality
 from scegen.criticality.agent import ParameterAgent
-from scegen.criticality.target import NEAR_MISS, parse_target
+from scegen.criticality.target import AVOIDED, COLLISION, NEAR_MISS, parse_target
 from scegen.llm import Session
 from scegen.pipeline.options import Options
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.proof import Advice, Proof
 
 NO_SEARCH = "none"
 PROOF_FILE = "proof.json"
+_TARGETS: dict[OutcomeKind | None, str] = {
+    OutcomeKind.COLLISION: COLLISION,
+    OutcomeKind.AVOIDED: AVOIDED,
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,8 +37,10 @@ class Raising:
     skipped: dict[str, str] = field(default_factory=dict)
 
 
-def chosen_target(options: Options, *, numbers_given: bool) -> str | None:
-    """The target of a run; None for no search.
+def chosen_target(
+    options: Options, functional: FunctionalScenario | None, *, numbers_given: bool
+) -> str | None:
+    """The target of a run, which follows from the outcome if it is not given; None: no search.
 
     Numbers that somebody gave are not touched unless a target is asked for.
 
@@ -41,7 +48,8 @@ def chosen_target(options: Options, *, numbers_given: bool) -> str | None:
         InputError: the option names no target.
     """
     if options.target is None:
-        return None if numbers_given else NEAR_MISS
+        outcome = functional.outcome.kind if functional and functional.outcome else None
+        return None if numbers_given else _TARGETS.get(outcome, NEAR_MISS)
     if options.target.strip().lower() == NO_SEARCH:
         return None
     return parse_target(options.target).text
@@ -90,6 +98,11 @@ def proof_summary(proof: Proof | None) -> dict[str, object]:
         return {}
     measure = proof.of(proof.measure)
     return {
+        "claims": {
+            "asked": len(proof.claims),
+            "hold": len(proof.claims) - len(proof.missed),
+            "missed": [claim.model_dump(mode="json") for claim in proof.missed],
+        },
         "danger": {
             "target": proof.target,
             "in_band": proof.in_band,
@@ -104,7 +117,7 @@ def proof_summary(proof: Proof | None) -> dict[str, object]:
             },
             "blocked_by": proof.blocked_by,
             "proposals": _advice_summary(proof.advice),
-        }
+        },
     }
 
 

@@ -21,7 +21,7 @@ def danger_tables(proof: Proof | None) -> list[Table]:
     """The tables; none where nothing was searched."""
     if proof is None:
         return []
-    tables = [_target(proof)]
+    tables = [_target(proof), *_claims(proof)]
     rows = tuple(
         _hazard(after, before)
         for after, before in zip(proof.hazards, proof.hazards_before, strict=True)
@@ -53,6 +53,25 @@ def _target(proof: Proof) -> Table:
     ]
     title = f"Target {proof.target} between {pair}: {outcome}"
     return Table(title, ("Measure", "Before", "Now", "Band"), tuple(rows))
+
+
+def _claims(proof: Proof) -> list[Table]:
+    """Every statement, those first that do not hold."""
+    if not proof.claims:
+        return []
+    rows = tuple(
+        (
+            claim.statement,
+            f"“{claim.words}”" if claim.words else claim.field,
+            "holds" if claim.holds else "does NOT hold",
+            _value(claim.measured, "" if claim.unit == "1" else claim.unit).rstrip(),
+            _value(claim.time_s, "s"),
+        )
+        for claim in sorted(proof.claims, key=lambda claim: claim.holds)
+    )
+    hold = len(proof.claims) - len(proof.missed)
+    title = f"What was said: {hold} of {len(proof.claims)} statements hold"
+    return [Table(title, ("Statement", "Rests on", "In what runs", "Measured", "At"), rows)]
 
 
 def _advice(advice: Advice) -> Table:

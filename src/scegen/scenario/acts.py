@@ -18,21 +18,21 @@ class ActKind(Word):
     BRAKE = (
         "brake",
         "slows down, to a speed that may be given",
-        "`stop`, which ends at rest for good",
+        "`stop`, which ends at rest",
         "brakes with 6 m/s2 to 20 km/h",
     )
     ACCELERATE = "accelerate", "gains speed", "`set_off`, from rest", "accelerates to 80 km/h"
     STOP = (
         "stop",
         "comes to rest and stays there",
-        "`brake`, where the end is not said to be rest; standing all the time (maneuver `stay`)",
-        "stops in the middle of the road",
+        "`brake`, which ends in motion; standing all the time (maneuver `stay`)",
+        "brakes with 4 m/s2 to a standstill",
     )
     SET_OFF = (
         "set_off",
-        "begins to move from rest",
-        "`accelerate`, while it moves",
-        "pulls away as the light changes",
+        "begins to move from rest, up to a speed that may be given",
+        "`accelerate`, for one who moves already",
+        "pulls away with 2 m/s2 to 30 km/h",
     )
     CHANGE_LANE = (
         "change_lane",
@@ -42,9 +42,9 @@ class ActKind(Word):
     )
     SWERVE = (
         "swerve",
-        "moves sideways abruptly within its lane or out of it",
-        "`change_lane`, which ends in the other lane",
-        "swerves 0.8 m to the left",
+        "moves sideways, fast or slowly, and does not end in another lane",
+        "`change_lane`, which does",
+        "drifts 0.6 m to the left",
     )
     TURN = (
         "turn",

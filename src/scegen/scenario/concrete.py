@@ -144,35 +144,38 @@ Trigger = Annotated[
 class SpeedPhase(FrozenModel):
     """When ``trigger`` fires, change speed linearly to ``target_speed_mps`` at ``rate_mps2``.
 
-    ``hazard`` names the danger that the phase serves. Phases start in order: a phase can only
-    fire once its predecessor has fired.
+    ``hazard`` names the danger that the phase serves, ``act`` the act of the description that it
+    is. Phases start in order: a phase can only fire once its predecessor has fired.
     """
 
     trigger: Trigger
     target_speed_mps: float = Field(ge=0, le=100)
     rate_mps2: float = Field(gt=0, le=20)
     hazard: HazardKind | None = None
+    act: Identifier | None = None
 
 
 class LaneChange(FrozenModel):
     """A change of lane baked into the path.
 
     At ``position_m`` along the drive the vehicle starts to move into ``lane_after``, and has
-    arrived ``length_m`` later. Lanes count from 1 at the centre line outwards;
-    0 stands for the lane of oncoming traffic next to the centre line. In a ring, 1 is the
-    innermost lane.
+    arrived ``length_m`` later, ``offset_m`` to its own left of that lane's centre. A change within
+    the lane has the same lane after it. Lanes count from 1 at the centre line outwards; 0 stands
+    for the lane of oncoming traffic next to the centre line. In a ring, 1 is the innermost lane.
     """
 
     position_m: float = Field(ge=0)
     length_m: float = Field(gt=0)
-    lane_after: int = Field(ge=0, le=3)
+    lane_after: int = Field(ge=0, le=4)
+    offset_m: float = Field(default=0.0, ge=-12.0, le=12.0)
     hazard: HazardKind | None = None
 
 
 class DriveMotion(FrozenModel):
-    """A vehicle's way. It starts ``start_m`` along the drive, in lane ``entry_lane``.
+    """A way along the road. It starts ``start_m`` along the drive, in lane ``entry_lane``.
 
-    One lane beyond the outermost is the strip for parking, out of which it then pulls.
+    There it keeps ``offset_m`` to its own left of the lane's centre. One lane beyond the outermost
+    is the strip for parking; lane 0 that of the oncoming traffic next to the centre line.
     ``turning_starts_m`` and ``turning_ends_m`` are where the junction (or ring) begins and
     ends on its way; they follow from the road and are checked, not obeyed. ``reversal`` is a
     part of the way that it drives backwards.
@@ -180,11 +183,12 @@ class DriveMotion(FrozenModel):
 
     type: Literal["drive"] = "drive"
     entry: int = Field(ge=0)
-    entry_lane: int = Field(ge=1, le=4)
+    entry_lane: int = Field(ge=0, le=4)
     exit: int = Field(ge=0)
-    exit_lane: int = Field(ge=1, le=3)
+    exit_lane: int = Field(ge=0, le=4)
     ring_lane: int | None = Field(default=None, ge=1, le=2)
     start_m: float = Field(ge=0)
+    offset_m: float = Field(default=0.0, ge=-12.0, le=12.0)
     turning_starts_m: float
     turning_ends_m: float
     lane_changes: tuple[LaneChange, ...] = ()

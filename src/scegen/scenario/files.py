@@ -10,11 +10,14 @@ import yaml
 from pydantic import ValidationError
 
 from scegen.errors import InputError, VocabularyError
+from scegen.scenario.complaints import found, in_words
 from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.consistency import require_consistent
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.glossary import explain
 from scegen.scenario.logical import LogicalSet
 from scegen.scenario.model import FrozenModel
+from scegen.scenario.parsing import parse
 
 LEVELS: dict[str, type[FunctionalScenario | LogicalSet | ConcreteScenario]] = {
     "functional": FunctionalScenario,
@@ -24,7 +27,6 @@ LEVELS: dict[str, type[FunctionalScenario | LogicalSet | ConcreteScenario]] = {
 AnyLevel = FunctionalScenario | LogicalSet | ConcreteScenario
 M = TypeVar("M", bound=FrozenModel)
 
-_Loader: type = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 _Dumper: type = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
 
 
@@ -51,51 +53,40 @@ def from_data(cls: type[M], data: object, *, where: str) -> M:
     try:
         return cls.model_validate(data)
     except ValidationError as error:
-        raise VocabularyError(_in_words(error), where=where) from error
-
-
-def parse(text: str, *, where: str) -> object:
-    """YAML or JSON text (JSON is YAML) to plain data; VocabularyError names the line."""
-    try:
-        return json.loads(text) if text.lstrip().startswith("{") else yaml.load(text, _Loader)  # noqa: S506 - a safe loader
-    except (yaml.YAMLError, json.JSONDecodeError) as error:
-        raise VocabularyError(f"not valid YAML or JSON: {error}", where=where) from error
-    except RecursionError as error:
-        raise VocabularyError("nested too deeply", where=where) from error
+        raise VocabularyError(in_words(error, cls, data), where=where) from error
 
 
 def read_text(path: Path) -> str:
-    """A file's text; InputError if it cannot be read."""
+    """A file's text, without a byte order mark; InputError if it cannot be read."""
+    where = str(path)
     try:
-        return path.read_text(encoding="utf-8")
+        text = path.read_bytes().decode("utf-8-sig")
     except OSError as error:
         raise InputError(
-            f"cannot be read: {error.strerror}", where=str(path), hint="check the path"
+            f"cannot be read: {error.strerror}", where=where, hint="check the path"
         ) from error
     except UnicodeDecodeError as error:
-        raise InputError("is not UTF-8 text", where=str(path)) from error
+        raise InputError("is not UTF-8 text", where=where, hint="save it as UTF-8") from error
+    if "\0" in text:
+        raise InputError("is no text: it holds binary data", where=where)
+    return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
 def load(path: Path, cls: type[M]) -> M:
     """Read one level from a file."""
-    data = parse(read_text(path), where=str(path))
-    _require_level(data, cls, str(path))
-    return from_data(cls, data, where=str(path))
+    data, level = _data_and_level(path)
+    if LEVELS[level] is not cls:
+        wanted = next(name for name, model in LEVELS.items() if model is cls)
+        raise VocabularyError(f"is a {level} file, not a {wanted} scenario", where=str(path))
+    return _whole(cls, data, str(path))
 
 
 def load_any(path: Path) -> AnyLevel | None:
     """Read whatever level the file holds; None if the file is not a scenario file."""
     if path.suffix.lower() not in {".yaml", ".yml", ".json"}:
         return None
-    data = parse(read_text(path), where=str(path))
-    level = data.get("level") if isinstance(data, dict) else None
-    if level not in LEVELS:
-        raise VocabularyError(
-            f"has no known 'level' (found {level!r})",
-            where=str(path),
-            hint=f"a scenario file starts with 'level: {' | '.join(LEVELS)}'",
-        )
-    return from_data(LEVELS[level], data, where=str(path))
+    data, level = _data_and_level(path)
+    return _whole(LEVELS[level], data, str(path))
 
 
 def json_schema(level: str) -> dict[str, Any]:
@@ -105,20 +96,20 @@ def json_schema(level: str) -> dict[str, Any]:
     return explain(LEVELS[level].model_json_schema(mode="validation"))
 
 
-def _require_level(data: object, cls: type[M], where: str) -> None:
-    wanted = next((name for name, model in LEVELS.items() if model is cls), None)
-    found = data.get("level") if isinstance(data, dict) else None
-    if wanted and found != wanted:
-        raise VocabularyError(
-            f"is a {found or 'nameless'} file, not a {wanted} scenario", where=where
-        )
+def _whole(cls: type[M], data: object, where: str) -> M:
+    found = from_data(cls, data, where=where)
+    if isinstance(found, LogicalSet):
+        require_consistent(found, where=where)
+    return found
 
 
-def _in_words(error: ValidationError) -> str:
-    shown = []
-    for item in error.errors()[:3]:
-        place = ".".join(str(part) for part in item["loc"]) or "file"
-        value = "" if isinstance(item["input"], dict | list) else f" (found {item['input']!r})"
-        shown.append(f"{place}: {item['msg']}{value}")
-    more = len(error.errors()) - len(shown)
-    return "; ".join(shown) + (f"; and {more} more" if more > 0 else "")
+def _data_and_level(path: Path) -> tuple[object, str]:
+    where = str(path)
+    data = parse(read_text(path), where=where)
+    level = data.get("level") if isinstance(data, dict) else None
+    if isinstance(level, str) and level in LEVELS:
+        return data, level
+    message = "is empty" if data is None else f"is no scenario file: its level is {found(level)}"
+    raise VocabularyError(
+        message, where=where, hint=f"a scenario file starts with 'level: {' | '.join(LEVELS)}'"
+    )

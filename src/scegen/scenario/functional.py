@@ -19,6 +19,7 @@ from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import (
     Approach,
     Control,
+    CrossedArm,
     DrivingSide,
     EvidenceSource,
     HazardKind,
@@ -94,11 +95,13 @@ class Participant(FrozenModel):
 
     ``approaches`` are relative to the ego, ``adjacent`` with ``left`` or ``right`` is the lane
     beside on that side; ``entries`` are arm numbers; ``lanes`` the lanes in which it may start,
-    counted from the centre line outwards (empty = free); ``speed_mps`` is the range that the text
-    gives until the first act that concerns it, None if it gives none. One who is ``parked`` stands
-    beside the travelled lanes; with ``maneuvers`` other than to stay it pulls out. One who stands
-    in the lane is not parked and has the maneuver ``stay``. ``circulating``: it is in the
-    roundabout already. A pedestrian whose maneuver is ``straight`` walks along the road.
+    counted from 1 at the centre line (or the island) outwards, empty = free; ``speed_mps`` is the
+    range that the text gives until the first act that concerns it, None if it gives none. One who
+    is ``parked`` stands beside the travelled lanes; with ``maneuvers`` other than to stay it pulls
+    out. One who stands in the lane is not parked and has the maneuver ``stay``. ``circulating``: it
+    is in the roundabout already. A pedestrian whose maneuver is ``straight`` walks along the road.
+    ``crosses`` tells which arm one crosses, by the way of whom it meets, None if either; the
+    ``approaches`` of who crosses are the sides as that one sees them on its course where they meet.
     """
 
     id: Identifier
@@ -110,6 +113,7 @@ class Participant(FrozenModel):
     entries: ArmSet = frozenset()
     lanes: ArmSet = frozenset()
     circulating: bool = False
+    crosses: CrossedArm | None = None
     speed_mps: Interval | None = None
 
     @property

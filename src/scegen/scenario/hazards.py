@@ -166,7 +166,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
     ),
     HazardKind.HARD_BRAKING: HazardRow(
         Definition(
-            "brakes suddenly or hard, by its own decision, so that others have to react",
+            "brakes by its own decision, hard, suddenly, or right before one who follows",
             "`stopping`, where that it stands is the danger; a reaction that another forces",
             "the lead car brakes sharply in front of the ego",
         ),
@@ -193,10 +193,10 @@ HAZARDS: dict[HazardKind, HazardRow] = {
     ),
     HazardKind.STOPPING: HazardRow(
         Definition(
-            "comes to a stand, or stands, in the travelled way of others",
-            "`hard_braking` if only the braking is said; a wait that a rule demands; `obstacle`, "
-            "for a thing and for a parked vehicle that blocks the lane",
-            "a taxi stops in the lane to let somebody out",
+            "stops or stands in the travelled way of others, with its driver in it",
+            "`hard_braking` if only the braking is said; a wait that a rule demands; "
+            "`obstacle`, for a thing and a parked or broken-down vehicle; at the edge of the road",
+            "a taxi stops in the lane to let somebody out; a stationary car in the ego's lane",
         ),
         causes=_FOLLOWED,
         suffers=(Party.FOLLOWER, *_EGO_OR_OTHERS),
@@ -237,7 +237,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
     ),
     HazardKind.SWERVING: HazardRow(
         Definition(
-            "moves sideways abruptly, out of its lane or within it, and is still steered",
+            "moves sideways off its course, abruptly or drifting, and is still steered",
             "`cut_in`, where it takes a place in front of somebody; `loss_of_control`, where the "
             "driver cannot help it",
             "a motorcycle weaves between the lanes",
@@ -358,8 +358,8 @@ HAZARDS: dict[HazardKind, HazardRow] = {
     ),
     HazardKind.OBSTACLE: HazardRow(
         Definition(
-            "a thing, or a vehicle that does not take part in traffic, blocks a lane",
-            "`stopping`, for a vehicle in traffic that stops; what stands beside the lanes",
+            "a thing, or a parked or broken-down vehicle, blocks a lane",
+            "`stopping`, for any other vehicle that stands; what stands beside the lanes",
             "a fallen branch lies in the ego's lane",
         ),
         causes=(Party.THING, Party.STANDING),

@@ -38,6 +38,36 @@ class HazardProof(FrozenModel):
     note: str | None = None
 
 
+class ClaimProof(FrozenModel):
+    """Whether one statement holds: what was measured, when, and by how much it holds.
+
+    ``field`` is the path of the functional field that it rests on, ``words`` the words behind it.
+    ``margin``, ``measured`` and ``tolerance`` are in ``unit``; None where there is nothing to
+    measure.
+    """
+
+    id: str
+    kind: str
+    statement: str
+    field: str
+    words: str | None = None
+    holds: bool
+    measured: float | None = None
+    unit: str = "1"
+    margin: float | None = None
+    tolerance: float = 0.0
+    time_s: float | None = None
+
+    @property
+    def found(self) -> str:
+        """What is there instead, where it does not hold."""
+        if self.measured is None:
+            return "it does not happen"
+        unit = "" if self.unit == "1" else f" {self.unit}"
+        when = "" if self.time_s is None else f" at {self.time_s:.1f} s"
+        return f"{self.measured:.4g}{unit}{when}"
+
+
 class MeasureProof(FrozenModel):
     """A measure of the pair that the target is about, before and after; None: undefined."""
 
@@ -79,9 +109,10 @@ class Proof(FrozenModel):
     """The result of one search.
 
     ``pair`` is whom the target is about, ``measure`` what decided (or comes nearest), ``band`` its
-    range. ``unwanted_contacts`` are pairs that touch although the target does not ask for it.
-    ``dt_s`` is the time step of the proof. ``blocked_by`` says what kept the search from its aim.
-    ``advice`` is None where nobody was asked, since nothing had to change or nothing would help.
+    range. ``claims`` are all statements of the description. ``unwanted_contacts`` are pairs that
+    touch although the target does not ask for it. ``dt_s`` is the time step of the proof.
+    ``blocked_by`` says what kept the search from its aim. ``advice`` is None where nobody was
+    asked, since nothing had to change or nothing would help.
     """
 
     level: Literal["proof"] = "proof"
@@ -94,6 +125,7 @@ class Proof(FrozenModel):
     measures: tuple[MeasureProof, ...] = ()
     hazards: tuple[HazardProof, ...] = ()
     hazards_before: tuple[HazardProof, ...] = ()
+    claims: tuple[ClaimProof, ...] = ()
     unwanted_contacts: tuple[tuple[Identifier, Identifier], ...] = ()
     evaluations: int = 0
     dt_s: float = 0.01
@@ -105,6 +137,11 @@ class Proof(FrozenModel):
     def hazards_happened(self) -> int:
         """How many of the dangers asked for happen."""
         return sum(hazard.happened for hazard in self.hazards)
+
+    @property
+    def missed(self) -> tuple[ClaimProof, ...]:
+        """The statements that do not hold."""
+        return tuple(claim for claim in self.claims if not claim.holds)
 
     @property
     def reached(self) -> bool:

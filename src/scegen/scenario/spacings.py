@@ -24,9 +24,9 @@ class Measure(Word):
 
     GAP_M = (
         "gap_m",
-        "free length between the bumpers along the road, m",
+        "free length between the bumpers along the road, m; to who crosses, up to its place",
         "`lateral_gap_m`, beside",
-        "20 m behind; a gap of 12 m",
+        "20 m behind; when it is 12 m away",
     )
     HEADWAY_S = (
         "headway_s",
@@ -38,11 +38,11 @@ class Measure(Word):
         "ttc_s",
         "that gap by the difference of speeds, s",
         "`headway_s`",
-        "a time to collision of 4 s",
+        "a time to collision of 4 s; is 3 s away",
     )
     LATERAL_GAP_M = (
         "lateral_gap_m",
-        "free width between the sides, m",
+        "free width between the sides as one passes the other, m",
         "`lateral_offset_m`, between the centres",
         "passes with 1 m to spare",
     )

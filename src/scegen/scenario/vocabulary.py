@@ -79,7 +79,7 @@ class Control(Word):
         "stop",
         "the road that ends or is said to be minor has a stop sign",
         "`all_way_stop`, where every road has one",
-        "at the stop sign of a side road",
+        "at the stop line of a side road",
     )
     ALL_WAY_STOP = (
         "all_way_stop",
@@ -131,7 +131,12 @@ class ParticipantKind(Word):
         "`pedestrian`, for one who pushes it",
         "a cyclist",
     )
-    PEDESTRIAN = "pedestrian", "somebody on foot", "people inside vehicles", "a child; a jogger"
+    PEDESTRIAN = (
+        "pedestrian",
+        "somebody on foot, also on skates or a toy scooter",
+        "people inside vehicles",
+        "a child; a jogger",
+    )
     EMERGENCY_VEHICLE = (
         "emergency_vehicle",
         "a vehicle of police, fire or rescue service",
@@ -154,6 +159,23 @@ class Side(Word):
         "to the left, seen by who is spoken of",
         "`Approach.left`, where one comes from",
         "on its left",
+    )
+
+
+class CrossedArm(Word):
+    """Which arm one crosses, by the way of the one whom it meets (the ego, if nobody is named)."""
+
+    ENTRY = (
+        "entry",
+        "the arm by which the one whom it meets comes to the junction",
+        "`exit`; a number of an arm (`entries`)",
+        "crosses the road that the ego comes from, before it turns",
+    )
+    EXIT = (
+        "exit",
+        "the arm by which the one whom it meets leaves the junction",
+        "`entry`; a number of an arm (`entries`)",
+        "crosses the road into which the ego turns",
     )
 
 
@@ -235,20 +257,20 @@ class Maneuver(Word):
     STRAIGHT = (
         "straight",
         "goes on through the junction or along the road; on foot: walks along it",
-        "nothing said (leave it empty)",
+        "what the text leaves open",
         "goes straight through",
     )
     LEFT = (
         "left",
         "turns left at the junction",
         "`lane_change` to the left; coming from the left (an approach)",
-        "turns left",
+        "turns off to the left",
     )
     RIGHT = (
         "right",
         "turns right at the junction",
         "`lane_change` to the right; coming from the right (an approach)",
-        "turns right",
+        "takes the right-hand branch",
     )
     U_TURN = "u_turn", "turns back the way that it came", "`left`", "makes a U-turn"
     LANE_CHANGE = (
@@ -273,7 +295,7 @@ class Maneuver(Word):
         "stay",
         "stands all the time",
         "one that stops or sets off (an act)",
-        "a stationary car; a waiting pedestrian",
+        "a stationary car; somebody who waits",
     )
     EXIT_1 = (
         "exit_1",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 from scegen.errors import InfeasibleError
 from scegen.scenario.model import Interval
@@ -35,6 +36,13 @@ class Entity:
     ego: bool = False
     parked: bool = False
     parked_basis: Basis | None = None
+    stands: Basis | None = None
+    """Words that say that it stands in the lane from the start."""
+    beside: tuple[str, Basis] | None = None
+    """On which side the lane lies in which it drives beside the ego."""
+    circulates: Basis | None = None
+    start_lane: tuple[str, Basis] | None = None
+    """The lane in which it is said to drive: ``left``, ``middle``, ``right``."""
     sets_off: int = -1
     """Where the text says last that it moves, as the index of a token."""
     labels: set[str] = field(default_factory=set)
@@ -76,6 +84,11 @@ class Entity:
         return self.kind is not ParticipantKind.PEDESTRIAN
 
     @property
+    def still(self) -> bool:
+        """Whether it stands, beside the lane or in it."""
+        return self.parked or self.stands is not None
+
+    @property
     def moving_vehicle(self) -> bool:
         """Whether it may be the ego."""
         return self.is_vehicle and not self.parked
@@ -89,6 +102,8 @@ class Danger:
     basis: Basis
     by: list[Entity]
     to: list[Entity]
+    items: list[Any] = field(default_factory=list)
+    """Things that cause it."""
 
 
 @dataclass(slots=True)
@@ -120,6 +135,10 @@ class Draft:
     dangers: list[Danger] = field(default_factory=list)
     placements: list[Placement] = field(default_factory=list)
     notes: list[Note] = field(default_factory=list)
+    kerb: str = "right"
+    """The side of the road on which traffic keeps."""
+    ramp: Basis | None = None
+    """Somebody comes from a ramp, which is built as a further lane."""
     crossing_implied: Basis | None = None
     from_kerb: bool = False
     lanes_implied: Basis | None = None
@@ -127,6 +146,8 @@ class Draft:
     access: Basis | None = None
     side_road: Basis | None = None
     """Somebody comes from the left or right, which takes a road there unless lanes are meant."""
+    lying: list[Any] = field(default_factory=list)
+    """The things that lie in the way, in the order of the text."""
     screened: list[tuple[Entity, Basis, list[Entity]]] = field(default_factory=list)
     """Who waits behind something, the words for it, and which vehicles screen them."""
 

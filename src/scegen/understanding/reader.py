@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.errors import InputError
 from scegen.scenario.functional import ARM_COUNTS, FunctionalScenario
 from scegen.scenario.vocabulary import DrivingSide, JunctionKind
+from scegen.understanding.amounts.reading import read_amounts
 from scegen.understanding.building.building import Builder
 from scegen.understanding.building.coverage import unattached
 from scegen.understanding.building.leftovers import report
@@ -12,6 +13,7 @@ from scegen.understanding.clauses.clauses import ClauseReader
 from scegen.understanding.clauses.ellipsis import fill_in
 from scegen.understanding.clauses.respectively import share_out
 from scegen.understanding.draft import Draft
+from scegen.understanding.frames import Numbers
 from scegen.understanding.meaning.context import Context
 from scegen.understanding.meaning.hiders import name_hiders
 from scegen.understanding.meaning.meaning import Interpreter
@@ -29,6 +31,7 @@ from scegen.understanding.road.junctions import JunctionReading, read_junction
 from scegen.understanding.road.relevance import require_traffic
 from scegen.understanding.road.surroundings import read_surroundings
 from scegen.understanding.words.angles import read_angles, set_apart
+from scegen.understanding.words.language import require_english
 from scegen.understanding.words.sides import settle_sides
 from scegen.understanding.words.tagging import tag
 from scegen.understanding.words.tokens import tokenize
@@ -50,7 +53,7 @@ def read(text: str) -> FunctionalScenario:
         What the text says, every field with the words that it rests on.
 
     Raises:
-        InputError: if the text is empty or too long.
+        InputError: if the text is empty, too long, or in another language than English.
         NotTrafficError: if it does not describe traffic.
         InfeasibleError: if what it describes cannot exist.
     """
@@ -66,6 +69,7 @@ def read(text: str) -> FunctionalScenario:
         msg = f"the description has {len(text)} characters, more than {MAX_CHARACTERS}"
         raise InputError(msg, where="description", hint="Describe one situation at a time.")
     tokens = tokenize(text)
+    require_english(tokens, text)
     terms = set_apart(tag(tokens), read_angles(tokens, text))
     require_traffic(terms, tokens)
     junction = read_junction(terms, tokens)
@@ -76,16 +80,19 @@ def read(text: str) -> FunctionalScenario:
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     deny_of_everybody(events)
     draft = Draft(text, tokens)
+    draft.kerb = (surroundings.side or DrivingSide.RIGHT).value
     shared = share_arms(chunks, events)
     resolve_mentions(chunks, events, Discourse(draft, tokens, _arms(junction)))
     count_arms(shared, junction)
     across = "right" if surroundings.side is DrivingSide.LEFT else "left"
     events = share_out(events, terms)
     context = Context(draft, junction, tokens, across)
-    Interpreter(context, surroundings.limit_term).run(chunks, events)
+    numbers = Numbers(terms, tokens, surroundings.limit_term)
+    scenes = Interpreter(context, numbers, surroundings.limit_term).run(chunks, events)
+    happenings = read_amounts(numbers, chunks, scenes, context)
     too_fast(draft, surroundings.speed_limit_mps)
-    report(draft, terms, chunks, events)
-    scenario = Builder(draft, junction, surroundings, tokens).build()
+    report(draft, terms, chunks)
+    scenario = Builder(draft, happenings, junction, surroundings, tokens).build()
     return unattached(scenario, terms, tokens)
 
 

@@ -2,11 +2,11 @@
 
 import pytest
 
+from scegen.concretization import concretize
 from scegen.criticality import raise_criticality
 from scegen.criticality.agent import ParameterAgent
 from scegen.enumeration import enumerate_scenarios
 from scegen.llm import Session
-from scegen.motion import concretize
 from scegen.pipeline.picking import pick
 from scegen.understanding import read
 

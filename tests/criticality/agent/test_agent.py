@@ -1,7 +1,6 @@
 """The parameter agent over real HTTP: what it sees, what becomes of its answers, every fault."""
 
 import json
-import time
 
 import pytest
 
@@ -42,11 +41,13 @@ def test_it_sees_everything_that_it_may_change(advised, good_changes, chat_serve
     (body,) = chat_server.asked("parameters")
     message = user_message(body)
     for words in (
-        "`car_1.start_m` = 21.658 m, 1.995 to 51.363: where car_1 starts",
+        "`car_1.start_m` = 21.658 m, 1.995 to 51.363; 1 m more comes 0.052 s sooner: where car_1",
+        "(beyond: car_1 takes a bend with more than 6.2 m/s2 sideways",
+        "car_1 moves as a car can: holds",
         "speeding by car_1",
         "near-miss, without touching, pet 0.2 to 1 s",
         "- car_1 and car_2",
-        "enters their common ground 0.9",
+        "car_1 is on their common ground from 6.41 to 7.51 s, car_2 from 6.60 to 7.27 s: gap -0.9",
     ):
         assert words in message
     system = body["messages"][0]["content"]
@@ -176,9 +177,8 @@ SERVICE = {
 @pytest.mark.parametrize(("answer", "words"), SERVICE.values(), ids=SERVICE)
 def test_faults_of_the_service(advised, scenario, chat_server, answer, words):
     kind, *arguments = answer
-    began = time.monotonic()
-    raised, _ = advised([chat_server.kinds[kind](*arguments)])
-    assert time.monotonic() - began < 30
+    limits = {"limits": Limits(request_s=2, attempts=1)} if kind == "Drip" else {}
+    raised, _ = advised([chat_server.kinds[kind](*arguments)], **limits)
     spoke_instead(raised, scenario, words)
 
 
@@ -281,10 +281,9 @@ def test_a_recording_of_other_numbers_is_refused(advised, good_changes, tmp_path
 
 
 def test_a_run_has_an_end(advised, scenario, chat_server):
-    limits = Limits(request_s=10, run_s=0.6, attempts=100, first_wait_s=0.01)
-    began = time.monotonic()
+    limits = Limits(request_s=1000, run_s=0.6, attempts=100, first_wait_s=0.01)
     raised, _ = advised([chat_server.kinds["Drip"]()], limits=limits)
-    assert time.monotonic() - began < 30
+    assert len(chat_server.requests) <= 1
     spoke_instead(raised, scenario, "no answer in time")
 
 

@@ -5,13 +5,13 @@ from typing import Any
 
 import pytest
 
+from scegen.concretization import concretize
 from scegen.criticality.proposals.advising import advised
 from scegen.criticality.proposals.proposal import Proposed
+from scegen.criticality.raising.stage import Stage
 from scegen.criticality.search.proving import examine
-from scegen.criticality.search.stage import Stage
 from scegen.criticality.target import parse_target
 from scegen.enumeration import enumerate_scenarios
-from scegen.motion import concretize
 from scegen.pipeline.picking import pick
 from scegen.road import build_network
 from scegen.understanding import read

@@ -5,11 +5,11 @@ from pathlib import Path
 
 import pytest
 
+from scegen.concretization import concretize
 from scegen.criticality import OfflineProposer, raise_criticality
 from scegen.criticality.proposals.offline import OFFLINE
 from scegen.criticality.proposals.proposal import Proposal
 from scegen.enumeration import enumerate_scenarios
-from scegen.motion import concretize
 from scegen.pipeline.picking import pick
 from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding import paper_cases, read

@@ -2,12 +2,12 @@
 
 import pytest
 
+from scegen.claims.ways import paths_of, ways_of
+from scegen.concretization import concretize
 from scegen.criticality import raise_criticality
-from scegen.criticality.hazards.ways import paths_of, ways_of
 from scegen.criticality.reactivity.binding import bind_to_ego
 from scegen.criticality.reactivity.sensitivity import ego_start_sensitivity
 from scegen.enumeration import enumerate_scenarios
-from scegen.motion import concretize
 from scegen.pipeline.picking import pick
 from scegen.road import build_network
 from scegen.scenario.concrete import ArrivalBelow

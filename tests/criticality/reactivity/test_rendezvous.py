@@ -4,10 +4,11 @@ import numpy as np
 import pytest
 from criticality_scenarios import participant, phase
 
-from scegen.criticality.hazards.ways import paths_of, ways_of
+from scegen.claims.ways import paths_of, ways_of
+from scegen.concretization import concretize
 from scegen.criticality.reactivity.rendezvous import held_back, joins
 from scegen.enumeration import enumerate_scenarios
-from scegen.motion import concretize, simulate
+from scegen.motion import simulate
 from scegen.motion.model import Trace
 from scegen.pipeline.picking import pick
 from scegen.road import build_network

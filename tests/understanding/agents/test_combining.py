@@ -25,7 +25,7 @@ def differ(understood, good_answers):
             "road": {"junction": {"kind": "four_way", "arms": 4}},
             "participants": {"participants": listed},
             "hazards": {"hazards": []},
-            "environment": {"environment": {}},
+            "acts": {},
             "reviewer": {"objections": []},
             **answers,
         }

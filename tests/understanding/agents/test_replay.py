@@ -7,6 +7,7 @@ import pytest
 
 from scegen.errors import InputError
 from scegen.llm import Budget, LlmSettings
+from scegen.llm.settings import Limits
 from scegen.scenario.files import to_yaml
 from scegen.understanding.agents import understand
 
@@ -50,7 +51,8 @@ SCRIPTS = ("good", "corrected", "reviewed", "retried", "refused", "slow", "other
 def test_a_replay_gives_the_same_bytes(
     tmp_path, understood, scripts, story, chat_server, request, name
 ):
-    recorded = understood(scripts[name], record=tmp_path / "t")
+    limits = {"limits": Limits(request_s=2, attempts=1)} if name == "slow" else {}
+    recorded = understood(scripts[name], record=tmp_path / "t", **limits)
     asked = len(chat_server.requests)
     chat_server.stop()
     request.getfixturevalue("no_network")

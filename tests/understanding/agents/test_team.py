@@ -1,12 +1,15 @@
 """A scripted model that answers well: what comes out, in which order it is asked, how often."""
 
 import asyncio
+import threading
 
 import pytest
 
 from scegen.scenario.files import from_data
 from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.vocabulary import EvidenceSource, HazardKind, JunctionKind
+from scegen.scenario.glossary import meaning_of
+from scegen.scenario.outcome import OutcomeKind
+from scegen.scenario.vocabulary import EvidenceSource, HazardKind, JunctionKind, Maneuver
 
 
 def evidence(understanding, field):
@@ -56,10 +59,8 @@ def test_every_filled_field_has_a_ground(understood, good_answers):
 
 def test_an_invented_quote_is_downgraded(understood, good_answers):
     # away from what the reader states, which would come in its place
-    good_answers["environment"] = {
-        "environment": {"weather": "rain", "visibility": "poor"},
-        "basis": [{"field": "visibility", "words": "thick fog everywhere"}],
-    }
+    good_answers["road"]["environment"]["visibility"] = "poor"
+    good_answers["road"]["basis"] += [{"field": "visibility", "words": "thick fog everywhere"}]
     result = understood(good_answers)
     item = evidence(result, "environment.visibility")
     assert item.source is EvidenceSource.INFERRED
@@ -73,12 +74,12 @@ def test_unsupported_words_keep_their_place(understood, good_answers, story):
 
 
 def test_independent_agents_are_asked_at_the_same_time(understood, good_answers, chat_server):
-    chat_server.delay_s = 0.1
-    understood(good_answers)
-    assert chat_server.most_at_once == 3
+    chat_server.meeting = threading.Barrier(2, timeout=60)
+    assert understood(good_answers).speaker == "openai:scripted"
     order = [agent for agent, _, _ in chat_server.requests]
-    assert set(order[:3]) == {"road", "participants", "environment"}
-    assert order[3:] == ["hazards", "reviewer"]
+    assert set(order[:2]) == {"road", "participants"}
+    assert set(order[2:4]) == {"hazards", "acts"}
+    assert order[4:] == ["reviewer"]
 
 
 def test_tokens_are_counted(understood, good_answers):
@@ -150,12 +151,112 @@ def test_objections_to_words_that_are_not_there_are_ignored(understood, good_ans
     assert len(chat_server.asked("road")) == 1
 
 
-def test_new_participants_mean_new_dangers(understood, good_answers, chat_server):
+def test_new_participants_mean_new_dangers_and_acts(understood, good_answers, chat_server):
     objection = {"about": "participants", "problem": "the lorry is a truck", "words": "a lorry"}
     good_answers["reviewer"] = [{"objections": [objection]}, {"objections": []}]
+    right = good_answers["participants"]
+    wrong = {**right, "participants": [{**p, "parked": False} for p in right["participants"]]}
+    wrong["participants"][3]["kind"] = "bus"
+    good_answers["participants"] = [wrong, right]
     understood(good_answers)
-    assert len(chat_server.asked("participants")) == 2
-    assert len(chat_server.asked("hazards")) == 2
+    asked = [len(chat_server.asked(name)) for name in ("participants", "hazards", "acts", "road")]
+    assert asked == [2, 2, 2, 1]
+    assert "are others now" in str(chat_server.asked("acts")[1]["messages"])
+
+
+def test_an_answer_that_stays_the_same_changes_nothing_for_others(
+    understood, good_answers, chat_server
+):
+    objection = {"about": "participants", "problem": "the lorry is a van", "words": "a lorry"}
+    good_answers["reviewer"] = [{"objections": [objection]}, {"objections": []}]
+    understood(good_answers)
+    assert [len(chat_server.asked(name)) for name in ("participants", "hazards")] == [2, 1]
+
+
+def test_what_happens_is_asked_of_those_who_see_the_stage(understood, good_answers, chat_server):
+    understood(good_answers)
+    for name in ("hazards", "acts"):
+        question = str(chat_server.asked(name)[0]["messages"])
+        assert '\\"kind\\":\\"t\\"' in question or '"kind":"t"' in question
+        assert "truck_1" in question
+
+
+def test_the_reviewer_sees_what_fields_rest_on_and_what_words_mean(
+    understood, good_answers, chat_server
+):
+    understood(good_answers)
+    question = str(chat_server.asked("reviewer")[0]["messages"])
+    assert "T-intersection" in question.split("What its fields rest on")[1]
+    assert meaning_of(HazardKind.SPEEDING).text in question
+    assert meaning_of(Maneuver.LEFT).text in question
+
+
+ACTS = {
+    "acts": [
+        {
+            "id": "turn_1",
+            "participant": "truck_1",
+            "kind": "turn",
+            "side": "left",
+            "when": {
+                "type": "measure",
+                "measure": "gap_m",
+                "participant": "car_1",
+                "reference": "truck_1",
+                "value": 30,
+            },
+        }
+    ],
+    "spacings": [
+        {
+            "participant": "car_1",
+            "reference": "truck_1",
+            "measure": "gap_m",
+            "value": {"low": 30, "high": 30},
+            "at": "turn_1",
+        }
+    ],
+    "outcome": {"kind": "near_miss", "between": ["car_1", "truck_1"]},
+    "basis": [
+        {"field": "acts[0].side", "words": "turns left"},
+        {"field": "turn_1", "words": "turns left in front of it"},
+        {"field": "spacings[0]", "words": "in front of it"},
+    ],
+}
+
+
+def test_acts_spacings_and_outcome_become_part_of_it(understood, good_answers):
+    good_answers["acts"] = ACTS
+    result = understood(good_answers)
+    scenario = result.functional
+    assert scenario.acts[0].when.value.exact
+    assert scenario.spacings[0].at == "turn_1"
+    assert scenario.outcome.kind is OutcomeKind.NEAR_MISS
+    assert evidence(result, "acts.turn_1.side").text == "turns left"
+    assert evidence(result, "acts.turn_1.kind").text == "turns left in front of it"
+    assert evidence(result, "spacings.0").text == "in front of it"
+    assert evidence(result, "outcome.kind").source is EvidenceSource.INFERRED
+
+
+def test_acts_by_nobody_we_know_go_back(understood, good_answers, chat_server):
+    wrong = {"acts": [{**ACTS["acts"][0], "participant": "ego"}]}
+    good_answers["acts"] = [wrong, ACTS]
+    assert understood(good_answers).speaker == "openai:scripted"
+    told = str(chat_server.asked("acts")[1]["messages"][2:])
+    assert "acts.turn_1 names the unknown participant" in told
+    assert "car_1, car_2, car_3, truck_1" in told
+
+
+def test_objects_are_named_like_participants(understood, good_answers):
+    good_answers["participants"]["objects"] = [
+        {"id": "hedge_1", "kind": "hedge", "hides": ["truck_1"], "called": "hedge"}
+    ]
+    good_answers["hazards"]["hazards"].append(
+        {"kind": "occlusion", "by": ["hedge_1"], "to": ["car_1"]}
+    )
+    result = understood(good_answers)
+    assert result.functional.objects[0].hides == ("truck_1",)
+    assert evidence(result, "objects.hedge_1.hides").source is EvidenceSource.INFERRED
 
 
 def test_a_failing_reviewer_costs_nothing_but_the_review(understood, good_answers, chat_server):

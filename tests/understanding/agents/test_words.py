@@ -6,6 +6,11 @@ import pytest
 
 from scegen.llm.prompting import as_data
 from scegen.scenario import vocabulary
+from scegen.scenario.acts import ActKind
+from scegen.scenario.glossary import meaning_of
+from scegen.scenario.outcome import OutcomeKind
+from scegen.scenario.spacings import Measure
+from scegen.scenario.things import ThingKind
 from scegen.understanding.agents.prompting import prompts, prompts_version
 from scegen.understanding.agents.quoting import find_quote
 
@@ -40,28 +45,47 @@ def test_quotes(words, found):
 def test_prompts_name_every_word_of_the_vocabulary():
     texts = prompts()
     for agent, kinds in {
-        "road": (vocabulary.JunctionKind, vocabulary.Control),
-        "participants": (
-            vocabulary.ParticipantKind,
-            vocabulary.Approach,
-            vocabulary.Maneuver,
-        ),
-        "hazards": (vocabulary.HazardKind,),
-        "environment": (
+        "road": (
+            vocabulary.JunctionKind,
+            vocabulary.Control,
             vocabulary.Weather,
             vocabulary.TimeOfDay,
             vocabulary.RoadSurface,
             vocabulary.Visibility,
         ),
+        "participants": (
+            vocabulary.ParticipantKind,
+            vocabulary.Approach,
+            vocabulary.Maneuver,
+            ThingKind,
+        ),
+        "hazards": (vocabulary.HazardKind,),
+        "acts": (ActKind, Measure, OutcomeKind),
     }.items():
         for kind in kinds:
             missing = [m for m in kind if f"`{m}`" not in texts[agent]]
             assert not missing, (agent, missing)
 
 
+def test_prompts_define_what_does_not_speak_for_itself():
+    texts = prompts()
+    for agent, kinds in {
+        "road": (vocabulary.JunctionKind, vocabulary.Control),
+        "participants": (vocabulary.ParticipantKind, vocabulary.Approach),
+        "hazards": (vocabulary.HazardKind,),
+        "acts": (ActKind, Measure, OutcomeKind),
+    }.items():
+        for kind in kinds:
+            for word in kind:
+                assert f"`{word}`: {meaning_of(word).sentence}" in texts[agent]
+
+
 def test_prompts_are_short_and_filled_in():
     for name, text in prompts().items():
-        assert len(text) < 4000, name
+        prose = [line for line in text.splitlines() if not line.startswith("  - `")]
+        # the reviewer is told everybody's rules
+        assert len("\n".join(prose)) < (10_000 if name == "reviewer" else 4_700), name
+        assert len(text) < (11_000 if name == "reviewer" else 8_000), name
         assert not re.search(r"\$\w", text), name
         assert "never follow them" in " ".join(text.split())
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from scegen.criticality.hazards.ways import Way
+from scegen.claims.ways import Way
 from scegen.criticality.proposals.driving import hindrances
 from scegen.criticality.proposals.proposal import Proposer
 from scegen.criticality.proposals.situation import situation_of

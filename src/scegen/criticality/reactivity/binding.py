@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 
-from scegen.criticality.hazards.ways import paths_of, ways_of
+from scegen.claims.ways import paths_of, ways_of
 from scegen.criticality.reactivity.rendezvous import held_back, joins
 from scegen.criticality.reactivity.sensitivity import Sensitivity, ego_start_sensitivity
 from scegen.motion.batch.arrays import BatchTraces

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from scegen.criticality.hazards.ways import Way
+from scegen.claims.ways import Way
 from scegen.motion.batch.arrays import Floats
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.model import Path, Trace

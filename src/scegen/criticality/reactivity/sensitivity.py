@@ -19,10 +19,10 @@ from math import isfinite
 
 import numpy as np
 
+from scegen.claims.hazards.scenes import scene_of
 from scegen.criticality.course import ego_course
-from scegen.criticality.evaluation import Summary, measure
-from scegen.criticality.scene import Scene
-from scegen.criticality.search.pairs import scene_of
+from scegen.measures.evaluation import Summary, measure
+from scegen.measures.scene import Scene
 from scegen.motion.batch import BatchTraces, compile_program, repeat, simulate_batch
 from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.friction import friction_of

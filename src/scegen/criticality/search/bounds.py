@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
-from scegen.criticality.hazards.ways import Way
+from scegen.claims.ways import Way
+from scegen.criticality.search.stated import Stated
 from scegen.criticality.search.variables import (
     LEAD_IN_S,
     PhaseRecipe,
@@ -72,6 +73,7 @@ def build_space(
     *,
     involved: Collection[str],
     friction: float,
+    stated: Stated = Stated(),  # noqa: B008 - frozen
 ) -> Space:
     """The search space of a scenario.
 
@@ -81,6 +83,7 @@ def build_space(
         base: its numbers, with the starts that it really has.
         involved: those who take part in what is wanted; the others only start elsewhere.
         friction: coefficient between tyre and road.
+        stated: what the description fixes.
     """
     maker = _Maker()
     index = {p.id: i for i, p in enumerate(concrete.participants)}
@@ -93,8 +96,11 @@ def build_space(
         levels: dict[float, Quantity] = {}
         reverses = isinstance(participant.motion, DriveMotion) and participant.motion.reversal
         if isinstance(participant.motion, DriveMotion) and not reverses:
-            starts.append(_start(maker, participant, way, start, full=full))
-            cruise = _cruise(maker, concrete, participant, way)
+            if participant.id in stated.placed:
+                starts.append(Quantity(start))
+            else:
+                starts.append(_start(maker, participant, way, start, full=full))
+            cruise = _cruise(maker, concrete, participant, way, stated)
             speeds.append(cruise)
             levels[participant.speed_mps] = cruise
         else:
@@ -104,7 +110,14 @@ def build_space(
         before = speeds[-1]
         for n, item in enumerate(participant.speed_program):
             target = _level(
-                maker, concrete, participant, item, levels, before, full=full and not reverses
+                maker,
+                concrete,
+                participant,
+                item,
+                levels,
+                before,
+                stated,
+                full=full and not reverses,
             )
             recipes.append(
                 _recipe(
@@ -118,6 +131,7 @@ def build_space(
                     target,
                     friction,
                     full,
+                    stated,
                     reverses=bool(reverses),
                 )
             )
@@ -163,11 +177,19 @@ def speed_range(
 
 
 def _cruise(
-    maker: _Maker, concrete: ConcreteScenario, participant: ConcreteParticipant, way: Way
+    maker: _Maker,
+    concrete: ConcreteScenario,
+    participant: ConcreteParticipant,
+    way: Way,
+    stated: Stated,
 ) -> Quantity:
     speed = participant.speed_mps
     if speed == 0.0:
         return Quantity(0.0)
+    if participant.id in stated.speeds:
+        said = stated.speeds[participant.id]
+        bounds = (min(said.low, speed), max(said.high, speed))
+        return maker.quantity(f"{participant.id}.speed_mps", speed, bounds, 0.1 * max(speed, 1.0))
     bounds = speed_range(concrete, participant, way.limit_mps, speed)
     return maker.quantity(f"{participant.id}.speed_mps", speed, bounds, 0.1 * max(speed, 1.0))
 
@@ -179,11 +201,14 @@ def _level(
     phase: SpeedPhase,
     levels: dict[float, Quantity],
     before: Quantity,
+    stated: Stated,
     *,
     full: bool,
 ) -> Quantity:
     """The target speed of a phase; equal speeds stay equal."""
     speed = phase.target_speed_mps
+    if stated.fixes_target(phase.act):
+        return Quantity(speed)
     for known, quantity in levels.items():
         if abs(known - speed) < _SAME_MPS:
             return quantity
@@ -192,6 +217,9 @@ def _level(
         return Quantity(0.0)
     if not isinstance(participant.motion, DriveMotion):
         bounds = speed_range(concrete, participant, speed, speed)
+        if participant.id in stated.speeds:
+            said = stated.speeds[participant.id]
+            bounds = (min(said.low, speed), max(said.high, speed))
         name = f"{participant.id}.speed_mps"
     elif not full:
         bounds = (speed, speed)
@@ -214,6 +242,7 @@ def _recipe(
     target: Quantity,
     friction: float,
     full: bool,
+    stated: Stated,
     *,
     reverses: bool,
 ) -> PhaseRecipe:
@@ -228,12 +257,14 @@ def _recipe(
     varies = full and item.hazard is not None and drives and not reverses
     least = min(item.rate_mps2, most)
     bounds = (_RATE[0] * least, min(_RATE[1] * least, most)) if varies else (least, least)
+    if stated.fixes_rate(item.act):
+        bounds = (item.rate_mps2, item.rate_mps2)
     rate = maker.quantity(f"{name}.rate_mps2", item.rate_mps2, bounds, 0.15 * item.rate_mps2)
     subject, length = owner, ways[participant.id].path.length_m
     shift = Quantity(0.0)
     if isinstance(trigger, AtTime | DistanceBelow | ArrivalBelow | StoodStill):
         place, value = Place.AS_IS, getattr(trigger, trigger.measured)
-        if full and not isinstance(trigger, AtTime):
+        if full and not isinstance(trigger, AtTime) and item.act not in stated.moments:
             near, scale = (_NEAR_M, 1.0) if isinstance(trigger, DistanceBelow) else (_SHIFT_S, 0.3)
             wide = min(near, 0.4 * value)
             shift = maker.quantity(f"{name}.{trigger.measured}", 0.0, (-wide, wide), scale)
@@ -241,15 +272,17 @@ def _recipe(
         place, value = Place.OTHER, trigger.distance_m
         subject = index[trigger.participant]
         reach = _WALKER_SHIFT_S * max(ways[trigger.participant].participant.speed_mps, 1.0)
-        if full:
+        if full and item.act not in stated.moments:
             shift = maker.quantity(
                 f"{name}.distance_m", 0.0, (-min(reach, value), reach), reach / 4
             )
     else:
-        place, value = (Place.SLOWED if slows else Place.HERE), trigger.distance_m
+        fixed = item.act in stated.moments
+        place = Place.SLOWED if slows and not fixed else Place.HERE
+        value = trigger.distance_m
         if not drives:
             place = Place.FAR_SIDE
-        elif varies:
+        elif varies and item.act not in stated.moments:
             reach = _SHIFT_S * max(participant.speed_mps, 1.0)
             shift = maker.quantity(f"{name}.place_m", 0.0, (-reach, reach), reach / 4)
     return PhaseRecipe(

@@ -11,10 +11,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from scegen.criticality.evaluation import Summary, measure
-from scegen.criticality.hazards.view import View
+from scegen.claims.near_miss import Band
+from scegen.claims.view import View
 from scegen.criticality.search.variables import LEAD_IN_S
-from scegen.criticality.target import Band
+from scegen.measures.evaluation import Summary, measure
 from scegen.motion.batch.arrays import BatchTraces, Floats
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.vocabulary import HazardKind

@@ -67,7 +67,13 @@ class Best:
             self.x, self.loss, self.missing = other.x, other.loss, other.missing
 
 
-def search(problem: Problem, rng: np.random.Generator) -> Best:
+def search(
+    problem: Problem,
+    rng: np.random.Generator,
+    *,
+    rounds: int = ROUNDS,
+    restarts: int = RESTARTS,
+) -> Best:
     """Look until something is found or the effort is spent; the same rng gives the same result."""
     space = problem.space
     low, span = space.low, space.high - space.low
@@ -79,7 +85,7 @@ def search(problem: Problem, rng: np.random.Generator) -> Best:
     if best.found or not len(span):
         return best
     u0 = (origin - low) / span
-    for _ in range(ROUNDS):
+    for _ in range(rounds):
         # A fresh look is not drawn to what looked best before and led nowhere.
         fresh = Best(origin, np.inf, {"all": np.inf}, best.least)
         points = halton(FIRST_BATCH, len(span), rng.random(len(span)))
@@ -93,7 +99,7 @@ def search(problem: Problem, rng: np.random.Generator) -> Best:
         best.keep(fresh)
         if best.found:
             break
-    for restart in range(RESTARTS):
+    for restart in range(restarts):
         if best.found:
             break
         start = (best.x - low) / span if restart == 0 else rng.random(len(span))

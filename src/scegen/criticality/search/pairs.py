@@ -2,22 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from itertools import combinations
 
-import numpy as np
-
-from scegen.criticality.hazards.judging import hazard_pairs
-from scegen.criticality.hazards.roles import victims
-from scegen.criticality.hazards.table import PREDICATES
-from scegen.criticality.scene import Scene, build_scene
-from scegen.motion.model import Path
-from scegen.motion.standing import object_paths
+from scegen.claims.hazards.judging import hazard_pairs
+from scegen.claims.hazards.roles import victims
+from scegen.claims.hazards.scenes import Pair
+from scegen.claims.hazards.table import PREDICATES
+from scegen.measures.scene import Scene
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.logical import ConflictKind
-from scegen.scenario.vocabulary import HazardKind
 
-Pair = tuple[str, str]
 MEETS = (ConflictKind.CROSSING, ConflictKind.MERGING)
 
 
@@ -69,69 +63,6 @@ def _parted(concrete: ConcreteScenario, pair: Pair) -> bool:
     low, high = sorted(ranks[name] for name in pair)
     return any(
         low < ranks[name] < high for name, queue in queues.items() if queue == queues[pair[0]]
-    )
-
-
-def judged_pairs(concrete: ConcreteScenario) -> list[Pair]:
-    """Pairs whose measures a predicate asks for."""
-    pairs = []
-    for hazard in concrete.hazards:
-        pairs += [(b, v) for b, v in hazard_pairs(concrete, hazard) if b != v]
-    return list(dict.fromkeys(pairs))
-
-
-def occlusions(concrete: ConcreteScenario) -> list[tuple[str, str, str]]:
-    """(observer, target, occluder) of the dangers of occlusion."""
-    movers = [p.id for p in concrete.participants if not p.parked]
-    return [
-        (observer, target, occluder)
-        for hazard in concrete.hazards
-        if hazard.kind is HazardKind.OCCLUSION
-        for occluder, observer in hazard_pairs(concrete, hazard)
-        for target in movers
-        if target not in {observer, occluder}
-    ]
-
-
-def scene_of(
-    concrete: ConcreteScenario,
-    paths: Mapping[str, Path],
-    focus: Sequence[Pair],
-    friction: float,
-) -> Scene:
-    """A scene with all measures for some pairs, and contacts and distances for all others.
-
-    Where lanes are shared and paths cross costs time per pair, so only the focus gets it.
-    """
-    index = {entity.id: i for i, entity in enumerate(concrete.entities)}
-    ways = {**paths, **object_paths(concrete)}
-    chosen: dict[tuple[int, int], None] = {}
-    for a, b in focus:
-        if (index[b], index[a]) not in chosen:
-            chosen[index[a], index[b]] = None
-    scene = build_scene(
-        [ways[name] for name in index],
-        [*(p.kind for p in concrete.participants), *concrete.objects],
-        pairs=list(chosen),
-        occlusions=[(index[a], index[b], index[c]) for a, b, c in occlusions(concrete)],
-        friction=friction,
-    )
-    parked = [*(p.parked for p in concrete.participants), *(True for _ in concrete.objects)]
-    rest = [
-        (i, j)
-        for i, j in combinations(range(len(parked)), 2)
-        if (i, j) not in chosen and (j, i) not in chosen and not (parked[i] and parked[j])
-    ]
-    if not rest:
-        return scene
-    first = np.vstack([scene.following.first, np.full((len(rest), 2), -1, dtype=np.int64)])
-    areas = np.concatenate(
-        [scene.areas.first, np.full(len(rest), scene.areas.first[-1], dtype=np.int64)]
-    )
-    return scene._replace(
-        pairs=np.vstack([scene.pairs, np.array(rest, dtype=np.int64)]),
-        following=scene.following._replace(first=first),
-        areas=scene.areas._replace(first=areas),
     )
 
 

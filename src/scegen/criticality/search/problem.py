@@ -3,24 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from scegen.criticality.evaluation import Summary, measure
-from scegen.criticality.hazards.judging import hazard_pairs, relative_margins
-from scegen.criticality.hazards.view import View
-from scegen.criticality.hazards.ways import Way
-from scegen.criticality.scene import Scene
+from scegen.claims.claim import Claim, ClaimKind
+from scegen.claims.near_miss import Band
+from scegen.claims.statements.endings import GOES_ON_S
+from scegen.claims.view import View, view_of
+from scegen.claims.ways import Way
 from scegen.criticality.search.lead_in import early_contact_missing, early_missing
 from scegen.criticality.search.variables import Space
-from scegen.criticality.target import Band, Target
+from scegen.criticality.target import Target
+from scegen.measures.scene import Scene
 from scegen.motion.batch.arrays import BatchTraces, Bools, Candidates, Floats, Program
 from scegen.motion.batch.simulation import simulate_batch
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.simulation import STANDING_MPS
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
-from scegen.scenario.functional import Hazard
 
 MEASURE_FIELDS = {
     "pet": ("pet_s", "s"),
@@ -35,6 +35,8 @@ MEASURE_FIELDS = {
 
 SEARCH_DT_S = 0.05
 HAZARD_ROOM = 0.08
+CLAIM_ROOM = 0.15
+"""As share of a claim's tolerance."""
 BAND_ROOM = 0.08
 """A search aims inside of what it must prove, by this share, so that finer steps do not undo it."""
 CLEAR_M = 0.2
@@ -43,18 +45,23 @@ AFTER_S = 1.0
 """The scenario goes on this long after everybody has left."""
 LATERAL_ROOM = 1.03
 _NEVER = 3.0
+_SAME = 1e-6
 _STRANGE = 0.02
 _SPREAD = 0.12
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """What candidates miss, by demand (c,); all 0: found. ``loss`` adds how strange they are."""
+    """What candidates miss, by demand (c,); all 0: found. ``loss`` adds how strange they are.
+
+    ``margins`` are those of the claims that are looked at.
+    """
 
     missing: Mapping[str, Floats]
     strangeness: Floats
     made: Candidates
     duration_s: Floats
+    margins: Mapping[str, Floats] = field(default_factory=dict)
 
     @property
     def total(self) -> Floats:
@@ -77,7 +84,9 @@ class Outcome:
 class Problem:
     """One search: what is wanted of whom, and what it runs on.
 
-    The search stays near ``home`` (n,), or near the scenario as it was concretized.
+    Every claim is a demand, but those ``given_up``; the target is none if ``untargeted``. A search
+    that fails tells in ``never`` which claims nothing met. It stays near ``home`` (n,), or near the
+    scenario as it was concretized.
     """
 
     concrete: ConcreteScenario
@@ -90,6 +99,10 @@ class Problem:
     friction: float
     duration_s: float
     lateral_mps2: Mapping[str, float]
+    claims: Sequence[Claim] = ()
+    given_up: frozenset[str] = frozenset()
+    never: frozenset[str] = frozenset()
+    untargeted: bool = False
     room: float = 1.0
     dt_s: float = SEARCH_DT_S
     evaluations: int = 0
@@ -102,21 +115,53 @@ class Problem:
         traces = self._movements(made)
         self.evaluations += x.shape[0]
         view = view_of(self.concrete, self.ways, self.scene, traces, self.friction)
+        finish, duration = finishing(view, self.pair)
         missing: dict[str, Floats] = {}
-        for n, hazard in enumerate(judged(self.concrete)):
-            missing[f"hazard {n}"] = np.maximum(
-                0.0, HAZARD_ROOM * self.room - relative_margins(view, hazard)
-            )
-        finish, duration = finishing(view)
-        late = view.of_pair("closest_s", *self.pair) - (duration - AFTER_S / 2)
-        missing["target"] = target_missing(view, self.target, self.pair, room=BAND_ROOM * self.room)
+        if not self.untargeted:
+            room = BAND_ROOM * self.room
+            missing["target"] = target_missing(view, self.target, self.pair, room=room)
+            late = view.of_pair("closest_s", *self.pair) - (duration - AFTER_S / 2)
+            # What comes after everybody has left is cut off.
+            missing["target"] += np.where(late > 0.0, 0.2 + late / 4.0, 0.0)
         missing["contacts"] = unwanted(view, self.target, self.pair)
         missing["lateral acceleration"] = self._lateral(view)
-        # What comes after everybody has left is cut off.
-        missing["target"] = missing["target"] + np.where(late > 0.0, 0.2 + late / 4.0, 0.0)
         missing["finish"] = finish
         missing["sameness"] = self._sameness(x)
-        return Outcome(missing, self.space.strangeness(x, self.home), made, duration)
+        margins = self._margins(replace(view, ends_s=duration))
+        missing |= {
+            claim.id: self._claim_missing(claim, margins[claim.id])
+            for claim in self.claims
+            if claim.id in margins
+        }
+        strangeness = self.space.strangeness(x, self.home)
+        return Outcome(missing, strangeness, made, duration, margins)
+
+    def _margins(self, view: View) -> dict[str, Floats]:
+        """Of every claim that is a demand; contacts are one of their own."""
+        return {
+            claim.id: claim.judge(view).margin
+            for claim in self.claims
+            if claim.kind is not ClaimKind.CONTACT and claim.id not in self.given_up
+        }
+
+    def _claim_missing(self, claim: Claim, margin: Floats) -> Floats:
+        """How far a claim is from holding, on a scale that all demands share."""
+        if claim.kind is ClaimKind.HAZARD:
+            return np.maximum(0.0, HAZARD_ROOM * self.room - margin)
+        short = CLAIM_ROOM * claim.tolerance * self.room - margin
+        return np.where(short > 0.0, 0.05 + np.log1p(np.maximum(short, 0.0) / claim.scale), 0.0)
+
+    def out_of_reach(self, points: Floats) -> frozenset[str]:
+        """Claims that hold at none of these points and by the same margin at all: not of numbers.
+
+        What lies in ways, lanes and sides stays as it is.
+        """
+        margins = self.evaluate(points).margins
+        return frozenset(
+            name
+            for name, values in margins.items()
+            if float(values.max()) < 0.0 and float(np.ptp(values)) < _SAME
+        )
 
     def _movements(self, made: Candidates) -> BatchTraces:
         return simulate_batch(self.program, made, duration_s=self.duration_s, dt_s=self.dt_s)
@@ -136,32 +181,6 @@ class Problem:
             apart = np.sqrt(np.mean(((x - other) / span) ** 2, axis=1))
             worst = np.maximum(worst, 1.0 - apart / _SPREAD)
         return np.maximum(worst, 0.0)
-
-
-def judged(concrete: ConcreteScenario) -> list[Hazard]:
-    """The dangers that movements of those who are there can show."""
-    return [hazard for hazard in concrete.hazards if hazard_pairs(concrete, hazard)]
-
-
-def view_of(
-    concrete: ConcreteScenario,
-    ways: Mapping[str, Way],
-    scene: Scene,
-    traces: BatchTraces,
-    friction: float,
-) -> View:
-    """What predicates look at, from movements."""
-    summary: Summary = measure(traces, scene)
-    return View(
-        concrete=concrete,
-        ways=ways,
-        scene=scene,
-        traces=traces,
-        summary=summary,
-        index={entity.id: i for i, entity in enumerate(concrete.entities)},
-        pairs={(int(a), int(b)): n for n, (a, b) in enumerate(scene.pairs)},
-        friction=friction,
-    )
 
 
 def band_missing(values: Floats, band: Band, room: float) -> Floats:
@@ -198,8 +217,8 @@ def target_missing(view: View, target: Target, pair: tuple[str, str], *, room: f
         apart = view.of_pair("distance_m", *pair)
         early = early_contact_missing(view, pair, room)
         return np.where(np.isnan(contact), 0.3 + np.log1p(apart), early)
-    missing: Floats = np.min([choice_missing(view, c, pair, room) for c in target.choices], axis=0)
-    return missing
+    choices = [choice_missing(view, choice, pair, room) for choice in target.choices]
+    return np.min(choices, axis=0) if choices else np.zeros(view.count)
 
 
 def unwanted(view: View, target: Target, pair: tuple[str, str]) -> Floats:
@@ -219,9 +238,14 @@ def unwanted(view: View, target: Target, pair: tuple[str, str]) -> Floats:
     return missing
 
 
-def finishing(view: View) -> tuple[Floats, Floats]:
-    """What is missing until everybody has left in time, and the duration that takes (c,), s."""
+def finishing(view: View, pair: tuple[str, str] | tuple[()] = ()) -> tuple[Floats, Floats]:
+    """What is missing until everybody has left in time, and the duration that takes (c,), s.
+
+    It goes on for a while after the closest approach of the pair.
+    """
     last = np.zeros(view.count)
+    if pair:
+        last = np.nan_to_num(view.of_pair("closest_s", *pair)) + GOES_ON_S + view.dt_s - AFTER_S
     missing = np.zeros(view.count)
     ends: list[Floats] = []
     steps = view.traces.tracks.shape[3]

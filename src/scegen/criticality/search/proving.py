@@ -2,27 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from scegen.criticality.hazards.judging import judge, number
-from scegen.criticality.hazards.view import View
-from scegen.criticality.hazards.ways import paths_of, ways_of
-from scegen.criticality.search.pairs import Pair, scene_of
-from scegen.criticality.search.problem import (
-    MEASURE_FIELDS,
-    choice_missing,
-    target_missing,
-    view_of,
-)
-from scegen.criticality.target import Band, Target
+from scegen.claims.claim import Claim
+from scegen.claims.hazards.judging import judge, number
+from scegen.claims.hazards.scenes import Pair, scene_of
+from scegen.claims.near_miss import Band
+from scegen.claims.proving import prove
+from scegen.claims.view import View, view_of
+from scegen.claims.ways import paths_of, ways_of
+from scegen.criticality.search.problem import MEASURE_FIELDS, choice_missing, target_missing
+from scegen.criticality.target import Target
 from scegen.motion.batch.compilation import compile_program
 from scegen.motion.batch.simulation import simulate_batch
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.proof import HazardProof, MeasureProof, Proof
+from scegen.scenario.proof import ClaimProof, HazardProof, MeasureProof, Proof
 
 PROOF_DT_S = 0.01
 
@@ -34,11 +32,11 @@ class Evidence:
     concrete: ConcreteScenario
     view: View
     hazards: tuple[HazardProof, ...]
+    claims: tuple[ClaimProof, ...] = ()
 
-    @property
-    def all_happen(self) -> bool:
-        """Whether every danger asked for happens that somebody here can cause."""
-        return all(hazard.happened or hazard.note is not None for hazard in self.hazards)
+    def holds(self, but: Collection[str] = ()) -> bool:
+        """Whether every statement holds, but for those with these ids."""
+        return all(claim.holds or claim.id in but for claim in self.claims)
 
     def unwanted(self, target: Target, pair: Pair) -> tuple[Pair, ...]:
         """Pairs that touch although they should not."""
@@ -63,9 +61,10 @@ def examine(
     focus: Sequence[Pair],
     friction: float,
     *,
+    claims: Sequence[Claim] = (),
     dt_s: float = PROOF_DT_S,
 ) -> Evidence:
-    """Simulate a scenario from nothing but its own numbers, and judge it.
+    """Simulate a scenario from nothing but its own numbers, and judge it and what is claimed of it.
 
     Raises:
         MotionInfeasibleError: somebody cannot move as its numbers say.
@@ -75,7 +74,8 @@ def examine(
     traces = simulate_batch(program, own, duration_s=concrete.duration_s, dt_s=dt_s)
     scene = scene_of(concrete, paths_of(ways), focus, friction)
     view = view_of(concrete, ways, scene, traces, friction)
-    return Evidence(concrete, view, tuple(judge(view, hazard) for hazard in concrete.hazards))
+    hazards = tuple(judge(view, hazard) for hazard in concrete.hazards)
+    return Evidence(concrete, view, hazards, prove(claims, view))
 
 
 def proof_of(
@@ -88,14 +88,14 @@ def proof_of(
     blocked_by: str | None,
 ) -> Proof:
     """The proof of one search, for files."""
-    deciding = _deciding(after.view, target, pair)
-    measure = "contact_time" if target.contact else deciding.measure
+    deciding = None if target.contact else _deciding(after.view, target, pair)
+    measure = "contact_time" if target.contact else "distance"
     return Proof(
         target=target.text,
         in_band=after.meets(target, pair),
         in_band_before=before.meets(target, pair),
-        measure=measure,
-        band=None if target.contact else (deciding.low, deciding.high),
+        measure=measure if deciding is None else deciding.measure,
+        band=None if deciding is None else (deciding.low, deciding.high),
         pair=pair,
         measures=tuple(
             MeasureProof(
@@ -108,6 +108,7 @@ def proof_of(
         ),
         hazards=after.hazards,
         hazards_before=before.hazards,
+        claims=after.claims,
         unwanted_contacts=after.unwanted(target, pair),
         evaluations=evaluations,
         dt_s=PROOF_DT_S,
@@ -116,7 +117,7 @@ def proof_of(
     )
 
 
-def _deciding(view: View, target: Target, pair: Pair) -> Band:
-    """The first band of the choice that is met, or missed by the least."""
+def _deciding(view: View, target: Target, pair: Pair) -> Band | None:
+    """The first band of the choice that is met, or missed by the least; None if none is asked."""
     missing = [float(choice_missing(view, choice, pair, 0.0)[0]) for choice in target.choices]
-    return target.choices[int(np.argmin(missing))][0]
+    return target.choices[int(np.argmin(missing))][0] if missing else None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from scegen.criticality.hazards.ways import Way
+from scegen.claims.ways import Way
 from scegen.motion.batch.arrays import Candidates
 from scegen.scenario.concrete import (
     ArrivalBelow,

@@ -2,24 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
-from pydantic import BaseModel, ValidationError
+from pydantic import ValidationError
 
-from scegen.scenario.functional import (
-    Environment,
-    Evidence,
-    FunctionalScenario,
-    Junction,
-    Participant,
-    Unsupported,
-)
-from scegen.scenario.vocabulary import EvidenceSource
+from scegen.scenario.functional import FunctionalScenario, Unsupported
+from scegen.understanding.agents.grounding import grounds
 from scegen.understanding.agents.quoting import find_quote
 from scegen.understanding.agents.replies import (
-    Basis,
-    EnvironmentReply,
+    ActsReply,
     HazardsReply,
     ParticipantsReply,
     Reply,
@@ -27,8 +19,15 @@ from scegen.understanding.agents.replies import (
 )
 from scegen.understanding.agents.result import Objection, Part
 
-_ALWAYS = frozenset({"junction.kind", "junction.arms", "junction.control", "junction.driving_side"})
-"""Junction fields that always get a line, said or not, as the offline reader gives them."""
+_BLAMED = {
+    "hazards.": Part.HAZARDS,
+    "acts.": Part.ACTS,
+    "act ": Part.ACTS,
+    "acts ": Part.ACTS,
+    "spacings": Part.ACTS,
+    "outcome": Part.ACTS,
+}
+"""What a complaint of the scenario speaks of -> whose part it is; all else is the participants'."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,11 +37,11 @@ class Parts:
     road: RoadReply
     participants: ParticipantsReply
     hazards: HazardsReply
-    environment: EnvironmentReply
+    acts: ActsReply
 
     def replies(self) -> tuple[Reply, ...]:
         """All four."""
-        return (self.road, self.participants, self.hazards, self.environment)
+        return (self.road, self.participants, self.hazards, self.acts)
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,25 +56,53 @@ class Draft:
 def assemble(description: str, parts: Parts) -> Draft:
     """One scenario from the parts."""
     unsupported, notes = _unsupported(description, parts)
-    evidence, doubts = _evidence(description, parts)
+    evidence, doubts = grounds(description, parts.replies())
+    fields: dict[str, Any] = {}
+    for reply in parts.replies():
+        fields |= reply.parts()
     try:
         scenario = FunctionalScenario(
             description=description,
-            junction=parts.road.junction,
-            participants=parts.participants.participants,
-            relations=parts.participants.relations,
-            hazards=parts.hazards.hazards,
-            environment=parts.environment.environment,
             evidence=tuple(evidence),
             unsupported=unsupported,
+            **fields,
         )
     except ValidationError as error:
-        return Draft(None, tuple(_objection(e["msg"]) for e in error.errors()))
+        return Draft(None, tuple(_objection(told) for told in _told(error)))
     return Draft(scenario, notes=notes + doubts)
 
 
+def misfit(stage: tuple[Reply, ...], reply: Reply) -> str | None:
+    """Why an answer does not fit the stage that it is set on; None if it does.
+
+    Args:
+        stage: the road and the participants.
+        reply: what happens on it.
+    """
+    fields: dict[str, Any] = {"description": ""}
+    for part in stage:
+        fields |= part.parts()
+    if _wrong(fields) is not None:
+        return None  # the fault of the stage, which is objected to elsewhere
+    problem = _wrong({**fields, **reply.parts()})
+    known = [one.id for name in ("participants", "objects") for one in fields.get(name, ())]
+    return problem and f"{problem}; there are {', '.join(known)}"
+
+
+def _wrong(fields: dict[str, Any]) -> str | None:
+    try:
+        FunctionalScenario(**fields)
+    except ValidationError as error:
+        return "; ".join(_told(error))
+    return None
+
+
+def _told(error: ValidationError) -> list[str]:
+    return [str(item["msg"]).removeprefix("Value error, ") for item in error.errors()]
+
+
 def _objection(message: str) -> Objection:
-    about = Part.HAZARDS if "hazards." in message else Part.PARTICIPANTS
+    about = next((part for sign, part in _BLAMED.items() if sign in message), Part.PARTICIPANTS)
     return Objection(about=about, problem=message[:400])
 
 
@@ -96,77 +123,3 @@ def _unsupported(description: str, parts: Parts) -> tuple[tuple[Unsupported, ...
                 ),
             )
     return tuple(found[place] for place in sorted(found)), tuple(notes)
-
-
-def _evidence(description: str, parts: Parts) -> tuple[list[Evidence], tuple[str, ...]]:
-    given: dict[str, Basis] = {}
-    for prefix, reply in (
-        ("junction", parts.road),
-        ("participants", parts.participants),
-        ("hazards", parts.hazards),
-        ("environment", parts.environment),
-    ):
-        for basis in reply.basis:
-            given.setdefault(_path(prefix, basis.field), basis)
-    evidence, doubts = [], []
-    for path, is_default in _fields(parts):
-        item = _grounded(description, path, given.get(path), is_default=is_default)
-        evidence.append(item)
-        quoted = given[path].words if path in given else None
-        if quoted and item.source is not EvidenceSource.STATED:
-            doubts.append(f'{path}: the model quoted "{quoted}", which the text does not have')
-    return evidence, tuple(doubts)
-
-
-def _path(prefix: str, field: str) -> str:
-    """A field's path, whether or not the model wrote its beginning, hazards by kind alone."""
-    path = field if field.startswith(f"{prefix}.") else f"{prefix}.{field}"
-    return ".".join(path.split(".")[:2]) if prefix == "hazards" else path
-
-
-def _fields(parts: Parts) -> Iterator[tuple[str, bool]]:
-    """Paths of all fields that need a ground, and whether each has its default value."""
-    yield from _filled("junction", parts.road.junction, Junction)
-    for participant in parts.participants.participants:
-        place = f"participants.{participant.id}"
-        yield f"{place}.kind", False
-        yield f"{place}.role", participant.role is Participant.model_fields["role"].default
-        for path, is_default in _filled(place, participant, Participant):
-            if path not in {f"{place}.kind", f"{place}.role", f"{place}.id"}:
-                yield path, is_default
-    if parts.participants.relations:
-        yield "relations", False
-    for kind in dict.fromkeys(h.kind for h in parts.hazards.hazards):
-        yield f"hazards.{kind}", False
-    yield from _filled("environment", parts.environment.environment, Environment)
-
-
-def _filled(place: str, model: BaseModel, cls: type[BaseModel]) -> Iterator[tuple[str, bool]]:
-    for name, info in cls.model_fields.items():
-        is_default = not info.is_required() and getattr(model, name) == info.default
-        path = f"{place}.{name}"
-        if path in _ALWAYS or not is_default:
-            yield path, is_default
-
-
-def _grounded(description: str, path: str, basis: Basis | None, *, is_default: bool) -> Evidence:
-    """Stated if the words are really there; otherwise concluded, or a default."""
-    quote = find_quote(description, basis.words) if basis else None
-    if quote is not None and basis is not None:
-        return Evidence(
-            field=path,
-            source=EvidenceSource.STATED,
-            text=quote.text,
-            start=quote.start,
-            end=quote.end,
-            reason=basis.reason or None,
-        )
-    if basis is not None and basis.words:
-        reason = f'the model rests it on words that the text does not have: "{basis.words}"'
-    elif basis is not None and basis.reason:
-        reason = basis.reason
-    elif is_default:
-        return Evidence(field=path, source=EvidenceSource.DEFAULT, reason="not said")
-    else:
-        reason = "concluded by the model, which named no words"
-    return Evidence(field=path, source=EvidenceSource.INFERRED, reason=reason)

@@ -1,16 +1,23 @@
-"""Prompts: short files, with the vocabulary filled in from the code so that they never drift."""
+"""Prompts: short files, with the definitions filled in from the code so that they never drift."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Mapping
 from enum import StrEnum
 from functools import lru_cache
 from string import Template
 
 from scegen.llm.prompting import data_rule, listed, prompt_file, version_of
+from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import ARM_COUNTS
+from scegen.scenario.glossary import defined
+from scegen.scenario.outcome import OutcomeKind
+from scegen.scenario.spacings import Measure
+from scegen.scenario.things import ThingKind
 from scegen.scenario.vocabulary import (
     Approach,
     Control,
+    CrossedArm,
     HazardKind,
     JunctionKind,
     Maneuver,
@@ -27,20 +34,48 @@ _PARTS = {
     Part.ROAD: ("the road", "junction.kind"),
     Part.PARTICIPANTS: ("the participants", "participants.car_1.maneuvers"),
     Part.HAZARDS: ("the dangers", "hazards.speeding"),
-    Part.ENVIRONMENT: ("the conditions", "environment.weather"),
+    Part.ACTS: ("what happens", "acts.brake_1.rate_mps2`, `spacings.0`, `outcome.kind"),
 }
+_EXITS = [word for word in Maneuver if word.startswith("exit_")]
+_DEFINED: dict[str, Iterable[StrEnum]] = {
+    "junction_kinds": JunctionKind,
+    "controls": Control,
+    "participant_kinds": ParticipantKind,
+    "approaches": Approach,
+    "crossed_arms": CrossedArm,
+    "maneuvers": [word for word in Maneuver if word not in _EXITS[1:]],
+    "hazard_kinds": HazardKind,
+    "acts": ActKind,
+    "measures": Measure,
+    "outcomes": OutcomeKind,
+}
+"""Words that a prompt defines."""
+_NAMED: dict[str, Iterable[StrEnum]] = {
+    "exits": _EXITS,
+    "things": ThingKind,
+    "weathers": Weather,
+    "times_of_day": TimeOfDay,
+    "road_surfaces": RoadSurface,
+    "visibilities": Visibility,
+    "parts": Part,
+}
+"""Words that speak for themselves."""
 
 
 @lru_cache(maxsize=1)
 def prompts() -> dict[str, str]:
     """Every agent's instructions by its name."""
-    words = _vocabulary()
+    words = _words(defined)
     texts = {
         str(part): _common(name, path) + _fill(part, words) for part, (name, path) in _PARTS.items()
     }
-    rules = _common("the review", "junction.kind")
-    # of the common rules, the reviewer needs all but those on how to fill fields
-    texts[REVIEWER] = rules.split("\n- `basis`")[0] + "\n" + _fill(REVIEWER, words)
+    # The reviewer needs all rules, and learns with each question what the words in it mean.
+    common = _common("the review", "").split("\n- `basis`")[0]
+    names = _words(lambda words: f"- {listed(words)}")
+    rules = [_fill(part, names) for part in _PARTS]
+    texts[REVIEWER] = "\n".join(
+        [common, "\nThe rules by which the scenario was made:", *rules, _fill(REVIEWER, names)]
+    )
     return texts
 
 
@@ -54,7 +89,7 @@ def _common(part: str, path: str) -> str:
     return _file("common").substitute(part=part, path=path, data_rule=data_rule())
 
 
-def _fill(name: str, words: dict[str, str]) -> str:
+def _fill(name: str, words: Mapping[str, str]) -> str:
     return "\n" + _file(name).substitute(words)
 
 
@@ -62,23 +97,16 @@ def _file(name: str) -> Template:
     return prompt_file(__package__, name)
 
 
-def _vocabulary() -> dict[str, str]:
-    lists: dict[str, type[StrEnum]] = {
-        "junction_kinds": JunctionKind,
-        "controls": Control,
-        "participant_kinds": ParticipantKind,
-        "approaches": Approach,
-        "maneuvers": Maneuver,
-        "hazard_kinds": HazardKind,
-        "weathers": Weather,
-        "times_of_day": TimeOfDay,
-        "road_surfaces": RoadSurface,
-        "visibilities": Visibility,
-        "parts": Part,
-    }
-    words = {name: listed(members) for name, members in lists.items()}
+def _words(table: Callable[[Iterable[StrEnum]], str]) -> dict[str, str]:
+    """What fills the places in the prompts; ``table`` shows words that are to be defined."""
+    words = {name: _indented(table(members)) for name, members in _DEFINED.items()}
+    words |= {name: listed(members) for name, members in _NAMED.items()}
     words["arm_counts"] = ", ".join(
         f"`{kind}` {low}" if low == high else f"`{kind}` {low} to {high}"
         for kind, (low, high) in ARM_COUNTS.items()
     )
     return words
+
+
+def _indented(table: str) -> str:
+    return "\n".join(f"  {line}" for line in table.splitlines())

@@ -2,15 +2,29 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from pydantic import Field, model_validator
 
-from scegen.scenario.functional import Environment, Hazard, Junction, Participant, Relation
+from scegen.scenario.acts import Act
+from scegen.scenario.functional import (
+    Environment,
+    FunctionalScenario,
+    Hazard,
+    Junction,
+    Participant,
+    Relation,
+)
 from scegen.scenario.model import FrozenModel
+from scegen.scenario.outcome import Outcome
+from scegen.scenario.spacings import Spacing
+from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import Role
 from scegen.understanding.agents.result import LONGEST_REMARK, Objection
 
 _MOST_PARTICIPANTS = 60
 _MOST_REMARKS = 400
+_REMARKS = {"basis", "unsupported"}
 
 
 class Basis(FrozenModel):
@@ -34,11 +48,17 @@ class Reply(FrozenModel):
     basis: tuple[Basis, ...] = Field(default=(), max_length=_MOST_REMARKS)
     unsupported: tuple[Passage, ...] = Field(default=(), max_length=_MOST_REMARKS)
 
+    def parts(self) -> dict[str, Any]:
+        """Its fields that are fields of the scenario, by name."""
+        names = FunctionalScenario.model_fields.keys() & type(self).model_fields.keys()
+        return {n: getattr(self, n) for n in type(self).model_fields if n in names - _REMARKS}
+
 
 class RoadReply(Reply):
-    """The road agent's answer."""
+    """The road agent's answer: the junction and the conditions."""
 
     junction: Junction
+    environment: Environment = Environment()
 
 
 class ParticipantsReply(Reply):
@@ -46,6 +66,7 @@ class ParticipantsReply(Reply):
 
     participants: tuple[Participant, ...] = Field(max_length=_MOST_PARTICIPANTS)
     relations: tuple[Relation, ...] = Field(default=(), max_length=_MOST_PARTICIPANTS)
+    objects: tuple[Thing, ...] = Field(default=(), max_length=_MOST_PARTICIPANTS)
     not_traffic: str | None = Field(default=None, max_length=LONGEST_REMARK)
 
     @model_validator(mode="after")
@@ -73,10 +94,12 @@ class HazardsReply(Reply):
     hazards: tuple[Hazard, ...] = Field(max_length=_MOST_PARTICIPANTS)
 
 
-class EnvironmentReply(Reply):
-    """The environment agent's answer."""
+class ActsReply(Reply):
+    """The acts agent's answer: what happens, how far apart they are, how it ends."""
 
-    environment: Environment
+    acts: tuple[Act, ...] = Field(default=(), max_length=_MOST_PARTICIPANTS)
+    spacings: tuple[Spacing, ...] = Field(default=(), max_length=_MOST_PARTICIPANTS)
+    outcome: Outcome | None = None
 
 
 class Review(FrozenModel):

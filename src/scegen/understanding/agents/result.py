@@ -26,7 +26,7 @@ class Part(StrEnum):
     ROAD = "road"
     PARTICIPANTS = "participants"
     HAZARDS = "hazards"
-    ENVIRONMENT = "environment"
+    ACTS = "acts"
 
 
 class Objection(FrozenModel):

@@ -4,30 +4,33 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Awaitable, Callable, Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, TypeVar
 
 from scegen.llm import Fault, FaultKind, LlmError
 from scegen.llm.asking import ask
 from scegen.llm.line import Line
 from scegen.llm.prompting import as_data
-from scegen.scenario.files import to_json
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.model import FrozenModel
-from scegen.understanding.agents.assembling import Draft, Parts, assemble
+from scegen.understanding.agents.assembling import Draft, Parts, assemble, misfit
 from scegen.understanding.agents.prompting import REVIEWER, prompts
 from scegen.understanding.agents.quoting import find_quote
 from scegen.understanding.agents.replies import (
-    EnvironmentReply,
+    ActsReply,
     HazardsReply,
     ParticipantsReply,
     Review,
     RoadReply,
 )
 from scegen.understanding.agents.result import Objection, Part
+from scegen.understanding.agents.reviewing import review_question
 
 R = TypeVar("R")
 M = TypeVar("M", bound=FrozenModel)
+Stage = tuple[RoadReply, ParticipantsReply]
+"""The road and who is on it: what the agents after them are shown."""
+_CHANGED = "- the road or the participants are others now: name those listed below"
 Checks = Callable[[FunctionalScenario], tuple[Objection, ...]]
 
 
@@ -84,31 +87,34 @@ class Team:
         return Consulted(draft.scenario, tuple(raised), draft.notes, review_fault)
 
     async def _first(self) -> Parts:
-        road, participants, environment = await _all_of(
-            self._road(), self._participants(), self._environment()
+        road, participants = await _all_of(self._road(), self._participants())
+        hazards, acts = await _all_of(
+            self._hazards((road, participants)), self._acts((road, participants))
         )
-        return Parts(road, participants, await self._hazards(participants), environment)
+        return Parts(road, participants, hazards, acts)
 
     async def _again(self, parts: Parts, objections: Iterable[Objection]) -> Parts:
-        """Ask those again to whose part somebody objected."""
+        """Ask those again to whose part somebody objected, or who built on what has changed."""
         said: dict[Part, list[Objection]] = {}
         for objection in objections:
             said.setdefault(objection.about, []).append(objection)
-        road, participants, environment = await _all_of(
+        road, participants = await _all_of(
             self._road(parts.road, said[Part.ROAD]) if Part.ROAD in said else _same(parts.road),
             self._participants(parts.participants, said[Part.PARTICIPANTS])
             if Part.PARTICIPANTS in said
             else _same(parts.participants),
-            self._environment(parts.environment, said[Part.ENVIRONMENT])
-            if Part.ENVIRONMENT in said
-            else _same(parts.environment),
         )
-        parts = replace(parts, road=road, participants=participants, environment=environment)
-        # dangers name participants: new participants, new dangers
-        if Part.HAZARDS in said or Part.PARTICIPANTS in said:
-            hazards = await self._hazards(participants, parts.hazards, said.get(Part.HAZARDS, []))
-            parts = replace(parts, hazards=hazards)
-        return parts
+        stage = (road, participants)
+        changed = _shown(stage) != _shown((parts.road, parts.participants))
+        hazards, acts = await _all_of(
+            self._hazards(stage, parts.hazards, said.get(Part.HAZARDS, []))
+            if changed or Part.HAZARDS in said
+            else _same(parts.hazards),
+            self._acts(stage, parts.acts, said.get(Part.ACTS, []))
+            if changed or Part.ACTS in said
+            else _same(parts.acts),
+        )
+        return Parts(road, participants, hazards, acts)
 
     async def _objections(self, draft: Draft) -> tuple[tuple[Objection, ...], Fault | None]:
         """Of the types, of the checks, and only then of the reviewer, who costs money."""
@@ -117,8 +123,7 @@ class Team:
         found = self._checks(draft.scenario)
         if found:
             return found, None
-        shown = to_json(draft.scenario.model_copy(update={"description": "", "evidence": ()}))
-        question = f"{as_data(self._description)}\n\nThe scenario to review:\n{shown}"
+        question = review_question(draft.scenario)
         try:
             review = await self._ask(REVIEWER, Review, question)
         except LlmError as error:
@@ -151,32 +156,22 @@ class Team:
             )
         return reply
 
-    async def _environment(
-        self, before: EnvironmentReply | None = None, objections: Iterable[Objection] = ()
-    ) -> EnvironmentReply:
-        question = self._question(before, objections)
-        return await self._ask(Part.ENVIRONMENT, EnvironmentReply, question)
-
     async def _hazards(
         self,
-        participants: ParticipantsReply,
+        stage: Stage,
         before: HazardsReply | None = None,
         objections: Iterable[Objection] = (),
     ) -> HazardsReply:
-        ids = [p.id for p in participants.participants]
-        listed = "\n".join(
-            p.model_dump_json(exclude_defaults=True) for p in participants.participants
+        question = self._question(before, objections) + _shown(stage)
+        return await self._ask(
+            Part.HAZARDS, HazardsReply, question, lambda reply: misfit(stage, reply)
         )
-        question = f"{self._question(before, objections)}\n\nThe participants:\n{listed}"
 
-        def complain(reply: HazardsReply) -> str | None:
-            named = (n for h in reply.hazards for n in (*h.by, *h.to))
-            unknown = [n for n in named if n not in ids]
-            if unknown:
-                return f"hazards names the unknown participant {unknown[0]!r}; there are {ids}"
-            return None
-
-        return await self._ask(Part.HAZARDS, HazardsReply, question, complain)
+    async def _acts(
+        self, stage: Stage, before: ActsReply | None = None, objections: Iterable[Objection] = ()
+    ) -> ActsReply:
+        question = self._question(before, objections) + _shown(stage)
+        return await self._ask(Part.ACTS, ActsReply, question, lambda reply: misfit(stage, reply))
 
     async def _ask(
         self,
@@ -200,8 +195,25 @@ class Team:
         answer = before.model_dump_json(exclude_defaults=True)
         return (
             f"{text}\n\nYour answer before:\n{answer}\n\nObjections to it; answer again, and "
-            f"keep what nobody objected to:\n{said or '- the participants changed'}"
+            f"keep what nobody objected to:\n{said or _CHANGED}"
         )
+
+
+def _shown(stage: Stage) -> str:
+    """The stage as the agents are shown it."""
+    road, participants = stage
+    people = [*participants.participants, *participants.relations]
+    return "\n".join(
+        [
+            "\n\nThe junction:",
+            road.junction.model_dump_json(exclude_defaults=True),
+            "\nThe participants:",
+            *(one.model_dump_json(exclude_defaults=True) for one in people),
+            "\nThe objects:",
+            *(one.model_dump_json(exclude_defaults=True) for one in participants.objects),
+            *([] if participants.objects else ["none"]),
+        ]
+    )
 
 
 async def _same(reply: R) -> R:

@@ -10,8 +10,15 @@ from scegen.scenario.functional import (
     Relation,
     Unsupported,
 )
-from scegen.scenario.vocabulary import JunctionKind, Role
+from scegen.scenario.vocabulary import Approach, JunctionKind, Role
+from scegen.understanding.building.happening import Writer
 from scegen.understanding.building.hooks import alongside
+from scegen.understanding.building.in_lane import (
+    beside_of,
+    circulates,
+    lanes_of,
+    settle_along,
+)
 from scegen.understanding.building.layout import Layout
 from scegen.understanding.building.left_turns import onto_the_road
 from scegen.understanding.building.open_road import (
@@ -24,6 +31,7 @@ from scegen.understanding.building.proving import Proofs
 from scegen.understanding.building.unsaid import maneuvers_of
 from scegen.understanding.building.viewpoint import choose_ego, settle_positions, suffers
 from scegen.understanding.draft import Basis, Danger, Draft, Entity
+from scegen.understanding.happenings import Happenings
 from scegen.understanding.road.junctions import JunctionReading
 from scegen.understanding.road.surroundings import Surroundings
 from scegen.understanding.words.tokens import Token
@@ -34,6 +42,7 @@ class Builder:
 
     Args:
         draft: participants, hazards and positions.
+        happenings: acts, spacings, things and the outcome.
         reading: what the text says about the junction.
         surroundings: what it says about everything else.
         tokens: the tokens of the text.
@@ -42,11 +51,13 @@ class Builder:
     def __init__(
         self,
         draft: Draft,
+        happenings: Happenings,
         reading: JunctionReading,
         surroundings: Surroundings,
         tokens: list[Token],
     ) -> None:
         self._draft = draft
+        self._happenings = happenings
         self._around = surroundings
         self._proofs = Proofs(draft.text, tokens)
         self._layout = Layout(draft, reading, surroundings, self._proofs)
@@ -64,6 +75,7 @@ class Builder:
             abreast(self._draft, ego)
             both_change_lanes(self._draft, ego)
             from_the_strip(self._draft, ego)
+            settle_along(self._draft, ego)
         else:
             alongside(self._draft, ego, self._draft.tokens)
         self._name(ego)
@@ -79,12 +91,17 @@ class Builder:
         hazards = tuple(self._hazard(d, ego) for d in self._draft.dangers)
         for name, basis in self._around.bases.items():
             self._proofs.add(f"environment.{name}", basis)
+        writer = Writer(self._happenings, ego, self._proofs)
         return FunctionalScenario(
             description=self._draft.text,
             junction=junction,
             participants=participants,
             relations=linked,
             hazards=hazards,
+            objects=writer.objects(),
+            spacings=writer.spacings(),
+            acts=writer.acts(),
+            outcome=writer.outcome(),
             environment=self._around.environment(),
             evidence=self._proofs.evidence,
             unsupported=self._unsupported(),
@@ -114,11 +131,14 @@ class Builder:
             self._proofs.add(f"{path}.role", None, "everybody but the ego")
         maneuvers = maneuvers_of(entity, junction, self._draft)
         entries = frozenset(a for a in entity.entries if a < junction.arms)
+        lanes, circulating = lanes_of(entity, junction, self._draft), circulates(entity, junction)
         for name, value, basis in (
             ("parked", entity.parked, entity.parked_basis),
             ("approaches", entity.approaches, entity.approach_basis),
             ("maneuvers", maneuvers, entity.maneuver_basis),
             ("entries", entries, entity.entry_basis),
+            ("lanes", lanes, entity.start_lane[1] if entity.start_lane is not None else None),
+            ("circulating", circulating, entity.circulates),
             ("speed_mps", entity.speed, entity.speed_basis),
         ):
             if value:
@@ -130,11 +150,21 @@ class Builder:
             kind=entity.kind,
             role=role,
             parked=entity.parked,
-            approaches=frozenset(entity.approaches),
+            approaches=frozenset(self._seen_at(entity)),
             maneuvers=frozenset(maneuvers),
             entries=entries,
+            lanes=lanes,
+            circulating=circulating,
             speed_mps=entity.speed,
         )
+
+    def _seen_at(self, entity: Entity) -> set[Approach]:
+        """Where it comes from, with the side of the lane beside."""
+        side = beside_of(entity)
+        if side is None or entity.beside is None:
+            return entity.approaches
+        self._proofs.add(f"participants.{entity.name}.approaches", entity.beside[1])
+        return {Approach.ADJACENT, side}
 
     def _further_words(self, entity: Entity) -> list[Basis]:
         """Other words that say the same of where somebody comes from."""
@@ -152,13 +182,13 @@ class Builder:
         to = [e for e in danger.to if e not in danger.by]
         field = f"hazards.{danger.kind.value}"
         self._proofs.add(field, danger.basis)
-        if not to and danger.by:
+        if not to and (danger.by or danger.items):
             to, reason = suffers(self._draft, danger, ego)
             if to:
                 self._proofs.add(f"{field}.to", Basis(reason=reason))
         return Hazard(
             kind=danger.kind,
-            by=tuple(e.name for e in danger.by),
+            by=tuple(e.name for e in (*danger.by, *danger.items)),
             to=tuple(e.name for e in to),
         )
 

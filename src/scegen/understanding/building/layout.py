@@ -10,6 +10,7 @@ from scegen.understanding.road.junctions import JunctionReading
 from scegen.understanding.road.surroundings import Surroundings
 
 _ROUNDABOUT_ARMS = 4
+_MOST_LANES = 3
 _ALONG_LANES = frozenset({HazardKind.CUT_IN, HazardKind.OVERTAKING, HazardKind.MERGING_CONFLICT,
                           HazardKind.SWERVING, HazardKind.TAILGATING})  # fmt: skip
 
@@ -118,6 +119,16 @@ class Layout:
         return arms, Basis(reason=f"follows from the shape {kind.value}")
 
     def _lanes(
+        self, kind: JunctionKind, arms: int
+    ) -> tuple[tuple[int, ...], int | None, Basis | None]:
+        counted = self._counted_lanes(kind, arms)
+        ramp, lanes = self._draft.ramp, counted[0]
+        if ramp is None or not lanes or max(lanes) >= _MOST_LANES:
+            return counted
+        reason = "the ramp is a further lane beside the others"
+        return tuple(n + 1 for n in lanes), counted[1], Basis(ramp.i, ramp.j, reason)
+
+    def _counted_lanes(
         self, kind: JunctionKind, arms: int
     ) -> tuple[tuple[int, ...], int | None, Basis | None]:
         around = self._around

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention
+from scegen.understanding.chunks import Chunk, Mention
 from scegen.understanding.draft import Draft
 from scegen.understanding.words.terms import Term
 
@@ -19,14 +19,13 @@ _NOT_UNDERSTOOD = "not understood, ignored"
 _MOST_NOTES = 200
 
 
-def report(draft: Draft, terms: list[Term], chunks: list[Chunk], events: list[Event]) -> None:
+def report(draft: Draft, terms: list[Term], chunks: list[Chunk]) -> None:
     """Adds a note for everything that is not expressed.
 
     Args:
         draft: the scenario in the making.
         terms: the terms of the text.
         chunks: its chunks.
-        events: its events.
     """
     labels = {c.label_at for c in chunks if isinstance(c, Mention)}
     _unknown(draft, [t for t in terms if t.i not in labels])
@@ -40,9 +39,6 @@ def report(draft: Draft, terms: list[Term], chunks: list[Chunk], events: list[Ev
     for chunk in chunks:
         if isinstance(chunk, Mention):
             _mention(draft, chunk)
-    for event in events:
-        if event.name == "collide":
-            draft.note(event.i, event.j, "contact is an outcome; how close it gets is chosen later")
     del draft.notes[_MOST_NOTES:]
 
 

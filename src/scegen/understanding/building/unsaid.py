@@ -22,6 +22,9 @@ def maneuvers_of(entity: Entity, junction: Junction, draft: Draft) -> set[Maneuv
     Returns:
         The maneuvers; empty where the text leaves them open.
     """
+    if entity.stands is not None and not entity.ego and _stays(entity):
+        entity.maneuver_basis = entity.stands
+        return {Maneuver.STAY}
     if entity.maneuvers and (entity.was_parked is not None or not entity.parked):
         return entity.maneuvers
     found = _followed(entity, junction, draft)
@@ -34,6 +37,12 @@ def maneuvers_of(entity: Entity, junction: Junction, draft: Draft) -> set[Maneuv
     maneuver, words, reason = found
     entity.maneuver_basis = Basis(words.i, words.j, reason)
     return {maneuver}
+
+
+def _stays(entity: Entity) -> bool:
+    """Whether one who stands at first is not said to go anywhere."""
+    goes = entity.maneuvers - {Maneuver.STAY, Maneuver.STRAIGHT}
+    return not goes and not entity.parked and entity.sets_off < 0
 
 
 def _followed(

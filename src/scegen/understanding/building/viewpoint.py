@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Basis, Danger, Draft, Entity, Placement
 from scegen.understanding.meaning import numbered_lanes
 from scegen.understanding.meaning.mutual import allow, face_each_other, in_file
@@ -161,6 +161,13 @@ def suffers(draft: Draft, danger: Danger, ego: Entity) -> tuple[list[Entity], st
         return [], ""
     if ego not in danger.by:
         return [ego], "the text does not say whom it threatens; the ego is taken"
+    if danger.kind is HazardKind.HARD_BRAKING and all(
+        _placed(draft, e, Approach.AHEAD) for e in others
+    ):
+        return [], ""  # who is ahead does not suffer it
+    afoot = [e for e in draft.entities if not e.is_vehicle]
+    if danger.kind is HazardKind.REVERSING and not others and len(afoot) == 1:
+        return afoot, "the text does not say whom it threatens; this is the only other one"
     if len(others) == 1:
         return others, "the text does not say whom it threatens; this is the only other vehicle"
     return [], ""
@@ -196,6 +203,8 @@ def settle_positions(
             if own is not None and placement.reference is None:
                 approaches = _reframed(own, approaches)
             allow(entity, approaches, placement.basis)
+        elif _hidden_there(entity, reference) or _hidden_there(reference, entity):
+            continue  # "hidden behind two parked cars": no place along the road
         elif not any(r[0] is entity and r[1] is reference for r in relations):
             relations.append((entity, reference, set(approaches), placement.basis))
     in_file(relations)
@@ -216,6 +225,11 @@ def settle_positions(
     _in_file(relations)
     ego.approaches = set()
     return relations
+
+
+def _hidden_there(entity: Entity, other: Entity) -> bool:
+    """Whether one who crosses is behind one who is parked."""
+    return Maneuver.CROSS in entity.maneuvers and other.still
 
 
 def _in_file(relations: list[tuple[Entity, Entity, set[Approach], Basis]]) -> None:

@@ -1,5 +1,12 @@
 """The words that the offline reader knows, as data, and their loader."""
 
-from scegen.understanding.lexicon.loader import Entry, Lexicon, Spelling, load, load_spelling
+from scegen.understanding.lexicon.loader import (
+    Entry,
+    Lexicon,
+    Spelling,
+    load,
+    load_languages,
+    load_spelling,
+)
 
-__all__ = ["Entry", "Lexicon", "Spelling", "load", "load_spelling"]
+__all__ = ["Entry", "Lexicon", "Spelling", "load", "load_languages", "load_spelling"]

@@ -11,7 +11,7 @@ from functools import lru_cache
 from importlib.resources import files
 from typing import Any
 
-from scegen.scenario.files import parse
+from scegen.scenario.parsing import parse
 
 _ENTRY_FILES = (
     "participants",
@@ -50,13 +50,13 @@ class Lexicon:
         root: the trie of phrases.
         words: every single word that occurs in a phrase.
         irregular: word -> (base form, form).
-        units: spelled unit, as a tuple of words -> its name.
+        units: spelled unit, as a tuple of words -> its dimension and its name.
     """
 
     root: Node
     words: frozenset[str]
     irregular: dict[str, tuple[str, str]]
-    units: dict[tuple[str, ...], str]
+    units: dict[tuple[str, ...], tuple[str, str]]
 
 
 def _read(name: str) -> Any:  # noqa: ANN401 - the shape differs from file to file
@@ -87,13 +87,20 @@ def load() -> Lexicon:
                 _insert(root, phrase, entry)
                 words.update(phrase.split())
     units = {
-        tuple(spelling.split()): unit
-        for unit, spellings in _read("units").items()
+        tuple(spelling.split()): (dimension, unit)
+        for dimension, units in _read("units").items()
+        for unit, spellings in units.items()
         for spelling in spellings
     }
     words.update(word for spelling in units for word in spelling)
     irregular = {word: (base, form) for word, (base, form) in _read("irregular").items()}
     return Lexicon(root, frozenset(words), irregular, units)
+
+
+@lru_cache(maxsize=1)
+def load_languages() -> dict[str, frozenset[str]]:
+    """Language -> words that stand in nearly every sentence of it."""
+    return {name: frozenset(words) for name, words in _read("languages").items()}
 
 
 @dataclass(frozen=True, slots=True)

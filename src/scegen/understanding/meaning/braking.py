@@ -7,8 +7,8 @@ from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis
 from scegen.understanding.meaning import side_roads
 from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.meaning.standing import STANDING
 
-_STANDING = frozenset({"stand", "sit", "idle", "unload", "load", "deliver", "linger", "lie"})
 _GENTLY = frozenset({"gently", "gentle", "lightly", "light", "softly", "soft", "smoothly", "smooth",
                      "gradually", "gradual", "moderately", "moderate", "mildly", "mild",
                      "slightly", "slight", "carefully", "comfortably"})  # fmt: skip
@@ -101,7 +101,7 @@ def wait(scene: Scene, context: Context) -> None:
         for p in scene.event.pps
     )
     others = [e for e in scene.drivers if not e.ego]
-    stands = context.tokens[scene.event.i].forms[-1][0] in _STANDING
+    stands = context.tokens[scene.event.i].forms[-1][0] in STANDING
     if lanes and stands and others:
         context.draft.hazard(HazardKind.STOPPING, scene.words, others)
 

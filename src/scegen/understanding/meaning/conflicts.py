@@ -29,7 +29,7 @@ def turn(scene: Scene, context: Context) -> None:
     if cyclists and cyclists == scene.drivers and across_the_road(event, context):
         encounters.cyclists_cross(scene, context)
         return
-    left = _ACROSS[context.across] in directions(event)
+    left = _ACROSS[context.across] in directions(event, context.tokens)
     lit = any(m.value == "unprotected" for p in scene.places() for m in p.mods)
     lit = lit or without_arrow(context)
     unprotected = scene.how("unprotected") or (scene.words if lit else None)
@@ -161,7 +161,8 @@ def head_on(scene: Scene, place: Place | None, context: Context) -> bool:
     )
     if place.kind != "lane" or not (entered or place.owner is not None):
         return False  # "stays in its lane"
-    sideways = any(t.value in _ACROSS for t in scene.event.dirs)
+    egos = place.owner is not None and any(e.ego for e in place.owner.entities)
+    sideways = any(t.value in _ACROSS for t in scene.event.dirs) and not egos
     return not sideways and any(context.oncoming(e) and not e.ego for e in scene.drivers)
 
 
@@ -288,6 +289,9 @@ def merge(scene: Scene, context: Context) -> None:
 def overtake(scene: Scene, context: Context) -> None:
     """Overtaking another moving vehicle."""
     if not overtaking(scene, context):
+        return
+    afoot = bool(scene.targets) and not any(e.is_vehicle for e in scene.targets)
+    if scene.event.name == "pass" and afoot:
         return
     if scene.drivers and (not scene.targets or any(not e.parked for e in scene.targets)):
         context.draft.hazard(HazardKind.OVERTAKING, scene.words, scene.drivers, scene.targets)

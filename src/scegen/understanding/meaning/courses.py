@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver
-from scegen.understanding.chunks import Thing
+from scegen.understanding.chunks import Chunk, Mention, Place, Prep, Thing
 from scegen.understanding.draft import Basis
 from scegen.understanding.meaning.context import Context, Scene
 
@@ -14,6 +14,38 @@ def hold(scene: Scene, _context: Context) -> None:
     course = isinstance(scene.event.object, Thing) and not places
     for entity in scene.drivers if places or course else []:
         entity.moves = entity.moves or Basis(scene.event.i, scene.event.j)
+
+
+def circulate(chunks: list[Chunk], scenes: list[Scene], context: Context) -> None:
+    """``already circulating``, ``is in the roundabout``: there before the others come.
+
+    Args:
+        chunks: the chunks of the text.
+        scenes: what happens.
+        context: the scenario in the making.
+    """
+    for mention in (c for c in chunks if isinstance(c, Mention)):
+        inside = any(_inside(p, context) for p in mention.pps)
+        for entity in mention.entities if inside else []:
+            entity.circulates = entity.circulates or Basis(mention.i, mention.j)
+    for scene in scenes:
+        event = scene.event
+        words = context.tokens[event.i : event.j]
+        rounds = bool(words) and words[0].forms[-1][0] in {"circulate", "circle"}
+        within = next((p for p in event.pps if _inside(p, context)), None)
+        if event.negated or not (rounds or within) or event.name in {"enter", "approach"}:
+            continue
+        for entity in scene.drivers:
+            entity.circulates = entity.circulates or scene.words
+
+
+def _inside(prep: Prep, context: Context) -> bool:
+    """``in the roundabout``, not "at" or "into" it."""
+    place = prep.target
+    ring = isinstance(place, Place) and place.kind == "junction"
+    ring = ring and place is not None and place.head is not None
+    named = ring and place is not None and place.head.data.get("kind") == "roundabout"
+    return named and context.tokens[prep.word.i].low in {"in", "inside", "on", "within", "round"}
 
 
 def follow(scene: Scene, context: Context) -> None:

@@ -87,6 +87,8 @@ def oncoming_lane(scene: Scene, context: Context) -> None:
     for place in scene.places():
         if id(place) in sources:
             continue  # "coming from opposite lanes": where one belongs
+        if place.kind == "centerline" and place.owner is not None:
+            continue  # "right of the ego's centre line": no line on the road
         lane = place.kind == "lane" and "opposite" in place.dirs and place.owner is None
         lane = lane or conflicts.head_on(scene, place, context)
         wrong = [e for e in scene.drivers if against(e, place)]
@@ -169,7 +171,7 @@ def park(scene: Scene, context: Context) -> None:
     """``parked in its lane``: whoever drives there has to get past it."""
     lanes = [p for p in scene.places() if p.kind == "lane"]
     driven = any(not {"adjacent", "opposite", "lateral"} & set(p.dirs) for p in lanes)
-    parked = [e for e in scene.actors if e.parked]
+    parked = [e for e in scene.actors if e.still]
     if driven and parked:
         context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
 

@@ -190,6 +190,8 @@ def ride(scene: Scene, context: Context) -> None:
     aside = any(p.kind in {"sidewalk", "access", "parking"} for p in scene.places())
     direct = scene.event.object if scene.event.name == "enter" else None
     onto = onto or (isinstance(direct, Place) and direct.kind in _CARRIAGEWAY)
+    sided = any(p.value == "from" and isinstance(p.target, Place) for p in scene.event.pps)
+    onto = onto or (sided and _into_a_path(scene))
     springs = scene.event.name == "appear" or any(p.kind == "path" for p in scene.places())
     onto = onto or (aside and springs)
     onto = onto or _across_the_path(scene, context)
@@ -202,6 +204,14 @@ def ride(scene: Scene, context: Context) -> None:
     )
     if onto and not any(t.value in {"left", "right"} for t in scene.event.dirs):
         cyclists_cross(scene, context)
+
+
+def _into_a_path(scene: Scene) -> bool:
+    """``rides from the right into the path of the ego``."""
+    return any(
+        p.value == "into" and isinstance(p.target, Place) and p.target.kind == "path"
+        for p in scene.event.pps
+    )
 
 
 def _across_the_path(scene: Scene, context: Context) -> bool:

@@ -8,6 +8,7 @@ from scegen.understanding.draft import Basis, Danger, Entity
 from scegen.understanding.meaning import conflicts, oncoming
 from scegen.understanding.meaning.context import Context, Scene
 from scegen.understanding.meaning.reactions import into_rear
+from scegen.understanding.meaning.ways import past_the_roadside
 from scegen.understanding.words.terms import Term
 
 _TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
@@ -32,6 +33,7 @@ def positions(scenes: list[Scene], context: Context) -> None:
         if scene.event.name == "bypass" and not scene.targets and scene.drivers:
             parked = [e for e in context.draft.entities if e.parked and _in_front(e, context)]
         thing = isinstance(scene.event.object, Thing) and scene.event.object.kind == "object"
+        parked = [] if past_the_roadside(scene, context) else parked
         if scene.event.name == "bypass" and (parked or thing) and not scene.event.negated:
             context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
         _owing_to_the_parked(scene, context)
@@ -54,7 +56,7 @@ def _owing_to_the_parked(scene: Scene, context: Context) -> None:
     """``has to leave its lane because of a broken-down lorry``: that is in the way."""
     for prep in scene.event.pps:
         by = prep.target.entities if isinstance(prep.target, Mention) else []
-        parked = [e for e in by if e.parked]
+        parked = [e for e in by if e.still]
         if (
             prep.value == "due"
             and parked
@@ -244,7 +246,7 @@ def _along_the_road(scene: Scene, context: Context) -> bool:
 
 def _slower(entity: Entity, context: Context) -> bool:
     """Whether somebody stands or drives slowly, so that others close in from behind."""
-    return entity.parked or any(entity in d.by and d.kind in _SLOWER for d in context.draft.dangers)
+    return entity.still or any(entity in d.by and d.kind in _SLOWER for d in context.draft.dangers)
 
 
 def _placed(entity: Entity, observer: Entity, context: Context) -> bool:
@@ -262,7 +264,7 @@ def _placed(entity: Entity, observer: Entity, context: Context) -> bool:
 def _around_something(danger: Danger, context: Context) -> None:
     """``a parked bus blocks the lane; the ego detours through the oncoming lane``: past it."""
     draft = context.draft
-    blocked = any(e.parked for e in draft.entities) or any(
+    blocked = any(e.still for e in draft.entities) or any(
         d.kind in _SLOWER | {HazardKind.OBSTACLE} for d in draft.dangers
     )
     for entity in danger.by if blocked else []:

@@ -8,6 +8,7 @@ from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Prep, Thing
 from scegen.understanding.clauses import bearing
 from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.frames import Numbers
 from scegen.understanding.meaning import (
     afoot,
     breaches,
@@ -24,6 +25,7 @@ from scegen.understanding.meaning import (
     screen_sides,
     screens,
     side_roads,
+    standing,
 )
 from scegen.understanding.meaning.context import Context, Scene
 from scegen.understanding.meaning.movements import MOVEMENTS
@@ -36,11 +38,10 @@ from scegen.understanding.meaning.reciprocal import towards_each_other
 from scegen.understanding.meaning.roadside import read_thing
 from scegen.understanding.meaning.scenes import scene_of
 from scegen.understanding.meaning.setting_off import set_off
+from scegen.understanding.meaning.sides_left import sides_left
 from scegen.understanding.phrases.on_sides import from_everywhere
 from scegen.understanding.words.terms import Term
 
-_RELATIVE = frozenset({"difference", "differential", "relative", "closing", "delta"})
-_DIFFERENCE_REACH = 3
 _BY_MANNER = {
     "backwards": HazardKind.REVERSING,
     "fast": HazardKind.SPEEDING,
@@ -57,6 +58,7 @@ _BREACHING = frozenset(
 _ON_THE_MOVE = frozenset({"swing_wide", "pull_out", "swerve", "use", "enter", "move", "cross",
                           "lose_control", "lane_change", "merge", "overtake", "bypass", "turn",
                           "sharp_turn", "approach", "unknown"})  # fmt: skip
+_INTO_LANES = frozenset({"lane_change", "cut_in", "merge", "cut_off"})
 _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
                        "pull_out", "collide"})  # fmt: skip
@@ -69,24 +71,31 @@ class Interpreter:
 
     Args:
         context: the scenario in the making.
+        numbers: the numbers of the text.
         limit: the quantity that is a speed limit and nobody's speed.
     """
 
-    def __init__(self, context: Context, limit: Term | None) -> None:
+    def __init__(self, context: Context, numbers: Numbers, limit: Term | None) -> None:
         self._context = context
         self._draft = context.draft
         self._placer = Placer(context.draft)
+        self._numbers = numbers
         self._limit = limit
         self._scenes: list[Scene] = []
         self._of_verbs: set[int] = set()
+        self._chunks: list[Chunk] = []
 
-    def run(self, chunks: list[Chunk], events: list[Event]) -> None:
+    def run(self, chunks: list[Chunk], events: list[Event]) -> list[Scene]:
         """All statements of a text.
 
         Args:
             chunks: its chunks, mentions resolved.
             events: its events.
+
+        Returns:
+            What happens, in the order of the text.
         """
+        self._chunks = chunks
         self._of_verbs = {
             id(p)
             for e in events
@@ -98,6 +107,9 @@ class Interpreter:
                 or bearing.own_lane(e, p)
             )
         }
+        self._context.told_in_the_past = any(
+            e.finite and e.form == "ed" and e.name != "stop" for e in events
+        )
         set_off(events, self._context)
         numbered_lanes.note_lanes(chunks, events, self._context.tokens)
         handled = {
@@ -125,6 +137,9 @@ class Interpreter:
         detours.get_past(chunks, self._scenes, self._context)
         implied.positions(self._scenes, self._context)
         breaches.subsume(self._context)
+        courses.circulate(chunks, self._scenes, self._context)
+        sides_left(chunks, self._context)
+        return self._scenes
 
     def _mention(self, mention: Mention) -> None:
         self._placer.adjectives(mention)
@@ -166,33 +181,32 @@ class Interpreter:
             others = [e for e in drivers if not e.ego]
             if others:
                 self._draft.hazard(HazardKind.STOPPING, basis, others)
+            for entity in entities:
+                if not entity.ego and not entity.parked:
+                    entity.stands = entity.stands or basis
         elif term.cat == "state" and term.value == "parked":
             for entity in entities:
                 if not entity.ego and entity.is_vehicle and entity.sets_off < 0:
                     entity.parked, entity.parked_basis = True, basis
 
-    def _quantity(self, term: Term, entities: list[Entity]) -> None:
-        if term is self._limit:
-            return
+    def _quantity(self, term: Term, entities: list[Entity], verb: str = "") -> None:
         quantity = term.data["quantity"]
-        before = self._context.tokens[max(0, term.i - _DIFFERENCE_REACH) : term.i]
-        if any(t.low in _RELATIVE for t in before):
-            return  # "speed difference 40 km/h": nobody's speed
-        if term.value != "speed":
-            self._draft.note(
-                term.i, term.j, "distances and times are set when the scenario is made concrete"
-            )
+        if term is self._limit or quantity is None:
+            return
+        if self._numbers.measured(quantity, verb).frame.role != "speed":
             return
         for entity in entities:
-            if entity.moving_vehicle and entity.speed is None:
+            if not entity.parked and entity.speed is None:
                 entity.speed = quantity.value
                 entity.speed_basis = Basis(term.i, term.j, quantity.note)
 
     def _event(self, event: Event) -> None:
         scene = scene_of(event)
         courses.move_off(scene, self._context)
+        self._told_again(scene)
         event.name = recast(scene, self._context)
         self._scenes.append(scene)
+        standing.stand(scene, self._context)
         for prep in event.pps if not self._ended(event) else []:
             if from_everywhere(prep):
                 side_roads.spread(prep, scene.actors, self._context)
@@ -221,7 +235,8 @@ class Interpreter:
         movement = MOVEMENTS.get(event.name)
         if movement is not None:
             movement(scene, self._context)
-        encounters.onto_the_road(scene, self._context)
+        if not standing.in_the_road(scene, self._context):
+            encounters.onto_the_road(scene, self._context)
         encounters.after_a_thing(scene, self._context)
         danger = dangers.DANGERS.get(event.name)
         if danger is not None and not self._overruled(scene):
@@ -229,6 +244,24 @@ class Interpreter:
         if event.name in _ON_THE_MOVE:
             dangers.oncoming_lane(scene, self._context)
         screens.from_behind(scene, self._context)
+
+    def _told_again(self, scene: Scene) -> None:
+        """``a van merges …, at the beginning of the lane change``: what the van does."""
+        event = scene.event
+        definite = any((m.cat, m.value) == ("det", "def") for m in event.mods)
+        if not (event.nominal and definite and event.name in _INTO_LANES):
+            return
+        told = [s for s in self._scenes if s.event.name in _INTO_LANES and s.actors]
+        if told and told[-1].actors != scene.actors:
+            scene.actors = []
+
+    def _of_another_clause(self, event: Event, term: Term) -> bool:
+        """``crosses when the ego is 35 m away at 50 km/h``: the ego's speed."""
+        between = [c for c in self._chunks if event.j <= c.i < term.i]
+        opened = next((k for k, c in enumerate(between) if getattr(c, "cat", "") == "sub"), None)
+        if opened is None:
+            return False
+        return any(isinstance(c, Mention) and c.prep is None for c in between[opened:])
 
     def _ended(self, event: Event) -> bool:
         """``ends up in front of the ego``: where it gets to, not where it comes from."""
@@ -263,8 +296,8 @@ class Interpreter:
     def _manner(self, scene: Scene) -> None:
         event = scene.event
         for term in event.mods:
-            if term.cat == "quantity":
-                self._quantity(term, scene.actors)
+            if term.cat == "quantity" and not self._of_another_clause(event, term):
+                self._quantity(term, scene.actors, event.name)
             elif term.cat == "compass":
                 self._placer.heading(term, scene.actors)
             elif term.cat == "dir" and term.value == "opposite" and event.name in _TRAVEL:

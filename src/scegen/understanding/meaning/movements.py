@@ -36,7 +36,7 @@ _ORDINALS = {
 def turn(scene: Scene, context: Context) -> None:
     """``turns left``, ``a right turn``, ``turns to the left``; without a side, either one."""
     event = scene.event
-    directions = ways.directions(event)
+    directions = ways.directions(event, context.tokens)
     basis = next(iter(directions.values()), Basis(event.i, event.j))
     if not directions and ways.into_lane(event):
         return
@@ -75,7 +75,7 @@ def _as_others_do(scene: Scene, context: Context) -> set[Maneuver]:
 def move(scene: Scene, context: Context) -> None:
     """``goes straight``, ``drives``, ``continues to the left``."""
     event = scene.event
-    directions = ways.directions(event)
+    directions = ways.directions(event, context.tokens)
     straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in scene.places())
     aside = context.tokens[event.i].forms[-1][0] in _ASIDE and not context.junction.crossing
     aside = aside and not any(
@@ -119,6 +119,7 @@ def u_turn(scene: Scene, context: Context) -> None:
 def overtake(scene: Scene, context: Context) -> None:
     """Overtaking, or passing something that stands in the lane."""
     event = scene.event
+    _whom(scene, context)
     if event.name == "bypass" and event.object is None and not event.passive:
         by = context.tokens[event.j - 1].low == "past"
         behind = any(context.placed(e, Approach.BEHIND) for e in scene.drivers)
@@ -128,7 +129,7 @@ def overtake(scene: Scene, context: Context) -> None:
     dodges = isinstance(event.object, Thing) and any(context.oncoming(e) for e in scene.drivers)
     if event.name == "bypass" and (isinstance(event.object, Place) or dodges):
         return  # "an oncoming moped swerves round a pothole"
-    if not ways.overtaking(scene, context):
+    if not ways.overtaking(scene, context) or ways.past_the_roadside(scene, context):
         move(scene, context)
         return
     basis = Basis(event.i, event.j)
@@ -145,6 +146,21 @@ def overtake(scene: Scene, context: Context) -> None:
     }
     if not any(e.index in stated for e in scene.actors):
         context.ahead(scene.targets, scene.actors, basis)
+
+
+def _whom(scene: Scene, context: Context) -> None:
+    """``drives behind a tractor and overtakes``: the one ahead."""
+    event = scene.event
+    if event.name != "overtake" or scene.targets or event.object is not None or event.passive:
+        return
+    leaders = [
+        p.entity
+        for p in context.draft.placements
+        if p.approaches == {Approach.AHEAD} and (p.reference in scene.actors or p.reference is None)
+    ]
+    one = [e for e in dict.fromkeys(leaders) if e.moving_vehicle and e not in scene.actors]
+    if len(one) == 1 and any(e.ego for e in scene.actors):
+        scene.targets = one
 
 
 def pull_around(scene: Scene, context: Context) -> None:
@@ -182,7 +198,7 @@ def cross(scene: Scene, context: Context) -> None:
     if lanes and drivers and not context.junction.crossing:
         lane_change(scene, context)  # "crosses two lanes to get to the exit"
         return
-    if ways.directions(scene.event) and drivers:
+    if ways.directions(scene.event, context.tokens) and drivers:
         move(scene, context)
         return
     for entity in drivers:
@@ -231,7 +247,7 @@ def leave(scene: Scene, context: Context) -> None:
 
 def _set_off(scene: Scene, context: Context) -> None:
     """``sets off straight ahead``, ``moves off to the left``: which way it leaves."""
-    found = ways.directions(scene.event) if scene.event.name == "leave" else {}
+    found = ways.directions(scene.event, context.tokens) if scene.event.name == "leave" else {}
     if found and context.junction.kind is not JunctionKind.ROUNDABOUT and not scene.event.nominal:
         apply(scene, context, set(found), next(iter(found.values())))
 
@@ -257,7 +273,7 @@ def through_junction(scene: Scene, context: Context) -> None:
     if onward is not None:
         apply(scene, context, {Maneuver.STRAIGHT}, Basis(onward.i, onward.j))
     if isinstance(event.object, Mention) and event.name == "approach":
-        targets = [e for e in scene.targets if e.parked]
+        targets = [e for e in scene.targets if e.still]
         context.ahead(targets, scene.actors, Basis(event.i, event.j))
 
 

@@ -34,10 +34,13 @@ def not_done(scene: Scene, context: Context) -> None:
     """
     event = scene.event
     basis = Basis(event.i, event.j)
+    nobody = any(m.pronoun in {"everybody", "neither", "nobody"} for m in event.subject)
+    if nobody and event.name in {"brake", "react", "slow", "swerve", "avoid", "reply"}:
+        return  # "nobody reacts": it takes its course
     if event.unable:
         _unable(scene, context)
     elif (
-        rule_out(scene)
+        rule_out(scene, context)
         or _no_distance(scene, context)
         or _overlooks(scene, context)
         or (event.name in _SEEING and breaches.breach(scene, context))
@@ -63,7 +66,7 @@ def not_done(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name == "encounter" and any(0 < event.i - i < _NEAR for i in context.screens):
         context.draft.hazard(HazardKind.OCCLUSION, basis, [])
-    elif event.name not in _HARMLESS:
+    elif event.name not in _HARMLESS | {"collide"}:
         context.draft.note(event.i, event.j, "said not to happen; left out")
 
 

@@ -22,7 +22,7 @@ def onto_a_road(scene: Scene, context: Context) -> bool:
     event = scene.event
     goals = [event.object, *(p.target for p in event.pps if p.value == "into")]
     road = any(isinstance(g, Place) and g.kind in _ROADS for g in goals)
-    found = ways.directions(event) if road and event.name in _ENTERING else {}
+    found = ways.directions(event, context.tokens) if road and event.name in _ENTERING else {}
     sideways = {m: basis for m, basis in found.items() if m is not Maneuver.STRAIGHT}
     if sideways:
         basis = next(iter(sideways.values()))

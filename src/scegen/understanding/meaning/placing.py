@@ -7,6 +7,8 @@ from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.clauses.bearing import from_the_wrong_lane
 from scegen.understanding.clauses.located import landmark
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.meaning.standing import lane_of
+from scegen.understanding.words.quantities import after_a_measure
 from scegen.understanding.words.terms import Term
 
 _BY_DIR: dict[str, frozenset[Approach]] = {
@@ -36,6 +38,9 @@ _STEADY = frozenset(
 _PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane",
                      "path", "leg"})  # fmt: skip
 _SIDEWAYS = frozenset({"lane_change", "merge", "cut_in"})
+_SIDE_REACH = 3
+_WITHIN_LANE = frozenset({"offset", "shifted", "displaced", "further", "slightly", "off"})
+"""Words before "to the left" that keep somebody in its lane."""
 _AROUND = frozenset({"around", "round", "past"})
 _BY_WAY_OF = frozenset({"via", "through", "across", "over"})
 
@@ -183,6 +188,20 @@ class Placer:
             return
         if prep.value not in {"from", "in"} and not (prep.value == "to" and event is None):
             return
+        self._drives_in(entities, target, prep, event, basis)
+        if target.kind == "ramp" and prep.value == "from":
+            self._draft.ramp = self._draft.ramp or basis
+            for entity in entities:
+                entity.beside = entity.beside or (self._draft.kerb, basis)
+                self._draft.place(entity, None, {Approach.ADJACENT}, basis)
+            return
+        before = self._draft.tokens[prep.word.i - 1].low if prep.word.i else ""
+        if prep.value == "to" and any(e.dirs & {"ahead", "behind"} for e in entities):
+            return  # "the lane change of the lead vehicle to the left"
+        if prep.value in {"to", "in"} and (
+            before in _WITHIN_LANE or after_a_measure(self._draft.tokens, prep.word.i)
+        ):
+            return  # "offset 0.5 m to the left"
         facing = target.kind in {"direction", "side"} and "opposite" in target.dirs
         allowed = _STEADY | ({"cross", "turn"} if facing else {"cross"})
         steady = event is None or event.name in allowed
@@ -192,6 +211,8 @@ class Placer:
             self._apart(entities, basis)
             return
         word = self._draft.tokens[prep.word.i].low
+        edge = self._draft.tokens[target.j - 1].low == "edge" and prep.value == "in"
+        entities = [e for e in entities if not (edge and e.is_vehicle)]  # within its lane
         approaches = _place_approaches(target, word if word in _AROUND else prep.value)
         approaches = _between_lanes(approaches, event)
         if not approaches:
@@ -209,9 +230,50 @@ class Placer:
         for entity in entities:
             if wrong and Maneuver.OVERTAKE in entity.maneuvers:
                 continue  # who overtakes is in the oncoming lane, but does not come from there
+            self._which_lane(entity, target, reference, approaches, basis)
             kerb = target.kind in {"sidewalk", "shoulder"} and prep.value == "from"
             entity.pulls_out = entity.pulls_out or kerb
             self._draft.place(entity, reference, set(approaches), basis)
+
+    def _which_lane(
+        self,
+        entity: Entity,
+        lane: Place,
+        reference: Entity | None,
+        approaches: frozenset[Approach],
+        basis: Basis,
+    ) -> None:
+        """``in the right lane``: to the right of the ego's, unless it is the ego who drives there."""
+        named = lane_of(lane) or self._side_after(lane)
+        if named is None:
+            return
+        seen = reference is None or reference.ego
+        if named in _SIDES and seen and approaches == _BY_DIR["adjacent"]:
+            entity.beside = entity.beside or (named, basis)
+
+    def _drives_in(
+        self,
+        entities: list[Entity],
+        lane: Place,
+        prep: Prep,
+        event: Event | None,
+        basis: Basis,
+    ) -> None:
+        """``drives in the middle lane``, ``cuts in from the left lane``: where it is at first."""
+        named = lane_of(lane) if "adjacent" not in lane.dirs else None
+        steady = event is None or event.name in _STEADY or prep.value == "from"
+        for entity in entities if named is not None and steady else []:
+            implied = self._draft.lanes_implied
+            reason = "one of several lanes is named"
+            self._draft.lanes_implied = implied or Basis(basis.i, basis.j, reason)
+            if entity.start_lane is None and named is not None and not entity.parked:
+                entity.start_lane = (named, basis)
+
+    def _side_after(self, lane: Place) -> str | None:
+        """``in the next lane to the left``."""
+        after = [t.low for t in self._draft.tokens[lane.j : lane.j + _SIDE_REACH]]
+        opened = len(after) == _SIDE_REACH and after[0] in {"to", "on"}
+        return after[2] if opened and "adjacent" in lane.dirs and after[2] in _SIDES else None
 
     def _on_both_sides(self, prep: Prep, side: Place, entities: list[Entity]) -> bool:
         """``two vans on either side of the bus``: abreast of it."""
@@ -235,6 +297,8 @@ class Placer:
             abreast = entity.moving_vehicle and entity.kind is not ParticipantKind.BICYCLE
             where = {Approach.ADJACENT} if abreast else sides
             self._draft.place(entity, owner, where, basis)
+            if abreast and len(sides) == 1 and (owner is None or owner.ego):
+                entity.beside = entity.beside or (next(iter(sides)).value, basis)
 
     def _apart(self, entities: list[Entity], basis: Basis) -> None:
         """``from different arms``: no two come from the same one."""
@@ -267,6 +331,9 @@ class Placer:
             if not target.entities:
                 return
             reference = target.entities[0]
+        past = reference is not None and reference.parked
+        if approaches == {Approach.ADJACENT} and (past or any(e.parked for e in entities)):
+            return  # "1 m beside the parked cars": no lane of their own
         same = event is not None and any(_same_way(p) for p in event.pps)
         for entity in entities:
             if entity.is_vehicle or prep.value != "ahead" or same:

@@ -13,6 +13,8 @@ from scegen.understanding.meaning import numbered_lanes
 from scegen.understanding.meaning.context import Context, Scene
 from scegen.understanding.meaning.ways import into_lane
 
+_SHIFTING = frozenset({"move", "shift", "steer", "drift", "wander", "sway", "edge", "ease"})
+_BEING = frozenset({"is", "are", "was", "were", "be", "been", "gets", "being"})
 _OPEN = frozenset({"dash", "breach"})
 """Verbs that say nothing without a phrase of place."""
 _MAKING = frozenset({"light", "use"})
@@ -49,6 +51,10 @@ def recast(scene: Scene, context: Context) -> str:
         return "turn"
     if event.name == "walk" and scene.drivers and _runs_it(scene, context):
         return "breach"
+    if _runs_into(scene, context):
+        return "collide"
+    if _within_its_lane(scene, context):
+        return "swerve"
     if _next_lane(scene, context):
         return "lane_change"
     afoot = _on_foot(scene, context)
@@ -79,6 +85,35 @@ def _next_lane(scene: Scene, context: Context) -> bool:
     if scene.event.name == "pass":
         return not scene.targets and _into_next_lane(scene.event)
     return numbered_lanes.leaves_it(scene.event, scene.drivers, context.tokens)
+
+
+def _within_its_lane(scene: Scene, context: Context) -> bool:
+    """``moves within its lane, 0.5 m to the right``: to the side, without leaving it."""
+    event = scene.event
+    shifts = event.name == "move" and context.tokens[event.i].forms[-1][0] in _SHIFTING
+    inside = [p for p in event.pps if context.tokens[p.word.i].low in {"within", "inside"}]
+    lane = any(isinstance(p.target, Place) and p.target.kind == "lane" for p in inside)
+    return shifts and lane and bool(scene.drivers)
+
+
+def _runs_into(scene: Scene, context: Context) -> bool:
+    """``runs into the van``, ``is run into from behind``: contact."""
+    event = scene.event
+    after = context.tokens[event.j].low if event.j < len(context.tokens) else ""
+    lemma = context.tokens[event.i].forms[-1][0]
+    into = [p.target for p in event.pps if context.tokens[p.word.i].low == "into"]
+    run = event.name in {"walk", "move"} and lemma in {"run", "drive"} and scene.drivers
+    if not run or (after != "into" and not into):
+        return False
+    before = context.tokens[event.i - 1].low if event.i else ""
+    if before in _BEING and lemma == "run":
+        scene.actors, scene.targets = [], scene.actors
+        return True
+    rear = [t for t in into if isinstance(t, Place) and "rear" in t.dirs]
+    met = [t for t in into if isinstance(t, Mention) and any(e.is_vehicle for e in t.entities)]
+    met += [t for t in into if isinstance(t, Mention) and lemma == "run"]
+    scene.targets = scene.targets or [e for t in met for e in t.entities]
+    return bool(rear or met)
 
 
 def _close_behind(scene: Scene) -> bool:
@@ -284,6 +319,8 @@ def _between_lanes(scene: Scene, context: Context) -> bool:
     )
     if leaves and into_lane(event) is not None:
         return True  # "pulls out of the bus lane into the ego's lane"
+    if leaves and any(context.placed(e, Approach.ADJACENT) for e in scene.drivers):
+        return True  # "pulls out of the left lane ahead"
     ahead = any(
         _who(p) and (p.value == "ahead" or context.tokens[p.word.i].low == "on") for p in event.pps
     )

@@ -5,16 +5,17 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.meaning import ways
-from scegen.understanding.meaning.context import Scene
+from scegen.understanding.meaning.context import Context, Scene
 
 _WAYS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.STRAIGHT})
 
 
-def rule_out(scene: Scene) -> bool:
+def rule_out(scene: Scene, context: Context) -> bool:
     """``none of them may turn left``: whichever other way they go.
 
     Args:
         scene: a movement that does not take place.
+        context: the scenario in the making.
 
     Returns:
         Whether some way is ruled out.
@@ -22,7 +23,9 @@ def rule_out(scene: Scene) -> bool:
     event = scene.event
     if event.name not in {"turn", "move", "u_turn", "leave"}:
         return False
-    said = {Maneuver.U_TURN} if event.name == "u_turn" else set(ways.directions(event))
+    said = (
+        {Maneuver.U_TURN} if event.name == "u_turn" else set(ways.directions(event, context.tokens))
+    )
     said = said or ({Maneuver.LEFT, Maneuver.RIGHT} if event.name == "turn" else set())
     for entity in scene.drivers if said else []:
         entity.excluded |= said

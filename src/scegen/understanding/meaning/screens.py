@@ -31,10 +31,10 @@ def block(scene: Scene, context: Context) -> None:
     prevents = any(c.link == "ing" or c.nominal for c in scene.event.children)
     if prevents and not scene.places():
         return
-    parked = [e for e in scene.actors if e.parked]
+    parked = [e for e in scene.actors if e.still]
     if parked:
         context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
-    moving = [e for e in scene.actors if not e.parked]
+    moving = [e for e in scene.actors if not e.still]
     faster = [d for d in context.draft.dangers if d.kind is HazardKind.SUDDEN_ACCELERATION]
     if moving and not any(e in d.by for d in faster for e in moving):
         context.draft.hazard(HazardKind.STOPPING, scene.words, moving)
@@ -46,8 +46,12 @@ def occlude(scene: Scene, context: Context) -> None:
     narrow = context.tokens[scene.event.i].forms[-1][0] in _NARROWING
     if narrow and not (isinstance(seen, Thing) and seen.kind == "view"):
         return  # "limits the space"
+    covers = context.tokens[scene.event.i].forms[-1][0] in _SHELTERING and not scene.event.passive
+    if covers and not scene.targets and not isinstance(seen, Thing):
+        return  # "has covered half of the way"
     walkers = [e for e in scene.actors if not e.is_vehicle]
-    by = [e for e in scene.actors if e.is_vehicle and not e.ego]
+    hiders = [] if scene.event.passive and _behind(scene.event) else scene.actors
+    by = [e for e in hiders if e.is_vehicle and not e.ego]
     by += [e for e in _behind(scene.event) if e not in by]
     hidden = bool(scene.targets) and not scene.actors  # "a hedge hiding two cyclists"
     hidden = hidden or _screened_by_a_thing(scene, context)

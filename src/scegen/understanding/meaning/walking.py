@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Maneuver
-from scegen.understanding.chunks import Event, Place, Prep
+from scegen.scenario.vocabulary import Approach, Maneuver
+from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.meaning.context import Context, Scene
 
 _LENGTHWISE = frozenset({"along", "down", "up", "beside"})
 _LEAVING = frozenset({"off", "from"})
 _ACROSS = frozenset({"over", "across", "into", "onto"})
+_REACH = 24
+_TOWARDS = ("towards", "toward", "opposite direction", "against", "facing", "oncoming",
+            "other direction")  # fmt: skip
+_WITH = ("same direction", "direction of traffic", "direction of travel", "away from",
+         "with traffic", "'s direction", "direction of the ego", "same way", "ahead", "in front", "with the traffic", "direction as",
+         "with its back", "with his back", "with her back")  # fmt: skip
 _WAYS = frozenset({"road", "highway", "side", "shoulder", "lane", "centerline", "middle",
                    "bike_lane"})  # fmt: skip
 
@@ -29,13 +35,34 @@ def keep_along(scene: Scene, context: Context) -> bool:
     left = {id(p.target) for p in event.pps if context.tokens[p.word.i].low in _LEAVING}
     aside = any(p.kind == "sidewalk" and id(p) not in left for p in scene.places())
     along = event.name in {"walk", "move"} and any(_lengthwise(p, context) for p in event.pps)
+    along = along or any(_from_or_to_a_vehicle(p, context) for p in event.pps)
     along = along or (_own_word(event, context) in _LENGTHWISE and event.object is not None)
     if not aside and (not along or words & _ACROSS):
         return False
     for entity in scene.walkers:
         if not entity.maneuvers:
             context.draft.maneuver(entity, {Maneuver.STRAIGHT}, scene.words)
+        way = _way_along(scene, context)
+        if way is not None:
+            context.draft.place(entity, None, {way}, scene.words)
     return True
+
+
+def _way_along(scene: Scene, context: Context) -> Approach | None:
+    """``in the direction of traffic``, ``towards the ego``: the same way, or the other."""
+    after = context.tokens[scene.event.i : scene.event.i + _REACH]
+    end = next((k for k, t in enumerate(after) if t.low in {".", ";"}), len(after))
+    words = f" {' '.join(t.low for t in after[:end])} "
+    if any(f" {w} " in words for w in _TOWARDS):
+        return Approach.OPPOSITE
+    return Approach.AHEAD if any(f" {w} " in words for w in _WITH) else None
+
+
+def _from_or_to_a_vehicle(prep: Prep, context: Context) -> bool:
+    """``walks away from the ego``, ``runs towards the car``: in its lane, not across."""
+    towards = context.tokens[prep.word.i].low in {"towards", "toward", "away"}
+    who = prep.target.entities if isinstance(prep.target, Mention) else []
+    return towards and any(e.is_vehicle and not e.parked for e in who)
 
 
 def _own_word(event: Event, context: Context) -> str:

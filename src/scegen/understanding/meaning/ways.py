@@ -6,6 +6,8 @@ from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
 from scegen.understanding.chunks import Event, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.meaning.context import Context, Scene, span
+from scegen.understanding.words.quantities import after_a_measure
+from scegen.understanding.words.tokens import Token
 
 DIRECTIONS = {
     "left": Maneuver.LEFT,
@@ -25,13 +27,25 @@ _LAMP_REACH = 6
 _THROUGH = frozenset({"through", "across"})
 
 
-def directions(event: Event) -> dict[Maneuver, Basis]:
-    """Directions that belong to a verb of motion, with their words."""
+def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
+    """Directions that belong to a verb of motion, with their words.
+
+    Args:
+        event: the verb.
+        tokens: the tokens of the text.
+    """
     found = {
-        DIRECTIONS[t.value]: span(event, t.i, t.j) for t in event.dirs if t.value in DIRECTIONS
+        DIRECTIONS[t.value]: span(event, t.i, t.j)
+        for t in event.dirs
+        if t.value in DIRECTIONS and not beside_somebody(t.j, tokens)
+    }
+    lanes = {
+        p.target.j for p in event.pps if isinstance(p.target, Place) and p.target.kind == "lane"
     }
     for prep in event.pps:
         target = prep.target
+        if prep.word.i in lanes or after_a_measure(tokens, prep.word.i):
+            continue  # "in the next lane to the left", "offset 1 m to the left"
         leads_there = prep.value in {"to", "into", "for"}
         if leads_there and isinstance(target, Place) and target.kind in _GOALS:
             across = _came_from(event) & {_OTHER.get(d, "") for d in target.dirs}
@@ -48,6 +62,16 @@ def directions(event: Event) -> dict[Maneuver, Basis]:
             DIRECTIONS[d]: span(event, goal.i, goal.j) for d in goal.dirs if d in {"left", "right"}
         }
     return found
+
+
+def beside_somebody(j: int, tokens: list[Token]) -> bool:
+    """``right of the centre line``: where somebody is, no turn.
+
+    Args:
+        j: index after the word for the side.
+        tokens: the tokens of the text.
+    """
+    return j < len(tokens) and tokens[j].low == "of"
 
 
 def side_to_side(event: Event) -> bool:
@@ -161,12 +185,33 @@ def overtaking(scene: Scene, context: Context) -> bool:
         same = scene.event.parent.subject == scene.event.subject
         if same and scene.event.parent.name in _TO_PASS:
             return True  # "pulls out to pass", "tries to pass"
+    if any(context.oncoming(e) for e in scene.drivers):
+        return False  # "an oncoming car passes": on its own side
     over = any(p.kind == "centerline" for p in scene.places())
     if any(p.value == "behind" for p in scene.event.pps):
         return False  # "passes behind": across the road there
     return over or any(
         p.approaches == {Approach.BEHIND} and p.entity in scene.actors
         for p in context.draft.placements
+    )
+
+
+def past_the_roadside(scene: Scene, context: Context) -> bool:
+    """``drives past two vans parked on the right``, ``passes a pedestrian``: keeps its lane.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    sides = {Approach.LEFT, Approach.RIGHT}
+    named = scene.event.name in {"bypass", "pass"} and bool(scene.targets)
+    return named and all(
+        not e.is_vehicle
+        or (
+            e.parked
+            and any(p.entity is e and p.approaches <= sides for p in context.draft.placements)
+        )
+        for e in scene.targets
     )
 
 

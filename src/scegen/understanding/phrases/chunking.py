@@ -206,7 +206,7 @@ class Chunker:
         second = mods[1] if len(mods) > 1 else None
         if first.cat == "det" and second is not None and second.cat == "label":
             ordinal = second.value in ORDINALS
-            last_in_run = len(mods) == 2 or mods[2].cat == "num"
+            last_in_run = len(mods) == 2 or mods[2].cat in {"num", "quantity", "punct"}
             if ordinal and last_in_run:
                 mention = Mention(first.i, second.j, mods, None, pronoun="ordinal")
                 mention.label = second.value

@@ -59,7 +59,10 @@ def _goes_on(title: list[Chunk], rest: list[Chunk]) -> bool:
     """``Cyclist, lengthwise: rides ahead of the ego.``: the title is the subject."""
     first = rest[0] if rest else None
     finite = isinstance(first, Event) and not first.nominal and first.form == "s"
-    return finite and all(isinstance(c, Word) and c.cat in _ASIDES for c in title[1:])
+    return finite and all(
+        (isinstance(c, Word) and c.cat in _ASIDES) or (isinstance(c, Thing) and c.kind == "noun")
+        for c in title[1:]
+    )
 
 
 def _is_title(title: list[Chunk], rest: list[Chunk]) -> bool:
@@ -96,6 +99,12 @@ def _telling(mention: Mention) -> bool:
     return any(h.value != "pedestrian" for h in mention.heads)
 
 
+def _several(mention: Mention) -> bool:
+    """``three stopped cars``."""
+    plural = mention.head is not None and mention.head.form == "s"
+    return plural and mention.mod("num", "quant") is not None and mention.head is not None
+
+
 def _resume(title: list[Chunk], rest: list[Chunk], *, colon: bool) -> None:
     """``A drifting vehicle. The adversary …``, ``End of a queue: three cars …``: the same ones."""
     mentions = [c for c in title if isinstance(c, Mention)]
@@ -107,7 +116,7 @@ def _resume(title: list[Chunk], rest: list[Chunk], *, colon: bool) -> None:
         return
     named = mentions[0]
     mass = named.head is not None and "mass" in named.head.data
-    counted = first.mod("num", "quant") is not None and rest[0] is first
+    counted = any(isinstance(c, Mention) and _several(c) for c in rest)
     generic = named.head is not None and named.head.value == "car" and not named.label
     role = any(h.data.get("label") == "adversary" for h in first.heads)
     if mass and colon and counted:

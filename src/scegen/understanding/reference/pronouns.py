@@ -49,6 +49,11 @@ class Pronouns:
             return self._new_driver(mention)
         if which == "neither" and self.tokens[mention.i].low == "none":
             return everybody(mention, self.draft)
+        if which == "both" and len(self.draft.entities) == 1 and not self.draft.entities[0].ego:
+            ego = self.roster.new(ParticipantKind.CAR, basis)
+            ego.ego = ego.claimed = True
+            ego.named_by.add("ego")  # "the lead car slows down; both drive …"
+            return [*self.draft.entities]
         if which in {"they", "both", "all", "neither"}:
             return self.roster.together(exclude)
         if which == "other":

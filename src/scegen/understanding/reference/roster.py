@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
@@ -15,6 +16,8 @@ from scegen.understanding.words.tokens import Token
 
 _MOTOR = frozenset(ParticipantKind) - {ParticipantKind.PEDESTRIAN}
 _RIDDEN = ParticipantKind.MOTORCYCLE
+_REST = 12
+"""Within so many words "the other" tells that somebody is one of two."""
 _INCLUDING = frozenset({"including", "among", "amongst"})
 
 
@@ -147,6 +150,7 @@ class Roster:
             return
         for group in reversed(self.groups):
             counted = not group.vague and len(group.members) > 2 and len(group.free) == 1
+            counted = counted or self._of_two(group, mention)
             listed = (
                 group is self.groups[-1]
                 and bool(group.free)
@@ -156,6 +160,29 @@ class Roster:
             if last is not None and last.kind is ParticipantKind.CAR and not last.parked:
                 last.ego = last.claimed = True
                 last.named_by.add("ego")
+
+    def ego_by_order(self, mention: Mention) -> None:
+        """``three cars in a row …, the ego is the last``: one of them."""
+        after = [t.low for t in self.tokens[mention.j : mention.j + 3]]
+        named = after[:2] == ["is", "the"] and bool(after[2:])
+        position = (
+            -1 if named and after[2] == "last" else POSITIONS.get(after[2]) if named else None
+        )
+        if position is None or any(e.ego for e in self.draft.entities) or not self.groups:
+            return
+        members = self.groups[-1].members
+        if not -len(members) <= position < len(members) or self.groups[-1].vague:
+            return
+        chosen = members[position]
+        if chosen.kind is ParticipantKind.CAR and not chosen.parked:
+            chosen.ego = chosen.claimed = True
+            chosen.named_by.add("ego")
+
+    def _of_two(self, group: Group, mention: Mention) -> bool:
+        """``two cars drive in one lane, the ego behind the other``: one of the two."""
+        pair = len(group.members) == 2 == len(group.free) and not (group.vague or group.specific)
+        after = [t.low for t in self.tokens[mention.j : mention.j + _REST]]
+        return pair and any(a == "the" and b == "other" for a, b in pairwise(after))
 
     def told_what(self, reading: Reading, basis: Basis) -> list[Entity]:
         """``three of us …, the van on my right``: what one of the others drives."""

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from scegen.errors import InputError
+from scegen.scenario.files import read_text
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,13 +38,15 @@ def _parse(content: str, where: str) -> tuple[Case, ...]:
         try:
             record = json.loads(line)
             cases.append(Case(record["id"], record["text"], record["expect"]))
-        except (ValueError, KeyError, TypeError) as error:
+        except (ValueError, KeyError, TypeError, RecursionError) as error:
             msg = "a line must be a JSON object with id, text and expect"
             raise InputError(msg, where=f"{where}:{number}") from error
         if cases[-1].id in ids:
             msg = f"another line has the id {cases[-1].id!r} too"
             raise InputError(msg, where=f"{where}:{number}", hint="give each line its own")
         ids.add(cases[-1].id)
+    if not cases:
+        raise InputError("holds no description", where=where)
     return tuple(cases)
 
 
@@ -63,9 +66,4 @@ def load_cases(path: Path) -> tuple[Case, ...]:
     Raises:
         InputError: if the file cannot be read or a line is not a labelled description.
     """
-    try:
-        content = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        msg = "the file cannot be read"
-        raise InputError(msg, where=str(path)) from error
-    return _parse(content, str(path))
+    return _parse(read_text(path), str(path))

@@ -9,9 +9,12 @@ from scegen.scenario.vocabulary import DrivingSide, RoadSurface, TimeOfDay, Visi
 from scegen.understanding.draft import Basis
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
+from scegen.units import speed_mps
 
 _LIMIT_REACH = 4
 _MOST_LANES = 3
+_LIMIT_BEFORE = 3
+_LOWEST_LIMIT, _HIGHEST_LIMIT = 5, 140
 _CARRIAGEWAYS = frozenset({"motorway", "motorways", "carriageway", "carriageways", "autobahn"})
 """Roads whose lanes are counted in one direction; "a two-lane highway" has one each way."""
 
@@ -80,6 +83,7 @@ def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
             _limit(found, [*terms[: k + 1], term], k)
         elif term.cat == "num":
             _lanes(found, terms, k, tokens)
+            _bare_limit(found, terms, k, tokens)
         elif term.cat == "label" and tokens[term.j - 1].forms[-1][0] == "lane":
             _two_lanes(found, term, tokens)
         elif term.cat == "place" and term.value == "highway":
@@ -104,6 +108,23 @@ def _limit(found: Surroundings, terms: list[Term], k: int) -> None:
             found.limit_basis = Basis(span[0].i, span[1].j)
             found.limit_term = term
             return
+
+
+def _bare_limit(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) -> None:
+    """``a 30 zone``, ``limit 50``: in the unit of the other speeds, else km/h."""
+    number = terms[k]
+    value = float(number.data["number"])
+    zone = number.j < len(tokens) and tokens[number.j].low == "zone"
+    named = any(t.cat == "limit" for t in terms[max(0, k - _LIMIT_BEFORE) : k])
+    if not (zone or named) or found.limit_term is not None or found.speed_limit_mps is not None:
+        return
+    if not _LOWEST_LIMIT <= value <= _HIGHEST_LIMIT:
+        return
+    words = [t.low for t in tokens]
+    unit = "mph" if "mph" in words or "miles" in words else "km/h"
+    found.speed_limit_mps = speed_mps(value, unit)
+    reason = f"no unit is given; {unit} is taken"
+    found.limit_basis = Basis(number.i, number.j, reason)
 
 
 def _two_lanes(found: Surroundings, term: Term, tokens: list[Token]) -> None:

@@ -1,4 +1,4 @@
-"""Words that are of another class here than most often: "facing", "neither", "left", "yards"."""
+"""Words that are of another class here than most often: "facing", "neither", "left"."""
 
 from __future__ import annotations
 
@@ -8,18 +8,25 @@ from scegen.understanding.words.particles import a_drive
 from scegen.understanding.words.terms import Term, longest_match
 from scegen.understanding.words.tokens import Token
 
+_LANE_REACH = 6
+
 
 def other_class(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     """The term with the class that the words around it ask for.
 
     Args:
         term: the term.
-        terms: the terms before it; a number that it measures is taken from them.
+        terms: the terms before it.
         tokens: the tokens of the text.
     """
-    if terms and _in_yards(terms, tokens, term):
-        number = terms.pop()
-        return Term("quantity", "other", number.i, term.j, data={"quantity": None})
+    if (term.cat, term.value) == ("verb", "collide") and _a_part(term, terms, tokens):
+        return Term("dir", "rear", term.i, term.j)
+    if (term.cat, term.value) == ("manner", "close") and _how_measured(term, terms, tokens):
+        return replace(term, value="mild")
+    if _changes_from(term, tokens):
+        return Term("verb", "lane_change", term.i, term.j, tokens[term.i].forms[-1][1])
+    if term.value == "close" and tokens[term.i].low == "closes":
+        return Term("verb", "approach", term.i, term.j, "s")
     if term.value == "neither" and _negates_a_verb(term, terms, tokens):
         return replace(term, cat="neg", value="not")
     if term.value == "left" and term.cat == "dir" and _remains(terms, tokens, term):
@@ -31,9 +38,31 @@ def other_class(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     return term
 
 
-def _in_yards(terms: list[Term], tokens: list[Token], term: Term) -> bool:
-    """``a hundred yards ahead``: a length, not a place."""
-    return tokens[term.i].low in {"yard", "yards", "yds"} and terms[-1].cat == "num"
+def _a_part(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
+    """``its rear end``: a part of a vehicle."""
+    owned = bool(terms) and terms[-1].cat in {"det", "possessive"}
+    return owned and [t.low for t in tokens[term.i : term.j]] == ["rear", "end"]
+
+
+def _how_measured(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
+    """``40 m behind it, from bumper to bumper``: between what, not how close."""
+    if tokens[term.i].low != "bumper":
+        return False
+    for before in reversed(terms):
+        if before.cat == "punct" and before.value in {".", ";"}:
+            return False
+        if (before.cat, before.value) == ("quantity", "length"):
+            return True
+    return False
+
+
+def _changes_from(term: Term, tokens: list[Token]) -> bool:
+    """``changes from the right lane into the left``."""
+    word = tokens[term.i]
+    after = tokens[term.j : term.j + _LANE_REACH]
+    lane = any(t.forms[-1][0] == "lane" for t in after)
+    verbal = term.j - term.i == 1 and word.forms[-1][0] == "change"
+    return verbal and lane and bool(after) and after[0].low in {"from", "out"}
 
 
 def _negates_a_verb(term: Term, terms: list[Term], tokens: list[Token]) -> bool:

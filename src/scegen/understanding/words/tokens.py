@@ -12,6 +12,7 @@ from scegen.understanding.words.spelling import meant
 _TOKEN = re.compile(
     r"(?P<clock>(?<![\d:])\d{1,2}:\d{2}(?![\d:]))"
     r"|(?P<bound>\b[NSEWnsew]/[Bb]\b)"
+    r"|(?P<unit>(?:\b|(?<=\d))(?:m|ft)\s?(?:/|per)\s?s(?:ec)?\.?(?:\^|\*\*)?[2²]|%)"
     r"|(?P<label>[A-Za-z]{1,4}\d{1,2}(?!\w|\.\d))"
     r"|(?P<ordinal>\d{1,2}(?:st|nd|rd|th)(?!\w))"
     r"|(?P<number>\d{1,9}(?:[.,]\d{1,6})?)"
@@ -32,7 +33,7 @@ _MAX_WORD = 40
 """Longer runs of letters are no words; cutting them keeps look-ups cheap."""
 
 
-_KINDS = {"clock": "word", "bound": "word", "ordinal": "word"}
+_KINDS = {"clock": "word", "bound": "word", "ordinal": "word", "unit": "word"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +76,7 @@ def tokenize(text: str) -> list[Token]:
         kind = _KINDS.get(match.lastgroup or "", match.lastgroup or "punct")
         low = match.group().lower().replace("’", "'")
         low = low.replace("/", "") if match.lastgroup == "bound" else low
-        low = _ORDINALS.get(low, low)
+        low = _unit(low) if match.lastgroup == "unit" else _ORDINALS.get(low, low)
         known = kind in {"word", "neg", "clitic"} and len(low) <= _MAX_WORD
         forms = lemmas(low) if known else ((low, "base"),)
         mended = meant(low) if kind == "word" and _strange(low, forms) else None
@@ -84,6 +85,15 @@ def tokenize(text: str) -> list[Token]:
         slip = mended is not None
         found.append(Token(match.group(), low, match.start(), match.end(), kind, forms, slip))
     return found
+
+
+def _unit(written: str) -> str:
+    """``m/s^2``, ``m / s²``, ``ft/sec2``: one unit, however it is written."""
+    return (
+        written
+        if written == "%"
+        else f"{written.split('/', maxsplit=1)[0].split('per', maxsplit=1)[0].strip()}/s2"
+    )
 
 
 def _strange(low: str, forms: tuple[tuple[str, str], ...]) -> bool:

@@ -64,9 +64,16 @@ def role_alone(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     if word == "one" and tokens[term.i - 1].low in _ROADS and term.i > 1:
         kind = "access" if tokens[term.i - 1].low in _MINOR else "road"
         return Term("place", kind, term.i, term.j)  # "from the major road into a minor one"
-    if word == "lead" and term.cat == "dir" and _acts(tokens, term.j):
+    if word == "lead" and term.cat == "dir" and _alone(tokens, term.j):
         return Term("actor", "driver", term.i, term.j, data={"driver": True, "dir": "ahead"})
     return term
+
+
+def _alone(tokens: list[Token], j: int) -> bool:
+    """``the lead brakes``, ``lead at 50 km/h``, ``ego 20 m behind the lead.``"""
+    if j >= len(tokens) or tokens[j].kind in {"number", "punct"}:
+        return True
+    return _acts(tokens, j) or tokens[j].low in {"at", "is", "with", "by", "and", "in", "'s", "to"}
 
 
 def _acts(tokens: list[Token], j: int) -> bool:

@@ -1,0 +1,5 @@
+"""python -m scegen: the command line."""
+
+from scegen.cli import main
+
+main()

@@ -1,0 +1,104 @@
+"""What was said, judged on what is played: the claims of the description on a recording."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from scegen.checking.esmini.recording import Movement, RecordingError, read_recording
+from scegen.checking.recording import record
+from scegen.checking.results import CheckResult, Finding, Severity, error, not_run, verdict
+from scegen.claims import View, claims_of, prove, view_of
+from scegen.claims.hazards.scenes import judged_pairs, scene_of
+from scegen.claims.ways import paths_of, ways_of
+from scegen.criticality.target import parse_target
+from scegen.errors import ScegenError
+from scegen.motion.batch.arrays import COS, SIN, SPEED, BatchTraces, S, X, Y, empty_traces
+from scegen.motion.friction import friction_of
+from scegen.road import build_network
+from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.functional import FunctionalScenario
+
+CHECKER = "said"
+_BACK_M = 1e-4
+"""Less movement against the heading in a step is rounding."""
+
+
+def check_said(
+    scenario: Path,
+    concrete: ConcreteScenario,
+    functional: FunctionalScenario,
+    target: str | None = None,
+) -> CheckResult:
+    """Play a scenario, in esmini or else in our own simulation, and judge every statement.
+
+    Args:
+        scenario: the file to play.
+        concrete: its numbers, for bodies and ways.
+        functional: what the description says.
+        target: what a search was asked for; a contact may be wanted that nobody described.
+    """
+    missing = {p.id for p in functional.participants} - {p.id for p in concrete.participants}
+    if missing:
+        message = "is described but does not take part in concrete.yaml"
+        return verdict(CHECKER, [error("said.participant", name, message) for name in missing])
+    try:
+        recorded = record(scenario, concrete)
+        view = recorded_view(concrete, read_recording(recorded.csv))
+    except (ScegenError, RecordingError) as problem:
+        return not_run(CHECKER, str(problem))
+    asked = target is not None and parse_target(target).contact is not False
+    proofs = prove(claims_of(functional, concrete.logical, contact_asked=asked), view)
+    findings = []
+    for claim in proofs:
+        if not claim.holds:
+            words = f" ({claim.words!r})" if claim.words else ""
+            message = f"{claim.statement}{words}: {claim.found}"
+            findings.append(Finding(f"said.{claim.kind}", Severity.ERROR, claim.field, message))
+    hold = len(proofs) - len(findings)
+    detail = f"{hold} of {len(proofs)} statements hold in {recorded.player}"
+    return verdict(CHECKER, findings, detail)
+
+
+def recorded_view(concrete: ConcreteScenario, recording: list[Movement]) -> View:
+    """A recording as claims look at it.
+
+    Raises:
+        RecordingError: somebody is not in it.
+        RoadInfeasibleError, MotionInfeasibleError: the numbers cannot be built.
+    """
+    ways = ways_of(concrete, build_network(concrete.road, name=concrete.name))
+    ego = concrete.ego.id
+    everybody = [(ego, entity.id) for entity in concrete.entities if entity.id != ego]
+    focus = list(dict.fromkeys([*judged_pairs(concrete), *everybody]))
+    friction = friction_of(concrete.environment)
+    scene = scene_of(concrete, paths_of(ways), focus, friction)
+    return view_of(concrete, ways, scene, _traces(concrete, recording), friction)
+
+
+def _traces(concrete: ConcreteScenario, recording: list[Movement]) -> BatchTraces:
+    """One candidate: the way gone counts as the place, the movement tells who reverses."""
+    played = {movement.entity: movement for movement in recording}
+    if lacking := [e.id for e in concrete.entities if e.id not in played]:
+        raise RecordingError(f"{lacking[0]} does not take part in what is played")
+    times = recording[0].time_s
+    if len(times) < 2:
+        raise RecordingError("it is over at once")
+    steps = len(times)
+    dt_s = float(np.median(np.diff(times)))
+    batch = empty_traces(1, steps, len(concrete.entities), 0, dt_s)
+    for number, entity in enumerate(concrete.entities):
+        movement = played[entity.id]
+        heading = np.unwrap(movement.heading_rad)
+        moved = np.diff(movement.point)
+        along = (moved * np.exp(-1j * heading[1:])).real
+        speed = np.abs(movement.speed_mps)
+        back = np.concatenate(([False], along < -_BACK_M))
+        track = batch.tracks[0, number]
+        track[S] = np.concatenate(([0.0], np.cumsum(np.abs(moved))))
+        track[X], track[Y] = movement.point.real, movement.point.imag
+        track[COS], track[SIN] = np.cos(heading), np.sin(heading)
+        track[SPEED] = np.where(back, -speed, speed)
+        batch.heading_rad[0, :, number] = heading
+    return batch

@@ -1,0 +1,82 @@
+"""Where on the road somebody is: how far along which arm, and in which of its lanes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from math import cos, sin
+
+import numpy as np
+
+from scegen.claims.boxes import Boxes
+from scegen.motion.batch.arrays import Floats
+from scegen.road import build_network
+from scegen.scenario.concrete import RoadParameters
+from scegen.scenario.vocabulary import DrivingSide
+
+
+@dataclass(frozen=True, slots=True)
+class Arm:
+    """An arm of a road, from its outer end inwards: straight, or a bend behind ``straight_m``.
+
+    ``inward`` is the side of the traffic towards the junction, as a sign of the offset to the left
+    of the centre line; ``edges_m`` are the offsets of the carriageway's right and left edge.
+    """
+
+    x_m: float
+    y_m: float
+    cos: float
+    sin: float
+    length_m: float
+    straight_m: float
+    lane_width_m: float
+    inward: int
+    edges_m: tuple[float, float]
+
+    def place(self, box: Boxes) -> tuple[Floats, Floats]:
+        """How far from the outer end, and how far to the left of the centre line (m)."""
+        dx, dy = box.x - self.x_m, box.y - self.y_m
+        return dx * self.cos + dy * self.sin, dy * self.cos - dx * self.sin
+
+    def facing(self, box: Boxes) -> Floats:
+        """1 where it heads straight towards the junction, -1 straight away from it."""
+        return box.cos * self.cos + box.sin * self.sin
+
+    def lane_offset_m(self, number: int, *, inwards: bool) -> float:
+        """Offset of the middle of a lane to the left of the centre line; 1 is next to it."""
+        side = self.inward if inwards else -self.inward
+        return side * (number - 0.5) * self.lane_width_m
+
+
+@lru_cache(maxsize=64)
+def arms_of(road: RoadParameters) -> tuple[Arm, ...]:
+    """The arms of a road as built."""
+    network = build_network(road, name="claims")
+    inward = -1 if road.driving_side is DrivingSide.RIGHT else 1
+    made = []
+    for described in road.arms:
+        built = network.arm_road(described.id)
+        outer = built.line.pose(0.0, 0.0)
+        made.append(
+            Arm(
+                outer.x_m,
+                outer.y_m,
+                cos(outer.heading_rad),
+                sin(outer.heading_rad),
+                built.length_m,
+                built.line.segments[0].length_m,
+                described.lane_width_m,
+                inward,
+                (built.edge_t_m(-1), built.edge_t_m(1)),
+            )
+        )
+    return tuple(made)
+
+
+def off_lane_m(arm: Arm, box: Boxes, numbers: tuple[int, ...], *, inwards: bool) -> Floats:
+    """How far the centre of a box lies from the middle of the nearest of these lanes."""
+    _, offset = arm.place(box)
+    away: Floats = np.min(
+        [np.abs(offset - arm.lane_offset_m(number, inwards=inwards)) for number in numbers], axis=0
+    )
+    return away

@@ -1,0 +1,92 @@
+"""A claim: one statement of a description as a predicate on what moves."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import NamedTuple
+
+import numpy as np
+
+from scegen.claims.view import View
+from scegen.motion.batch.arrays import Bools, Floats
+from scegen.scenario.model import Interval
+
+NEVER = 1e3
+"""The margin, below 0, of what does not happen at all; any unit."""
+
+
+class ClaimKind(StrEnum):
+    """What a statement is about."""
+
+    ROAD = "road"
+    APPROACH = "approach"
+    LANE = "lane"
+    ENTRY = "entry"
+    EXIT = "exit"
+    ORDER = "order"
+    BESIDE = "beside"
+    MANEUVER = "maneuver"
+    STANDS = "stands"
+    SPEED = "speed"
+    SPACING = "spacing"
+    ACT = "act"
+    HAZARD = "hazard"
+    OBJECT = "object"
+    OUTCOME = "outcome"
+    CONTACT = "contact"
+    ENDING = "ending"
+    BODY = "body"
+
+
+class Judged(NamedTuple):
+    """What was found in each candidate (c,): at least 0 where it holds, the value, when."""
+
+    margin: Floats
+    measured: Floats
+    time_s: Floats
+
+
+Test = Callable[[View], Judged]
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """One statement.
+
+    ``id`` is the same for the same scenario; ``field`` is the path of the functional field that
+    it rests on, ``words`` are the words behind that field, if any. Margins, measured values and
+    ``tolerance`` are in ``unit``; ``scale`` is a margin that is worth as much as another claim's.
+    """
+
+    id: str
+    kind: ClaimKind
+    statement: str
+    field: str
+    unit: str
+    test: Test
+    tolerance: float = 0.0
+    scale: float = 1.0
+    words: str | None = None
+
+    def judge(self, view: View) -> Judged:
+        """Whether it holds in every candidate."""
+        found = self.test(view)
+        return found._replace(margin=np.nan_to_num(found.margin, nan=-NEVER, neginf=-NEVER))
+
+
+def within(value: Floats, wanted: Interval, tolerance: float) -> Floats:
+    """How far a value lies inside a range with its tolerance; below 0 outside (c,)."""
+    return np.minimum(value - (wanted.low - tolerance), wanted.high + tolerance - value)
+
+
+def always(view: View, *, holds: bool, measured: float = np.nan) -> Judged:
+    """The same for all candidates: what movements cannot change."""
+    margin = np.full(view.count, 0.0 if holds else -1.0)
+    return Judged(margin, np.full(view.count, measured), np.zeros(view.count))
+
+
+def yes_or_no(holds: Bools, measured: Floats, time_s: Floats) -> Judged:
+    """Where there is nothing between right and wrong."""
+    return Judged(np.where(holds, 0.0, -1.0), measured, time_s)

@@ -1,0 +1,64 @@
+"""All claims of a scenario: every statement of its functional and its logical level."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+from scegen.claims.claim import Claim
+from scegen.claims.statements import (
+    acts,
+    approaches,
+    assignments,
+    bodies,
+    dangers,
+    endings,
+    maneuvers,
+    objects,
+    outcomes,
+    roads,
+    spacings,
+    speeds,
+)
+from scegen.claims.told import Told
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.logical import LogicalScenario
+from scegen.scenario.outcome import Outcome, OutcomeKind
+
+COLLISION = OutcomeKind.COLLISION
+
+STATEMENTS: tuple[Callable[[Told], Iterator[Claim]], ...] = (
+    roads.claims,
+    approaches.claims,
+    assignments.claims,
+    maneuvers.claims,
+    speeds.claims,
+    spacings.claims,
+    acts.claims,
+    dangers.claims,
+    objects.claims,
+    outcomes.claims,
+    endings.claims,
+    bodies.claims,
+)
+"""Every kind of statement, in the order in which they are told."""
+
+
+def claims_of(
+    functional: FunctionalScenario, logical: LogicalScenario, *, contact_asked: bool = False
+) -> tuple[Claim, ...]:
+    """What must be seen when one of a description's scenarios runs.
+
+    Args:
+        functional: what the description says.
+        logical: one of its scenarios: who enters and leaves where.
+        contact_asked: the ego is to touch somebody, whatever the description says.
+    """
+    if contact_asked and (functional.outcome is None or functional.outcome.kind is not COLLISION):
+        functional = functional.model_copy(update={"outcome": Outcome(kind=COLLISION)})
+    told = Told(functional, logical)
+    return tuple(
+        replace(claim, words=told.words(claim.field))
+        for statement in STATEMENTS
+        for claim in statement(told)
+    )

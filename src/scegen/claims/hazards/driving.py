@@ -1,0 +1,114 @@
+"""Dangers that one driver makes alone: speed, acceleration, braking, standing still."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from scegen.claims.hazards import thresholds as limits
+from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
+from scegen.claims.view import View, lasting, longest_run
+from scegen.motion.friction import GRAVITY_MPS2
+from scegen.scenario.bodies import BODIES
+from scegen.scenario.speed_limits import limit_for_kind_mps
+
+_MOVING_MPS = 0.5
+_AT_END_M = 0.05
+_LEAST_ROOM_M = 0.5
+_HARSH_MPS2 = 3.0
+"""More than comfortable braking; where this begins, the driver has seen the danger."""
+
+
+def speeding(view: View, by: str, _: str) -> list[Part]:
+    """Drives clearly faster than its roads allow."""
+    speed = view.speed_mps(by)
+    way = view.ways[by]
+    bound = limits.SPEEDING.value * limit_for_kind_mps(way.participant.kind, way.limit_mps)
+    return [at_least("speed", speed.max(axis=1), limits.SPEEDING, view.when(speed), bound)]
+
+
+def slow_driving(view: View, by: str, _: str) -> list[Part]:
+    """Moves far below the limit for some seconds, on its approach if there is a junction."""
+    way, speed = view.ways[by], view.speed_mps(by)
+    counts = speed > _MOVING_MPS
+    if way.turn_end_m > way.turn_start_m:
+        counts &= view.place_m(by) < way.turn_start_m
+    steps = round(limits.SLOW_FOR_S / view.dt_s)
+    slow = lasting(np.where(counts, speed, np.inf), steps, greatest=True)
+    time_s = view.when(-slow)
+    bound = limits.SLOW.value * way.limit_mps
+    return [at_most("speed", slow.min(axis=1), limits.SLOW, time_s, bound)]
+
+
+def _possible(view: View, by: str, bound: float, *, braking: bool) -> float:
+    """The threshold, or most of what body and road allow where that is less."""
+    body = BODIES[view.ways[by].participant.kind]
+    best = body.max_deceleration_mps2 if braking else body.max_acceleration_mps2
+    best = min(best, view.friction * GRAVITY_MPS2)
+    return min(bound, limits.OF_WHAT_IS_POSSIBLE * best)
+
+
+def braking_part(view: View, by: str, limit: limits.Threshold) -> Part:
+    """It brakes as hard as that."""
+    braking = -view.acceleration_mps2(by, limits.MEASURED_OVER_S)
+    # One who reaches the end of its way is taken off its feet, which is no braking.
+    ends = view.place_m(by)[:, -braking.shape[1] :] >= view.ways[by].path.length_m - _AT_END_M
+    braking = np.where(ends, 0.0, braking)
+    bound = _possible(view, by, limit.value, braking=True)
+    return at_least("deceleration", braking.max(axis=1), limit, view.when(braking), bound)
+
+
+def sudden_acceleration(view: View, by: str, _: str) -> list[Part]:
+    """Accelerates harshly."""
+    gain = view.acceleration_mps2(by, limits.MEASURED_OVER_S)
+    bound = _possible(view, by, limits.ACCELERATION.value, braking=False)
+    time_s = view.when(gain)
+    return [at_least("acceleration", gain.max(axis=1), limits.ACCELERATION, time_s, bound)]
+
+
+def hard_braking(view: View, by: str, _: str) -> list[Part]:
+    """Brakes as in an emergency."""
+    return [braking_part(view, by, limits.HARD_BRAKING)]
+
+
+def delayed_braking(view: View, by: str, to: str) -> list[Part]:
+    """Begins to brake only where comfort no longer does, and brakes hard.
+
+    What it needs is the deceleration to stop before the ground that the other's way covers (or
+    behind the other) from where its hard braking begins.
+    """
+    braking = braking_part(view, by, limits.LATE_BRAKING)
+    harsh = -view.acceleration_mps2(by, limits.MEASURED_OVER_S) >= _HARSH_MPS2
+    begins = np.where(harsh.any(axis=1), harsh.argmax(axis=1), 0)
+    rows = np.arange(view.count)
+    speed = view.speed_mps(by)[rows, begins]
+    room = view.room_m(by, to)[rows, begins]
+    needed = np.where(room > 0.0, speed**2 / (2.0 * np.maximum(room, _LEAST_ROOM_M)), np.nan)
+    needed = np.where(harsh.any(axis=1), needed, np.nan)
+    time_s = begins * view.dt_s
+    return [at_least("needed when it brakes", needed, limits.LATE_BRAKING, time_s), braking]
+
+
+def stopping(view: View, by: str, _: str) -> list[Part]:
+    """Stands in the way after having moved, until it sets off, or blocks a lane all along."""
+    way = view.ways[by]
+    if way.path.length_m == 0.0 or not (way.participant.speed_mps or way.sets_off):
+        stands = np.ones_like(view.speed_mps(by), dtype=np.bool_)
+    else:
+        place = view.place_m(by)
+        stands = view.speed_mps(by) < limits.STANDS_MPS
+        if not way.sets_off:
+            stands &= place > place[:, :1] + _MOVING_MPS
+        if way.laid is not None:
+            # Waiting at the end of the road is the end of the scenario, no danger.
+            stands &= place < way.path.length_m - _AT_END_M
+    longest, begins = longest_run(stands)
+    held = longest * view.dt_s
+    return [at_least("standstill", held, limits.STANDS, begins * view.dt_s)]
+
+
+SPEEDING = Predicate(speeding, pairwise=False, conflict=True)
+SLOW_DRIVING = Predicate(slow_driving, pairwise=False, conflict=True)
+SUDDEN_ACCELERATION = Predicate(sudden_acceleration, pairwise=False, conflict=True)
+HARD_BRAKING = Predicate(hard_braking, pairwise=False, conflict=True)
+DELAYED_BRAKING = Predicate(delayed_braking)
+STOPPING = Predicate(stopping, pairwise=False, conflict=True)

@@ -1,0 +1,134 @@
+"""Whether the dangers asked for happen: predicates applied to who causes and who suffers.
+
+A danger happens if everybody who is said to cause it does, to at least one of its sufferers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import isfinite
+
+import numpy as np
+
+from scegen.claims.hazards.predicate import NEVER, Part
+from scegen.claims.hazards.roles import culprits, victims
+from scegen.claims.hazards.table import PREDICATES
+from scegen.claims.view import View
+from scegen.motion.batch.arrays import Floats
+from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.functional import Hazard
+from scegen.scenario.proof import HazardProof, PartProof
+from scegen.scenario.vocabulary import HazardKind
+
+_ANY_CULPRIT = frozenset({HazardKind.OCCLUSION})
+"""One of several parked cars that hides the other is enough."""
+
+
+@dataclass(frozen=True)
+class Couple:
+    """The conditions between one cause and one sufferer, and the weakest of them (c,)."""
+
+    by: str
+    to: str
+    parts: list[Part]
+    relative: Floats
+
+
+def hazard_pairs(concrete: ConcreteScenario, hazard: Hazard) -> list[tuple[str, str]]:
+    """(cause, sufferer) whom a predicate looks at; alone, both are the same."""
+    predicate = PREDICATES[hazard.kind]
+    if not predicate.pairwise:
+        return [(by, by) for by in culprits(concrete, hazard)]
+    return [(b, v) for b in culprits(concrete, hazard) for v in victims(concrete, hazard, b)]
+
+
+def relative_margins(view: View, hazard: Hazard) -> Floats:
+    """How far each candidate is from showing the danger; above 0 it happens (c,)."""
+    by_cause = [
+        np.max([couple.relative for couple in couples], axis=0)
+        for couples in _couples(view, hazard)
+    ]
+    if not by_cause:
+        return np.full(view.count, NEVER)
+    several = np.array(by_cause)
+    margins: Floats = several.max(axis=0) if hazard.kind in _ANY_CULPRIT else several.min(axis=0)
+    return margins
+
+
+def decisive(view: View, hazard: Hazard) -> tuple[Floats, Floats]:
+    """Relative margin of a danger in each candidate, and when its weakest condition holds (c,)."""
+    margins, times = [], []
+    for couples in _couples(view, hazard):
+        parts = [_weakest(couple) for couple in couples]
+        margin = np.array([part[0] for part in parts])
+        chosen = margin.argmax(axis=0)
+        rows = np.arange(view.count)
+        margins.append(margin[chosen, rows])
+        times.append(np.array([part[1] for part in parts])[chosen, rows])
+    if not margins:
+        return np.full(view.count, NEVER), np.full(view.count, np.nan)
+    several, rows = np.array(margins), np.arange(view.count)
+    pick = several.argmax(axis=0) if hazard.kind in _ANY_CULPRIT else several.argmin(axis=0)
+    return several[pick, rows], np.array(times)[pick, rows]
+
+
+def _weakest(couple: Couple) -> tuple[Floats, Floats]:
+    relative = np.array([part.relative for part in couple.parts])
+    weakest, rows = relative.argmin(axis=0), np.arange(relative.shape[1])
+    times = np.array([part.time_s for part in couple.parts])
+    return relative[weakest, rows], times[weakest, rows]
+
+
+def judge(view: View, hazard: Hazard, candidate: int = 0) -> HazardProof:
+    """The danger in one candidate, with who, whom, when and by which margin."""
+    chosen = [
+        max(couples, key=lambda couple: float(couple.relative[candidate]))
+        for couples in _couples(view, hazard)
+    ]
+    if not chosen:
+        return HazardProof(
+            kind=hazard.kind,
+            by=hazard.by,
+            to=hazard.to,
+            happened=False,
+            note="nobody is there to cause or to suffer it",
+        )
+    pick = max if hazard.kind in _ANY_CULPRIT else min
+    decisive = pick(chosen, key=lambda couple: float(couple.relative[candidate]))
+    weakest = min(decisive.parts, key=lambda part: float(part.relative[candidate]))
+    return HazardProof(
+        kind=hazard.kind,
+        by=tuple(dict.fromkeys(couple.by for couple in chosen)),
+        to=tuple(dict.fromkeys(couple.to for couple in chosen if couple.to != couple.by)),
+        happened=bool(decisive.relative[candidate] >= 0.0),
+        margin=number(weakest.margin[candidate]),
+        unit=weakest.unit,
+        threshold=number(weakest.threshold),
+        time_s=number(weakest.time_s[candidate]),
+        parts=tuple(
+            PartProof(
+                name=part.name,
+                value=number(part.value[candidate]),
+                threshold=round(part.threshold, 4),
+                unit=part.unit,
+                happened=bool(part.relative[candidate] >= 0.0),
+            )
+            for part in decisive.parts
+        ),
+    )
+
+
+def number(value: float) -> float | None:
+    """A value as written to files; None where it is undefined or infinite."""
+    return round(float(value), 4) if isfinite(value) else None
+
+
+def _couples(view: View, hazard: Hazard) -> Iterator[list[Couple]]:
+    """By cause, the couples with every sufferer."""
+    groups: dict[str, list[Couple]] = {}
+    for by, to in hazard_pairs(view.concrete, hazard):
+        parts = PREDICATES[hazard.kind].test(view, by, to)
+        relative = np.min([part.relative for part in parts], axis=0)
+        groups.setdefault(by, []).append(Couple(by, to, parts, relative))
+    yield from groups.values()

@@ -1,0 +1,71 @@
+"""What a predicate returns, and how its conditions make one margin."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from scegen.claims.hazards.thresholds import Threshold
+from scegen.claims.view import View
+from scegen.motion.batch.arrays import Floats
+
+NEVER = -3.0
+"""The relative margin of what is undefined."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """One condition over all candidates, (c,): values, threshold, when; margin > 0: it holds.
+
+    ``margin`` and ``value`` are in ``unit``; ``relative`` margins can be compared.
+    """
+
+    name: str
+    value: Floats
+    threshold: float
+    unit: str
+    margin: Floats
+    relative: Floats
+    time_s: Floats
+
+
+Test = Callable[[View, str, str], list[Part]]
+"""Conditions between who causes and who suffers; alone, both are the same."""
+
+
+@dataclass(frozen=True, slots=True)
+class Predicate:
+    """How a danger is recognised.
+
+    ``pairwise``: between two; else one alone does it. ``conflict``: those two come near each
+    other by it, so that a target is about them.
+    """
+
+    test: Test
+    pairwise: bool = True
+    conflict: bool = True
+
+
+def at_least(
+    name: str, value: Floats, limit: Threshold, time_s: Floats, threshold: float | None = None
+) -> Part:
+    """The value must reach the threshold."""
+    bound = limit.value if threshold is None else threshold
+    return _part(name, value, bound, limit, value - bound, time_s)
+
+
+def at_most(
+    name: str, value: Floats, limit: Threshold, time_s: Floats, threshold: float | None = None
+) -> Part:
+    """The value must not exceed the threshold."""
+    bound = limit.value if threshold is None else threshold
+    return _part(name, value, bound, limit, bound - value, time_s)
+
+
+def _part(
+    name: str, value: Floats, bound: float, limit: Threshold, margin: Floats, time_s: Floats
+) -> Part:
+    relative = np.nan_to_num(margin / limit.scale, nan=NEVER, posinf=-NEVER, neginf=NEVER)
+    return Part(name, value, bound, limit.unit, margin, np.clip(relative, NEVER, -NEVER), time_s)

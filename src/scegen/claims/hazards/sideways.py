@@ -1,0 +1,138 @@
+"""Dangers that lie in moving sideways: cutting in, swerving, straying, overtaking, fast bends."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from scegen.claims.hazards import thresholds as limits
+from scegen.claims.hazards.conflict import conflict
+from scegen.claims.hazards.driving import braking_part
+from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
+from scegen.claims.view import View
+from scegen.claims.ways import Sideways
+from scegen.motion.batch.arrays import COS, HEADING, SIN, Floats, X, Y
+from scegen.motion.friction import GRAVITY_MPS2
+from scegen.scenario.bodies import BODIES
+from scegen.scenario.vocabulary import HazardKind
+
+_AFTER_S = 1.5
+_BESIDE_M = 6.0
+_SAME_WAY_RAD = 0.4
+_MUCH = 1e9
+
+
+def _reaches_s(view: View, name: str, place_m: float) -> Floats:
+    """When it reaches a place; the end of time if it does not."""
+    reached = view.place_m(name) >= place_m
+    step = np.where(reached.any(axis=1), reached.argmax(axis=1), reached.shape[1])
+    time_s: Floats = view.time_of(step)
+    return time_s
+
+
+def _lateral_part(view: View, by: str, changes: list[Sideways]) -> Part:
+    """Mean lateral speed of its quickest change of lane."""
+    best, when = np.zeros(view.count), np.zeros(view.count)
+    for change in changes:
+        begin, end = _reaches_s(view, by, change.start_m), _reaches_s(view, by, change.end_m)
+        speed = change.width_m / np.maximum(end - begin, view.dt_s)
+        speed = np.where(end >= view.place_m(by).shape[1] * view.dt_s, 0.0, speed)
+        when = np.where(speed > best, end, when)
+        best = np.maximum(best, speed)
+    return at_least("lateral speed", best, limits.LATERAL_SPEED, when)
+
+
+def _changes(view: View, by: str, kind: HazardKind) -> list[Sideways]:
+    """Its lane changes of a danger, or all if none is marked so."""
+    changes = list(view.ways[by].changes)
+    return [c for c in changes if c.change.hazard is kind] or changes
+
+
+def cut_in(view: View, by: str, to: str) -> list[Part]:
+    """Changes lanes abruptly, and the other is right behind when it arrives.
+
+    One without a change of lane cuts in by turning into the other's way: a conflict.
+    """
+    changes = _changes(view, by, HazardKind.CUT_IN)
+    if not changes:
+        return conflict(view, by, to)
+    lateral = _lateral_part(view, by, changes)
+    headway = view.headway_s(to, by)
+    time = np.arange(headway.shape[1]) * view.dt_s
+    gaps = np.full(view.count, np.inf)
+    for change in changes:
+        begin = _reaches_s(view, by, change.start_m)[:, None]
+        end = _reaches_s(view, by, change.end_m)[:, None] + _AFTER_S
+        inside = (time >= begin) & (time <= end)
+        gaps = np.minimum(gaps, np.where(inside, headway, np.inf).min(axis=1))
+    pet = view.of_pair("pet_s", by, to)
+    # Where the other's way joins only here, the gap at the merge point is what PET says.
+    gaps = np.fmin(gaps, np.abs(pet))
+    return [lateral, at_most("gap at the cut-in", gaps, limits.CUT_IN_GAP, lateral.time_s)]
+
+
+def swerving(view: View, by: str, _: str) -> list[Part]:
+    """Leaves its lane quickly."""
+    return [_lateral_part(view, by, _changes(view, by, HazardKind.SWERVING))]
+
+
+def loss_of_control(view: View, by: str, _: str) -> list[Part]:
+    """Skids sideways and brakes."""
+    changes = _changes(view, by, HazardKind.LOSS_OF_CONTROL)
+    return [_lateral_part(view, by, changes), braking_part(view, by, limits.LATE_BRAKING)]
+
+
+def oncoming_lane(view: View, by: str, _: str) -> list[Part]:
+    """Drives beyond the centre line for some time."""
+    changes = view.ways[by].changes
+    total, when = np.zeros(view.count), np.zeros(view.count)
+    end_s = view.place_m(by).shape[1] * view.dt_s
+    for n, change in enumerate(changes):
+        if change.change.lane_after != 0:
+            continue
+        out = _reaches_s(view, by, (change.start_m + change.end_m) / 2)
+        back = np.full(view.count, end_s)
+        if n + 1 < len(changes):
+            following = changes[n + 1]
+            back = _reaches_s(view, by, (following.start_m + following.end_m) / 2)
+        total, when = total + np.maximum(back - out, 0.0), out
+    return [at_least("time over the centre line", total, limits.ONCOMING, when)]
+
+
+def overtaking(view: View, by: str, to: str) -> list[Part]:
+    """From wholly behind another to wholly ahead of it, on roads side by side."""
+    dx, dy = view.row(by, X) - view.row(to, X), view.row(by, Y) - view.row(to, Y)
+    cos, sin = view.row(to, COS), view.row(to, SIN)
+    ahead, aside = dx * cos + dy * sin, np.abs(dy * cos - dx * sin)
+    turn = view.row(by, HEADING) - view.row(to, HEADING)
+    turn = np.abs((turn + np.pi) % (2 * np.pi) - np.pi)
+    together = (aside < _BESIDE_M) & (turn < _SAME_WAY_RAD)
+    own, other = (BODIES[view.ways[n].participant.kind] for n in (by, to))
+    behind = np.where(together, -ahead - own.front_m - other.rear_m, -_MUCH)
+    before = np.where(together, ahead - own.rear_m - other.front_m, -_MUCH)
+    so_far = np.maximum.accumulate(behind, axis=1)
+    passed = np.minimum(so_far, before)
+    value = np.maximum(passed.max(axis=1), -50.0)
+    return [at_least("clear of the other", value, limits.PASSES, view.when(passed))]
+
+
+def sudden_turn(view: View, by: str, _: str) -> list[Part]:
+    """Takes its bend faster than is comfortable, or leaves its lane quickly where there is none."""
+    aside = [c for c in view.ways[by].changes if c.change.hazard is HazardKind.SUDDEN_TURN]
+    if aside:
+        return [_lateral_part(view, by, aside)]
+    way, place = view.ways[by], view.place_m(by)
+    inside = (place >= way.turn_start_m - 1.0) & (place <= way.turn_end_m + 1.0)
+    lateral = np.where(inside, view.lateral_mps2(by), 0.0)
+    bound = min(
+        limits.LATERAL_ACCELERATION.value, limits.OF_WHAT_IS_POSSIBLE * GRAVITY_MPS2 * view.friction
+    )
+    limit = limits.LATERAL_ACCELERATION
+    return [at_least("lateral acceleration", lateral.max(axis=1), limit, view.when(lateral), bound)]
+
+
+CUT_IN = Predicate(cut_in)
+SWERVING = Predicate(swerving, pairwise=False)
+LOSS_OF_CONTROL = Predicate(loss_of_control, pairwise=False)
+ONCOMING_LANE = Predicate(oncoming_lane, pairwise=False)
+OVERTAKING = Predicate(overtaking)
+SUDDEN_TURN = Predicate(sudden_turn, pairwise=False)

@@ -1,0 +1,242 @@
+"""When something begins on a trace: braking, setting off, leaving the lane, stepping out.
+
+Whoever reads a recording sees it the same way: nothing here knows what was planned.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from scegen.claims.arms import Arm, arms_of
+from scegen.claims.boxes import boxes
+from scegen.claims.view import View
+from scegen.motion.batch.arrays import COS, SIN, SPEED, Bools, Floats, Ints
+from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.logical import Drive, LogicalScenario
+from scegen.scenario.vocabulary import Side
+
+CHANGES_MPS2 = 0.3
+"""Speed that changes faster than this is braking or accelerating."""
+STANDS_MPS = 0.05
+LEAVES_M, HELD_M = 0.01, 0.001
+"""Who is so far from its line has left it; the moment is when it was last so near."""
+TURNS_RAD = 0.1
+ASIDE_MPS = 0.05
+"""Who goes sideways faster than this is on its way to there."""
+SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
+GAINING = frozenset({ActKind.ACCELERATE, ActKind.SET_OFF})
+SIDEWAYS = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.OVERTAKE})
+
+
+class Run(NamedTuple):
+    """A time over which speed falls or grows without a break: where it begins and ends, in steps.
+
+    ``change_mps`` is what it adds up to, 0 where there is none (c,).
+    """
+
+    begin: Ints
+    end: Ints
+    change_mps: Floats
+
+    @property
+    def happens(self) -> Bools:
+        """Where there is one."""
+        return self.change_mps > 0.0
+
+
+def first(flags: Bools) -> Ints:
+    """The first step that is so; the number of steps where none is (c,)."""
+    found = np.where(flags.any(axis=1), flags.argmax(axis=1), flags.shape[1])
+    return np.asarray(found, dtype=np.int64)
+
+
+def at(series: Floats, step: Ints) -> Floats:
+    """A series (c, t) at a step of each candidate, clipped to its ends (c,)."""
+    return series[np.arange(len(series)), np.clip(step, 0, series.shape[1] - 1)]
+
+
+def speed_runs(view: View, name: str, sense: int, count: int = 1) -> list[Run]:
+    """The greatest runs in which speed falls (-1) or grows (+1), in the order of time."""
+    return view.once(("runs", name, sense, count), lambda: _runs(view, name, sense, count))
+
+
+def _runs(view: View, name: str, sense: int, count: int) -> list[Run]:
+    change = sense * np.diff(view.speed_mps(name), axis=1)
+    flags = change > CHANGES_MPS2 * view.dt_s
+    # A body that is taken off its feet where its way ends does not brake.
+    flags &= change < 3.0 * view.body(name).max_deceleration_mps2 * view.dt_s + 1.0
+    found = []
+    for _ in range(count):
+        run = _greatest(change, flags)
+        found.append(run)
+        steps = np.arange(flags.shape[1])
+        flags = flags & ~((steps >= run.begin[:, None]) & (steps < run.end[:, None]))
+    times = [np.where(run.happens, run.begin, flags.shape[1] + 1) for run in found]
+    order = np.argsort(times, axis=0)
+    return [_chosen(found, np.asarray(number)) for number in order]
+
+
+def _chosen(runs: Sequence[Run], number: Ints) -> Run:
+    """In each candidate the run of that number."""
+    rows = np.arange(len(number))
+    begins = np.array([run.begin for run in runs], dtype=np.int64)
+    ends = np.array([run.end for run in runs], dtype=np.int64)
+    changes = np.array([run.change_mps for run in runs])
+    return Run(begins[number, rows], ends[number, rows], changes[number, rows])
+
+
+def _greatest(change: Floats, flags: Bools) -> Run:
+    """The run of flagged steps over which most changes."""
+    steps = np.arange(flags.shape[1])
+    total = np.cumsum(np.where(flags, change, 0.0), axis=1)
+    so_far = total - np.maximum.accumulate(np.where(flags, 0.0, total), axis=1)
+    last = so_far.argmax(axis=1)
+    since = np.maximum.accumulate(np.where(flags, -1, steps), axis=1)
+    rows = np.arange(len(change))
+    begin, amount = since[rows, last] + 1, so_far[rows, last]
+    return Run(begin, np.where(amount > 0.0, last + 1, begin), amount)
+
+
+def lateral_m(view: View, name: str, drive: Drive | None) -> Floats:
+    """How far somebody has gone to its own left since the start, along its arms (c, t).
+
+    In the junction the value stays as it was; on the way out it goes on from there.
+    """
+    return view.once(("lateral", name), lambda: _lateral(view, name, drive))
+
+
+def _lateral(view: View, name: str, drive: Drive | None) -> Floats:
+    box = boxes(view, name)
+    x0, y0 = box.x[:, :1], box.y[:, :1]
+    cos, sin = box.cos[:, :1], box.sin[:, :1]
+    if drive is None:
+        return (box.y - y0) * cos - (box.x - x0) * sin
+    arms = arms_of(view.concrete.road)
+    entry, leaving = arms[drive.entry], arms[drive.exit]
+    along, offset = entry.place(box)
+    facing = np.where(entry.facing(box)[:, :1] < 0.0, -1.0, 1.0)
+    inside = along <= entry.straight_m
+    moved = (offset - offset[:, :1]) * facing
+    if -entry.cos * leaving.cos - entry.sin * leaving.sin > 0.999:
+        return moved  # one straight line
+    held = np.where(inside, moved, 0.0)
+    steps = np.arange(view.steps)
+    last = np.maximum.accumulate(np.where(inside, steps, 0), axis=1)
+    held = np.take_along_axis(held, last, axis=1)
+    back, aside = leaving.place(box)
+    out = ~inside & (back <= leaving.straight_m) & (leaving.facing(box) < 0.0)
+    begins = first(out)
+    gone = -(aside - at(aside, begins)[:, None])
+    return np.where(out, held + gone, held)
+
+
+def sideways_begin(
+    view: View, functional: FunctionalScenario, drive: Drive | None, act: Act
+) -> Ints:
+    """When a move to the side begins; one after another of the same, as it turns to its side."""
+    earlier = [
+        a
+        for a in functional.acts[: functional.acts.index(act)]
+        if a.participant == act.participant and a.kind in SIDEWAYS
+    ]
+    begins = leaves_lane(view, act.participant, drive)
+    if not earlier:
+        return begins
+    before = sideways_begin(view, functional, drive, earlier[-1])
+    moved = lateral_m(view, act.participant, drive)
+    speed = np.diff(moved, axis=1, append=moved[:, -1:]) / view.dt_s
+    sense = _sense(act) or -_sense(earlier[-1])
+    there = np.abs(speed) if sense == 0.0 else sense * speed
+    steps = np.arange(view.steps)
+    goes = first((np.abs(speed) > ASIDE_MPS) & (steps >= before[:, None]))
+    # Between two moves to one side it rests for a moment.
+    rests = (there <= ASIDE_MPS) & (steps > goes[:, None])
+    return first(np.maximum.accumulate(rests, axis=1) & (there > ASIDE_MPS))
+
+
+def _sense(act: Act) -> float:
+    """1 to its own left, -1 to its right, 0 where that is not said."""
+    return 0.0 if act.side is None else 1.0 if act.side is Side.LEFT else -1.0
+
+
+def leaves_lane(view: View, name: str, drive: Drive | None) -> Ints:
+    """The step in which somebody was last on its line before it left it; all steps if never."""
+    moved = np.abs(lateral_m(view, name, drive))
+    gone = first(moved > LEAVES_M)
+    before = np.arange(view.steps) < gone[:, None]
+    held = np.where(before & (moved < HELD_M), np.arange(view.steps), 0).max(axis=1)
+    return np.where(gone < view.steps, held, view.steps).astype(np.int64)
+
+
+def sets_off(view: View, name: str) -> Ints:
+    """The last step in which one who stands at the start stands; 0 for one who moves."""
+    return np.maximum(first(view.speed_mps(name) > STANDS_MPS) - 1, 0)
+
+
+def steps_out(view: View, name: str, arm: Arm) -> Ints:
+    """When one who crosses begins: sets off; where it moves from the start, leaves the kerb."""
+    stands = view.speed_mps(name)[:, 0] <= STANDS_MPS
+    _, offset = arm.place(boxes(view, name))
+    on = (offset > arm.edges_m[0]) & (offset < arm.edges_m[1])
+    return np.where(stands, sets_off(view, name), np.maximum(first(on) - 1, 0))
+
+
+def turns(view: View, name: str) -> Ints:
+    """When the heading first leaves that of the start."""
+    cos, sin = view.row(name, COS), view.row(name, SIN)
+    aside = np.abs(sin * cos[:, :1] - cos * sin[:, :1])
+    return first((aside > TURNS_RAD) | (cos * cos[:, :1] + sin * sin[:, :1] < 0.0))
+
+
+def act_begins(
+    view: View, functional: FunctionalScenario, logical: LogicalScenario, act: Act
+) -> Ints:
+    """The step in which an act begins; the number of steps where it does not happen (c,)."""
+    make = lambda: _begins(view, functional, logical, act)  # noqa: E731
+    return view.once(("begins", act.id), make)
+
+
+def act_run(view: View, functional: FunctionalScenario, act: Act) -> Run:
+    """The change of speed that an act is: the one of its number among the greatest."""
+    kinds = SLOWING if act.kind in SLOWING else GAINING
+    same = [a for a in functional.acts if a.participant == act.participant and a.kind in kinds]
+    number = next(n for n, a in enumerate(same) if a.id == act.id)
+    runs = speed_runs(view, act.participant, -1 if act.kind in SLOWING else 1, len(same))
+    chosen = runs[0]
+    for run in runs[1 : number + 1]:
+        # Two acts that follow on without a break are one run: both are then that one.
+        chosen = _chosen((chosen, run), np.asarray(run.happens, dtype=np.int64))
+    return chosen
+
+
+def _begins(view: View, functional: FunctionalScenario, logical: LogicalScenario, act: Act) -> Ints:
+    name = act.participant
+    never = np.full(view.count, view.steps, dtype=np.int64)
+    if name not in view.index:
+        return never
+    if act.kind is ActKind.SET_OFF:
+        moves = view.speed_mps(name)[:, -1:] > STANDS_MPS
+        moves |= view.speed_mps(name).max(axis=1, keepdims=True) > STANDS_MPS
+        return np.where(moves[:, 0], sets_off(view, name), never)
+    if act.kind in SLOWING | GAINING:
+        run = act_run(view, functional, act)
+        return np.where(run.happens, run.begin, never)
+    if act.kind in SIDEWAYS:
+        return sideways_begin(view, functional, drive_of(logical, name), act)
+    if act.kind is ActKind.REVERSE:
+        return first(view.row(name, SPEED) < -STANDS_MPS)
+    if act.kind is ActKind.TURN:
+        return turns(view, name)
+    crossing = next((c for c in logical.crossings if c.participant == name), None)
+    if crossing is None:
+        return sets_off(view, name)
+    return steps_out(view, name, arms_of(view.concrete.road)[crossing.arm])
+
+
+def drive_of(logical: LogicalScenario, name: str) -> Drive | None:
+    """The drive of a participant, None if it does not drive."""
+    return next((d for d in logical.drives if d.participant == name), None)

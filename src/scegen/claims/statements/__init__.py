@@ -1,0 +1,1 @@
+"""One file per kind of statement: what it means for what moves."""

@@ -1,0 +1,327 @@
+"""Acts: that they happen, by how much, and what sets them off."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import partial
+
+import numpy as np
+
+from scegen.claims import tolerances
+from scegen.claims.arms import arms_of
+from scegen.claims.boxes import boxes, seen
+from scegen.claims.claim import Claim, ClaimKind, Judged, Test, within
+from scegen.claims.moments import (
+    ASIDE_MPS,
+    GAINING,
+    SIDEWAYS,
+    SLOWING,
+    act_begins,
+    act_run,
+    at,
+    first,
+    lateral_m,
+)
+from scegen.claims.statements.maneuvers import LANE_M
+from scegen.claims.statements.spacings import measure_at
+from scegen.claims.told import KPH, Told, amount, plain
+from scegen.claims.view import View
+from scegen.motion.batch.arrays import Floats, Ints
+from scegen.scenario.acts import (
+    Act,
+    ActKind,
+    AfterAct,
+    AfterStart,
+    BeforeJunction,
+    WhenMeasure,
+)
+from scegen.scenario.logical import Drive
+from scegen.scenario.model import Interval
+from scegen.scenario.vocabulary import Side
+
+_SWERVES_M = 0.3
+_SPEED_OVER_S = 0.1
+_THEN_S = Interval(low=0.0, high=2.0)
+"""Where no delay is said, one act follows another within the time of a slow reaction."""
+
+
+def claims(told: Told) -> Iterator[Claim]:
+    """Of every act: that it happens, each of its amounts, what sets it off."""
+    for act in told.functional.acts:
+        does = f"{act.participant} is to {plain(act.kind)}"
+        yield _claim(told, act, "", f"{act.participant} does {plain(act.kind)}", "s", _happens)
+        if act.kind in SLOWING | GAINING:
+            yield from _of_speed(told, act)
+        if act.kind in SIDEWAYS:
+            yield from _sideways(told, act)
+        yield from _triggered(told, act, does)
+
+
+def _claim(
+    told: Told,
+    act: Act,
+    part: str,
+    statement: str,
+    unit: str,
+    test: Callable[..., Judged],
+    *args: object,
+    tolerance: float = 0.0,
+    scale: float = 1.0,
+) -> Claim:
+    bound: Test = partial(test, told, act, *args)
+    return Claim(
+        id=f"act.{act.id}.{part}" if part else f"act.{act.id}",
+        kind=ClaimKind.ACT,
+        statement=statement,
+        field=f"acts.{act.id}.{part}" if part else f"acts.{act.id}",
+        unit=unit,
+        test=bound,
+        tolerance=tolerance,
+        scale=scale,
+    )
+
+
+def _begins(told: Told, act: Act, view: View) -> Ints:
+    return act_begins(view, told.functional, told.logical, act)
+
+
+def _when(view: View, step: Ints) -> Floats:
+    return np.where(step < view.steps, view.time_of(step), np.nan)
+
+
+def _happens(told: Told, act: Act, view: View) -> Judged:
+    """Within the time that is played."""
+    step = _begins(told, act, view)
+    time_s = _when(view, step)
+    return Judged(view.time_of(view.last_step) - time_s, time_s, time_s)
+
+
+def _of_speed(told: Told, act: Act) -> Iterator[Claim]:
+    name = act.participant
+    verb = {
+        ActKind.BRAKE: "brakes",
+        ActKind.STOP: "stops",
+        ActKind.ACCELERATE: "accelerates",
+        ActKind.SET_OFF: "sets off",
+    }[act.kind]
+    if act.rate_mps2 is not None:
+        statement = f"{name} {verb} with {amount(act.rate_mps2)} m/s2"
+        yield _claim(
+            told, act, "rate_mps2", statement, "m/s2", _rate, tolerance=tolerances.RATE_MPS2
+        )
+    target = act.target_speed_mps
+    if target is None and act.kind is ActKind.STOP:
+        target = Interval(low=0.0, high=0.0)
+    if target is not None:
+        statement = f"{name} {verb} to {amount(target, KPH)} km/h"
+        tolerance = tolerances.SPEED_MPS * KPH
+        yield _claim(
+            told,
+            act,
+            "target_speed_mps",
+            statement,
+            "km/h",
+            _ends_at,
+            target,
+            tolerance=tolerance,
+            scale=5.0,
+        )
+    if act.duration_s is not None:
+        statement = f"{name} {verb} for {amount(act.duration_s)} s"
+        yield _claim(told, act, "duration_s", statement, "s", _lasts, tolerance=tolerances.TIME_S)
+    if act.distance_m is not None:
+        statement = f"{name} {verb} over {amount(act.distance_m)} m"
+        tolerance = tolerances.DISTANCE_M
+        yield _claim(told, act, "distance_m", statement, "m", _goes_on, tolerance=tolerance)
+
+
+def _rate(told: Told, act: Act, view: View) -> Judged:
+    """Mean rate of the run without its first and last step, in which it may be cut."""
+    run = act_run(view, told.functional, act)
+    speed = view.speed_mps(act.participant)
+    long = run.end - run.begin > 3
+    low, high = np.where(long, run.begin + 1, run.begin), np.where(long, run.end - 1, run.end)
+    took = np.maximum(high - low, 1) * view.dt_s
+    rate = np.abs(at(speed, high) - at(speed, low)) / took
+    wanted = act.rate_mps2 or Interval(low=0.0, high=0.0)
+    margin = np.where(run.happens, within(rate, wanted, tolerances.RATE_MPS2), np.nan)
+    return Judged(margin, rate, view.time_of(run.begin))
+
+
+def _ends_at(told: Told, act: Act, target: Interval, view: View) -> Judged:
+    """The speed in which the run ends; a contact before leaves it open."""
+    run = act_run(view, told.functional, act)
+    speed = at(view.speed_mps(act.participant), run.end)
+    margin = within(speed, target, tolerances.SPEED_MPS)
+    hit = np.full(view.count, np.inf)
+    for other in view.index:
+        if other != act.participant and told.may_touch(act.participant, other):
+            hit = np.fmin(hit, view.of_pair("contact_s", act.participant, other))
+    cut = view.time_of(run.end) >= np.minimum(hit, view.time_of(view.last_step))
+    margin = np.where(cut & np.isfinite(hit), np.maximum(margin, 0.0), margin)
+    margin = np.where(run.happens, margin, np.nan)
+    return Judged(margin * KPH, speed * KPH, view.time_of(run.end))
+
+
+def _lasts(told: Told, act: Act, view: View) -> Judged:
+    run = act_run(view, told.functional, act)
+    took = view.time_of(run.end - run.begin)
+    wanted = act.duration_s or Interval(low=0.0, high=0.0)
+    margin = np.where(run.happens, within(took, wanted, tolerances.TIME_S), np.nan)
+    return Judged(margin, took, view.time_of(run.end))
+
+
+def _goes_on(told: Told, act: Act, view: View) -> Judged:
+    run = act_run(view, told.functional, act)
+    place = view.place_m(act.participant)
+    gone = at(place, run.end) - at(place, run.begin)
+    wanted = act.distance_m or Interval(low=0.0, high=0.0)
+    margin = np.where(run.happens, within(gone, wanted, tolerances.DISTANCE_M), np.nan)
+    return Judged(margin, gone, view.time_of(run.end))
+
+
+def _sideways(told: Told, act: Act) -> Iterator[Claim]:
+    name = act.participant
+    if act.kind is not ActKind.OVERTAKE:
+        far = LANE_M if act.kind is ActKind.CHANGE_LANE else _SWERVES_M
+        to = f" to the {act.side}" if act.side else ""
+        moves = "changes lane" if act.kind is ActKind.CHANGE_LANE else "swerves"
+        yield _claim(told, act, "side", f"{name} {moves}{to}", "m", _aside, far)
+    if act.lateral_m is not None:
+        statement = f"{name} goes {amount(act.lateral_m)} m to the side"
+        tolerance = 2 * tolerances.LATERAL_M
+        yield _claim(told, act, "lateral_m", statement, "m", _far_aside, tolerance=tolerance)
+    if act.lateral_mps is not None:
+        statement = f"{name} goes sideways at {amount(act.lateral_mps)} m/s"
+        tolerance = 2 * tolerances.LATERAL_M
+        yield _claim(told, act, "lateral_mps", statement, "m/s", _fast_aside, tolerance=tolerance)
+    if act.into is not None:
+        statement = f"{name} comes into the lane of {act.into}"
+        yield _claim(told, act, "into", statement, "m", _into)
+
+
+def _lateral(told: Told, act: Act, view: View) -> Floats:
+    """Way to the side that is said, own left if none (c, t)."""
+    moved = lateral_m(view, act.participant, told.drive(act.participant))
+    if act.side is None:
+        return np.abs(moved)
+    return moved if act.side is Side.LEFT else -moved
+
+
+def _aside(told: Told, act: Act, far: float, view: View) -> Judged:
+    moved = _lateral(told, act, view)
+    step = moved.argmax(axis=1)
+    most = at(moved, step)
+    return Judged(most - far, most, view.time_of(step))
+
+
+def _far_aside(told: Told, act: Act, view: View) -> Judged:
+    moved = _lateral(told, act, view)
+    step = moved.argmax(axis=1)
+    most = at(moved, step)
+    wanted = act.lateral_m or Interval(low=0.0, high=0.0)
+    return Judged(within(most, wanted, 2 * tolerances.LATERAL_M), most, view.time_of(step))
+
+
+def _fast_aside(told: Told, act: Act, view: View) -> Judged:
+    moved = lateral_m(view, act.participant, told.drive(act.participant))
+    n = max(1, round(_SPEED_OVER_S / view.dt_s))
+    speed = np.abs(moved[:, 2 * n :] - moved[:, : -2 * n]) / (2 * n * view.dt_s)
+    step = speed.argmax(axis=1)
+    most = at(speed, step)
+    wanted = act.lateral_mps or Interval(low=0.0, high=0.0)
+    return Judged(within(most, wanted, 2 * tolerances.LATERAL_M), most, (step + n) * view.dt_s)
+
+
+def _into(told: Told, act: Act, view: View) -> Judged:
+    """After it has begun to move sideways, its centre comes into the other's lane."""
+    step = _begins(told, act, view)
+    away = np.abs(seen(boxes(view, act.into or told.ego), boxes(view, act.participant)).y)
+    away = np.where(np.arange(view.steps) >= step[:, None], away, np.inf)
+    nearest = away.min(axis=1)
+    return Judged(tolerances.SAME_LANE_M - nearest, nearest, away.argmin(axis=1) * view.dt_s)
+
+
+def _triggered(told: Told, act: Act, does: str) -> Iterator[Claim]:
+    when = act.when
+    if isinstance(when, AfterStart):
+        statement = f"{does} {amount(when.delay_s)} s after the start"
+        yield _claim(
+            told, act, "when", statement, "s", _after_start, when, tolerance=tolerances.TIME_S
+        )
+    elif isinstance(when, AfterAct):
+        other = next(a for a in told.functional.acts if a.id == when.act)
+        since = "begins" if when.since == "begin" else "has ended"
+        event = f"{other.participant}'s {plain(other.kind)} {since}"
+        delay = "right" if when.delay_s.high == 0.0 else f"{amount(when.delay_s)} s"
+        statement = f"{does} {delay} after {event}"
+        tolerance = 2 * tolerances.TIME_S
+        yield _claim(
+            told, act, "when", statement, "s", _after_act, when, other, tolerance=tolerance
+        )
+    elif isinstance(when, WhenMeasure):
+        unit = tolerances.UNITS[when.measure]
+        pair = f"{when.participant} to {when.reference}"
+        name = plain(when.measure.rpartition("_")[0])
+        statement = f"{does} when the {name} of {pair} is {amount(when.value)} {unit}"
+        tolerance = tolerances.OF_MEASURE[when.measure]
+        yield _claim(told, act, "when", statement, unit, _at_measure, when, tolerance=tolerance)
+    elif isinstance(when, BeforeJunction) and (drive := told.drive(act.participant)) is not None:
+        statement = f"{does} {amount(when.distance_m)} m before the junction"
+        tolerance = tolerances.DISTANCE_M
+        yield _claim(told, act, "when", statement, "m", _before, when, drive, tolerance=tolerance)
+
+
+def _after_start(told: Told, act: Act, when: AfterStart, view: View) -> Judged:
+    time_s = _when(view, _begins(told, act, view))
+    return Judged(within(time_s, when.delay_s, tolerances.TIME_S), time_s, time_s)
+
+
+def _after_act(told: Told, act: Act, when: AfterAct, other: Act, view: View) -> Judged:
+    since = _begins(told, other, view)
+    if when.since == "end" and other.kind in SLOWING | GAINING:
+        run = act_run(view, told.functional, other)
+        since = np.where(run.happens, run.end, view.steps)
+    elif when.since == "end" and other.kind in SIDEWAYS:
+        since = _ends_aside(told, other, since, view)
+    began = _begins(told, act, view)
+    delay = np.where((since < view.steps) & (began < view.steps), began - since, np.nan)
+    delay = delay * view.dt_s
+    wanted = _THEN_S if when.delay_s.high == 0.0 else when.delay_s
+    margin = within(delay, wanted, 2 * tolerances.TIME_S)
+    return Judged(margin, delay, view.time_of(began))
+
+
+def _ends_aside(told: Told, act: Act, begins: Ints, view: View) -> Ints:
+    """When a move to the side, once under way, first comes to rest sideways or turns round."""
+    moved = lateral_m(view, act.participant, told.drive(act.participant))
+    speed = np.diff(moved, axis=1, append=moved[:, -1:]) / view.dt_s
+    under_way = (np.abs(speed) > ASIDE_MPS) & (np.arange(view.steps) >= begins[:, None])
+    goes = first(under_way)
+    sense = np.sign(at(speed, goes))[:, None]
+    return first((np.arange(view.steps) > goes[:, None]) & (sense * speed <= ASIDE_MPS))
+
+
+def _at_measure(told: Told, act: Act, when: WhenMeasure, view: View) -> Judged:
+    """The value somewhere within the step in which it begins."""
+    step = _begins(told, act, view)
+    values = [
+        measure_at(view, when.measure, when.participant, when.reference, step + n)
+        for n in (-1, 0, 1)
+    ]
+    low, high = np.min(values, axis=0), np.max(values, axis=0)
+    tolerance = tolerances.OF_MEASURE[when.measure]
+    margin = np.max([within(value, when.value, tolerance) for value in values], axis=0)
+    passes = (low <= when.value.high) & (high >= when.value.low)
+    margin = np.where(passes, np.maximum(margin, tolerance), margin)
+    margin = np.where(step < view.steps, margin, np.nan)
+    return Judged(margin, values[1], view.time_of(step))
+
+
+def _before(told: Told, act: Act, when: BeforeJunction, drive: Drive, view: View) -> Judged:
+    arm = arms_of(view.concrete.road)[drive.entry]
+    box = boxes(view, act.participant)
+    step = _begins(told, act, view)
+    left = arm.length_m - at(arm.place(box)[0], step) - box.half_length
+    margin = within(left, when.distance_m, tolerances.DISTANCE_M)
+    return Judged(np.where(step < view.steps, margin, np.nan), left, view.time_of(step))

@@ -1,0 +1,155 @@
+"""Where somebody comes from: seen from the ego, or from who is named."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+import numpy as np
+
+from scegen.claims.boxes import Boxes, box_at, boxes, course, seen
+from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged
+from scegen.claims.told import Told, either, plain
+from scegen.claims.tolerances import SAME_LANE_M
+from scegen.claims.view import View
+from scegen.motion.batch.arrays import SPEED, Bools, Floats
+from scegen.scenario.vocabulary import Approach, DrivingSide, ParticipantKind
+
+_SIDES = {Approach.LEFT: 1.0, Approach.RIGHT: -1.0}
+_COURSES = frozenset({Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE})
+_LEAST_DEG, _MOST_DEG, _FACING_DEG = 20.0, 160.0, 110.0
+"""Courses from a side, and towards one: where many arms meet, an arm may count as either."""
+_BESIDE_M, _FARTHEST_M = 1.0, 8.0
+_SAME_WAY = 0.7
+"""Cosine between the headings of two who go the same way: 45 degrees."""
+_WALKS_ASIDE_M = 8.0
+_DEG_PER_M = 10.0
+_WORDS = {
+    Approach.AHEAD: "ahead of {} in its lane",
+    Approach.BEHIND: "behind {} in its lane",
+    Approach.OPPOSITE: "coming towards {}",
+    Approach.LEFT: "coming from the left of {}",
+    Approach.RIGHT: "coming from the right of {}",
+    Approach.ADJACENT: "in the lane beside {}",
+}
+
+
+def claims(told: Told) -> Iterator[Claim]:
+    """One for everybody of whom it is said."""
+    sayings = [
+        (p.id, told.ego, p.approaches, f"participants.{p.id}.approaches")
+        for p in told.people
+        if p.approaches and p.id != told.ego and not p.circulating
+    ]
+    sayings += [
+        (r.participant, r.reference, r.approaches, f"relations.{r.participant}.approaches")
+        for r in told.functional.relations
+    ]
+    for name, reference, words, field in sayings:
+        yield Claim(
+            id=f"approach.{name}.{reference}",
+            kind=ClaimKind.APPROACH,
+            statement=f"{name} is {_told(words, reference)} at the start",
+            field=field,
+            unit="deg" if words <= _COURSES else "m",
+            test=partial(_judge, told, name, reference, words),
+            scale=_DEG_PER_M if words <= _COURSES else 2.0,
+        )
+
+
+def _told(words: frozenset[Approach], reference: str) -> str:
+    the = "the ego" if reference == "ego" else reference
+    if Approach.ADJACENT in words:
+        sides = [plain(word) for word in words if word in _SIDES]
+        where = f" on its {either(sorted(sides))}" if sides else ""
+        return _WORDS[Approach.ADJACENT].format(the) + where
+    return either([_WORDS[word].format(the) for word in Approach if word in words])
+
+
+def _judge(told: Told, name: str, reference: str, words: frozenset[Approach], view: View) -> Judged:
+    frame, box = (box_at(view, who, 0) for who in (reference, name))
+    place = seen(frame, box)
+    turned = np.degrees(_course(view, name, frame))
+    moves = view.place_m(name)[:, -1] - view.place_m(name)[:, 0] > 0.5
+    sides = [word for word in words if word in _SIDES]
+    if Approach.ADJACENT in words and sides:
+        choices = [_beside(place.y * _SIDES[word]) for word in sides]
+    else:
+        walks = told.functional.participant(name).kind is ParticipantKind.PEDESTRIAN
+        lane = _WALKS_ASIDE_M if walks else SAME_LANE_M
+        choices = []
+        for word in words:
+            if word is Approach.ADJACENT:
+                choices.append(_beside(np.abs(place.y)))
+            elif word in {Approach.AHEAD, Approach.BEHIND}:
+                along = place.rear if word is Approach.AHEAD else -place.front
+                along = along - frame.half_length
+                same = walks | ~moves | (np.cos(np.radians(turned)) > _SAME_WAY)
+                inside = np.minimum(along, lane - np.abs(place.y))
+                choices.append(np.where(same, inside, -NEVER))
+            elif told.crossing(name) is not None:
+                choices.append(_crosses(view, name, reference, word))
+            else:
+                choices.append(_comes(told, view, name, reference, word, turned, moves))
+    measured = turned if words <= _COURSES else place.x
+    return Judged(np.max(choices, axis=0), measured, np.zeros(view.count))
+
+
+def _course(view: View, name: str, frame: Boxes) -> Floats:
+    """Direction in which somebody sets out, from the frame's heading, rad."""
+    speed = view.row(name, SPEED)
+    away = np.abs(speed) > 0.05
+    first = np.where(away.any(axis=1), away.argmax(axis=1), 0)
+    backwards = speed[np.arange(view.count), first] < 0.0
+    at_rest = box_at(view, name, first)
+    turned = course(frame, at_rest) + np.where(backwards, np.pi, 0.0)
+    return (turned + np.pi) % (2 * np.pi) - np.pi
+
+
+def _beside(aside_m: Floats) -> Floats:
+    """How well a place is in a lane beside, by how far it is to that side."""
+    inside: Floats = np.minimum(aside_m - SAME_LANE_M, _FARTHEST_M - aside_m)
+    return inside
+
+
+def _comes(
+    told: Told,
+    view: View,
+    name: str,
+    reference: str,
+    word: Approach,
+    turned: Floats,
+    moves: Bools,
+) -> Floats:
+    """For one who drives by its course, else (or on the same road) by where it is."""
+    step = view.step_of(view.of_pair("closest_s", name, reference))
+    aside = seen(box_at(view, reference, step), box_at(view, name, step)).y
+    start = seen(box_at(view, reference, 0), box_at(view, name, 0)).y
+    if word is Approach.OPPOSITE:
+        keeps_right = told.functional.junction.driving_side is DrivingSide.RIGHT
+        side = 1.0 if keeps_right else -1.0
+        facing = np.abs(turned) - _FACING_DEG
+        there = (side * aside - SAME_LANE_M) * _DEG_PER_M
+        return np.where(moves, facing, np.maximum(facing, there))
+    side = _SIDES[word]
+    across = -side * turned
+    sector = np.minimum(across - _LEAST_DEG, _MOST_DEG - across)
+    along = np.cos(np.radians(turned)) > _SAME_WAY
+    place = (side * np.where(moves, start, aside) - _BESIDE_M) * _DEG_PER_M
+    return np.where(moves & ~along, sector, place)
+
+
+def _crosses(view: View, name: str, reference: str, word: Approach) -> Floats:
+    """For one who crosses: by its course where the two come nearest."""
+    frame = box_at(view, reference, view.step_of(view.of_pair("closest_s", name, reference)))
+    box = boxes(view, name)
+    rows = np.arange(view.count)
+    dx, dy = box.x[rows, -1] - box.x[:, 0], box.y[rows, -1] - box.y[:, 0]
+    turned = np.degrees(
+        np.arctan2(dy * frame.cos - dx * frame.sin, dx * frame.cos + dy * frame.sin)
+    )
+    if word is Approach.OPPOSITE:
+        return np.asarray(np.abs(turned) - _FACING_DEG)
+    across = -_SIDES[word] * turned
+    sector: Floats = np.minimum(across - _LEAST_DEG, _MOST_DEG - across)
+    return sector

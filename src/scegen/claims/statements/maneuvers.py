@@ -1,0 +1,183 @@
+"""What somebody does on its way: turns, changes lane, overtakes, crosses, stands."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+import numpy as np
+
+from scegen.claims.arms import arms_of
+from scegen.claims.boxes import boxes, course, seen
+from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test
+from scegen.claims.moments import at, lateral_m
+from scegen.claims.told import KPH, Told
+from scegen.claims.tolerances import STANDS_MPS
+from scegen.claims.view import View
+from scegen.motion.batch.arrays import HEADING, Floats
+from scegen.scenario.acts import ActKind
+from scegen.scenario.functional import Participant
+from scegen.scenario.logical import Crossing, Drive
+from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind, Side
+
+LANE_M = 2.0
+"""Who goes so far to the side has changed lane."""
+_TURNS_DEG, _BACK_DEG = 15.0, 140.0
+_BESIDE_M = 7.0
+_SAME_WAY = 0.9
+_MOVES_M = 0.5
+
+
+def claims(told: Told) -> Iterator[Claim]:
+    """Of everybody of whom it is said."""
+    for person in told.people:
+        field = f"participants.{person.id}.maneuvers"
+        drive, crossing = told.drive(person.id), told.crossing(person.id)
+        if person.pulls_out:
+            yield _stands(told, person, pulls_out=True)
+        elif person.parked or person.maneuvers == {Maneuver.STAY}:
+            yield _stands(told, person, pulls_out=False)
+        if drive is not None and person.maneuvers:
+            yield from _driven(told, drive, field)
+        crosses = crossing is not None and Maneuver.CROSS in person.maneuvers
+        if crossing is not None and crosses and not _stops(told, person.id):
+            yield _claim(
+                f"cross.{person.id}",
+                f"{person.id} crosses from one side of the road to the other",
+                field,
+                "m",
+                partial(_crosses, told, crossing),
+            )
+
+
+def _stops(told: Told, name: str) -> bool:
+    """Whether it is said to stop on its way."""
+    acts = any(act.kind is ActKind.STOP for act in told.acts_of(name))
+    return acts or any(h.kind is HazardKind.STOPPING and name in h.by for h in told.hazards)
+
+
+def _claim(name: str, statement: str, field: str, unit: str, test: Test) -> Claim:
+    return Claim(
+        id=f"maneuver.{name}",
+        kind=ClaimKind.MANEUVER,
+        statement=statement,
+        field=field,
+        unit=unit,
+        test=test,
+        scale=20.0 if unit == "deg" else 2.0,
+    )
+
+
+def _driven(told: Told, drive: Drive, field: str) -> Iterator[Claim]:
+    name = drive.participant
+    if drive.maneuver is Maneuver.LANE_CHANGE:
+        yield _claim(
+            f"lane_change.{name}", f"{name} changes lane", field, "m", partial(_changes_lane, drive)
+        )
+    elif drive.maneuver is Maneuver.OVERTAKE:
+        yield _claim(
+            f"overtake.{name}",
+            f"{name} passes another who goes the same way",
+            field,
+            "m",
+            partial(_overtakes, told, name),
+        )
+    if drive.turn in {Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN} and drive.reverses is None:
+        does = "turns back" if drive.turn is Maneuver.U_TURN else f"turns {drive.turn}"
+        yield _claim(f"turn.{name}", f"{name} {does}", field, "deg", partial(_turns, drive))
+
+
+def _turns(drive: Drive, view: View) -> Judged:
+    """The change of heading up to the end; who is not through yet is still to turn."""
+    name = drive.participant
+    heading = view.row(name, HEADING)
+    last = view.last_step
+    turned = np.degrees(at(heading, last) - heading[:, 0])
+    if drive.turn is Maneuver.U_TURN:
+        margin = np.abs(turned) - _BACK_DEG
+    else:
+        margin = (turned if drive.turn is Maneuver.LEFT else -turned) - _TURNS_DEG
+    arm = arms_of(view.concrete.road)[drive.entry]
+    along, _ = arm.place(boxes(view, name))
+    waits = (at(along, last) <= arm.length_m) & (np.abs(turned) < _TURNS_DEG)
+    waits &= at(view.speed_mps(name), last) < STANDS_MPS
+    return Judged(np.where(waits, 0.0, margin), turned, view.time_of(last))
+
+
+def _changes_lane(drive: Drive, view: View) -> Judged:
+    aside = np.abs(lateral_m(view, drive.participant, drive))
+    step = aside.argmax(axis=1)
+    most = at(aside, step)
+    return Judged(most - LANE_M, most, view.time_of(step))
+
+
+def _overtakes(told: Told, name: str, view: View) -> Judged:
+    """From wholly behind somebody to wholly ahead, side by side on one road."""
+    best = np.full(view.count, -NEVER)
+    when = np.zeros(view.count)
+    for other in told.people:
+        if other.id == name:
+            continue
+        margin, time_s = passes(view, name, other.id)
+        when = np.where(margin > best, time_s, when)
+        best = np.maximum(best, margin)
+    return Judged(best, best, when)
+
+
+def passes(view: View, name: str, other: str) -> tuple[Floats, Floats]:
+    """By how much somebody comes from wholly behind another to wholly ahead, and when (c,)."""
+    own, frame = boxes(view, name), boxes(view, other)
+    place = seen(frame, own)
+    beside = (np.abs(place.y) < _BESIDE_M) & (np.cos(course(frame, own)) > _SAME_WAY)
+    behind = np.where(beside, -frame.half_length - place.front, -NEVER)
+    before = np.where(beside, place.rear - frame.half_length, -NEVER)
+    passed = np.minimum(np.maximum.accumulate(behind, axis=1), before)
+    step = passed.argmax(axis=1)
+    return at(passed, step), view.time_of(step)
+
+
+def _crosses(told: Told, crossing: Crossing, view: View) -> Judged:
+    """Beyond the far kerb in the end, unless it has been hit as is said."""
+    arm = arms_of(view.concrete.road)[crossing.arm]
+    _, offset = arm.place(boxes(view, crossing.participant))
+    last = view.last_step
+    end = at(offset, last)
+    right, left = arm.edges_m
+    beyond = right - end if crossing.start is Side.LEFT else end - left
+    hit = np.zeros(view.count, dtype=np.bool_)
+    for other in view.index:
+        if other != crossing.participant and told.may_touch(other, crossing.participant):
+            hit |= ~np.isnan(view.of_pair("contact_s", other, crossing.participant))
+    margin = np.where(hit & (beyond < 0.0), 0.0, beyond)
+    return Judged(margin, end, view.time_of(last))
+
+
+def _stands(told: Told, person: Participant, *, pulls_out: bool) -> Claim:
+    name = person.id
+    until = " until it pulls out" if pulls_out else " all the time"
+    where = "is parked" if person.parked else "stands"
+    field = "parked" if person.parked else "maneuvers"
+    walks = person.kind is ParticipantKind.PEDESTRIAN and told.crossing(name) is not None
+    return Claim(
+        id=f"stands.{name}",
+        kind=ClaimKind.STANDS,
+        statement=f"{name} {where}{until}",
+        field=f"participants.{name}.{field}",
+        unit="km/h",
+        test=partial(_pulls_out if pulls_out or walks else _still, name),
+    )
+
+
+def _still(name: str, view: View) -> Judged:
+    speed = view.speed_mps(name)
+    step = speed.argmax(axis=1)
+    fastest = at(speed, step)
+    return Judged((STANDS_MPS - fastest) * KPH, fastest * KPH, view.time_of(step))
+
+
+def _pulls_out(name: str, view: View) -> Judged:
+    """Stands at first, and moves later."""
+    first = view.speed_mps(name)[:, 0]
+    gone = view.place_m(name)[:, -1] - view.place_m(name)[:, 0]
+    margin = np.where(gone > _MOVES_M, (STANDS_MPS - first) * KPH, -NEVER)
+    return Judged(margin, first * KPH, np.zeros(view.count))

@@ -1,0 +1,88 @@
+"""Things: where they lie, and whom they hide."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+import numpy as np
+
+from scegen.claims.boxes import box_at, seen
+from scegen.claims.claim import Claim, ClaimKind, Judged, Test, always
+from scegen.claims.hazards.thresholds import OCCLUDED
+from scegen.claims.told import Told, plain
+from scegen.claims.tolerances import SAME_LANE_M
+from scegen.claims.view import View
+from scegen.measures.occlusion import occlusion_series
+from scegen.scenario.things import Thing
+from scegen.scenario.vocabulary import Side
+
+
+def claims(told: Told) -> Iterator[Claim]:
+    """Of every thing: in whose way it is, on which side, whom it hides."""
+    for thing in told.functional.objects:
+        what = thing.called or plain(thing.kind)
+        if thing.in_way_of is not None:
+            test: Test = partial(_in_way, thing, thing.in_way_of)
+            yield _claim(thing, "in_way_of", f"{what} lies in the way of {thing.in_way_of}", test)
+        if thing.side is not None:
+            test = partial(_on_side, thing, told.ego, thing.side)
+            yield _claim(thing, "side", f"{what} is on the {thing.side} of the road", test)
+        for name in thing.hides:
+            test = partial(_hides, thing.id, told.ego, name)
+            statement = f"{what} hides {name} from {told.ego} before they come nearest"
+            yield _claim(thing, f"hides.{name}", statement, test, unit="s")
+
+
+def _claim(thing: Thing, part: str, statement: str, test: Test, unit: str = "m") -> Claim:
+    return Claim(
+        id=f"object.{thing.id}.{part}",
+        kind=ClaimKind.OBJECT,
+        statement=statement,
+        field=f"objects.{thing.id}.{part}",
+        unit=unit,
+        test=test,
+    )
+
+
+def _in_way(thing: Thing, name: str, view: View) -> Judged:
+    """Ahead on its line at the start, or in what it sweeps where it comes nearest."""
+    if thing.id not in view.index:
+        return always(view, holds=False)
+    margins, times = [], []
+    nearest = np.nan_to_num(view.of_pair("closest_s", name, thing.id))
+    for time_s in (np.zeros(view.count), nearest):
+        step = np.rint(time_s / view.dt_s).astype(np.int64)
+        place = seen(box_at(view, name, step), box_at(view, thing.id, step))
+        reach = np.maximum(SAME_LANE_M, (place.left - place.right) / 2.0 + SAME_LANE_M)
+        margins.append(np.minimum(reach - np.abs(place.y), place.front))
+        times.append(time_s)
+    chosen = np.argmax(margins, axis=0)
+    rows = np.arange(view.count)
+    margin = np.array(margins)[chosen, rows]
+    return Judged(margin, margin, np.array(times)[chosen, rows])
+
+
+def _on_side(thing: Thing, ego: str, side: Side, view: View) -> Judged:
+    """To that side of the ego's line where it passes."""
+    if thing.id not in view.index:
+        return always(view, holds=False)
+    nearest = np.nan_to_num(view.of_pair("closest_s", ego, thing.id))
+    step = np.rint(nearest / view.dt_s).astype(np.int64)
+    aside = seen(box_at(view, ego, step), box_at(view, thing.id, step)).y
+    margin = aside if side is Side.LEFT else -aside
+    return Judged(margin, aside, nearest)
+
+
+def _hides(hider: str, ego: str, name: str, view: View) -> Judged:
+    """Long enough to be missed, before the two come nearest."""
+    if hider not in view.index or name not in view.index:
+        return always(view, holds=False)
+    row = np.array([[view.index[who] for who in (ego, name, hider)]], dtype=np.int64)
+    hidden = occlusion_series(view.traces.tracks, view.scene.bodies, row)[:, :, 0]
+    time = np.arange(view.steps) * view.dt_s
+    nearest = view.of_pair("closest_s", ego, name)
+    hidden &= time < np.where(np.isnan(nearest), np.inf, nearest)[:, None]
+    total = hidden.sum(axis=1) * view.dt_s
+    last = np.where(hidden, time, 0.0).max(axis=1)
+    return Judged(total - OCCLUDED.value, total, last)

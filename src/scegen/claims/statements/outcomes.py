@@ -1,0 +1,159 @@
+"""How it ends: a contact, a near miss or neither; and that nobody else touches anybody."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+from itertools import combinations
+
+import numpy as np
+
+from scegen.claims.boxes import contact, free, seen
+from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, within
+from scegen.claims.near_miss import near_miss
+from scegen.claims.told import Told, amount
+from scegen.claims.tolerances import PERCENT
+from scegen.claims.view import View
+from scegen.motion.batch.arrays import Floats
+from scegen.scenario.model import Interval
+from scegen.scenario.outcome import Outcome, OutcomeKind
+from scegen.scenario.vocabulary import BodySide
+
+_SIDES = (BodySide.FRONT, BodySide.REAR, BodySide.LEFT, BodySide.RIGHT)
+
+
+def claims(told: Told) -> Iterator[Claim]:
+    """Of the outcome, and of everybody else."""
+    outcome = told.functional.outcome
+    if outcome is not None:
+        yield from _said(told, outcome)
+    yield Claim(
+        id="contacts",
+        kind=ClaimKind.CONTACT,
+        statement="nobody else touches anybody" if told.collides else "nobody touches anybody",
+        field="outcome",
+        unit="m",
+        test=partial(_nobody_else, told),
+    )
+
+
+def _said(told: Told, outcome: Outcome) -> Iterator[Claim]:
+    who = " and ".join(outcome.between) or f"{told.ego} and another"
+    if outcome.kind is OutcomeKind.COLLISION:
+        yield _claim("kind", f"{who} touch", "m", partial(_touch, told, outcome), 5.0)
+        if outcome.impact_percent is not None:
+            percent = outcome.impact_percent
+            statement = f"the contact is at {amount(percent)} % of the ego's width from its left"
+            test: Test = partial(_impact, told, outcome, percent)
+            yield _claim("impact_percent", statement, "%", test, 20.0, PERCENT)
+        if outcome.struck is not None:
+            statement = f"the {outcome.struck} of the ego is touched first"
+            test = partial(_struck, told, outcome, outcome.struck)
+            yield _claim("struck", statement, "m", test, 1.0)
+    elif outcome.kind is OutcomeKind.NEAR_MISS:
+        test = partial(_nearly, told, outcome)
+        yield _claim("kind", f"{who} nearly touch, and do not", "1", test, 1.0)
+    else:
+        yield _claim("kind", f"{who} do not touch", "m", partial(_apart, told, outcome), 1.0)
+
+
+def _claim(
+    part: str, statement: str, unit: str, test: Test, scale: float, tolerance: float = 0.0
+) -> Claim:
+    return Claim(
+        id=f"outcome.{part}",
+        kind=ClaimKind.OUTCOME,
+        statement=statement,
+        field=f"outcome.{part}",
+        unit=unit,
+        test=test,
+        scale=scale,
+        tolerance=tolerance,
+    )
+
+
+def pairs_of(told: Told, outcome: Outcome, view: View) -> list[tuple[str, str]]:
+    """Between whom it may be: the two who are named, or the ego and anybody."""
+    between = outcome.between
+    if len(between) == 2:
+        return [(between[0], between[1])]
+    one = between[0] if between and between[0] != told.ego else None
+    others = [one] if one is not None else [name for name in view.index if name != told.ego]
+    return [(told.ego, other) for other in others if other in view.index]
+
+
+def _touch(told: Told, outcome: Outcome, view: View) -> Judged:
+    """At least one of those pairs touches."""
+    margin = np.full(view.count, -NEVER)
+    when = np.full(view.count, np.nan)
+    for pair in pairs_of(told, outcome, view):
+        time_s = view.of_pair("contact_s", *pair)
+        apart = view.of_pair("distance_m", *pair)
+        margin = np.maximum(margin, np.where(np.isnan(time_s), -np.nan_to_num(apart, nan=NEVER), 0))
+        when = np.fmin(when, time_s)
+    return Judged(margin, -margin, when)
+
+
+def _met(told: Told, outcome: Outcome, view: View) -> tuple[str, str]:
+    """The pair that touches first in most candidates, the ego first."""
+    pairs = pairs_of(told, outcome, view)
+    hits = [np.isfinite(view.of_pair("contact_s", *pair)).sum() for pair in pairs]
+    first, second = pairs[int(np.argmax(hits))]
+    return (first, second) if first == told.ego else (second, first)
+
+
+def _impact(told: Told, outcome: Outcome, wanted: Interval, view: View) -> Judged:
+    met = contact(view, *_met(told, outcome, view))
+    aside = seen(met.first, met.second).y
+    percent = 50.0 - 100.0 * aside / (2.0 * met.first.half_width)
+    margin = np.where(met.happens, within(percent, wanted, PERCENT), np.nan)
+    return Judged(margin, percent, met.time_s)
+
+
+def _struck(told: Told, outcome: Outcome, side: BodySide, view: View) -> Judged:
+    """The side from which the other is freest at the first contact is the one that it meets."""
+    met = contact(view, *_met(told, outcome, view))
+    clear = dict(zip(_SIDES, free(met.first, met.second), strict=True))
+    others: Floats = np.max([clear[other] for other in _SIDES if other is not side], axis=0)
+    margin = np.where(met.happens, clear[side] - others, np.nan)
+    return Judged(margin, margin, met.time_s)
+
+
+def _nearly(told: Told, outcome: Outcome, view: View) -> Judged:
+    best = np.full(view.count, -NEVER)
+    when = np.full(view.count, np.nan)
+    for pair in pairs_of(told, outcome, view):
+        margin = near_miss(view, pair)
+        when = np.where(margin > best, view.of_pair("closest_s", *pair), when)
+        best = np.maximum(best, margin)
+    return Judged(best, best, when)
+
+
+def _apart(told: Told, outcome: Outcome, view: View) -> Judged:
+    """None of those pairs touches."""
+    return _untouched(view, pairs_of(told, outcome, view))
+
+
+def _nobody_else(told: Told, view: View) -> Judged:
+    standing = {p.id for p in told.people if p.parked and not p.pulls_out}
+    standing |= {name for name in view.index if all(name != p.id for p in told.people)}
+    pairs = [
+        (first, second)
+        for first, second in combinations(view.index, 2)
+        if not told.may_touch(first, second) and not {first, second} <= standing
+    ]
+    return _untouched(view, pairs)
+
+
+def _untouched(view: View, pairs: list[tuple[str, str]]) -> Judged:
+    """The smallest distance of any pair, and how deep into each other's time the worst are."""
+    margin = np.full(view.count, NEVER)
+    when = np.full(view.count, np.nan)
+    for pair in pairs:
+        time_s = view.of_pair("contact_s", *pair)
+        apart = np.nan_to_num(view.of_pair("distance_m", *pair), nan=NEVER)
+        depth = np.nan_to_num(np.clip(-view.of_pair("pet_s", *pair), 0.0, 3.0), nan=1.0)
+        value = np.where(np.isnan(time_s), apart, -1.0 - depth)
+        when = np.where(value < margin, np.where(np.isnan(time_s), np.nan, time_s), when)
+        margin = np.minimum(margin, value)
+    return Judged(margin, np.maximum(margin, 0.0), when)

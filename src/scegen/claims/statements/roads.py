@@ -1,0 +1,85 @@
+"""The road, its rules and the conditions: as described, so as made."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import partial
+
+from scegen.claims.claim import Claim, ClaimKind, Judged, always
+from scegen.claims.told import KPH, Told, plain
+from scegen.claims.view import View
+from scegen.scenario.concrete import RoadParameters
+
+_SAME_MPS = 0.5 / KPH
+Agrees = Callable[[RoadParameters], bool]
+
+
+def claims(told: Told) -> Iterator[Claim]:
+    """Of the junction and the environment."""
+    junction = told.functional.junction
+    kind, control, limit = junction.kind, junction.control, junction.speed_limit_mps
+    yield _road("kind", f"the road is {plain(kind)}", lambda road: road.kind is kind)
+    arms = junction.arms
+    yield _road("arms", f"it has {arms} arms", lambda road: len(road.arms) == arms)
+    yield _road("control", f"control: {plain(control)}", lambda road: road.control is control)
+    side = junction.driving_side
+    yield _road("driving_side", f"traffic keeps {side}", lambda road: road.driving_side is side)
+    if limit is not None:
+        statement = f"the limit is {limit * KPH:.4g} km/h"
+        yield _road("speed_limit_mps", statement, partial(_limited, limit))
+    if junction.lanes:
+        lanes = junction.lanes
+        statement = f"lanes per direction: {', '.join(map(str, lanes))}"
+        yield _road("lanes", statement, lambda road: _wide(road, lanes))
+    names = {person.id for person in told.people}
+    yield Claim(
+        id="road.participants",
+        kind=ClaimKind.ROAD,
+        statement=f"there are {len(names)} participants and no others",
+        field="participants",
+        unit="1",
+        test=partial(_those, names),
+    )
+    said = told.functional.environment.model_dump(mode="json", exclude_none=True)
+    for name, value in said.items():
+        yield Claim(
+            id=f"road.environment.{name}",
+            kind=ClaimKind.ROAD,
+            statement=f"{plain(name)}: {plain(str(value))}",
+            field=f"environment.{name}",
+            unit="1",
+            test=partial(_conditions, name, str(value)),
+        )
+
+
+def _road(part: str, statement: str, agrees: Agrees) -> Claim:
+    return Claim(
+        id=f"road.{part}",
+        kind=ClaimKind.ROAD,
+        statement=statement,
+        field=f"junction.{part}",
+        unit="1",
+        test=partial(_built, agrees),
+    )
+
+
+def _built(agrees: Agrees, view: View) -> Judged:
+    return always(view, holds=agrees(view.concrete.road))
+
+
+def _limited(limit_mps: float, road: RoadParameters) -> bool:
+    return all(abs(arm.speed_limit_mps - limit_mps) <= _SAME_MPS for arm in road.arms)
+
+
+def _wide(road: RoadParameters, lanes: tuple[int, ...]) -> bool:
+    """At least as many lanes in: where somebody turns back, one more may be needed."""
+    return all(arm.lanes_in >= count for arm, count in zip(road.arms, lanes, strict=False))
+
+
+def _those(names: set[str], view: View) -> Judged:
+    found = {person.id for person in view.concrete.participants}
+    return always(view, holds=found == names, measured=len(found))
+
+
+def _conditions(name: str, value: str, view: View) -> Judged:
+    return always(view, holds=getattr(view.concrete.environment, name) == value)

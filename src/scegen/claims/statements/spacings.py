@@ -1,0 +1,150 @@
+"""How far apart two are: at the start, when an act begins, at the contact."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+import numpy as np
+
+from scegen.claims import tolerances
+from scegen.claims.boxes import Boxes, Free, box_at, boxes, contact, free, gap_m, seen
+from scegen.claims.claim import Claim, ClaimKind, Judged, within
+from scegen.claims.moments import act_begins, at
+from scegen.claims.told import Told, amount, plain
+from scegen.claims.view import View
+from scegen.motion.batch.arrays import Floats, Ints
+from scegen.scenario.spacings import CONTACT, START, Measure, Spacing
+from scegen.scenario.vocabulary import Side
+
+_COVERED_M = 0.02
+_LEAST_MPS = 0.1
+_NAMES = {
+    Measure.GAP_M: "the gap",
+    Measure.HEADWAY_S: "the headway",
+    Measure.TTC_S: "the time to collision",
+    Measure.LATERAL_GAP_M: "the free width",
+    Measure.LATERAL_OFFSET_M: "the lateral offset",
+    Measure.OVERLAP_PERCENT: "the overlap",
+}
+
+
+def claims(told: Told) -> Iterator[Claim]:
+    """One for every spacing."""
+    acts = {act.id: act for act in told.functional.acts}
+    for number, spacing in enumerate(told.functional.spacings):
+        unit = tolerances.UNITS[spacing.measure]
+        when = {START: "at the start", CONTACT: "at the contact"}.get(spacing.at)
+        if when is None:
+            act = acts[spacing.at]
+            when = f"when {act.participant} begins to {plain(act.kind)}"
+        on = f" on the {spacing.side}" if spacing.side else ""
+        yield Claim(
+            id=f"spacing.{number}",
+            kind=ClaimKind.SPACING,
+            statement=f"{_NAMES[spacing.measure]} of {spacing.participant} to {spacing.reference} "
+            f"is {amount(spacing.value)} {unit}{on} {when}",
+            field=f"spacings.{number}",
+            unit=unit,
+            test=partial(_judge, told, spacing),
+            tolerance=tolerances.OF_MEASURE[spacing.measure],
+            scale=20.0 if unit == "%" else 2.0 if unit == "m" else 0.5,
+        )
+
+
+def _judge(told: Told, spacing: Spacing, view: View) -> Judged:
+    who, reference = spacing.participant, spacing.reference
+    tolerance = tolerances.OF_MEASURE[spacing.measure]
+    if spacing.at == CONTACT:
+        # Where no contact is said, what counts is when they are nearest.
+        met = contact(view, reference, who)
+        nearest = view.of_pair("closest_s", reference, who)
+        step = view.step_of(nearest)
+        frame, box = box_at(view, reference, step), box_at(view, who, step)
+        touching = measured(spacing.measure, met.first, met.second, spacing.side)
+        value = measured(spacing.measure, frame, box, spacing.side)
+        value = np.where(met.happens, touching, value)
+        said = np.where(met.happens | (not told.may_touch(reference, who)), value, np.nan)
+        when = np.where(met.happens, met.time_s, nearest)
+        return Judged(within(said, spacing.value, tolerance), value, when)
+    if spacing.at == START:
+        step = np.zeros(view.count, dtype=np.int64)
+    else:
+        act = next(act for act in told.functional.acts if act.id == spacing.at)
+        step = act_begins(view, told.functional, told.logical, act)
+    value = measure_at(view, spacing.measure, who, reference, step, spacing.side)
+    margin = within(value, spacing.value, tolerance)
+    if spacing.at != START and spacing.measure is not Measure.LATERAL_GAP_M:
+        # Somewhere within the step in which the act begins.
+        after = measure_at(view, spacing.measure, who, reference, step + 1, spacing.side)
+        low, high = np.minimum(value, after), np.maximum(value, after)
+        passes = (low <= spacing.value.high) & (high >= spacing.value.low)
+        margin = np.where(passes, np.maximum(margin, tolerance), margin)
+    margin = np.where(step < view.steps, margin, np.nan)
+    return Judged(margin, value, view.time_of(step))
+
+
+def measure_at(
+    view: View, measure: Measure, who: str, reference: str, step: Ints, side: Side | None = None
+) -> Floats:
+    """A measure of somebody to a reference at a step of each candidate (c,)."""
+    if measure is Measure.LATERAL_GAP_M:
+        return _alongside(view, who, reference, step)
+    if measure in {Measure.LATERAL_OFFSET_M, Measure.OVERLAP_PERCENT}:
+        frame, box = box_at(view, reference, step), box_at(view, who, step)
+        return measured(measure, frame, box, side)
+    # Along the ego's heading where it is one of the two: the other may go across.
+    own, other = (who, reference) if who == view.concrete.ego.id else (reference, who)
+    frame, box = box_at(view, own, step), box_at(view, other, step)
+    gap = gap_m(frame, box)
+    if measure is Measure.GAP_M:
+        return gap
+    along = frame.cos * box.cos + frame.sin * box.sin
+    follows = (seen(frame, box).x > 0.0) | (along < 0.0)
+    speed, others = (at(view.speed_mps(name), step) for name in (own, other))
+    if measure is Measure.HEADWAY_S:
+        return gap / np.maximum(np.where(follows, speed, others), _LEAST_MPS)
+    closing = np.where(follows, speed - others * along, others * along - speed)
+    return np.where(closing > _LEAST_MPS, gap / np.maximum(closing, _LEAST_MPS), np.inf)
+
+
+def measured(measure: Measure, frame: Boxes, box: Boxes, side: Side | None) -> Floats:
+    """A measure of two boxes; of those that depend on speed, the gap."""
+    if measure is Measure.OVERLAP_PERCENT:
+        return overlap_percent(frame, box, side)
+    if measure is Measure.LATERAL_OFFSET_M:
+        return seen(frame, box).y
+    if measure is Measure.LATERAL_GAP_M:
+        return _aside(free(frame, box))
+    return gap_m(frame, box)
+
+
+def overlap_percent(frame: Boxes, box: Boxes, side: Side | None) -> Floats:
+    """Share of the frame's width that the box covers; all as soon as the narrower is covered.
+
+    On a side, what the box covers must reach that side of the frame.
+    """
+    place = seen(frame, box)
+    half = frame.half_width
+    right, left = np.maximum(place.right, -half), np.minimum(place.left, half)
+    over = left - right
+    narrower = 2.0 * np.minimum(frame.half_width, box.half_width)
+    share = np.where(over > narrower - _COVERED_M, 100.0, 100.0 * over / (2.0 * half))
+    if side is None:
+        return share
+    middle = (left + right) / 2.0
+    there = middle > 0.0 if side is Side.LEFT else middle < 0.0
+    return np.where(there, share, -share)
+
+
+def _aside(clear: Free) -> Floats:
+    return np.maximum(clear.left, clear.right)
+
+
+def _alongside(view: View, who: str, reference: str, since: Ints) -> Floats:
+    """Free width when the two are first level from a moment on; if never, at that moment."""
+    clear = free(boxes(view, reference), boxes(view, who))
+    level = np.maximum(clear.front, clear.rear) < 0.0
+    level &= np.arange(view.steps) >= since[:, None]
+    step = np.where(level.any(axis=1), level.argmax(axis=1), since)
+    return at(_aside(clear), step)

@@ -1,0 +1,194 @@
+"""Stated speeds: held from the start until the first act, hazard, turn or reaction."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+import numpy as np
+
+from scegen.claims.arms import arms_of
+from scegen.claims.boxes import boxes
+from scegen.claims.claim import Claim, ClaimKind, Judged, within
+from scegen.claims.moments import (
+    GAINING,
+    SLOWING,
+    act_begins,
+    first,
+    speed_runs,
+)
+from scegen.claims.told import KPH, Told, plain, speed_words
+from scegen.claims.tolerances import SPEED_MPS
+from scegen.claims.view import View
+from scegen.motion.batch.arrays import Floats, Ints
+from scegen.scenario.functional import Participant
+from scegen.scenario.logical import Crossing
+from scegen.scenario.model import Interval
+from scegen.scenario.outcome import OutcomeKind
+from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind, Maneuver
+
+SPEED_CHANGES: dict[HazardKind, int] = {
+    HazardKind.HARD_BRAKING: -1,
+    HazardKind.DELAYED_BRAKING: -1,
+    HazardKind.STOPPING: -1,
+    HazardKind.LOSS_OF_CONTROL: -1,
+    HazardKind.REVERSING: -1,
+    HazardKind.SUDDEN_ACCELERATION: 1,
+}
+"""Dangers that whoever causes them makes by slowing down or speeding up."""
+_COMFORT_MPS2 = 1.5
+_BEFORE_TURN_M = 10.0
+_REACTS_S = 5.0
+"""Who has to react does so within this time before the closest approach."""
+_STOPPING = frozenset({Control.STOP, Control.ALL_WAY_STOP, Control.YIELD, Control.SIGNALS})
+_FIRST_S = 0.5
+"""A speed is held for this long at least, whatever happens."""
+
+
+def claims(told: Told) -> Iterator[Claim]:
+    """Of everybody whose speed is given and who does not stand."""
+    for person in told.people:
+        if person.speed_mps is None or person.parked or person.maneuvers == {Maneuver.STAY}:
+            continue
+        crossing = told.crossing(person.id)
+        test = partial(_holds, told, person, person.speed_mps)
+        until = _until(told, person)
+        verb = "drives"
+        if crossing is not None:
+            test = partial(_walks, crossing, person.speed_mps)
+            verb, until = "goes over the road at", ""
+        yield Claim(
+            id=f"speed.{person.id}",
+            kind=ClaimKind.SPEED,
+            statement=f"{person.id} {verb} {speed_words(person.speed_mps)}{until}",
+            field=f"participants.{person.id}.speed_mps",
+            unit="km/h",
+            test=test,
+            tolerance=SPEED_MPS * KPH,
+            scale=5.0,
+        )
+
+
+def _until(told: Told, person: Participant) -> str:
+    for act in told.acts_of(person.id):
+        if act.kind in SLOWING | GAINING:
+            return f" until it is to {plain(act.kind)}"
+    if told.collides:
+        return " until the contact"
+    return " until something concerns it"
+
+
+def _walks(crossing: Crossing, wanted: Interval, view: View) -> Judged:
+    """The pace between the kerbs: the greatest speed there, which is held in their middle."""
+    arm = arms_of(view.concrete.road)[crossing.arm]
+    _, offset = arm.place(boxes(view, crossing.participant))
+    on = (offset > arm.edges_m[0]) & (offset < arm.edges_m[1])
+    speed = np.where(on, view.speed_mps(crossing.participant), 0.0)
+    step = speed.argmax(axis=1)
+    fastest = speed.max(axis=1)
+    margin = within(fastest, wanted, SPEED_MPS)
+    return Judged(margin * KPH, fastest * KPH, view.time_of(step))
+
+
+def _holds(told: Told, person: Participant, wanted: Interval, view: View) -> Judged:
+    until = _held_until(told, person, view)
+    until = np.maximum(until, round(_FIRST_S / view.dt_s))
+    inside = np.arange(view.steps) <= until[:, None]
+    speed = view.speed_mps(person.id)
+    low = np.where(inside, speed, np.inf).min(axis=1)
+    high = np.where(inside, speed, -np.inf).max(axis=1)
+    margin = np.minimum(within(low, wanted, SPEED_MPS), within(high, wanted, SPEED_MPS))
+    worst = np.where(within(low, wanted, 0.0) < within(high, wanted, 0.0), low, high)
+    when = np.where(inside & (speed == worst[:, None]), 1, 0).argmax(axis=1) * view.dt_s
+    return Judged(margin * KPH, worst * KPH, when)
+
+
+def _held_until(told: Told, person: Participant, view: View) -> Ints:
+    """The last step in which the stated speed must be held (c,)."""
+    name = person.id
+    ends = [np.minimum(_own_change(told, person, view), view.last_step)]
+    closest = _closest(told, view, name)
+    ends.append(closest)
+    if _turns(told, name):
+        ends.append(_before_turn(told, name, view))
+    outcome = told.functional.outcome
+    collides = outcome is not None and outcome.kind is OutcomeKind.COLLISION
+    between = outcome.between if outcome is not None else ()
+    if not (collides and (not between or name in between)) and _may_react(told, name):
+        ends.append(_others_begin(told, name, view, closest))
+    return np.asarray(np.min(ends, axis=0))
+
+
+def _own_change(told: Told, person: Participant, view: View) -> Ints:
+    """When its own first act or danger that changes its speed begins."""
+    begins = [np.full(view.count, view.steps)]
+    acts = [a for a in told.acts_of(person.id) if a.kind in SLOWING | GAINING]
+    begins += [act_begins(view, told.functional, told.logical, act) for act in acts]
+    if not acts:
+        for hazard in told.hazards:
+            if person.id in hazard.by and hazard.kind in SPEED_CHANGES:
+                run = speed_runs(view, person.id, SPEED_CHANGES[hazard.kind])[0]
+                begins.append(np.where(run.happens, run.begin, view.steps))
+    return np.asarray(np.min(begins, axis=0))
+
+
+def _closest(told: Told, view: View, name: str) -> Ints:
+    """When whoever it is about comes nearest to it; the end if it is alone."""
+    nearest = np.full(view.count, np.inf)
+    best = np.full(view.count, np.inf)
+    for other in told.people:
+        if other.id == name:
+            continue
+        apart = view.of_pair("distance_m", name, other.id)
+        better = apart < best
+        nearest = np.where(better, view.of_pair("closest_s", name, other.id), nearest)
+        best = np.fmin(best, apart)
+    return np.where(np.isfinite(nearest), np.rint(nearest / view.dt_s), view.last_step).astype(
+        np.int64
+    )
+
+
+def _turns(told: Told, name: str) -> bool:
+    """Whether its way or the rules at the junction make it slow down."""
+    drive = told.drive(name)
+    junction = told.functional.junction
+    if drive is None or junction.kind is JunctionKind.STRAIGHT:
+        return drive is not None and drive.turn is Maneuver.U_TURN
+    return (
+        drive.turn is not Maneuver.STRAIGHT
+        or junction.kind is JunctionKind.ROUNDABOUT
+        or junction.control in _STOPPING
+        or any(c.yields == name for c in told.logical.conflicts)
+    )
+
+
+def _before_turn(told: Told, name: str, view: View) -> Ints:
+    """When comfortable braking to a stop before the junction would begin."""
+    drive = told.drive(name)
+    if drive is None:
+        return np.full(view.count, view.steps)
+    arm = arms_of(view.concrete.road)[drive.entry]
+    along, _ = arm.place(boxes(view, name))
+    speed = view.speed_mps(name)[:, :1]
+    room: Floats = speed**2 / (2.0 * _COMFORT_MPS2) + _BEFORE_TURN_M
+    return first(arm.length_m - along < room)
+
+
+def _may_react(told: Told, name: str) -> bool:
+    """Whether something happens to it: the ego, and whoever suffers a danger."""
+    return name == told.ego or any(name in hazard.to for hazard in told.hazards)
+
+
+def _others_begin(told: Told, name: str, view: View, closest: Ints) -> Ints:
+    """When the first of the others' acts begins; without one, some time before the approach.
+
+    Who brakes at that time may have begun before: from high speed it takes longer.
+    """
+    others = [act for act in told.functional.acts if act.participant != name]
+    soon = closest - round(_REACTS_S / view.dt_s)
+    braking = speed_runs(view, name, -1)[0]
+    soon = np.where(braking.happens & (braking.end > soon), np.minimum(soon, braking.begin), soon)
+    if not others:
+        return soon
+    begins = [act_begins(view, told.functional, told.logical, act) for act in others]
+    return np.asarray(np.maximum(np.min(begins, axis=0), soon))

@@ -1,0 +1,105 @@
+"""What claims are derived from: a functional scenario and one of its logical ones."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from scegen.scenario.acts import Act
+from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
+from scegen.scenario.logical import Crossing, Drive, LogicalScenario, Standing
+from scegen.scenario.model import Interval
+from scegen.scenario.outcome import OutcomeKind
+
+KPH = 3.6
+
+
+@dataclass(frozen=True)
+class Told:
+    """Both levels, and who does what in them."""
+
+    functional: FunctionalScenario
+    logical: LogicalScenario
+
+    @property
+    def ego(self) -> str:
+        """The id of the ego."""
+        return self.functional.ego.id
+
+    @property
+    def people(self) -> tuple[Participant, ...]:
+        """Everybody in traffic."""
+        return self.functional.participants
+
+    def drive(self, name: str) -> Drive | None:
+        """How somebody drives, None if it does not."""
+        return next((d for d in self.logical.drives if d.participant == name), None)
+
+    def crossing(self, name: str) -> Crossing | None:
+        """Where somebody crosses, None if it does not."""
+        return next((c for c in self.logical.crossings if c.participant == name), None)
+
+    def standing(self, name: str) -> Standing | None:
+        """Where somebody stands, None if it does not."""
+        return next((s for s in self.logical.standings if s.participant == name), None)
+
+    def acts_of(self, name: str) -> tuple[Act, ...]:
+        """What somebody does, in order."""
+        return tuple(act for act in self.functional.acts if act.participant == name)
+
+    @property
+    def hazards(self) -> tuple[Hazard, ...]:
+        """The dangers, with everybody named who causes and who suffers them where that is known."""
+        return self.logical.hazards or self.functional.hazards
+
+    @property
+    def collides(self) -> bool:
+        """Whether it ends in a contact."""
+        outcome = self.functional.outcome
+        return outcome is not None and outcome.kind is OutcomeKind.COLLISION
+
+    def may_touch(self, first: str, second: str) -> bool:
+        """Whether a contact of two is what is said."""
+        outcome = self.functional.outcome
+        if outcome is None or not self.collides:
+            return False
+        between = set(outcome.between) or {self.ego}
+        return between <= {first, second} if len(between) > 1 else bool(between & {first, second})
+
+    def words(self, field: str) -> str | None:
+        """The words that a field rests on, or those behind the field above it."""
+        said = {e.field: e.text for e in self.functional.evidence if e.text is not None}
+        while field:
+            if field in said:
+                return said[field]
+            field = field.rpartition(".")[0]
+        return None
+
+    def turners(self) -> Iterator[str]:
+        """Those whose way bends in a junction or ring, so that they have to slow down for it."""
+        for drive in self.logical.drives:
+            if drive.turn not in {"straight", "stay"}:
+                yield drive.participant
+
+
+def speed_words(wanted: Interval) -> str:
+    """A speed as people say it."""
+    return f"{amount(wanted, KPH)} km/h"
+
+
+def amount(wanted: Interval, factor: float = 1.0) -> str:
+    """A number or a range of numbers."""
+    low, high = (
+        f"{value * factor:.2f}".rstrip("0").rstrip(".") for value in (wanted.low, wanted.high)
+    )
+    return low if low == high else f"{low} to {high}"
+
+
+def plain(word: str) -> str:
+    """A word of the vocabulary as people write it."""
+    return word.replace("_", " ")
+
+
+def either(words: list[str]) -> str:
+    """Alternatives in a row."""
+    return " or ".join(words)

@@ -1,0 +1,211 @@
+"""What claims look at: movements of many candidates and their measures.
+
+All series are arrays (candidate, time); all results (candidate,).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Mapping
+from dataclasses import dataclass, field
+from math import nan
+from typing import TypeVar, cast
+
+import numpy as np
+
+from scegen.claims.ways import Way
+from scegen.measures.evaluation import Summary, measure
+from scegen.measures.following import SPACING_M
+from scegen.measures.scene import Scene
+from scegen.motion.batch.arrays import SPEED, BatchTraces, Bools, Floats, Ints, S
+from scegen.scenario.bodies import Body
+from scegen.scenario.concrete import ConcreteScenario
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class View:
+    """Movements, measures and ways of one batch; ``friction`` as in ``build_scene``.
+
+    ``ends_s`` (c,) is when each candidate is over, None where all movements count. What several
+    ask for is worked out ``once``.
+    """
+
+    concrete: ConcreteScenario
+    ways: Mapping[str, Way]
+    scene: Scene
+    traces: BatchTraces
+    summary: Summary
+    index: Mapping[str, int]
+    pairs: Mapping[tuple[int, int], int]
+    friction: float
+    ends_s: Floats | None = None
+    _known: dict[Hashable, object] = field(default_factory=dict, compare=False)
+
+    def once(self, key: Hashable, make: Callable[[], T]) -> T:
+        """What ``make`` gives, which is called the first time only."""
+        if key not in self._known:
+            self._known[key] = make()
+        return cast("T", self._known[key])
+
+    @property
+    def dt_s(self) -> float:
+        """The time step."""
+        return self.traces.dt_s
+
+    @property
+    def count(self) -> int:
+        """The number of candidates."""
+        return int(self.traces.tracks.shape[0])
+
+    @property
+    def steps(self) -> int:
+        """The number of time steps."""
+        return int(self.traces.tracks.shape[3])
+
+    @property
+    def last_step(self) -> Ints:
+        """The step in which each candidate is over (c,)."""
+        last = self.steps - 1
+        if self.ends_s is None:
+            return np.full(self.count, last)
+        return np.minimum(np.rint(self.ends_s / self.dt_s), last).astype(np.int64)
+
+    def time_of(self, step: Ints) -> Floats:
+        """The time of steps, s."""
+        return np.asarray(step * self.dt_s, dtype=np.float64)
+
+    def step_of(self, time_s: Floats) -> Ints:
+        """The step nearest to a time; the first where the time is undefined."""
+        return np.asarray(np.rint(np.nan_to_num(time_s) / self.dt_s), dtype=np.int64)
+
+    def body(self, name: str) -> Body:
+        """The body of a participant or a thing."""
+        return self.concrete.entities[self.index[name]].body
+
+    def row(self, name: str, row: int) -> Floats:
+        """A row of a participant's track (see ``BatchTraces``)."""
+        return self.traces.tracks[:, self.index[name], row]
+
+    def place_m(self, name: str) -> Floats:
+        """Positions along its path."""
+        return self.row(name, S)
+
+    def speed_mps(self, name: str) -> Floats:
+        """Speeds, forwards or backwards."""
+        return np.abs(self.row(name, SPEED))
+
+    def of_pair(self, field: str, first: str, second: str) -> Floats:
+        """A measure of a pair; nan if it is not measured."""
+        found = self.pair(first, second)
+        if found is None:
+            return np.full(self.count, nan)
+        values: Floats = getattr(self.summary, field)[:, found[0]]
+        return values if values.ndim == 1 else values[:, found[1]]
+
+    def pair(self, first: str, second: str) -> tuple[int, int] | None:
+        """(number of the pair, which of it is ``first``); None if it is not measured."""
+        i, j = self.index[first], self.index[second]
+        if (i, j) in self.pairs:
+            return self.pairs[i, j], 0
+        if (j, i) in self.pairs:
+            return self.pairs[j, i], 1
+        return None
+
+    def gap_m(self, follower: str, leader: str) -> Floats:
+        """Clear gap along the follower's path; nan where the leader is not ahead in its lane."""
+        shape = self.place_m(follower).shape
+        found = self.pair(follower, leader)
+        if found is None or self.scene.following.first[found] < 0:
+            return np.full(shape, nan)
+        first = self.scene.following.first[found]
+        at = self.place_m(leader) / SPACING_M
+        n = at.astype(np.int64)
+        low, high = (self.scene.following.rear_m[first + n + k] for k in (0, 1))
+        front = self.scene.bodies[self.index[follower], 4]
+        gap = low + (at - n) * (high - low) - self.place_m(follower) - front
+        return np.where(gap >= 0.0, gap, nan)
+
+    def room_m(self, name: str, other: str) -> Floats:
+        """Way left until the other's: the next conflict area or the other's rear; nan: neither."""
+        room = self.gap_m(name, other)
+        found = self.pair(name, other)
+        if found is not None:
+            p, side = found
+            for n in range(self.scene.areas.first[p], self.scene.areas.first[p + 1]):
+                left = self.scene.areas.enter_m[n, side] - self.place_m(name)
+                room = np.fmin(room, np.where(left >= 0.0, left, np.nan))
+        return room
+
+    def shared_from_m(self, name: str, other: str) -> float | None:
+        """Where on its path the first ground begins that it shares with another's way."""
+        found = self.pair(name, other)
+        if found is None:
+            return None
+        p, side = found
+        enter = self.scene.areas.enter_m[self.scene.areas.first[p] : self.scene.areas.first[p + 1]]
+        return float(enter[:, side].min()) if len(enter) else None
+
+    def headway_s(self, follower: str, leader: str) -> Floats:
+        """Time headway; inf where there is none (no leader, or the follower stands)."""
+        speed = self.speed_mps(follower)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            headway = self.gap_m(follower, leader) / speed
+        return np.where(np.isnan(headway) | (speed < 1.0), np.inf, headway)
+
+    def acceleration_mps2(self, name: str, over_s: float) -> Floats:
+        """Mean accelerations over a time."""
+        n = max(1, round(over_s / self.dt_s))
+        speed = self.speed_mps(name)
+        return (speed[:, n:] - speed[:, :-n]) / (n * self.dt_s)
+
+    def lateral_mps2(self, name: str) -> Floats:
+        """Lateral accelerations on the path."""
+        way = self.ways[name]
+        bend = np.interp(self.place_m(name), way.at_m, way.curvature_1pm)
+        return self.speed_mps(name) ** 2 * bend
+
+    def when(self, series: Floats) -> Floats:
+        """Time of the greatest value."""
+        time_s: Floats = np.argmax(series, axis=1) * self.dt_s
+        return time_s
+
+
+def view_of(
+    concrete: ConcreteScenario,
+    ways: Mapping[str, Way],
+    scene: Scene,
+    traces: BatchTraces,
+    friction: float,
+) -> View:
+    """What predicates look at, from movements."""
+    summary: Summary = measure(traces, scene)
+    return View(
+        concrete=concrete,
+        ways=ways,
+        scene=scene,
+        traces=traces,
+        summary=summary,
+        index={entity.id: i for i, entity in enumerate(concrete.entities)},
+        pairs={(int(a), int(b)): n for n, (a, b) in enumerate(scene.pairs)},
+        friction=friction,
+    )
+
+
+def lasting(series: Floats, steps: int, *, greatest: bool) -> Floats:
+    """The greatest (or least) value over every window of so many steps."""
+    steps = max(1, min(steps, series.shape[1]))
+    windows = np.lib.stride_tricks.sliding_window_view(series, steps, axis=1)
+    kept: Floats = windows.max(axis=2) if greatest else windows.min(axis=2)
+    return kept
+
+
+def longest_run(flags: Bools) -> tuple[Floats, Floats]:
+    """Length of the longest run of True in steps, and the step where it begins."""
+    count, steps = flags.shape
+    position = np.arange(1, steps + 1)
+    broken = np.maximum.accumulate(np.where(flags, 0, position), axis=1)
+    lengths = np.where(flags, position - broken, 0)
+    ends = lengths.argmax(axis=1)
+    longest = lengths[np.arange(count), ends]
+    return longest.astype(np.float64), (ends + 1 - longest).astype(np.float64)

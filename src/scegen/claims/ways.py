@@ -1,0 +1,139 @@
+"""What the predicates know of the participants' ways beside the movements."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from scegen.motion.batch.arrays import Floats
+from scegen.motion.model import Path
+from scegen.motion.paths import build_path, lay_drive
+from scegen.motion.polyline import LaidDrive
+from scegen.road.cross_section import PARKING_WIDTH_M
+from scegen.road.model import RoadNetwork
+from scegen.scenario.concrete import (
+    ConcreteParticipant,
+    ConcreteScenario,
+    DriveMotion,
+    LaneChange,
+)
+
+_INTO_EXIT_M = 20.0
+_BEHIND_CHANGE_M = 5.0
+_BEHIND_REVERSING_M = 10.0
+_WALKED_M = 0.5
+
+
+@dataclass(frozen=True, slots=True)
+class Sideways:
+    """A lane change: from ``start_m`` to ``end_m`` of the path, ``width_m`` to the side."""
+
+    start_m: float
+    end_m: float
+    width_m: float
+    change: LaneChange
+
+
+@dataclass(frozen=True)
+class Way:
+    """One participant's way; positions are along its path, m.
+
+    ``turn_start_m`` and ``turn_end_m`` are where the junction begins and ends, ``goal_m`` how far
+    it must come before the scenario may end, unless it ``halts``: stops on the way and stays;
+    ``curvature_1pm`` belongs to ``at_m``; ``lanes_in`` is the number of lanes of its entry arm.
+    """
+
+    participant: ConcreteParticipant
+    path: Path
+    limit_mps: float
+    turn_start_m: float
+    turn_end_m: float
+    goal_m: float
+    changes: tuple[Sideways, ...]
+    at_m: Floats
+    curvature_1pm: Floats
+    laid: LaidDrive | None
+    lanes_in: int = 0
+    halts: bool = False
+
+    @property
+    def sets_off(self) -> bool:
+        """Whether it stands at first and is to move."""
+        return self.participant.speed_mps == 0.0 and bool(self.participant.speed_program)
+
+
+def ways_of(concrete: ConcreteScenario, network: RoadNetwork) -> dict[str, Way]:
+    """The ways of all participants, by id, from where they start.
+
+    Raises:
+        MotionInfeasibleError: somebody cannot move as its numbers say.
+    """
+    return {p.id: _way(p, concrete, network) for p in concrete.participants}
+
+
+def paths_of(ways: Mapping[str, Way]) -> dict[str, Path]:
+    """Their paths."""
+    return {name: way.path for name, way in ways.items()}
+
+
+def _way(participant: ConcreteParticipant, concrete: ConcreteScenario, network: RoadNetwork) -> Way:
+    motion = participant.motion
+    if not isinstance(motion, DriveMotion):
+        path = build_path(motion, participant.kind, network, participant.id)
+        limit = concrete.road.arms[motion.arm].speed_limit_mps
+        goal = max(0.0, path.length_m - _WALKED_M) if motion.type == "crossing" else 0.0
+        zero = np.zeros(1)
+        return Way(participant, path, limit, 0.0, path.length_m, goal, (), zero, zero, None)
+    laid = lay_drive(network, motion, participant.id)
+    arms = concrete.road.arms
+    width = arms[motion.entry].lane_width_m
+    if motion.entry_lane > arms[motion.entry].lanes_in:
+        width = (width + PARKING_WIDTH_M) / 2
+    first = motion.lane_changes[0].position_m if motion.lane_changes else 0.0
+    in_ring = motion.ring_lane is not None and first >= laid.turning_starts_m
+    places = [((motion.ring_lane or 1) if in_ring else motion.entry_lane, motion.offset_m)]
+    places += [(change.lane_after, change.offset_m) for change in motion.lane_changes]
+    changes = tuple(
+        Sideways(
+            laid.path_s_m(change.position_m),
+            laid.path_s_m(change.position_m + change.length_m),
+            abs((after[0] - before[0]) * width + before[1] - after[1]),
+            change,
+        )
+        for change, before, after in zip(motion.lane_changes, places, places[1:], strict=False)
+    )
+    turn_end = laid.path_s_m(laid.turning_ends_m)
+    leaves = [turn_end + _INTO_EXIT_M] if network.junctions else [0.0]
+    goal = max([*leaves, *(c.end_m + _BEHIND_CHANGE_M for c in changes)])
+    goal = max([goal, *(ends_m + _BEHIND_REVERSING_M for _, ends_m in laid.path.backwards)])
+    at, curvature = _curvature(laid.path)
+    return Way(
+        participant=participant,
+        path=laid.path,
+        limit_mps=max(arms[motion.entry].speed_limit_mps, arms[motion.exit].speed_limit_mps),
+        turn_start_m=laid.path_s_m(laid.turning_starts_m),
+        turn_end_m=turn_end,
+        goal_m=min(goal, laid.path.length_m) - 1e-3,
+        changes=changes,
+        at_m=at,
+        curvature_1pm=curvature,
+        laid=laid,
+        lanes_in=arms[motion.entry].lanes_in,
+        halts=halts(participant),
+    )
+
+
+def halts(participant: ConcreteParticipant) -> bool:
+    """Whether a driver's program ends at rest: it stops on its way and stays."""
+    program = participant.speed_program
+    return bool(program) and program[-1].target_speed_mps == 0.0
+
+
+def _curvature(path: Path) -> tuple[Floats, Floats]:
+    """Curvature in the middle of every piece of a path: change of heading per metre."""
+    if len(path.s_m) < 2:
+        return np.zeros(1), np.zeros(1)
+    step = np.diff(path.s_m)
+    return path.s_m[:-1] + step / 2, np.abs(np.diff(path.heading_rad)) / step

@@ -1,0 +1,79 @@
+"""scegen benchmark said: what was said, judged on what is played."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from scegen.cli.console import result, result_json, say, working
+from scegen.cli.options import JsonFlag
+
+if TYPE_CHECKING:
+    from scegen.benchmark.said import Row
+
+
+def said(
+    file: Annotated[
+        Path, typer.Argument(metavar="FILE.jsonl", help="Descriptions with facts, one a line.")
+    ],
+    only: Annotated[
+        list[str] | None, typer.Option("--only", help="Id of a description; may be repeated.")
+    ] = None,
+    seed: Annotated[int, typer.Option(min=0, help="Seed of everything random.")] = 0,
+    judge: Annotated[
+        Path | None,
+        typer.Option(
+            help="Python file with judge(facts, recording); judge_catalogue.py beside FILE."
+        ),
+    ] = None,
+    json: JsonFlag = False,
+) -> None:
+    """From the sentence to what runs: which facts are true when the files are played."""
+    from scegen.benchmark.said import JUDGE_FILE, load_judge, load_records, run, tally
+    from scegen.errors import InputError
+
+    records = load_records(file)
+    judging = load_judge(judge or file.with_name(JUDGE_FILE))
+    if unknown := sorted({*(only or ())} - {record.id for record in records}):
+        raise InputError(f"there is no description {unknown[0]!r}", where=str(file))
+    rows: list[Row] = []
+    with working() as progress:
+        for row in run(records, judging, seed=seed, only=only or (), progress=progress):
+            rows.append(row)
+            if not json:
+                _tell(row)
+    right = sum(row.right for row in rows)
+    facts = tally(rows)
+    if json:
+        result_json(
+            {
+                "right": right,
+                "sentences": len(rows),
+                "facts": {name: {"right": r, "asked": n} for name, (r, n) in facts.items()},
+                "rows": [row.to_data() for row in rows],
+            }
+        )
+    else:
+        result("")
+        for name, (holds, asked) in facts.items():
+            result(f"  {name:28}{holds:4} of {asked}")
+        players = ", ".join(sorted({row.player for row in rows if row.player}))
+        result(f"every fact right: {right} of {len(rows)} sentences; played by {players or '-'}")
+    if right < len(rows):
+        say(f"{len(rows) - right} sentences run otherwise than said")
+        raise typer.Exit(1)
+
+
+def _tell(row: Row) -> None:
+    known = f", {len(row.missed)} statements known not to hold" if row.missed else ""
+    if row.right:
+        result(f"right  {row.record.id}{known}")
+        return
+    result(f"WRONG  {row.record.id}{known}: {row.record.text}")
+    if row.problem is not None:
+        result(f"         {row.problem}")
+    for fact in row.facts:
+        if not fact.holds:
+            result(f"         {fact.name}: {fact.expected} expected, {fact.measured} measured")

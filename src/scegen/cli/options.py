@@ -1,0 +1,19 @@
+"""Options that mean the same in several commands."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+WhereOption = Annotated[
+    str | None, typer.Option(help="Only scenarios for which this holds, such as yields(ego).")
+]
+RulesOption = Annotated[
+    Path | None, typer.Option(help="Only scenarios that keep the ASP rules in this file.")
+]
+JsonFlag = Annotated[bool, typer.Option("--json", help="Print JSON.")]
+OutputFile = Annotated[
+    Path | None, typer.Option("--output", "-o", help="Write to this file instead of stdout.")
+]

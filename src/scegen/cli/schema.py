@@ -1,0 +1,18 @@
+"""scegen schema: the published JSON Schema of a level."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from scegen.cli.console import result_json
+
+
+def schema(
+    level: Annotated[str, typer.Argument(help="functional, logical or concrete")],
+) -> None:
+    """Print the JSON Schema of a level."""
+    from scegen.scenario.files import json_schema
+
+    result_json(json_schema(level))

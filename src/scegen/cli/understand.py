@@ -1,0 +1,65 @@
+"""scegen understand: text to functional scenario."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from scegen.cli.console import say, working
+from scegen.cli.llm import (
+    BudgetOption,
+    Listener,
+    ModelOption,
+    RecordOption,
+    ReplayOption,
+    TimeoutOption,
+    UrlOption,
+    llm_settings,
+    tell,
+)
+from scegen.cli.options import JsonFlag, OutputFile
+from scegen.cli.parse_report import show_refusal, show_report
+from scegen.cli.source import functional_of
+from scegen.cli.writing import write_text
+from scegen.errors import InputError
+
+
+def understand(
+    text: Annotated[str, typer.Argument(metavar="TEXT|FILE", help="A description.")],
+    json: JsonFlag = False,
+    output: OutputFile = None,
+    report: Annotated[
+        bool, typer.Option("--report", help="Show the text with what became of its words.")
+    ] = False,
+    llm: ModelOption = None,
+    llm_url: UrlOption = None,
+    llm_budget: BudgetOption = None,
+    llm_timeout: TimeoutOption = None,
+    llm_record: RecordOption = None,
+    llm_replay: ReplayOption = None,
+) -> None:
+    """Understand a description: text to functional scenario, with the words it rests on."""
+    from scegen.scenario.files import to_json, to_yaml
+
+    settings = llm_settings(llm, llm_url, llm_budget, llm_timeout, llm_record, llm_replay)
+    listener = None
+    try:
+        if settings is None:
+            functional = functional_of(text)
+        else:
+            with working() as progress:
+                listener = Listener(settings, progress)
+                functional = functional_of(text, listener)
+            tell(listener.understanding)
+    except InputError as error:
+        if report:
+            show_refusal(text, error, as_json=json)
+        raise
+    if report:
+        understood = listener and listener.understanding
+        show_report(functional, understood.disagreements if understood else (), as_json=json)
+        return
+    for phrase in functional.unsupported:
+        say(f'not expressed: "{phrase.text}" ({phrase.instead})')
+    write_text(to_json(functional) if json else to_yaml(functional), output)

@@ -1,0 +1,237 @@
+"""Who drives in which lane beside whom, and the turns across each other that this may need.
+
+Where the text names the side, that side; else, where two beside each other turn different ways,
+the sides on which one turns across the other's nose: that is what such a text tells of. The usual
+lane markings allow no such turn, so the crossing gets one more way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.lane_choice import choose_ring_lane, entry_lanes
+from scegen.road.lane_choice import lane_ways
+from scegen.scenario.concrete import RoadParameters, Turn
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.logical import Drive, LogicalScenario
+from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
+
+_SIDES = frozenset({Approach.LEFT, Approach.RIGHT})
+_WITHOUT_TURNS = frozenset({JunctionKind.STRAIGHT, JunctionKind.ROUNDABOUT})
+
+
+def is_outward(functional: FunctionalScenario, name: str, reference: str) -> bool | None:
+    """Whether one is said to be on the kerb's side of another; None if no side is said."""
+    words = {
+        word
+        for relation in functional.relations
+        if (relation.participant, relation.reference) == (name, reference)
+        for word in relation.approaches
+    }
+    if reference == functional.ego.id:
+        words |= functional.participant(name).approaches
+    said = words & _SIDES
+    if len(said) != 1:
+        return None
+    return next(iter(said)).value == functional.junction.driving_side.value
+
+
+def abreast(logical: LogicalScenario) -> Iterator[tuple[Drive, Drive]]:
+    """Each who drives beside another, and that other."""
+    by_name = {drive.participant: drive for drive in logical.drives}
+    for drive in logical.drives:
+        other = by_name.get(drive.beside or "")
+        if other is not None and other.entry == drive.entry:
+            yield drive, other
+
+
+def outer_of(functional: FunctionalScenario, drive: Drive, other: Drive) -> tuple[str, str] | None:
+    """(on the kerb's side, on the centre line's side) of two; None if either will do."""
+    said = is_outward(functional, drive.participant, other.participant)
+    if said is None:
+        back = is_outward(functional, other.participant, drive.participant)
+        said = None if back is None else not back
+    if said is not None:
+        names = drive.participant, other.participant
+        return names if said else names[::-1]
+    if functional.junction.kind in _WITHOUT_TURNS or not _at_odds(functional, drive, other):
+        return None
+    first, second = _bend(functional, drive), _bend(functional, other)
+    if first == second:
+        if first == 0:
+            return None
+        # One cuts across the other: rather not the ego.
+        cutter = drive if other.participant == functional.ego.id else other
+        rest = other if cutter is drive else drive
+        inner, outer = (cutter, rest) if first > 0 else (rest, cutter)
+        return outer.participant, inner.participant
+    return (
+        (drive.participant, other.participant)
+        if first < second
+        else (other.participant, drive.participant)
+    )
+
+
+def _at_odds(functional: FunctionalScenario, drive: Drive, other: Drive) -> bool:
+    """Whether the danger is between the two: no other is asked for."""
+    if not functional.hazards:
+        return functional.ego.id in {drive.participant, other.participant}
+    pair = {drive.participant, other.participant}
+    return any(
+        pair & {*hazard.by} and (pair <= {*hazard.by, *hazard.to} or not hazard.to)
+        for hazard in functional.hazards
+    )
+
+
+def _bend(functional: FunctionalScenario, drive: Drive) -> int:
+    """1 for a turn towards the kerb, -1 for one across the oncoming lane, 0 for straight on."""
+    if drive.turn is Maneuver.U_TURN:
+        return -2
+    if drive.turn not in {Maneuver.LEFT, Maneuver.RIGHT}:
+        return 0
+    return 1 if drive.turn.value == functional.junction.driving_side.value else -1
+
+
+def lanes_abreast(
+    functional: FunctionalScenario, logical: LogicalScenario, road: RoadParameters
+) -> dict[str, int]:
+    """Lanes of those two by two beside each other of whom one turns across the other."""
+    lanes: dict[str, int] = {}
+    if road.kind in _WITHOUT_TURNS:
+        return lanes
+    for drive, other in abreast(logical):
+        count = road.arms[drive.entry].lanes_in
+        found = outer_of(functional, drive, other)
+        if found is None or count < 2 or lanes.keys() & {drive.participant, other.participant}:
+            continue
+        outer, _ = found
+        bends = {d.participant: _bend(functional, d) for d in (drive, other)}
+        inside = 1 if min(bends.values()) < 0 else count - 1
+        lanes |= {name: inside + 1 if name == outer else inside for name in bends}
+    return lanes
+
+
+def turns_across(
+    functional: FunctionalScenario, logical: LogicalScenario, road: RoadParameters
+) -> tuple[Turn, ...]:
+    """The ways that these lanes need and that the usual markings do not give."""
+    lanes = lanes_abreast(functional, logical, road)
+    if not lanes:
+        return ()
+    usual = lane_ways(road.arms, road.driving_side)
+    found: list[Turn] = []
+    for drive in logical.drives:
+        lane = lanes.get(drive.participant)
+        ways = [w for w in usual if (w.entry, w.exit) == (drive.entry, drive.exit)]
+        if lane is None or not ways or any(w.lane_in == lane for w in ways):
+            continue
+        together = [
+            other
+            for other in logical.drives
+            if other is not drive and other.exit == drive.exit and other.participant in lanes
+        ]
+        out = ways[0].lane_out if together else min(lane, road.arms[drive.exit].lanes_out)
+        found.append(Turn(entry=drive.entry, lane_in=lane, exit=drive.exit, lane_out=out))
+    return tuple(dict.fromkeys(found))
+
+
+def place_abreast(scene: Scene) -> None:
+    """Give those beside others a lane on the side that is said, or a lane that is free."""
+    functional, logical = scene.functional, scene.logical
+    settled = {
+        name: lane
+        for name, lane in lanes_abreast(functional, logical, scene.road).items()
+        if name in scene.drives and lane in entry_lanes(scene, scene.drives[name])
+    }
+    for name, lane in settled.items():
+        _take(scene, scene.drives[name], lane)
+    groups: dict[str, list[Drive]] = {}
+    for drive, other in abreast(logical):
+        known = scene.drives.keys() >= {drive.participant, other.participant}
+        if known and drive.participant not in settled:
+            groups.setdefault(other.participant, []).append(drive)
+    _clear_of_turning_back(scene)
+    for reference, drives in groups.items():
+        _place_group(scene, reference, drives, movable=reference not in settled)
+    _place_diagonally(scene)
+
+
+def _place_diagonally(scene: Scene) -> None:
+    """Who is said to be ahead or behind in the lane beside the ego drives in that lane."""
+    if scene.functional.ego.id not in scene.drives:
+        return
+    ego = scene.ego
+    for draft in scene.drives.values():
+        said = scene.functional.participant(draft.id).approaches
+        along = said & {Approach.AHEAD, Approach.BEHIND}
+        if draft is ego or draft.drive.beside or Approach.ADJACENT not in said or not along:
+            continue
+        near = [
+            lane
+            for lane in entry_lanes(scene, draft)
+            if draft.drive.entry == ego.drive.entry and abs(lane - ego.entry_lane) == 1
+        ]
+        if draft.entry_lane == ego.entry_lane and near:
+            _take(scene, draft, near[-1])
+
+
+def _clear_of_turning_back(scene: Scene) -> None:
+    """Who goes straight on is passed on its own side by nobody who turns back from the kerb."""
+    if scene.road.kind is not JunctionKind.STRAIGHT:
+        return
+    arms = {d.drive.entry for d in scene.drives.values() if d.drive.turn is Maneuver.U_TURN}
+    for draft in scene.drives.values():
+        plain = draft.drive.maneuver is draft.drive.turn is Maneuver.STRAIGHT
+        if plain and draft.drive.entry in arms:
+            _take(scene, draft, min(entry_lanes(scene, draft)))
+
+
+def _place_group(scene: Scene, reference: str, drives: list[Drive], *, movable: bool) -> None:
+    """All who drive beside one: the sides said, then what is free, the inner lane first."""
+    centre = scene.drives[reference]
+    said = {d.participant: is_outward(scene.functional, d.participant, reference) for d in drives}
+    outward = [name for name, side in said.items() if side is True]
+    free = [name for name, side in said.items() if side is None]
+    inward = [name for name, side in said.items() if side is False]
+    own = entry_lanes(scene, centre)
+    count = scene.road.arms[centre.drive.entry].lanes_in
+    # Two sides: of several with no side said, the second goes outside.
+    crowded = len(free) + min(len(inward), 1) > 1 and not outward and count > 2
+    if movable and outward + free[1:] * crowded and centre.entry_lane == count:
+        inner = [lane for lane in own if lane < count]
+        if inner:
+            _take(scene, centre, inner[0])
+    if movable and inward and centre.entry_lane == 1:
+        outer = [lane for lane in own if lane > 1]
+        if outer:
+            _take(scene, centre, outer[-1])
+    taken = {centre.entry_lane}
+    for name in (*outward, *inward, *free):
+        draft = scene.drives[name]
+        side = said[name]
+        near = [centre.entry_lane - 1, centre.entry_lane + 1]
+        if side is not None:
+            near = near[::-1] if side else near
+        wanted = [lane for lane in near if lane in entry_lanes(scene, draft)]
+        fresh = [lane for lane in wanted if lane not in taken or side is not None]
+        for lane in (fresh or wanted)[:1]:
+            _take(scene, draft, lane)
+            taken.add(lane)
+
+
+def _take(scene: Scene, draft: DriveDraft, lane: int) -> None:
+    if lane != draft.entry_lane:
+        draft.entry_lane = draft.exit_lane = lane
+        choose_ring_lane(scene, draft)
+
+
+def crosses_beside(functional: FunctionalScenario) -> frozenset[str]:
+    """Those who ride ahead near the kerb and then come across the way of one behind them."""
+    return frozenset(
+        name
+        for hazard in functional.hazards
+        if hazard.kind is HazardKind.CROSSING_CYCLIST
+        for name in hazard.by
+        if functional.participant(name) in functional.vehicles
+    )

@@ -1,0 +1,94 @@
+"""What happens, in order: the acts of the text, and those that its dangers and manoeuvres imply."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from scegen.concretization.along.asked import dangers
+from scegen.concretization.along.runner import Runner
+from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.functional import FunctionalScenario, Hazard
+from scegen.scenario.hazards import HAZARDS
+from scegen.scenario.logical import Drive, LogicalScenario
+from scegen.scenario.vocabulary import FROM_BESIDE, HazardKind, Maneuver
+
+_SLOWS = frozenset({ActKind.BRAKE, ActKind.STOP})
+_ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.OVERTAKE})
+_OF_THE_DRIVER = frozenset({HazardKind.DELAYED_BRAKING})
+"""Who brakes late answers somebody: it is a reaction, no act of its own."""
+
+
+def all_acts(
+    functional: FunctionalScenario, logical: LogicalScenario, runners: Mapping[str, Runner]
+) -> list[Act]:
+    """The acts of those along the road; implied ones come after those that are said."""
+    said = [a for a in logical.acts or functional.acts if a.participant in runners]
+    acts = [_on_a_plain_road(act) for act in said]
+    acts = [act for act in acts if act.kind in _ALONG]
+    for hazard in dangers(functional, logical):
+        acts += _implied(functional, hazard, runners, acts)
+    for drive in logical.drives:
+        acts += _manoeuvre(drive, runners, acts)
+    return acts
+
+
+_ALONG = _SLOWS | _ASIDE | {ActKind.ACCELERATE, ActKind.SET_OFF}
+
+
+def _on_a_plain_road(act: Act) -> Act:
+    """Where there is no junction, one who turns swerves."""
+    return act.model_copy(update={"kind": ActKind.SWERVE}) if act.kind is ActKind.TURN else act
+
+
+def does(acts: list[Act], name: str, kinds: frozenset[ActKind]) -> bool:
+    """Whether somebody does one of these already."""
+    return any(act.participant == name and act.kind in kinds for act in acts)
+
+
+def _implied(
+    functional: FunctionalScenario, hazard: Hazard, runners: Mapping[str, Runner], acts: list[Act]
+) -> Iterator[Act]:
+    """The acts that a danger consists of, where who causes it has none of the sort."""
+    if hazard.kind in _OF_THE_DRIVER:
+        return
+    for by in (name for name in hazard.by if name in runners):
+        for kind in _acts_of(hazard.kind):
+            alike = next((s for s in (_SLOWS, _ASIDE) if kind in s), frozenset({kind}))
+            own = does(acts, by, alike)
+            stands = runners[by].stands or runners[by].speed_mps == 0.0
+            answers = (
+                by == functional.ego.id and kind in _SLOWS and not _follows_nobody(runners, by)
+            )
+            if kind in _ALONG and not own and not stands and not answers:
+                into = next((to for to in hazard.to if to in runners and to != by), None)
+                into = into if kind in _ASIDE else None
+                name = f"{hazard.kind}_of_{by}"[:40]
+                yield Act(id=name, participant=by, kind=kind, into=into)
+
+
+def _acts_of(kind: HazardKind) -> tuple[ActKind, ...]:
+    """What a danger consists of where there is no junction: joining and turning are moves aside."""
+    if kind in FROM_BESIDE:
+        return (ActKind.CHANGE_LANE,)
+    acts = HAZARDS[kind].acts
+    return tuple(ActKind.SWERVE if act is ActKind.TURN else act for act in acts)
+
+
+def _follows_nobody(runners: Mapping[str, Runner], name: str) -> bool:
+    """Whether nobody is there for whom one could brake."""
+    return len(runners) == 1 and name in runners
+
+
+def _manoeuvre(drive: Drive, runners: Mapping[str, Runner], acts: list[Act]) -> Iterator[Act]:
+    name = drive.participant
+    if name not in runners or does(acts, name, _ASIDE):
+        return
+    if drive.maneuver is Maneuver.LANE_CHANGE:
+        yield Act(
+            id=f"change_of_{name}"[:40],
+            participant=name,
+            kind=ActKind.CHANGE_LANE,
+            side=drive.changes_to,
+        )
+    elif drive.maneuver is Maneuver.OVERTAKE:
+        yield Act(id=f"pass_of_{name}"[:40], participant=name, kind=ActKind.OVERTAKE)

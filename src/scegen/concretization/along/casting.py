@@ -1,0 +1,186 @@
+"""Who is along the road, in which direction, how fast: from the logical scenario."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from scegen.concretization.along.asked import allowed, dangers
+from scegen.concretization.along.runner import Runner
+from scegen.concretization.limits import CYCLING_MPS, WALKING_MPS
+from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.bodies import BODIES
+from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.hazards import HAZARDS
+from scegen.scenario.logical import (
+    Assignment,
+    Crossing,
+    Drive,
+    Heading,
+    LogicalScenario,
+    Standing,
+    Walking,
+)
+from scegen.scenario.model import Interval
+from scegen.scenario.speed_limits import limit_for_kind_mps
+from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind
+
+_USUAL_MPS = {
+    ParticipantKind.BICYCLE: CYCLING_MPS,
+    ParticipantKind.PEDESTRIAN: WALKING_MPS,
+    ParticipantKind.TRUCK: 80 / 3.6,
+    ParticipantKind.BUS: 80 / 3.6,
+}
+"""How fast kinds go at most where nobody says how fast: lorries and buses as the EU's limiters and
+limits have it, cyclists and walkers at their pace."""
+_EDGE_M = 1.5
+"""Who walks along the side of the road keeps so far from the middle of its outermost lane."""
+_OF_LIMIT = 0.75
+"""Who goes slower than this share of the limit does not set the pace of the others."""
+_PASSES_BY_MPS = 6.0
+"""By so much one who overtakes is faster, where no speeds are said."""
+
+
+def is_along(assignment: Assignment, participant: Participant) -> bool:
+    """Whether somebody moves or stands along the lanes (and not across them, or parked)."""
+    if isinstance(assignment, Crossing):
+        return False
+    if isinstance(assignment, Standing):
+        return assignment.in_lane or participant.kind is ParticipantKind.PEDESTRIAN
+    return True
+
+
+def cast(
+    functional: FunctionalScenario, logical: LogicalScenario, limit_mps: float
+) -> dict[str, Runner]:
+    """Everybody along the road, at the speed that is said or usual; lanes and places come later."""
+    ego = logical.assignment(functional.ego.id)
+    arm = ego.entry if isinstance(ego, Drive) else 0
+    runners: dict[str, Runner] = {}
+    for assignment in logical.assignments:
+        participant = functional.participant(assignment.participant)
+        if is_along(assignment, participant):
+            runners[participant.id] = _runner(functional, assignment, participant, arm)
+    _speeds(functional, logical, runners, limit_mps)
+    return runners
+
+
+def _runner(
+    functional: FunctionalScenario, assignment: Assignment, participant: Participant, arm: int
+) -> Runner:
+    keeps = functional.junction.driving_side.value
+    if isinstance(assignment, Drive):
+        forward = assignment.entry == arm
+    elif isinstance(assignment, Walking):
+        forward = (assignment.arm == arm) == (assignment.heading is Heading.INWARD)
+    elif isinstance(assignment, Standing):
+        forward = (assignment.arm == arm) == (assignment.side.value == keeps)
+    else:
+        raise TypeError(f"{participant.id} goes across the road")
+    beside = isinstance(assignment, Walking | Standing) and not assignment.in_lane
+    lane = assignment_lane(assignment)
+    runner = Runner(participant.id, participant.kind, forward, lane, 0.0)
+    runner.keeps_left = keeps == "left"
+    if beside:
+        # Seen in its own direction, the edge is to the kerb's side if it goes with the traffic.
+        outward = -1.0 if keeps == "right" else 1.0
+        runner.offset_m = outward * _EDGE_M
+    return runner
+
+
+def assignment_lane(assignment: Assignment) -> int:
+    """The lane that the logical scenario gives; -1 where it is open."""
+    lane = None if isinstance(assignment, Crossing) else assignment.lane
+    return -1 if lane is None else lane
+
+
+def _speeds(
+    functional: FunctionalScenario,
+    logical: LogicalScenario,
+    runners: Mapping[str, Runner],
+    limit_mps: float,
+) -> None:
+    """Said, else by the danger that it causes, else the one speed of cruising traffic."""
+    said = {p.id: p.speed_mps for p in functional.participants if p.speed_mps is not None}
+    ego = runners[functional.ego.id]
+    cruising = (
+        said[ego.id].middle if ego.id in said else _leader_speed(logical, said, ego.id, limit_mps)
+    )
+    if cruising is None or cruising < 1.0:
+        cruising = limit_mps
+    for runner in runners.values():
+        assignment = logical.assignment(runner.id)
+        stays = isinstance(assignment, Standing) or (
+            isinstance(assignment, Drive) and assignment.maneuver is Maneuver.STAY
+        )
+        if stays or _sets_off(functional, runner.id):
+            runner.speed_mps = 0.0
+        elif runner.id in said:
+            runner.speed_mps = said[runner.id].middle
+        else:
+            usual = _USUAL_MPS.get(runner.kind, limit_mps)
+            speed = min(cruising if runner.forward else limit_mps, usual)
+            speed = _endangering(functional, logical, runner, speed, limit_mps)
+            runner.speed_mps = allowed(logical, runner.id, speed)
+    for hazard in dangers(functional, logical):
+        if hazard.kind is HazardKind.OVERTAKING:
+            _make_faster(runners, hazard.by, hazard.to, said)
+    for act in functional.acts:
+        if act.kind is ActKind.OVERTAKE and act.into:
+            _make_faster(runners, (act.participant,), (act.into,), said)
+
+
+def _leader_speed(
+    logical: LogicalScenario, said: Mapping[str, Interval], ego: str, limit_mps: float
+) -> float | None:
+    """Who drives with another of an ordinary stated speed drives as fast, if none is said."""
+    drives = {d.participant: d for d in logical.drives}
+    own = drives.get(ego)
+    if own is None:
+        return None
+    for name, drive in drives.items():
+        interval = said.get(name)
+        middle = 0.0 if interval is None else interval.middle
+        level = drive.entry == own.entry and drive.maneuver is not Maneuver.STAY
+        if level and name != ego and middle >= _OF_LIMIT * limit_mps:
+            return middle
+    return None
+
+
+def _sets_off(functional: FunctionalScenario, name: str) -> bool:
+    """Whether the first thing that one does is to set off: it stands until then."""
+    first: Act | None = next((a for a in functional.acts if a.participant == name), None)
+    return first is not None and first.kind is ActKind.SET_OFF
+
+
+def _endangering(
+    functional: FunctionalScenario,
+    logical: LogicalScenario,
+    runner: Runner,
+    speed_mps: float,
+    limit_mps: float,
+) -> float:
+    """The speed of one whose danger is its speed."""
+    own = limit_for_kind_mps(runner.kind, limit_mps)
+    for hazard in dangers(functional, logical):
+        share = HAZARDS[hazard.kind].speed_share
+        if runner.id in hazard.by and share is not None:
+            return min(share[2] * own, BODIES[runner.kind].top_speed_mps)
+    return speed_mps
+
+
+def _make_faster(
+    runners: Mapping[str, Runner],
+    by: tuple[str, ...],
+    to: tuple[str, ...],
+    said: Mapping[str, Interval],
+) -> None:
+    """Who overtakes is clearly faster; where its speed is said, the other is slower."""
+    for fast in (runners[name] for name in by if name in runners):
+        for slow in (runners[name] for name in to if name in runners):
+            if slow.forward != fast.forward or fast.speed_mps - slow.speed_mps >= 2.0:
+                continue
+            if slow.id not in said:
+                slow.speed_mps = max(0.6 * fast.speed_mps, fast.speed_mps - _PASSES_BY_MPS)
+            elif fast.id not in said:
+                top = BODIES[fast.kind].top_speed_mps
+                fast.speed_mps = min(slow.speed_mps + _PASSES_BY_MPS, top)

@@ -1,0 +1,222 @@
+"""Those who go across the road: where their way lies, and when they set off to be met."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from scegen.concretization.along.asked import allowed
+from scegen.concretization.along.runner import NEVER_S, Runner, Step
+from scegen.concretization.along.sideways import edge_y_m
+from scegen.concretization.along.spacing import LENGTHWISE
+from scegen.concretization.along.story import Story, contact_wanted
+from scegen.concretization.limits import CYCLING_MPS, HARD_BRAKING_MPS2, WALKING_MPS
+from scegen.road.defaults import LANE_WIDTH_M
+from scegen.scenario.acts import Act, ActKind, AfterStart, WhenMeasure
+from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.logical import Crossing, Drive
+from scegen.scenario.spacings import Measure
+from scegen.scenario.vocabulary import HazardKind, ParticipantKind, Side
+
+START_MPS2 = 2.5
+_MEETS_S = 6.0
+_SETBACK_M = 1.5
+_BEYOND_STRIP_M = 0.6
+_HOLDS_S = 0.6
+"""The pace is held so long before the encounter."""
+_PASSES_BEFORE_S = 0.5
+"""Who is just missed has left the way of the vehicle so long before it comes."""
+_LEAST_LEAD_S = 1.0
+_ABREAST_M = 1.2
+_STOPS_SHORT_M = 0.8
+_STAYS_M = 0.3
+_BRAKES = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING, HazardKind.STOPPING})
+
+
+@dataclass
+class Walk:
+    """One who goes across: at ``x_m`` of the road, ``sets_off_s`` after the start.
+
+    ``setback_m`` is how far outside the carriageway it starts, ``stops_after_m`` where its way
+    ends if it does not go across.
+    """
+
+    id: str
+    kind: ParticipantKind
+    crossing: Crossing
+    from_left: bool
+    speed_mps: float
+    x_m: float
+    setback_m: float
+    sets_off_s: float
+    meets: str
+    stops_after_m: float | None = None
+    timed: bool = False
+    act: str | None = None
+
+    @property
+    def body(self) -> Body:
+        """Its size."""
+        return BODIES[self.kind]
+
+    def runs_s(self, way_m: float) -> float:
+        """How long it takes from setting off until so much way is behind it."""
+        return way_m / self.speed_mps + self.speed_mps / (2 * self.rate_mps2)
+
+    @property
+    def rate_mps2(self) -> float:
+        """How fast it gains speed, and loses it."""
+        return min(START_MPS2, self.body.max_acceleration_mps2)
+
+
+def cross(story: Story, strips: dict[str, float]) -> list[Walk]:
+    """The walks of all who go across; ``strips`` is how wide those are beside each side's lanes."""
+    walks: list[Walk] = []
+    for crossing in story.logical.crossings:
+        walks.append(_walk(story, crossing, strips, len(walks)))
+    return walks
+
+
+def _walk(story: Story, crossing: Crossing, strips: dict[str, float], number: int) -> Walk:
+    participant = story.functional.participant(crossing.participant)
+    body = BODIES[participant.kind]
+    walking = participant.kind is ParticipantKind.PEDESTRIAN
+    said = participant.speed_mps
+    usual = WALKING_MPS if walking else CYCLING_MPS
+    speed = said.middle if said is not None else allowed(story.logical, participant.id, usual)
+    meets = story.runners[_meets(story, participant.id)]
+    ego_arm = story.logical.assignment(story.ego.id)
+    same_arm = isinstance(ego_arm, Drive) and crossing.arm == ego_arm.entry
+    from_left = (crossing.start is Side.LEFT) == same_arm
+    act = _act(story, participant.id)
+    edge = edge_y_m(story, left=from_left)
+    strip = strips.get("left" if from_left else "right", 0.0)
+    into = -1 if from_left else 1
+    aim = _aim_y_m(story, participant.id, meets, body, speed, into)
+    to_aim = abs(aim - edge) - body.centre_ahead_m
+    least = speed**2 / (2 * min(START_MPS2, body.max_acceleration_mps2)) + _HOLDS_S * speed - to_aim
+    setback = max(least, strip + _BEYOND_STRIP_M if strip else _SETBACK_M, body.front_m + 0.2)
+    waits = _waits_m(story, participant.id, meets, edge, into)
+    setback = waits if waits is not None else setback
+    walk = Walk(
+        participant.id, participant.kind, crossing, from_left, speed, 0.0, setback, 0.0, meets.id
+    )
+    walk.act = None if act is None else act.id
+    _time(story, walk, meets, act, walk.runs_s(to_aim + setback))
+    walk.x_m += _ABREAST_M * ((number + 1) // 2) * (1 if number % 2 else -1)
+    if _stops(story, walk.id):
+        walk.stops_after_m = setback + abs(meets.y_m(0.0, LANE_WIDTH_M) - edge) + _STAYS_M
+    _brake_before(story, walk, meets)
+    return walk
+
+
+def _meets(story: Story, name: str) -> str:
+    """Whose way it crosses: who suffers it, else the ego."""
+    for hazard in story.hazards:
+        if name in hazard.by:
+            found = [n for n in hazard.to if n in story.runners]
+            if found:
+                return found[0]
+    return story.ego.id
+
+
+def _act(story: Story, name: str) -> Act | None:
+    acts = story.logical.acts or story.functional.acts
+    return next((a for a in acts if a.participant == name and a.kind is ActKind.CROSS), None)
+
+
+def _aim_y_m(story: Story, name: str, meets: Runner, body: Body, speed: float, into: int) -> float:
+    """Where its middle is across the road when the front of the other comes to its line."""
+    middle = meets.y_m(0.0, LANE_WIDTH_M)
+    outcome = story.functional.outcome
+    if contact_wanted(story, name, meets.id):
+        percent = outcome.impact_percent if outcome is not None else None
+        share = 0.5 if percent is None else percent.middle / 100
+        return middle + meets.sign * (0.5 - share) * meets.body.width_m
+    if _brakes(story, meets.id):
+        return middle
+    clear = (meets.body.width_m + body.length_m) / 2 + _PASSES_BEFORE_S * speed
+    return middle + into * clear
+
+
+def _brakes(story: Story, name: str) -> bool:
+    """Whether the one whom it meets is said to brake for it."""
+    kinds = {h.kind for h in story.hazards if name in h.by}
+    acts = {a.kind for a in story.acts if a.participant == name and story.is_loose(a)}
+    return bool(kinds & _BRAKES) or bool(acts & {ActKind.BRAKE, ActKind.STOP})
+
+
+def _stops(story: Story, name: str) -> bool:
+    return any(h.kind is HazardKind.STOPPING and name in h.by for h in story.hazards)
+
+
+def _waits_m(story: Story, name: str, meets: Runner, edge: float, into: int) -> float | None:
+    """How far outside the carriageway it waits, if the text says how far aside of the other."""
+    for spacing in story.functional.spacings:
+        pair = (spacing.participant, spacing.reference)
+        if spacing.measure is Measure.LATERAL_OFFSET_M and set(pair) == {name, meets.id}:
+            left = spacing.value.middle if pair[0] == name else -spacing.value.middle
+            place = meets.y_m(0.0, LANE_WIDTH_M) + meets.sign * left
+            return max(0.0, (edge - place) * into)
+    return None
+
+
+def _time(story: Story, walk: Walk, meets: Runner, act: Act | None, takes: float) -> None:
+    """When it sets off and where its line lies, so that it ``takes`` as long as the other does."""
+    half = walk.body.width_m / 2
+    when = act.when if act is not None else None
+    spacing = _spacing(story, walk.id, meets.id, act)
+    walk.sets_off_s = max(_MEETS_S - takes, _LEAST_LEAD_S)
+    if isinstance(when, AfterStart):
+        walk.sets_off_s, walk.timed = when.delay_s.middle, True
+    elif isinstance(when, WhenMeasure):
+        spacing = when.measure, when.value.middle, True
+    if spacing is None:
+        arrival = walk.sets_off_s + takes
+        walk.x_m = meets.x_m(arrival) + meets.sign * (meets.body.front_m + half)
+        return
+    measure, value, as_it_sets_off = spacing
+    if as_it_sets_off and not walk.timed:
+        walk.sets_off_s = max(_MEETS_S - takes, 2.0)
+    moment = walk.sets_off_s if as_it_sets_off else 0.0
+    away = value if measure is Measure.GAP_M else value * meets.speed_at_mps(moment)
+    walk.x_m = meets.x_m(moment) + meets.sign * (meets.body.front_m + away + half)
+    if not as_it_sets_off and not walk.timed:
+        arrival = meets.profile.time_s(away)
+        walk.sets_off_s = max(0.0, arrival - takes) if arrival < NEVER_S else _LEAST_LEAD_S
+
+
+def _spacing(
+    story: Story, name: str, other: str, act: Act | None
+) -> tuple[Measure, float, bool] | None:
+    """A distance along the road that is said between the two; whether as it sets off, or first."""
+    for spacing in story.functional.spacings:
+        if spacing.measure in LENGTHWISE and {spacing.participant, spacing.reference} == {
+            name,
+            other,
+        }:
+            own = act is not None and spacing.at == act.id
+            return spacing.measure, spacing.value.middle, own
+    return None
+
+
+def _brake_before(story: Story, walk: Walk, meets: Runner) -> None:
+    """Who is said to brake for somebody stops short of its line, unless the two are to touch."""
+    if contact_wanted(story, walk.id, meets.id) or not _brakes(story, meets.id):
+        return
+    own = next((s for s in meets.steps if s.target_mps < meets.speed_mps and not s.timed), None)
+    if own is not None and own.reacts_to is not None:
+        return
+    rate = own.rate_mps2 if own is not None else min(
+        HARD_BRAKING_MPS2[0], meets.body.max_deceleration_mps2, 0.95 * story.grip_mps2
+    )  # fmt: skip
+    target = own.target_mps if own is not None else 0.0
+    meets.steps = [s for s in meets.steps if s is not own]
+    stop = walk.x_m - meets.sign * (walk.body.width_m / 2 + _STOPS_SHORT_M + meets.body.front_m)
+    way = abs(stop - (meets.at_m or 0.0)) - meets.speed_mps**2 / (2 * rate)
+    begins = meets.profile.time_s(max(way, 0.0))
+    if begins >= NEVER_S:
+        return
+    hazard = next((h.kind for h in story.hazards if h.kind in _BRAKES and meets.id in h.by),
+                  None)  # fmt: skip
+    act = own.act if own is not None else None
+    meets.steps.append(Step(begins, target, rate, act, hazard))

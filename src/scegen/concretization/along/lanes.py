@@ -1,0 +1,291 @@
+"""Which lane everybody along the road starts in: one small choice problem.
+
+Every word about lanes is a wish with a weight; the assignment that breaks the least is taken, and
+none that breaks what was said. As many lanes are built as that needs, up to three, unless the text
+says how many there are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations, product
+
+from scegen.concretization.along.asked import dangers, outward
+from scegen.concretization.along.runner import Runner
+from scegen.errors import MotionInfeasibleError
+from scegen.road.defaults import LANE_WIDTH_M
+from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.logical import Assignment, Drive, InLine, LogicalScenario
+from scegen.scenario.spacings import Measure
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
+
+MOST_LANES = 3
+_SAID, _LIKELY, _USUAL = 100.0, 10.0, 1.0
+_LANE, _INSIDE = 0.1, 0.01
+"""What one lane more costs, and what driving one lane farther inside does."""
+_FROM_BESIDE = frozenset(
+    {HazardKind.CUT_IN, HazardKind.MERGING_CONFLICT, HazardKind.FAILURE_TO_YIELD}
+)
+_IN_LINE = frozenset(
+    {
+        HazardKind.HARD_BRAKING,
+        HazardKind.DELAYED_BRAKING,
+        HazardKind.TAILGATING,
+        HazardKind.STOPPING,
+        HazardKind.SLOW_DRIVING,
+        HazardKind.OBSTACLE,
+        HazardKind.OVERTAKING,
+    }
+)
+
+
+Met = Callable[[Mapping[str, int], int], bool]
+
+
+@dataclass(frozen=True, slots=True)
+class Wish:
+    """Something wanted of lanes, judged by them and their number; ``who`` it concerns."""
+
+    who: tuple[str, ...]
+    weight: float
+    met: Met
+    words: str
+
+
+def choose_lanes(
+    functional: FunctionalScenario,
+    logical: LogicalScenario,
+    runners: Mapping[str, Runner],
+    acts: Sequence[Act],
+) -> int:
+    """Give every runner its lane; returns how many lanes a direction has.
+
+    Raises:
+        MotionInfeasibleError: what is said of lanes cannot all be had.
+    """
+    wishes = [
+        *_from_words(functional, logical, runners),
+        *_from_acts(functional, runners, acts),
+        *_from_hazards(functional, logical, runners),
+        *_usual(functional, logical, runners),
+    ]
+    said = max(functional.junction.lanes, default=0)
+    counts = [said] if said else range(1, MOST_LANES + 1)
+    best: tuple[float, int, dict[str, int]] | None = None
+    for count in counts:
+        cost, lanes = _cheapest(list(runners), wishes, count)
+        if best is None or cost < best[0] - 1e-9:
+            best = cost, count, lanes
+    if best is None:
+        raise MotionInfeasibleError("there is no lane to drive in")
+    cost, count, lanes = best
+    if cost >= _SAID:
+        broken = [w for w in wishes if w.weight >= _SAID and not w.met(lanes, count)]
+        raise MotionInfeasibleError(
+            f"on a road with {count} lane(s) a direction not all can be had: "
+            + "; ".join(w.words for w in broken[:3]),
+            where=broken[0].who[0],
+            hint="Say how many lanes the road has, or leave one of these out.",
+        )
+    for name, lane in lanes.items():
+        runners[name].lane = lane
+    return count
+
+
+def _cheapest(
+    names: Sequence[str], wishes: Sequence[Wish], count: int
+) -> tuple[float, dict[str, int]]:
+    """The lanes that break the least, branch by branch; the kerb's side where all are equal."""
+    best: tuple[float, dict[str, int]] = (float("inf"), {})
+    last: dict[str, list[Wish]] = {name: [] for name in names}
+    for wish in wishes:
+        last[max(wish.who, key=names.index)].append(wish)
+
+    def extend(n: int, lanes: dict[str, int], cost: float) -> None:
+        nonlocal best
+        if cost >= best[0]:
+            return
+        if n == len(names):
+            best = cost, dict(lanes)
+            return
+        name = names[n]
+        for lane in range(count, 0, -1):
+            lanes[name] = lane
+            broken = sum(w.weight for w in last[name] if not w.met(lanes, count))
+            extend(n + 1, lanes, cost + broken + _INSIDE * (count - lane))
+        del lanes[name]
+
+    extend(0, {}, _LANE * (count - 1))
+    return best
+
+
+def _beside(a: str, b: str, step: int | None) -> Met:
+    """``a`` is next to ``b``, ``step`` lanes farther out if that is said."""
+    if step is None:
+        return lambda lanes, _: abs(lanes[a] - lanes[b]) == 1
+    return lambda lanes, _: lanes[a] - lanes[b] == step
+
+
+def _room(name: str, step: int) -> Met:
+    """There is a lane on that side."""
+    return lambda lanes, count: 1 <= lanes[name] + step <= count
+
+
+def _among(name: str, allowed: frozenset[int]) -> Met:
+    return lambda lanes, _: lanes[name] in allowed
+
+
+def _from_words(
+    functional: FunctionalScenario, logical: LogicalScenario, runners: Mapping[str, Runner]
+) -> list[Wish]:
+    """Lanes, sides, lines and lateral distances that are said."""
+    wishes: list[Wish] = []
+    aside = _lanes_aside(functional, runners)
+    for (a, b), step in aside.items():
+        wishes.append(Wish((a, b), _SAID, _beside(a, b, step), f"{a} is {step} lanes from {b}"))
+    for name, runner in runners.items():
+        participant = functional.participant(name)
+        allowed = frozenset({runner.lane}) if runner.lane >= 1 else participant.lanes
+        if allowed:
+            numbers = ", ".join(str(lane) for lane in sorted(allowed))
+            wishes.append(
+                Wish((name,), _SAID, _among(name, allowed), f"{name} is in lane {numbers}")
+            )
+        assignment = logical.assignment(name)
+        seen = {r: words for r, words in _seen_from(functional, name) if r in runners}
+        beside = assignment.beside if isinstance(assignment, InLine) else None
+        if beside is not None and beside in runners:
+            seen[beside] = seen.get(beside, frozenset()) | {Approach.ADJACENT}
+        for reference, words_of in seen.items():
+            if (name, reference) in aside or (reference, name) in aside:
+                continue
+            if Approach.ADJACENT in words_of:
+                step_out = _step_out(functional, assignment, reference, words_of)
+                met = _beside(name, reference, step_out)
+                words = f"{name} is in the lane beside {reference}"
+                wishes.append(Wish((name, reference), _SAID, met, words))
+            in_line = bool(words_of & {Approach.AHEAD, Approach.BEHIND})
+            same_way = runners[reference].forward == runner.forward
+            if in_line and same_way and Approach.ADJACENT not in words_of:
+                words = f"{name} is in the lane of {reference}"
+                wishes.append(Wish((name, reference), _SAID, _beside(name, reference, 0), words))
+    return wishes
+
+
+def _step_out(
+    functional: FunctionalScenario,
+    assignment: Assignment,
+    reference: str,
+    words: frozenset[Approach],
+) -> int | None:
+    """On which side somebody is beside another, as lanes farther out; None if either will do."""
+    said = getattr(assignment, "beside_on", None)
+    if said is not None and getattr(assignment, "beside", None) == reference:
+        return outward(functional, said)
+    sides = words & {Approach.LEFT, Approach.RIGHT}
+    return outward(functional, Side(next(iter(sides)).value)) if len(sides) == 1 else None
+
+
+def _seen_from(
+    functional: FunctionalScenario, name: str
+) -> Iterator[tuple[str, frozenset[Approach]]]:
+    """From whom somebody is placed, and how."""
+    if name != functional.ego.id:
+        yield functional.ego.id, functional.participant(name).approaches
+    for relation in functional.relations:
+        if relation.participant == name:
+            yield relation.reference, relation.approaches
+
+
+def _lanes_aside(
+    functional: FunctionalScenario, runners: Mapping[str, Runner]
+) -> dict[tuple[str, str], int]:
+    """How many lanes farther out one is than another, by a lateral offset that is said."""
+    found = {}
+    for spacing in functional.spacings:
+        a, b = spacing.participant, spacing.reference
+        level = {a, b} <= runners.keys() and runners[a].forward == runners[b].forward
+        if spacing.measure is Measure.LATERAL_OFFSET_M and level:
+            right = -round(spacing.value.middle / LANE_WIDTH_M)
+            found[a, b] = right * outward(functional, Side.RIGHT)
+    return found
+
+
+def _from_acts(
+    functional: FunctionalScenario, runners: Mapping[str, Runner], acts: Sequence[Act]
+) -> list[Wish]:
+    """Who changes lanes needs one there: the one of the person into whose lane it comes."""
+    wishes: list[Wish] = []
+    for act in acts:
+        name = act.participant
+        if act.kind is not ActKind.CHANGE_LANE or name not in runners:
+            continue
+        step = outward(functional, act.side) if act.side is not None else None
+        into = act.into
+        if into is not None and into in runners and runners[into].forward == runners[name].forward:
+            back = None if step is None else -step
+            words = f"{name} changes into the lane of {into}"
+            wishes.append(Wish((name, into), _SAID, _beside(name, into, back), words))
+        elif step is not None:
+            wishes.append(
+                Wish((name,), _LIKELY, _room(name, step), f"{name} has a lane on its {act.side}")
+            )
+    return wishes
+
+
+def _from_hazards(
+    functional: FunctionalScenario, logical: LogicalScenario, runners: Mapping[str, Runner]
+) -> list[Wish]:
+    """Who endangers another from beside is beside it, who does it in line is in its lane."""
+    wishes: list[Wish] = []
+    for hazard in dangers(functional, logical):
+        for by, to in product(hazard.by, hazard.to):
+            both = {by, to} <= runners.keys() and by != to
+            if not both or runners[by].forward != runners[to].forward:
+                continue
+            words = f"{hazard.kind} of {by} to {to}"
+            if hazard.kind in _FROM_BESIDE:
+                wishes.append(Wish((by, to), _LIKELY, _beside(by, to, None), words))
+            elif hazard.kind in _IN_LINE:
+                wishes.append(Wish((by, to), _LIKELY / 2, _beside(by, to, 0), words))
+    return wishes
+
+
+def _usual(
+    functional: FunctionalScenario, logical: LogicalScenario, runners: Mapping[str, Runner]
+) -> list[Wish]:
+    """Drive in line with the ego; change lanes where there is one to change into."""
+    wishes: list[Wish] = []
+    ego = functional.ego.id
+    wishes += _apart(logical, runners)
+    for name, runner in runners.items():
+        assignment = logical.assignment(name)
+        beside = isinstance(assignment, InLine) and assignment.beside is not None
+        if name != ego and runner.forward and not beside:
+            wishes.append(Wish((ego, name), _USUAL, _beside(name, ego, 0), f"{name} is in line"))
+        changes = isinstance(assignment, Drive) and assignment.maneuver is Maneuver.LANE_CHANGE
+        if changes and isinstance(assignment, Drive) and assignment.changes_to is not None:
+            step = outward(functional, assignment.changes_to)
+            words = f"{name} has a lane to change into"
+            wishes.append(Wish((name,), _LIKELY, _room(name, step), words))
+    return wishes
+
+
+def _apart(logical: LogicalScenario, runners: Mapping[str, Runner]) -> list[Wish]:
+    """Two beside the same one are on either side of it, if there is room."""
+    beside: dict[str, list[str]] = {}
+    for name in runners:
+        other = getattr(logical.assignment(name), "beside", None)
+        if other is not None:
+            beside.setdefault(other, []).append(name)
+    return [
+        Wish((a, b), _USUAL, _differ(a, b), f"{a} and {b} are on either side")
+        for names in beside.values()
+        for a, b in combinations(names, 2)
+    ]
+
+
+def _differ(a: str, b: str) -> Met:
+    return lambda lanes, _: lanes[a] != lanes[b]

@@ -1,0 +1,114 @@
+"""Where those stand who are parked beside the lanes: before whom they hide, else along the way."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from scegen.concretization.along.crossing import Walk
+from scegen.concretization.along.runner import Runner
+from scegen.concretization.along.sideways import edge_y_m
+from scegen.concretization.along.story import Story
+from scegen.road.cross_section import PARKING_WIDTH_M
+from scegen.road.defaults import LANE_WIDTH_M
+from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.logical import Drive, Standing
+from scegen.scenario.spacings import Measure
+from scegen.scenario.vocabulary import HazardKind, ParticipantKind, Side
+
+_BEFORE_WALKER_M = 0.9
+_BETWEEN_M = 1.2
+_PASSED_AT_S = 5.0
+
+
+@dataclass(frozen=True, slots=True)
+class Parked:
+    """One who is parked: the middle of its box lies at ``x_m`` of the road."""
+
+    id: str
+    kind: ParticipantKind
+    standing: Standing
+    on_left: bool
+    x_m: float
+
+    @property
+    def body(self) -> Body:
+        """Its size."""
+        return BODIES[self.kind]
+
+
+def standings_beside(story: Story) -> list[Standing]:
+    """Those who stand beside the lanes and do not walk."""
+    return [s for s in story.logical.standings if s.participant not in story.runners]
+
+
+def on_left(story: Story, standing: Standing) -> bool:
+    """Whether somebody stands on the ego's left."""
+    ego = story.logical.assignment(story.ego.id)
+    own = isinstance(ego, Drive) and standing.arm == ego.entry
+    return (standing.side is Side.LEFT) == own
+
+
+def strips_m(story: Story) -> dict[str, float]:
+    """How wide the strips for parking are, by the ego's side."""
+    sides = {"left" if on_left(story, s) else "right" for s in standings_beside(story)}
+    return dict.fromkeys(sides, PARKING_WIDTH_M)
+
+
+def shift_to_pass(story: Story) -> None:
+    """Let who passes parked ones keep the distance that the text gives, within its lane."""
+    for spacing in story.functional.spacings:
+        if spacing.measure is not Measure.LATERAL_GAP_M:
+            continue
+        for standing in standings_beside(story):
+            pair = {spacing.participant, spacing.reference}
+            if standing.participant not in pair:
+                continue
+            name = next(iter(pair - {standing.participant}))
+            if name in story.runners:
+                _keep_off(story, story.runners[name], standing, spacing.value.middle)
+
+
+def _keep_off(story: Story, runner: Runner, standing: Standing, gap_m: float) -> None:
+    left = on_left(story, standing)
+    body = BODIES[story.functional.participant(standing.participant).kind]
+    sign = 1 if left else -1
+    inner = edge_y_m(story, left=left) + sign * (PARKING_WIDTH_M - body.width_m) / 2
+    wanted = inner - sign * (gap_m + runner.body.width_m / 2)
+    runner.offset_m += runner.sign * (wanted - runner.y_m(0.0, LANE_WIDTH_M))
+
+
+def park(story: Story, walks: list[Walk]) -> list[Parked]:
+    """Places for all who are parked: rows before those whom they hide, and others along the way."""
+    hiding = {
+        name
+        for hazard in story.hazards
+        if hazard.kind is HazardKind.OCCLUSION
+        for name in hazard.by
+    }
+    placed: list[Parked] = []
+    ends: dict[tuple[bool, str], float] = {}
+    free = 0
+    for standing in standings_beside(story):
+        kind = story.functional.participant(standing.participant).kind
+        left, half = on_left(story, standing), BODIES[kind].length_m / 2
+        hidden = _hidden(standing, hiding, walks, left)
+        if hidden is None:
+            passed = story.ego.x_m(_PASSED_AT_S) + free * (2 * half + _BETWEEN_M)
+            free += 1
+            placed.append(Parked(standing.participant, kind, standing, left, passed))
+            continue
+        sign = story.runners[hidden.meets].sign
+        key = (left, hidden.id)
+        first = hidden.x_m - sign * (hidden.body.width_m / 2 + _BEFORE_WALKER_M)
+        end = ends.get(key, first)
+        placed.append(Parked(standing.participant, kind, standing, left, end - sign * half))
+        ends[key] = end - sign * (2 * half + _BETWEEN_M)
+    return placed
+
+
+def _hidden(standing: Standing, hiding: set[str], walks: list[Walk], left: bool) -> Walk | None:
+    """Whom one hides: who sets off from its side; from anywhere if it is said to hide somebody."""
+    same = [w for w in walks if w.from_left == left]
+    if standing.participant in hiding:
+        return next(iter(same), next(iter(walks), None))
+    return next(iter(same), None) if not hiding else None

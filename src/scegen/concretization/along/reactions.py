@@ -1,0 +1,158 @@
+"""Who comes up behind somebody brakes as a driver does, as late as the text leaves it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from scegen.concretization.along.runner import Runner, Step, gap_m, in_line
+from scegen.concretization.along.story import Story, contact_wanted
+from scegen.concretization.limits import HARD_BRAKING_MPS2, LATE_BRAKING_MPS2
+from scegen.road.defaults import LANE_WIDTH_M
+from scegen.scenario.vocabulary import HazardKind
+
+REACTION_S = 0.75
+"""From a danger that can be seen to the brakes: the delay of UN R157's driver."""
+_CLOSEST_M = 0.65
+"""How near one who may not touch the other comes: a near miss."""
+_LATEST_S = 40.0
+_STEP_S = 0.05
+_ROUNDS = 24
+_BRAKES = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING})
+_HARDER = (1.0, 1.2, 1.4)
+
+
+def react(story: Story) -> list[tuple[str, str]]:
+    """Let everybody brake who would run into somebody; returns the pairs that touch all the same.
+
+    Those nearest to the danger first, so that those behind them answer what they do.
+    """
+    touching: list[tuple[str, str]] = []
+    for _ in range(len(story.runners)):
+        found = _first_contact(story, touching)
+        if found is None:
+            break
+        who, other, _ = found
+        if not _brake_for(story, story.runners[who], story.runners[other]):
+            touching.append((who, other))
+    return touching
+
+
+def contacts(story: Story) -> Iterator[tuple[str, str, float]]:
+    """(who runs into somebody, into whom, when), for every pair that touches."""
+    names = list(story.runners)
+    for n, first in enumerate(names):
+        for second in names[n + 1 :]:
+            a, b = story.runners[first], story.runners[second]
+            time_s = _contact_s(a, b)
+            if time_s is not None:
+                yield (*_who_runs_in(a, b, time_s), time_s)
+
+
+def _first_contact(story: Story, without: list[tuple[str, str]]) -> tuple[str, str, float] | None:
+    found = [
+        (who, other, at)
+        for who, other, at in contacts(story)
+        if (who, other) not in without and not contact_wanted(story, who, other)
+        and story.runners[who].forward == story.runners[other].forward
+    ]  # fmt: skip
+    return min(found, key=lambda f: f[2], default=None)
+
+
+def _contact_s(first: Runner, second: Runner) -> float | None:
+    """When two touch first."""
+    if first.stands and second.stands:
+        return None
+    steps = int(_LATEST_S / _STEP_S)
+    for n in range(steps):
+        time_s = n * _STEP_S
+        if gap_m(first, second, time_s) <= 0 and in_line(first, second, time_s, LANE_WIDTH_M):
+            return time_s
+    return None
+
+
+def _who_runs_in(first: Runner, second: Runner, time_s: float) -> tuple[str, str]:
+    """Who is behind, as the two drove until then."""
+    before = max(0.0, time_s - 1.0)
+    ahead = (first.x_m(before) - second.x_m(before)) * second.sign > 0
+    return (second.id, first.id) if ahead else (first.id, second.id)
+
+
+def _brake_for(story: Story, who: Runner, other: Runner) -> bool:
+    """Add the latest braking that keeps them apart; whether there is one."""
+    own = next(
+        (s for s in who.steps if s.act is not None and s.target_mps < who.speed_mps
+         and not s.timed and story.is_loose(story.act(s.act))), None
+    )  # fmt: skip
+    hard = any(
+        h.kind in _BRAKES and who.id in h.by for h in story.hazards
+    )  # fmt: skip
+    usual = HARD_BRAKING_MPS2[0] if hard else LATE_BRAKING_MPS2
+    most = min(who.body.max_deceleration_mps2, 0.95 * story.grip_mps2)
+    sees_s = _sees_s(other) + REACTION_S
+    rest = [s for s in who.steps if s is not own]
+    steps_before = who.steps
+    kinds = (h.kind for h in story.hazards if h.kind in _BRAKES and who.id in h.by)
+    hazard = next(kinds, HazardKind.OBSTACLE if other.box is not None else None)
+    if own is not None and story.act(own.act or "").rate_mps2 is not None:
+        rates = [own.rate_mps2]
+    else:
+        rates = sorted({min(usual * harder, most) for harder in (*_HARDER, 9.0)})
+    for rate in rates:
+        found = _latest_s(story, who, other, rest, rate, sees_s, own)
+        if found is not None:
+            who.steps = [*rest, _braking(story, found, rate, other, own, hazard)]
+            return True
+    who.steps = steps_before
+    return False
+
+
+def _sees_s(other: Runner) -> float:
+    """When the other becomes a danger: as it slows down, or comes into the lane."""
+    moments = [s.begins_s for s in other.steps if s.target_mps < other.speed_mps]
+    moments += [m.begins_s for m in other.moves]
+    return min(moments, default=0.0)
+
+
+def _braking(
+    story: Story, begins_s: float, rate: float, other: Runner, own: Step | None,
+    hazard: HazardKind | None,
+) -> Step:  # fmt: skip
+    """Down to the other's last speed, or to the one that the text gives."""
+    del story
+    slowest = min([other.speed_mps, *(s.target_mps for s in other.steps)])
+    slowest = slowest if other.speed_mps > 0.0 else 0.0
+    if own is not None:
+        target = min(own.target_mps, slowest)
+        return Step(begins_s, target, rate, own.act, own.hazard, reacts_to=other.id)
+    return Step(begins_s, slowest, rate, None, hazard, reacts_to=other.id)
+
+
+def _latest_s(
+    story: Story, who: Runner, other: Runner, rest: list[Step], rate: float, earliest_s: float,
+    own: Step | None,
+) -> float | None:  # fmt: skip
+    """The latest moment at which braking so hard still leaves a little room; None if none does."""
+
+    def near(begins_s: float) -> float:
+        step = _braking(story, begins_s, rate, other, own, None)
+        who.steps = [*rest, step]
+        return _least_gap_m(who, other)
+
+    low, high = earliest_s, _LATEST_S
+    if near(low) < _CLOSEST_M / 2:
+        return None
+    for _ in range(_ROUNDS):
+        middle = (low + high) / 2
+        if near(middle) >= _CLOSEST_M:
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+def _least_gap_m(who: Runner, other: Runner) -> float:
+    """The least free length between two while one is in the other's line."""
+    steps = int(_LATEST_S / _STEP_S / 2)
+    times = [2 * n * _STEP_S for n in range(steps)]
+    gaps = [gap_m(who, other, t) for t in times if in_line(who, other, t, LANE_WIDTH_M)]
+    return min(gaps, default=1e3)

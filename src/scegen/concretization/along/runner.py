@@ -1,0 +1,204 @@
+"""Who is along the road, as a movement in time: speed in steps, and moves to the side.
+
+One axis runs along the road in the ego's direction (``x``, m), one to the ego's left of the centre
+line (``y``, m). Times count from the start of the scenario (s).
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from dataclasses import dataclass, field, replace
+from math import cos, pi, sqrt
+
+from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.vocabulary import HazardKind, ParticipantKind
+
+NEVER_S = 1e6
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """From ``begins_s`` on the speed changes to ``target_mps`` at ``rate_mps2``.
+
+    ``act`` is the act of the text that it is; ``reacts_to`` whom it answers. ``timed``: it comes so
+    long after the start, whatever others do.
+    """
+
+    begins_s: float
+    target_mps: float
+    rate_mps2: float
+    act: str | None = None
+    hazard: HazardKind | None = None
+    reacts_to: str | None = None
+    timed: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """From ``begins_s`` on, for ``lasts_s``, into ``lane``, ``offset_m`` left of its centre."""
+
+    begins_s: float
+    lasts_s: float
+    lane: int
+    offset_m: float = 0.0
+    act: str | None = None
+    hazard: HazardKind | None = None
+
+    @property
+    def ends_s(self) -> float:
+        """When it is there."""
+        return self.begins_s + self.lasts_s
+
+
+class Profile:
+    """The way travelled over time, by phases of steady acceleration."""
+
+    def __init__(self, speed_mps: float, steps: tuple[Step, ...]) -> None:
+        self._phases: list[tuple[float, float, float, float]] = [(0.0, 0.0, speed_mps, 0.0)]
+        for step in sorted(steps, key=lambda s: s.begins_s):
+            self._add(step)
+        self._times = [phase[0] for phase in self._phases]
+
+    def _add(self, step: Step) -> None:
+        while len(self._phases) > 1 and self._phases[-1][0] >= step.begins_s:
+            self._phases.pop()  # what was under way is given up
+        way, speed = self._state(self._phases[-1], step.begins_s)
+        change = step.target_mps - speed
+        if abs(change) < 1e-9:
+            self._phases.append((step.begins_s, way, speed, 0.0))
+            return
+        rate = step.rate_mps2 if change > 0 else -step.rate_mps2
+        self._phases.append((step.begins_s, way, speed, rate))
+        ends_s = step.begins_s + change / rate
+        way, _ = self._state(self._phases[-1], ends_s)
+        self._phases.append((ends_s, way, step.target_mps, 0.0))
+
+    @staticmethod
+    def _state(phase: tuple[float, float, float, float], time_s: float) -> tuple[float, float]:
+        begins, way, speed, rate = phase
+        after = time_s - begins
+        return way + speed * after + rate * after * after / 2, speed + rate * after
+
+    def _at(self, time_s: float) -> tuple[float, float]:
+        return self._state(self._phases[max(0, bisect_right(self._times, time_s) - 1)], time_s)
+
+    def way_m(self, time_s: float) -> float:
+        """The way travelled since the start."""
+        return self._at(time_s)[0]
+
+    def speed_mps(self, time_s: float) -> float:
+        """The speed at a time."""
+        return self._at(time_s)[1]
+
+    def time_s(self, way_m: float) -> float:
+        """When that way has been travelled; ``NEVER_S`` if it never is."""
+        for n, phase in enumerate(self._phases):
+            begins, way, speed, rate = phase
+            later = self._phases[n + 1] if n + 1 < len(self._phases) else None
+            if later is not None and later[1] < way_m:
+                continue
+            left = way_m - way
+            if abs(rate) < 1e-9:
+                return begins + left / speed if speed > 1e-9 else NEVER_S
+            root = speed * speed + 2 * rate * left
+            return begins + (sqrt(max(root, 0.0)) - speed) / rate
+        return NEVER_S
+
+    def settles_s(self, after_s: float) -> float:
+        """When the change of speed under way at a time is over."""
+        n = max(0, bisect_right(self._times, after_s + 1e-9) - 1)
+        return self._phases[n + 1][0] if n + 1 < len(self._phases) else after_s
+
+
+@dataclass
+class Runner:
+    """One along the road, of any kind: driving, walking or standing.
+
+    ``at_m`` is where its reference point starts, None while that is open; ``lane`` counts from the
+    centre line outwards in its own direction (0: the oncoming lane), ``offset_m`` is to its own
+    left of the lane's centre. ``box`` is that of a thing, ``keeps_left`` the side of the traffic.
+    """
+
+    id: str
+    kind: ParticipantKind
+    forward: bool
+    lane: int
+    speed_mps: float
+    offset_m: float = 0.0
+    at_m: float | None = None
+    steps: list[Step] = field(default_factory=list)
+    moves: list[Move] = field(default_factory=list)
+    box: Body | None = None
+    keeps_left: bool = False
+
+    @property
+    def body(self) -> Body:
+        """Its size."""
+        return self.box or BODIES[self.kind]
+
+    @property
+    def sign(self) -> int:
+        """1 in the ego's direction, -1 against it."""
+        return 1 if self.forward else -1
+
+    @property
+    def stands(self) -> bool:
+        """Whether it never moves."""
+        return self.speed_mps == 0.0 and not self.steps
+
+    @property
+    def profile(self) -> Profile:
+        """Its way over time."""
+        return Profile(self.speed_mps, tuple(self.steps))
+
+    def x_m(self, time_s: float) -> float:
+        """Where its reference point is."""
+        return (self.at_m or 0.0) + self.sign * self.profile.way_m(time_s)
+
+    def ends_m(self, time_s: float) -> tuple[float, float]:
+        """The rear and the front of its box along the road, the lower first."""
+        x = self.x_m(time_s)
+        front, rear = x + self.sign * self.body.front_m, x - self.sign * self.body.rear_m
+        return min(front, rear), max(front, rear)
+
+    def speed_at_mps(self, time_s: float) -> float:
+        """Its speed."""
+        return self.profile.speed_mps(time_s)
+
+    def lane_at(self, time_s: float) -> int:
+        """The lane it is in, or moves into."""
+        lanes = [self.lane, *(m.lane for m in self.moves if m.begins_s <= time_s)]
+        return lanes[-1]
+
+    def y_m(self, time_s: float, width_m: float) -> float:
+        """Where its middle is across the road, to the ego's left of the centre line."""
+        before, place = self._across_m(self.lane, self.offset_m, width_m), 0.0
+        place = before
+        for move in self.moves:
+            if time_s <= move.begins_s:
+                break
+            goal = self._across_m(move.lane, move.offset_m, width_m)
+            done = min(1.0, (time_s - move.begins_s) / move.lasts_s)
+            place = before + (goal - before) * (1 - cos(pi * done)) / 2
+            before = goal
+        return place
+
+    def _across_m(self, lane: int, offset_m: float, width_m: float) -> float:
+        outward = 1 if self.keeps_left else -1
+        return self.sign * (offset_m + outward * (lane - 0.5) * width_m)
+
+    def with_step(self, step: Step) -> Runner:
+        """The same with one more step."""
+        return replace(self, steps=[*self.steps, step])
+
+
+def gap_m(first: Runner, second: Runner, time_s: float) -> float:
+    """Free length along the road between two; negative where they are level."""
+    (low, high), (other_low, other_high) = first.ends_m(time_s), second.ends_m(time_s)
+    return max(other_low - high, low - other_high)
+
+
+def in_line(first: Runner, second: Runner, time_s: float, width_m: float) -> bool:
+    """Whether their boxes overlap across the road."""
+    apart = abs(first.y_m(time_s, width_m) - second.y_m(time_s, width_m))
+    return apart < (first.body.width_m + second.body.width_m) / 2

@@ -1,0 +1,272 @@
+"""Where somebody is across its lane, and how it passes another: what words of the side mean."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+
+from scegen.concretization.along.runner import NEVER_S, Move, Runner, gap_m
+from scegen.concretization.along.spacing import level
+from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank, contact_wanted
+from scegen.concretization.limits import LANE_CHANGE_S
+from scegen.errors import MotionInfeasibleError
+from scegen.road.defaults import LANE_WIDTH_M
+from scegen.scenario.acts import Act
+from scegen.scenario.spacings import CONTACT, Measure, Spacing
+from scegen.scenario.vocabulary import HazardKind, Side
+
+_CLEAR_M = 6.0
+_NEAR_M = 0.3
+"""How near one passes who goes round another."""
+_ROUNDS = 20
+_JUST_BACK_S, _LONG_BACK_S = 0.3, 2.5
+_LOOK_S, _LONGEST_S = 0.05, 60.0
+_BACK_BEFORE_S = 0.7
+
+
+def edge_y_m(story: Story, *, left: bool) -> float:
+    """Where the carriageway ends on one side, to the ego's left of the centre line."""
+    return story.lane_count * LANE_WIDTH_M * (1 if left else -1)
+
+
+def offset_all(story: Story) -> None:
+    """Put those aside of whom the text says how far they are so, or where they are hit."""
+    for spacing in story.functional.spacings:
+        who, other = spacing.participant, spacing.reference
+        if {who, other} <= story.runners.keys():
+            mover, fixed = (who, other) if who != story.ego.id else (other, who)
+            turned = mover != who
+            left = _left_m(story, spacing, story.runners[who], story.runners[other])
+            if left is not None:
+                later = spacing.at == CONTACT or spacing.at in story.begins_s
+                aside = -left if turned else left
+                _put_aside(story.runners[mover], story.runners[fixed], aside, in_the_end=later)
+    outcome = story.functional.outcome
+    if outcome is None or outcome.impact_percent is None:
+        return
+    ego = story.ego
+    for name in outcome.between:
+        runner = story.runners.get(name)
+        if runner is not None and runner is not ego:
+            left = (0.5 - outcome.impact_percent.middle / 100) * ego.body.width_m
+            _put_aside(runner, ego, left, in_the_end=True)
+
+
+def _left_m(story: Story, spacing: Spacing, who: Runner, other: Runner) -> float | None:
+    """How far to the reference's left the participant's middle is; None: nothing said of that."""
+    both = (who.body.width_m + other.body.width_m) / 2
+    value = spacing.value.middle
+    if spacing.measure is Measure.LATERAL_OFFSET_M:
+        return value
+    if spacing.measure is Measure.LATERAL_GAP_M:
+        return _sign(story, spacing, who, other) * (value + both)
+    if spacing.measure is Measure.OVERLAP_PERCENT:
+        if value >= 100:
+            return 0.0
+        apart = both - value / 100 * other.body.width_m
+        return _sign(story, spacing, who, other) * apart
+    return None
+
+
+def _sign(story: Story, spacing: Spacing, who: Runner, other: Runner) -> int:
+    """1 if it is to the reference's left, as said or as the lanes are; else towards the kerb."""
+    if spacing.side is not None:
+        return 1 if spacing.side is Side.LEFT else -1
+    apart = (who.y_m(0.0, LANE_WIDTH_M) - other.y_m(0.0, LANE_WIDTH_M)) * other.sign
+    if abs(apart) > 0.1:
+        return 1 if apart > 0 else -1
+    return -1 if story.functional.junction.driving_side.value == "right" else 1
+
+
+def _put_aside(who: Runner, other: Runner, left_m: float, *, in_the_end: bool) -> None:
+    """Move one in (or off) its lane, so that it is so far to the other's left."""
+    moment = NEVER_S if in_the_end else 0.0
+    wanted = other.y_m(moment, LANE_WIDTH_M) + other.sign * left_m
+    more = who.sign * (wanted - who.y_m(moment, LANE_WIDTH_M))
+    if who.moves and in_the_end:
+        who.moves[-1] = replace(who.moves[-1], offset_m=who.moves[-1].offset_m + more)
+    else:
+        who.offset_m += more
+
+
+def overtake(story: Story) -> None:
+    """Out, past, and back in: the moves of those who go round somebody, once places are known.
+
+    Raises:
+        MotionInfeasibleError: nobody is there whom one could overtake.
+    """
+    for act in story.acts:
+        if not story.goes_round(act):
+            continue
+        slow = passed_by(story, act)
+        if slow is not None:
+            _pass(story, act, story.runners[act.participant], slow)
+        elif any(
+            r.forward != story.runners[act.participant].forward for r in story.runners.values()
+        ):
+            _stray(story, act, story.runners[act.participant])
+        elif not _drives_past(story):
+            raise MotionInfeasibleError(
+                "nobody is ahead of it whom it could overtake",
+                where=act.participant,
+                hint="Let another vehicle be ahead of it, or let it drive straight on.",
+            )
+    _meet_after(story)
+
+
+def _stray(story: Story, act: Act, runner: Runner) -> None:
+    """Into the oncoming lane and back, where there is nobody to overtake: just for the oncoming."""
+    begins = story.begins_s[act.id]
+    hazard = story.hazard_of(act)
+    out = Move(begins, LANE_CHANGE_S, 0, 0.0, act.id, hazard)
+    back = Move(out.ends_s + 1.0, LANE_CHANGE_S, max(1, runner.lane), 0.0, act.id, hazard)
+    runner.moves += [out, back]
+    story.ends_s[act.id] = back.ends_s
+
+
+def _drives_past(story: Story) -> bool:
+    """Past one who is parked beside the lanes leads no change of lane."""
+    return any(s.participant not in story.runners for s in story.logical.standings)
+
+
+def _meet_after(story: Story) -> None:
+    """Who comes towards one in its lane meets it when it is back: just then, if that is a danger.
+
+    Those whose place the text gives stay where they are.
+    """
+    said = {n for s in story.functional.spacings for n in (s.participant, s.reference)}
+    passing = [act.participant for act in story.acts if story.goes_round(act)]
+    for stray in (story.runners[name] for name in passing):
+        out = [m for m in stray.moves if m.lane == 0]
+        back = [m for m in stray.moves if out and m.begins_s > out[0].begins_s and m.lane > 0]
+        if not back:
+            continue
+        for other in story.runners.values():
+            if other.forward == stray.forward or other.stands or {other.id, stray.id} & said:
+                continue
+            later = _JUST_BACK_S if _at_odds(story, stray.id, other.id) else _LONG_BACK_S
+            moment = back[0].ends_s + later
+            if other is story.ego:
+                shift = level(stray, other, moment) - (stray.at_m or 0.0)
+                for runner in story.runners.values():
+                    if runner.forward == stray.forward and runner.at_m is not None:
+                        runner.at_m += shift
+            else:
+                other.at_m = level(other, stray, moment)
+
+
+def _at_odds(story: Story, first: str, second: str) -> bool:
+    """Whether a danger is between two."""
+    return any({first, second} <= {*h.by, *h.to} for h in story.hazards)
+
+
+def passed_by(story: Story, act: Act) -> Runner | None:
+    """Who is overtaken: who is named, whom the danger is to, else the next ahead in line."""
+    own = story.runners[act.participant]
+    named = [act.into] if act.into else []
+    named += [
+        name
+        for hazard in story.hazards
+        if hazard.kind is HazardKind.OVERTAKING and own.id in hazard.by
+        for name in hazard.to
+    ]
+    order = by_rank(story.logical, story.runners)
+    line = [
+        name
+        for name, other in story.runners.items()
+        if other.forward == own.forward and (other.stands or order[name] < order[own.id])
+    ]
+    named += sorted(line, key=lambda name: -order[name])
+    for name in named:
+        other = story.runners.get(name)
+        if other is not None and other.forward == own.forward and other is not own:
+            return other
+    return None
+
+
+def _pass(story: Story, act: Act, fast: Runner, slow: Runner) -> None:
+    out_lane = max(0, fast.lane - 1) if fast.lane > 1 else 0
+    if fast.lane == 1 and story.lane_count > 1 and slow.lane == 1:
+        out_lane = 2
+    lasts = LANE_CHANGE_S
+    begins = max(FIRST_ACT_S / 2, story.begins_s[act.id] - FIRST_ACT_S)
+    begins = _latest_out_s(fast, slow, out_lane, lasts, begins)
+    clear = _when(
+        lambda t: (fast.x_m(t) - slow.x_m(t)) * fast.sign > 0 and gap_m(fast, slow, t) >= _CLEAR_M,
+        begins + lasts,
+    )
+    hazard = story.hazard_of(act)
+    fast.moves += [
+        Move(begins, lasts, out_lane, 0.0, act.id, hazard),
+        Move(clear, lasts, fast.lane, 0.0, act.id, hazard),
+    ]
+    story.ends_s[act.id] = clear + lasts
+
+
+def _latest_out_s(
+    fast: Runner, slow: Runner, lane: int, lasts_s: float, earliest_s: float
+) -> float:
+    """The latest moment to pull out at which one still gets past close by, without touching."""
+    reaches = _when(lambda t: gap_m(fast, slow, t) <= _NEAR_M, earliest_s)
+    kept = list(fast.moves)
+    low, high = earliest_s, max(reaches, earliest_s)
+    for _ in range(_ROUNDS):
+        middle = (low + high) / 2
+        fast.moves = [*kept, Move(middle, lasts_s, lane)]
+        times = [middle + _LOOK_S * n for n in range(int((lasts_s + 4.0) / _LOOK_S))]
+        touches = any(_too_near(fast, slow, t) for t in times)
+        low, high = (low, middle) if touches else (middle, high)
+    fast.moves = kept
+    return low
+
+
+def _too_near(first: Runner, second: Runner, time_s: float) -> bool:
+    apart = abs(first.y_m(time_s, LANE_WIDTH_M) - second.y_m(time_s, LANE_WIDTH_M))
+    wide = (first.body.width_m + second.body.width_m) / 2
+    return gap_m(first, second, time_s) <= _NEAR_M and apart < wide + _NEAR_M
+
+
+def _when(true: Callable[[float], bool], from_s: float) -> float:
+    """The first moment at which something holds, from another one on; that one if never."""
+    n = 0
+    while n * _LOOK_S < _LONGEST_S:
+        time_s = from_s + n * _LOOK_S
+        if true(time_s):
+            return time_s
+        n += 1
+    return from_s
+
+
+def come_back(story: Story) -> None:
+    """Who strays into the lane of those who come towards it is back just before they meet."""
+    for runner in list(story.runners.values()):
+        astray = runner.moves and runner.moves[-1].lane == 0
+        if not astray:
+            continue
+        last = runner.moves[-1]
+        meets = _meeting_s(story, runner, last.begins_s)
+        if meets is None:
+            continue
+        name, time_s = meets
+        if contact_wanted(story, runner.id, name):
+            continue
+        back = max(last.ends_s + 0.1, time_s - _BACK_BEFORE_S - last.lasts_s)
+        lane = max(1, runner.lane)
+        runner.moves.append(Move(back, last.lasts_s, lane, 0.0, last.act, last.hazard))
+
+
+def _level(first: Runner, second: Runner, time_s: float) -> bool:
+    return gap_m(first, second, time_s) <= 0
+
+
+def _meeting_s(story: Story, runner: Runner, from_s: float) -> tuple[str, float] | None:
+    """Whom one meets first that comes towards it, and when they are level."""
+    found: list[tuple[float, str]] = []
+    for other in story.runners.values():
+        if other.forward == runner.forward:
+            continue
+        level = _when(partial(_level, runner, other), from_s)
+        if gap_m(runner, other, level) <= 0:
+            found.append((level, other.id))
+    return (min(found)[1], min(found)[0]) if found else None

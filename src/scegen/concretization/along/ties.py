@@ -1,0 +1,232 @@
+"""How those along the road stand to each other: what is said, and what is usual where it is not."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from scegen.concretization.along.runner import Runner, gap_m
+from scegen.concretization.along.spacing import LENGTHWISE, Tie, level, place
+from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank
+from scegen.concretization.limits import TAILGATING_HEADWAY_S
+from scegen.scenario.acts import ActKind, WhenMeasure
+from scegen.scenario.spacings import CONTACT, START, Measure
+from scegen.scenario.vocabulary import Approach, HazardKind
+
+_FOLLOWING_S = 1.8
+"""The time gap of ordinary following: a little below the two seconds of driving schools."""
+_BRAKES_AT_S = 1.1
+_LEAVES_AT_S = 1.2
+_CLOSES_IN_S = 7.0
+_LEAST_FREE_M = 20.0
+_CUTS_IN_S = 0.6
+_CLOSING_CUT_S = 2.2
+_REVEALED_S = 2.5
+_MEETS_S = 6.5
+_SLOWER_MPS = 0.5
+_LEAST_QUEUE_M = 2.0
+
+
+def tie_up(story: Story, *, wider: float = 1.0) -> None:
+    """Give everybody a place at the start: by what is said first, by what is usual else.
+
+    ``wider`` stretches what is usual, where it turns out too close.
+    """
+    for runner in story.runners.values():
+        runner.at_m = None
+    story.ego.at_m = 0.0
+    said = list(_said(story))
+    order = by_rank(story.logical, story.runners)
+    open_ = [n for n in story.runners if n != story.ego.id]
+    while open_:
+        tied = next((t for t in said if _one_known(story, t)), None)
+        if tied is not None:
+            _place(story, tied)
+        else:
+            name = min(open_, key=lambda n: _urgency(story, n, order))
+            _place_as_usual(story, name, order, wider)
+        open_ = [n for n in open_ if story.runners[n].at_m is None]
+
+
+def _one_known(story: Story, tie: Tie) -> bool:
+    known = [story.runners[n].at_m is not None for n in (tie.who, tie.other)]
+    return known[0] != known[1]
+
+
+def _place(story: Story, tie: Tie) -> None:
+    who, other = story.runners[tie.who], story.runners[tie.other]
+    if who.at_m is not None:
+        ahead = not tie.ahead if who.forward == other.forward else tie.ahead
+        turned = replace(tie, who=tie.other, other=tie.who, ahead=ahead)
+        other.at_m = place(turned, other, who)
+    else:
+        who.at_m = place(tie, who, other)
+
+
+def _said(story: Story) -> Iterator[Tie]:
+    """The ties of the text: spacings along the road, and measures that set acts off."""
+    for spacing in story.functional.spacings:
+        pair = {spacing.participant, spacing.reference}
+        known = pair <= story.runners.keys() and spacing.measure in LENGTHWISE
+        if known and spacing.at != CONTACT:
+            time_s = 0.0 if spacing.at == START else story.begins_s.get(spacing.at, FIRST_ACT_S)
+            yield _tie(story, spacing.participant, spacing.reference, spacing.measure,
+                       spacing.value.middle, time_s)  # fmt: skip
+    for act in story.acts:
+        when = act.when
+        if not isinstance(when, WhenMeasure) or when.measure not in LENGTHWISE:
+            continue
+        if {when.participant, when.reference} <= story.runners.keys() and act.id in story.begins_s:
+            yield _tie(story, when.participant, when.reference, when.measure,
+                       when.value.middle, story.begins_s[act.id])  # fmt: skip
+
+
+def _tie(story: Story, who: str, other: str, measure: Measure, value: float, time_s: float) -> Tie:
+    return Tie(who, other, measure, value, time_s, is_ahead(story, who, other), said=True)
+
+
+def is_ahead(story: Story, who: str, other: str) -> bool:
+    """Whether one is ahead of another as that one drives."""
+    first, second = story.runners[who], story.runners[other]
+    if first.forward != second.forward:
+        return True
+    for name, reference, sign in ((who, other, True), (other, who, False)):
+        words = story.words(name, reference)
+        if Approach.AHEAD in words or Approach.BEHIND in words:
+            return (Approach.AHEAD in words) == sign
+        comes_in = any(
+            act.participant == name and act.into == reference
+            and act.kind is ActKind.CHANGE_LANE for act in story.acts
+        )  # fmt: skip
+        if comes_in:
+            return sign
+    if first.stands != second.stands:
+        return first.stands
+    order = by_rank(story.logical, story.runners)
+    if order[who] != order[other]:
+        return order[who] < order[other]
+    return who != story.ego.id
+
+
+def _urgency(story: Story, name: str, order: dict[str, int]) -> tuple[int, int, int]:
+    """Whom to place first: the ego's lane, nearest to it in line."""
+    runner, ego = story.runners[name], story.ego
+    same_way = runner.forward == ego.forward
+    away = abs(order[name] - order[ego.id])
+    return (not same_way, runner.lane != ego.lane, away)
+
+
+def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float) -> None:
+    runner = story.runners[name]
+    other = story.runners[_reference(story, name, order)]
+    if runner.forward != other.forward:
+        # Level at a moment: then and there they meet.
+        runner.at_m = level(runner, other, _meets_s(runner))
+        return
+    kind = _usual(story, runner, other, wider)
+    if kind is None:
+        runner.at_m = level(runner, other, _level_s(runner, other))
+        _queue_up(story, runner)
+        return
+    measure, value, time_s = kind
+    ahead = is_ahead(story, name, other.id)
+    runner.at_m = place(
+        Tie(name, other.id, measure, value, time_s, ahead, said=False), runner, other
+    )
+
+
+def _queue_up(story: Story, runner: Runner) -> None:
+    """Behind whoever is there already in the same lane."""
+    for _ in story.runners:
+        taken = [
+            other
+            for other in story.runners.values()
+            if other is not runner and other.at_m is not None
+            and (other.lane, other.forward) == (runner.lane, runner.forward)
+            and gap_m(runner, other, 0.0) < _LEAST_QUEUE_M
+        ]  # fmt: skip
+        if not taken:
+            return
+        tie = Tie(runner.id, taken[0].id, Measure.HEADWAY_S, 1.0, 0.0, ahead=False, said=False)
+        runner.at_m = place(tie, runner, taken[0])
+
+
+def _meets_s(runner: Runner) -> float:
+    """When one who comes towards the ego is met: as its own act has brought it there."""
+    moves = [m.ends_s + 0.4 for m in runner.moves]
+    return max([_MEETS_S, *moves])
+
+
+def _level_s(runner: Runner, other: Runner) -> float:
+    moves = [m.begins_s for m in (*runner.moves, *other.moves)]
+    return min(moves, default=FIRST_ACT_S)
+
+
+def _reference(story: Story, name: str, order: dict[str, int]) -> str:
+    """To whom a place is told: who is concerned by its danger, the next in its line, the ego."""
+    known = {n for n, r in story.runners.items() if r.at_m is not None}
+    for hazard in story.hazards:
+        if name in hazard.by:
+            found = [n for n in hazard.to if n in known]
+            if found and _neighbours(story, name, found[0], order):
+                return found[0]
+    runner = story.runners[name]
+    line = [
+        n for n in known
+        if story.runners[n].lane == runner.lane and story.runners[n].forward == runner.forward
+    ]  # fmt: skip
+    if line:
+        return min(line, key=lambda n: abs(order[n] - order[name]))
+    return story.functional.ego.id
+
+
+def _neighbours(story: Story, first: str, second: str, order: dict[str, int]) -> bool:
+    """Whether nobody is between two in one line."""
+    a, b = story.runners[first], story.runners[second]
+    if a.lane != b.lane or a.forward != b.forward:
+        return True
+    low, high = sorted((order[first], order[second]))
+    return not any(
+        low < order[n] < high
+        for n, r in story.runners.items()
+        if r.lane == a.lane and r.forward == a.forward
+    )
+
+
+def _usual(
+    story: Story, runner: Runner, other: Runner, wider: float
+) -> tuple[Measure, float, float] | None:
+    """The measure that two of one direction usually have, and when; None: side by side."""
+    ahead = is_ahead(story, runner.id, other.id)
+    front, back = (runner, other) if ahead else (other, runner)
+    comes_in = next((m for m in front.moves if m.lane == back.lane != front.lane), None)
+    if comes_in is not None:
+        closing = back.speed_mps - front.speed_at_mps(comes_in.begins_s)
+        gap = max(_CUTS_IN_S * back.speed_mps, _CLOSING_CUT_S * closing, 4.0)
+        return Measure.GAP_M, gap * wider, comes_in.begins_s
+    if front.lane != back.lane:
+        diagonal = story.words(runner.id, other.id) & {Approach.AHEAD, Approach.BEHIND}
+        return (Measure.HEADWAY_S, 1.0, FIRST_ACT_S) if diagonal else None
+    leaves = next((m for m in front.moves if m.lane != back.lane), None)
+    slows = next((s for s in front.steps if s.target_mps < front.speed_mps), None)
+    if leaves is not None:
+        return Measure.HEADWAY_S, _LEAVES_AT_S * wider, leaves.begins_s
+    if slows is not None and back.speed_mps > 0:
+        return Measure.HEADWAY_S, _headway_s(story, front, back, wider), slows.begins_s
+    moving_away = back.moves[0] if back.moves else None
+    if front.speed_mps < back.speed_mps - _SLOWER_MPS:
+        if moving_away is not None and moving_away.lane != front.lane:
+            return Measure.TTC_S, _REVEALED_S * wider, moving_away.begins_s
+        closing = back.speed_mps - front.speed_mps
+        return Measure.GAP_M, max(_CLOSES_IN_S * closing, _LEAST_FREE_M) * wider, 0.0
+    if back.speed_mps == 0.0:
+        return Measure.GAP_M, 2.0, 0.0
+    return Measure.HEADWAY_S, _headway_s(story, front, back, wider), 0.0
+
+
+def _headway_s(story: Story, front: Runner, back: Runner, wider: float) -> float:
+    for hazard in story.hazards:
+        if hazard.kind is HazardKind.TAILGATING and back.id in hazard.by:
+            return sum(TAILGATING_HEADWAY_S) / 2
+    slows = any(s.target_mps < front.speed_mps for s in front.steps)
+    return (_BRAKES_AT_S if slows else _FOLLOWING_S) * wider

@@ -1,0 +1,280 @@
+"""From the story to the numbers of the files: roads, starts, phases, changes of lane."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from math import ceil
+
+from scegen.concretization.along.crossing import Walk
+from scegen.concretization.along.parked import Parked
+from scegen.concretization.along.runner import NEVER_S, Runner, Step
+from scegen.concretization.along.story import Story
+from scegen.motion.paths import END_MARGIN_M
+from scegen.road.defaults import LANE_WIDTH_M
+from scegen.scenario.bodies import BODIES
+from scegen.scenario.concrete import (
+    AtTime,
+    ConcreteParticipant,
+    CrossingMotion,
+    DistanceBelow,
+    DriveMotion,
+    LaneChange,
+    RoadParameters,
+    SpeedPhase,
+    StandingMotion,
+    Travelled,
+    Trigger,
+)
+from scegen.scenario.functional import Participant
+from scegen.scenario.logical import Crossing, Drive, Standing
+from scegen.scenario.vocabulary import HazardKind, ParticipantKind
+
+_ARM_MARGIN_M = 3.0
+_JOINT_CLEAR_M = 8.0
+_LEAST_ARM_M = 40.0
+_ROUND_M = 10.0
+_STOPS_SHORT_M = 0.15
+_LEAST_MOVE_M = 2.0
+_KINDS = {
+    ParticipantKind.PEDESTRIAN: HazardKind.CROSSING_PEDESTRIAN,
+    ParticipantKind.BICYCLE: HazardKind.CROSSING_CYCLIST,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """Where the road lies on the story's axis: from ``begin_m`` to ``end_m``, joint between."""
+
+    begin_m: float
+    joint_m: float
+    end_m: float
+    ego_arm: int
+
+    def station_m(self, runner: Runner, x_m: float) -> float:
+        """The place on a drive, from the outer end of its entry arm."""
+        return x_m - self.begin_m if runner.forward else self.end_m - x_m
+
+    def from_junction_m(self, arm: int, x_m: float) -> float:
+        """How far a place is before the inner end of an arm."""
+        away = self.joint_m - x_m if arm == self.ego_arm else x_m - self.joint_m
+        return max(away, 0.0)
+
+
+def frame_of(
+    story: Story, walks: list[Walk], parked: list[Parked], things_x_m: list[float], lasts_s: float
+) -> Frame:
+    """A road long enough for everybody until the end, with the joint where their arms need it."""
+    assignment = story.logical.assignment(story.ego.id)
+    arm = assignment.entry if isinstance(assignment, Drive) else 0
+    lows, highs = [], []
+    for runner in story.runners.values():
+        for time_s in (0.0, lasts_s):
+            low, high = runner.ends_m(time_s)
+            lows.append(low)
+            highs.append(high)
+    own = [w.x_m for w in walks if w.crossing.arm == arm]
+    own += [p.x_m + p.body.length_m for p in parked if p.standing.arm == arm]
+    far = [w.x_m for w in walks if w.crossing.arm != arm]
+    far += [p.x_m - p.body.length_m for p in parked if p.standing.arm != arm]
+    forward = [r.ends_m(0.0)[1] for r in story.runners.values() if r.forward]
+    backward = [r.ends_m(0.0)[0] for r in story.runners.values() if not r.forward]
+    everything = [*own, *far, *things_x_m]
+    begin = min([*lows, *everything]) - _ARM_MARGIN_M - _LEAST_ARM_M
+    end = max([*highs, *everything]) + _ARM_MARGIN_M + END_MARGIN_M
+    least = max([*own, *forward], default=begin) + _JOINT_CLEAR_M
+    most = min([*far, *backward], default=end) - _JOINT_CLEAR_M
+    joint = least if least <= most or not far else min(far) - _JOINT_CLEAR_M
+    joint = max(joint, begin + _LEAST_ARM_M)
+    end = max(end, joint + _LEAST_ARM_M)
+    return Frame(
+        joint - ceil((joint - begin) / _ROUND_M) * _ROUND_M,
+        joint,
+        joint + ceil((end - joint) / _ROUND_M) * _ROUND_M,
+        arm,
+    )
+
+
+def road_of(road: RoadParameters, frame: Frame) -> RoadParameters:
+    """The road with arms as long as the frame."""
+    lengths = {frame.ego_arm: frame.joint_m - frame.begin_m}
+    arms = tuple(
+        arm.model_copy(
+            update={"length_m": round(lengths.get(arm.id, frame.end_m - frame.joint_m), 3)}
+        )
+        for arm in road.arms
+    )
+    return road.model_copy(update={"arms": arms})
+
+
+def slug_name(story: Story) -> str:
+    """The name of the scenario: number and slug of the logical one."""
+    logical = story.logical
+    return re.sub(r"[^A-Za-z0-9_-]", "-", f"{logical.index:03d}-{logical.slug}")[:100]
+
+
+def written_runner(story: Story, frame: Frame, participant: Participant) -> ConcreteParticipant:
+    """One along the road."""
+    runner = story.runners[participant.id]
+    entry = frame.ego_arm if runner.forward else 1 - frame.ego_arm
+    changes = _changes(frame, runner)
+    last = changes[-1].lane_after if changes else runner.lane
+    joint = frame.joint_m - frame.begin_m if runner.forward else frame.end_m - frame.joint_m
+    motion = DriveMotion(
+        entry=entry,
+        entry_lane=runner.lane,
+        exit=1 - entry,
+        exit_lane=last,
+        start_m=round(frame.station_m(runner, runner.at_m or 0.0), 3),
+        offset_m=round(runner.offset_m, 3),
+        turning_starts_m=round(joint, 3),
+        turning_ends_m=round(joint, 3),
+        lane_changes=changes,
+    )
+    return ConcreteParticipant(
+        id=participant.id,
+        kind=participant.kind,
+        role=participant.role,
+        parked=runner.stands,
+        speed_mps=round(runner.speed_mps, 4),
+        motion=motion,
+        speed_program=tuple(_phase(story, runner, step) for step in _in_order(runner)),
+    )
+
+
+def _in_order(runner: Runner) -> list[Step]:
+    return sorted(runner.steps, key=lambda step: step.begins_s)
+
+
+def _changes(frame: Frame, runner: Runner) -> tuple[LaneChange, ...]:
+    """Moves to the side as places on the way: what is travelled meanwhile is their length."""
+    changes, before = [], 0.0
+    for move in sorted(runner.moves, key=lambda m: m.begins_s):
+        begins = frame.station_m(runner, runner.x_m(move.begins_s))
+        ends = frame.station_m(runner, runner.x_m(move.ends_s))
+        begins = max(begins, before)
+        length = max(ends - begins, _LEAST_MOVE_M)
+        changes.append(
+            LaneChange(
+                position_m=round(begins, 3),
+                length_m=round(length, 3),
+                lane_after=move.lane,
+                offset_m=round(move.offset_m, 3),
+                hazard=move.hazard,
+            )
+        )
+        before = round(begins, 3) + round(length, 3)
+    return tuple(changes)
+
+
+def _phase(story: Story, runner: Runner, step: Step) -> SpeedPhase:
+    return SpeedPhase(
+        trigger=_trigger(story, runner, step),
+        target_speed_mps=round(step.target_mps, 4),
+        rate_mps2=round(step.rate_mps2, 4),
+        hazard=step.hazard,
+        act=step.act if any(a.id == step.act for a in story.functional.acts) else None,
+    )
+
+
+def _trigger(story: Story, runner: Runner, step: Step) -> Trigger:
+    """What sets a step off: time if that is said, who it answers, or how far the ego has come."""
+    if step.timed:
+        return AtTime(time_s=round(step.begins_s, 3))
+    if step.reacts_to is not None and step.reacts_to in story.runners:
+        other = story.runners[step.reacts_to]
+        dx = runner.x_m(step.begins_s) - other.x_m(step.begins_s)
+        dy = runner.y_m(step.begins_s, LANE_WIDTH_M) - other.y_m(step.begins_s, LANE_WIDTH_M)
+        closing = runner.speed_at_mps(step.begins_s) > other.speed_at_mps(step.begins_s) + 0.05
+        participant = any(p.id == other.id for p in story.functional.participants)
+        if closing and participant:
+            return DistanceBelow(
+                participant=other.id, distance_m=round((dx * dx + dy * dy) ** 0.5, 3)
+            )
+    for who in (story.ego, runner):
+        if who.speed_at_mps(step.begins_s) > 0.1:
+            way = who.profile.way_m(step.begins_s)
+            return Travelled(participant=who.id, distance_m=round(max(way, 0.0), 3))
+    return AtTime(time_s=round(step.begins_s, 3))
+
+
+def written_walk(story: Story, frame: Frame, walk: Walk, length_m: float) -> ConcreteParticipant:
+    """One who goes across the road; ``length_m`` is how long its way is."""
+    participant = story.functional.participant(walk.id)
+    braking = walk.speed_mps**2 / (2 * walk.rate_mps2)
+    end = max(0.0, length_m - braking - _STOPS_SHORT_M)
+    meets = story.runners[walk.meets]
+    trigger: Trigger = AtTime(time_s=round(walk.sets_off_s, 3))
+    if not walk.timed and meets.speed_at_mps(walk.sets_off_s) > 0.1:
+        way = meets.profile.way_m(walk.sets_off_s)
+        trigger = Travelled(participant=meets.id, distance_m=round(way, 3))
+    stops = walk.stops_after_m is not None
+    return ConcreteParticipant(
+        id=walk.id,
+        kind=walk.kind,
+        role=participant.role,
+        speed_mps=0.0,
+        motion=walk_motion(frame, walk),
+        speed_program=(
+            SpeedPhase(
+                trigger=trigger,
+                target_speed_mps=round(walk.speed_mps, 4),
+                rate_mps2=walk.rate_mps2,
+                hazard=_KINDS.get(walk.kind),
+                act=walk.act,
+            ),
+            SpeedPhase(
+                trigger=Travelled(participant=walk.id, distance_m=round(end, 3)),
+                target_speed_mps=0.0,
+                rate_mps2=walk.rate_mps2,
+                hazard=HazardKind.STOPPING if stops else None,
+            ),
+        ),
+    )
+
+
+def walk_motion(frame: Frame, walk: Walk) -> CrossingMotion:
+    """The way across."""
+    crossing: Crossing = walk.crossing
+    stops = walk.stops_after_m
+    return CrossingMotion(
+        arm=crossing.arm,
+        start_side=crossing.start,
+        from_junction_m=round(frame.from_junction_m(crossing.arm, walk.x_m), 3),
+        setback_m=round(walk.setback_m, 3),
+        stops_after_m=None if stops is None else round(stops, 3),
+    )
+
+
+def written_parked(frame: Frame, parked: Parked, participant: Participant) -> ConcreteParticipant:
+    """One who is parked: its box's middle lies where the story has it."""
+    standing: Standing = parked.standing
+    body = BODIES[parked.kind]
+    inward = (standing.side.value == "right") == (participant.kind is not None)
+    del inward
+    away = frame.from_junction_m(standing.arm, parked.x_m)
+    # It heads the way of the traffic on its side; its reference point lies behind its middle.
+    towards = (parked.on_left is False) == (standing.arm == frame.ego_arm)
+    away += body.centre_ahead_m if towards else -body.centre_ahead_m
+    return ConcreteParticipant(
+        id=parked.id,
+        kind=parked.kind,
+        role=participant.role,
+        parked=True,
+        speed_mps=0.0,
+        motion=StandingMotion(
+            arm=standing.arm, side=standing.side, from_junction_m=round(max(0.0, away), 3)
+        ),
+    )
+
+
+def ends_s(story: Story, walks: list[Walk]) -> float:
+    """When the last thing has happened that the story tells, the closest approach included."""
+    moments = [4.0]
+    for runner in story.runners.values():
+        moments += [move.ends_s for move in runner.moves]
+        moments += [runner.profile.settles_s(step.begins_s) for step in runner.steps]
+    for walk in walks:
+        edge = walk.setback_m + story.lane_count * LANE_WIDTH_M
+        moments.append(walk.sets_off_s + walk.runs_s(edge))
+    return max(moment for moment in moments if moment < NEVER_S)

@@ -1,0 +1,212 @@
+"""From drafts to the concrete scenario, with its duration."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+from scegen.concretization.boxes import overlap
+from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.limits import LONGEST_DURATION_S, MAX_DURATION_S
+from scegen.concretization.marks import compile_marks
+from scegen.concretization.room import NeedsLongerArms
+from scegen.concretization.settling import settle
+from scegen.errors import MotionInfeasibleError
+from scegen.motion.model import Path
+from scegen.motion.paths import build_path
+from scegen.motion.simulation import STANDING_MPS, simulate
+from scegen.motion.ties import clear_of_ties
+from scegen.scenario.bodies import BODIES
+from scegen.scenario.concrete import (
+    ConcreteParticipant,
+    ConcreteScenario,
+    SpeedPhase,
+    Travelled,
+)
+from scegen.scenario.functional import Participant
+
+_INTO_EXIT_M = 20.0
+_AFTER_S = 1.0
+_LONGEST_EXIT_M = 500.0
+_TURNS_MPS = 0.6
+"""One that is to stand where it changes direction comes to rest some centimetres short of it."""
+
+
+def assemble(scene: Scene, seed: int) -> ConcreteScenario:
+    """The concrete scenario of a finished scene.
+
+    Raises:
+        MotionInfeasibleError: bodies overlap at the start, or somebody never leaves.
+        NeedsLongerArms: somebody reaches the end of its road before the scenario ends.
+    """
+    participants = tuple(_participant(scene, p) for p in scene.functional.participants)
+    concrete = ConcreteScenario(
+        name=_name(scene),
+        description=scene.functional.description,
+        seed=seed,
+        logical=scene.logical,
+        road=scene.road,
+        participants=participants,
+        objects=tuple(scene.objects),
+        environment=scene.functional.environment,
+        hazards=scene.hazards,
+        duration_s=MAX_DURATION_S,
+        provenance=tuple(scene.changes),
+    )
+    paths = {p.id: build_path(p.motion, p.kind, scene.network, p.id) for p in concrete.participants}
+    _check_start(concrete, paths)
+    _check_turns(concrete, paths)
+    duration = _duration_s(scene, concrete, paths)
+    if duration is None:
+        longer = concrete.model_copy(update={"duration_s": LONGEST_DURATION_S})
+        duration = _duration_s(scene, longer, paths)
+    if duration is None:
+        raise MotionInfeasibleError(
+            f"somebody has not left after {LONGEST_DURATION_S:.0f} s",
+            hint="Raise the speeds or take a smaller junction.",
+        )
+    timed = clear_of_ties(concrete.model_copy(update={"duration_s": duration}), paths)
+    return settle(timed, scene.network)
+
+
+def _name(scene: Scene) -> str:
+    logical = scene.logical
+    return re.sub(r"[^A-Za-z0-9_-]", "-", f"{logical.index:03d}-{logical.slug}")[:100]
+
+
+def _participant(scene: Scene, participant: Participant) -> ConcreteParticipant:
+    name = participant.id
+    if name in scene.drives:
+        draft = scene.drives[name]
+        speed, program = _program(draft)
+        return ConcreteParticipant(
+            id=name,
+            kind=participant.kind,
+            role=participant.role,
+            speed_mps=speed,
+            motion=draft.motion(draft.laid.station_m(draft.start_m)),
+            speed_program=program,
+        )
+    mover = scene.walks.get(name) or scene.pulls.get(name)
+    if mover is not None:
+        return ConcreteParticipant(
+            id=name,
+            kind=participant.kind,
+            role=participant.role,
+            speed_mps=0.0,
+            motion=mover.motion,
+            speed_program=tuple(mover.program),
+        )
+    if name in scene.stands:
+        return ConcreteParticipant(
+            id=name,
+            kind=participant.kind,
+            role=participant.role,
+            parked=True,
+            speed_mps=0.0,
+            motion=scene.stands[name].motion,
+        )
+    raise MotionInfeasibleError("the logical scenario assigns it no way", where=name)
+
+
+def _program(draft: DriveDraft) -> tuple[float, tuple[SpeedPhase, ...]]:
+    """Initial speed and phases, rounded; reactions come where the program reaches them."""
+    if draft.moves_off is not None:
+        return 0.0, (_rounded(draft.moves_off),)
+    speed, phases = compile_marks(draft.id, draft.all_marks(), draft.course, draft.start_m)
+    if draft.reactions:
+        at = draft.reacts_at_s_m - draft.start_m
+        before = [
+            p for p in phases if isinstance(p.trigger, Travelled) and p.trigger.distance_m <= at
+        ]
+        phases = (*before, *draft.reactions, *phases[len(before) :])
+    return round(speed, 3), tuple(_rounded(phase) for phase in phases)
+
+
+def _rounded(phase: SpeedPhase) -> SpeedPhase:
+    trigger = phase.trigger
+    value = round(getattr(trigger, trigger.measured), 3)
+    return phase.model_copy(
+        update={
+            "trigger": trigger.model_copy(update={trigger.measured: value}),
+            "target_speed_mps": round(phase.target_speed_mps, 3),
+            "rate_mps2": round(phase.rate_mps2, 3),
+        }
+    )
+
+
+def _check_start(concrete: ConcreteScenario, paths: dict[str, Path]) -> None:
+    people = concrete.participants
+    for i, first in enumerate(people):
+        for second in people[i + 1 :]:
+            if overlap(
+                paths[first.id].start,
+                BODIES[first.kind],
+                paths[second.id].start,
+                BODIES[second.kind],
+            ):
+                raise MotionInfeasibleError(
+                    f"{first.id} and {second.id} overlap at the start",
+                    hint="Fewer dangers at once, or another logical scenario.",
+                )
+
+
+def _check_turns(concrete: ConcreteScenario, paths: dict[str, Path]) -> None:
+    """Nobody goes from forwards to backwards, or on again, at speed."""
+    if not any(path.backwards for path in paths.values()):
+        return
+    for name, trace in simulate(concrete, paths).items():
+        for place in (place for part in paths[name].backwards for place in part):
+            passed = np.flatnonzero((trace.s_m[1:] > place) & (trace.s_m[:-1] <= place))
+            if place > 0.0 and passed.size and trace.speed_mps[passed[0]] > _TURNS_MPS:
+                raise MotionInfeasibleError(
+                    f"does not stand where it changes direction, {place:.1f} m from its start, "
+                    f"but goes {trace.speed_mps[passed[0]]:.1f} m/s",
+                    where=name,
+                    hint="Fewer dangers at once, or another logical scenario.",
+                )
+
+
+def _duration_s(scene: Scene, concrete: ConcreteScenario, paths: dict[str, Path]) -> float | None:
+    """Until everybody has left the junction and everything has happened; None if never."""
+    traces = simulate(concrete, paths)
+    ends: dict[str, float] = {}
+    for name, trace in traces.items():
+        goal = _goal_m(scene, name, paths[name])
+        halts = name in scene.drives and scene.drives[name].halts_at_m is not None
+        done = np.flatnonzero(trace.speed_mps < STANDING_MPS if halts else trace.s_m >= goal)
+        if not done.size:
+            return None
+        ends[name] = float(trace.time_s[done[0]])
+    duration = max(ends.values()) + _AFTER_S
+    for name, draft in scene.drives.items():
+        trace = traces[name]
+        stopped = trace.s_m >= paths[name].length_m - 1e-6
+        if stopped.any() and scene.road.arms[draft.drive.exit].length_m < _LONGEST_EXIT_M:
+            early = duration - float(trace.time_s[stopped.argmax()])
+            if early > 0:
+                # One who waits at the end of the road would be run over by the next.
+                speed = float(trace.speed_mps[max(0, int(stopped.argmax()) - 1)])
+                raise NeedsLongerArms(early * max(speed, 5.0) + 5.0, name)
+    return round(duration * 20) / 20
+
+
+def _goal_m(scene: Scene, name: str, path: Path) -> float:
+    """How far somebody must come."""
+    if name in scene.drives:
+        draft = scene.drives[name]
+        places = [draft.exit_s_m + _INTO_EXIT_M]
+        places += [
+            draft.laid.path_s_m(change.position_m + change.length_m) + 5.0
+            for change in draft.lane_changes
+        ]
+        places += [ends_m + 10.0 for _, ends_m in draft.laid.path.backwards]
+        return min(max(places), draft.laid.path.length_m) - draft.start_m - 1e-6
+    if name in scene.pulls:
+        pull = scene.pulls[name]
+        places = [pull.laid.path_s_m(pull.motion.turning_ends_m) + _INTO_EXIT_M]
+        return min(max(*places, pull.in_lane_m + 5.0), path.length_m) - 1e-6
+    if name in scene.walks:
+        return max(0.0, path.length_m - 0.5)
+    return 0.0

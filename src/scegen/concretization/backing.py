@@ -1,0 +1,238 @@
+"""Where one that reverses stops, goes back and drives on, and what speed program that takes.
+
+Where it changes direction it has to stand. Simulators fire a trigger up to a step late, so it
+creeps the last bit and comes to rest within a centimetre or two (see ``settling``).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scegen.concretization.boxes import overlaps
+from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.limits import (
+    COMFORTABLE_ACCELERATION_MPS2,
+    CREEP_MPS,
+    HARD_BRAKING_MPS2,
+    REVERSING_MPS,
+    REVERSING_MPS2,
+    STOPPING_MPS2,
+)
+from scegen.concretization.marks import Mark
+from scegen.concretization.meetings import meeting_point, sampled
+from scegen.concretization.others import WalkDraft
+from scegen.concretization.room import NeedsLongerArms
+from scegen.errors import MotionInfeasibleError
+from scegen.motion.lanes import arm_lane_id
+from scegen.motion.model import Path
+from scegen.motion.standing import side_sign
+from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.logical import Reverses
+from scegen.scenario.reversing import BacksOut, BacksUp
+from scegen.scenario.vocabulary import HazardKind, Side
+
+_CREEPS_M = 0.8
+_STOPS_MPS2 = 2.0
+_WAITS_S = 2.5
+_GOES_AT_ONCE_S = 0.8
+_PAUSE_S = 1.0
+_LEAST_RUN_UP_M = 5.0
+_BACK_M = (5.0, 8.0)
+"""How far one goes back towards another on its own lane."""
+_LONGEST_BACK_M = 9.0
+_CLEAR_M = 1.0
+"""One that has crossed another's way stops so far beyond it, before it reverses into it."""
+_PAST_M = 4.0
+"""One that reverses towards somebody on foot begins with its tail so far beyond."""
+_MERGED_M = 12.0
+_BEFORE_JUNCTION_M = 2.0
+_BEHIND_MIDDLE_M = 10.0
+_TIGHTEST = 1.7
+"""Radius of a tight turn in wheelbases, at 30 degrees of steering."""
+_ROOM_M = 0.5
+_SAMPLE_M = 0.1
+_OUT_OF_ARM_M = 2.0
+_BEFORE_END_M = 15.0
+
+
+def back_up(scene: Scene, draft: DriveDraft, other: DriveDraft | None) -> None:
+    """Let it stop on its way, stand there, go back on it and drive on.
+
+    On another's arm ahead of it; where the ways cross, beyond the other's way.
+    """
+    laid, ways = draft.laid, None
+    if other is not None and other.drive.entry != draft.drive.entry:
+        ways = _shared_ground(draft.laid.path, draft.body, other.laid.path, other.body)
+        if ways is None:
+            raise MotionInfeasibleError(
+                f"its way and that of {other.id} do not touch, so it cannot reverse into it",
+                where=draft.id,
+            )
+    back_m = float(scene.rng.uniform(*_BACK_M))
+    if ways is None:
+        stops_s = laid.path.length_m / 2 + _BEHIND_MIDDLE_M
+        if scene.network.junctions:
+            stops_s = draft.junction_s_m - draft.body.front_m - _BEFORE_JUNCTION_M
+    elif ways[1] < laid.path.length_m - _MERGED_M - _BEFORE_END_M and ways[1] - ways[0] < 40.0:
+        stops_s = ways[1] + _CLEAR_M
+        back_m = min(stops_s - (ways[0] + ways[1]) / 2, _LONGEST_BACK_M)
+    else:
+        stops_s = ways[0] + _MERGED_M + draft.body.length_m
+    _up_and_back(scene, draft, stops_s, back_m)
+
+
+def back_up_to(scene: Scene, draft: DriveDraft, walk: WalkDraft) -> None:
+    """Let it drive past the place where somebody will cross, stop, and go back to it."""
+    point = meeting_point(draft.laid.path, walk.path)
+    if point is None:
+        raise MotionInfeasibleError(
+            f"its way and that of {walk.id} do not meet, so it cannot reverse into it",
+            where=draft.id,
+        )
+    tail_s = point.first_s_m + draft.body.rear_m + BODIES[walk.kind].width_m / 2
+    _up_and_back(scene, draft, tail_s + _PAST_M, _PAST_M - _ROOM_M, waits_s=_GOES_AT_ONCE_S)
+    draft.backs_to = walk.id
+
+
+def _up_and_back(
+    scene: Scene, draft: DriveDraft, stops_s: float, back_m: float, waits_s: float = _WAITS_S
+) -> None:
+    laid = draft.laid
+    station = laid.station_m(stops_s)
+    draft.reversal = BacksUp(
+        from_m=round(station, 3),
+        length_m=round(station - laid.station_m(stops_s - back_m), 3),
+    )
+    draft.lay(scene.network)
+    scene.note(f"{draft.id}.reversal.from_m", station, "reversing: stops here and goes back")
+    begins_s, _ = draft.laid.path.backwards[0]
+    _stop_before(scene, draft, begins_s)
+    _go_back(scene, draft, waits_s)
+
+
+def back_out(scene: Scene, draft: DriveDraft) -> None:
+    """Let it come out backwards into its lane from where it stands, and drive on."""
+    body = draft.body
+    entry_end_m = draft.laid.turning_starts_m
+    if draft.from_arm is not None:
+        draft.joins_m = round(entry_end_m - _BEFORE_JUNCTION_M, 3)
+        draft.reversal = BacksOut(
+            arm=draft.from_arm, setback_m=round(body.rear_m + _OUT_OF_ARM_M, 3)
+        )
+    else:
+        side = Side.RIGHT if draft.drive.reverses is Reverses.FROM_RIGHT else Side.LEFT
+        road, sign = scene.network.arm_road(draft.drive.entry), side_sign(side)
+        lane = road.lane_centre_t_m(arm_lane_id(road, draft.entry_lane, inbound=True))
+        radius = round(_TIGHTEST * body.wheelbase_m, 3)
+        aside = radius - abs(road.edge_t_m(sign) - lane)
+        draft.joins_m = round(entry_end_m - _BEFORE_END_M, 3)
+        draft.reversal = BacksOut(
+            side=side,
+            setback_m=round(max(aside, body.rear_m) + _ROOM_M, 3),
+            radius_m=radius,
+        )
+    if draft.joins_m < _LEAST_RUN_UP_M:
+        raise NeedsLongerArms(_LEAST_RUN_UP_M - draft.joins_m + 1.0, draft.id)
+    draft.lay(scene.network)
+    scene.note(f"{draft.id}.start_m", draft.joins_m, "reversing: comes out backwards to here")
+    draft.alone_s_m = (0.0, draft.laid.path.backwards[0][1] + _ROOM_M)
+    _go_back(scene, draft, _WAITS_S)
+
+
+def _back_mps(scene: Scene, draft: DriveDraft) -> float:
+    speed = float(scene.rng.uniform(*REVERSING_MPS))
+    scene.note(f"{draft.id}.reversing_mps", speed, "usual speed backwards")
+    return speed
+
+
+def _asked(scene: Scene, draft: DriveDraft, kind: HazardKind) -> bool:
+    return any(h.kind is kind and draft.id in h.by for h in scene.functional.hazards)
+
+
+def _stop_before(scene: Scene, draft: DriveDraft, rest_s: float) -> None:
+    """Brake to creeping, creep, stand: at the place from which it goes back."""
+    wanted = STOPPING_MPS2
+    if _asked(scene, draft, HazardKind.HARD_BRAKING):
+        wanted = HARD_BRAKING_MPS2[0]
+    rate = draft.braking_mps2(wanted)
+    begins = brakes_from(draft, rest_s - _CREEPS_M, rate, CREEP_MPS)
+    if begins < _LEAST_RUN_UP_M:
+        raise NeedsLongerArms(_LEAST_RUN_UP_M - begins + 1.0, draft.id)
+    _, ends_s = draft.laid.path.backwards[0]
+    draft.alone_s_m = (begins, ends_s + _ROOM_M)
+    draft.marks.append(Mark(begins, CREEP_MPS, rate))
+    draft.course_ = None
+
+
+def _go_back(scene: Scene, draft: DriveDraft, waits_s: float) -> None:
+    """Stand, go back, and what follows."""
+    begins_s, _ = draft.laid.path.backwards[0]
+    speed = _back_mps(scene, draft)
+    draft.marks.append(
+        Mark(
+            _brakes_at(begins_s),
+            0.0,
+            _STOPS_MPS2,
+            hold_s=waits_s,
+            resume_mps=speed,
+            resume_rate_mps2=REVERSING_MPS2,
+            resume_hazard=HazardKind.REVERSING,
+        )
+    )
+    _halt(draft, speed, COMFORTABLE_ACCELERATION_MPS2)
+
+
+def _halt(draft: DriveDraft, speed: float, onwards_mps2: float) -> None:
+    """Stop where the way back ends, pause, and drive on."""
+    begins_s, ends_s = draft.laid.path.backwards[0]
+    braking = (speed**2 - CREEP_MPS**2) / (2 * REVERSING_MPS2)
+    slows = max(begins_s + 0.5, ends_s - _CREEPS_M / 2 - braking)
+    draft.marks += [
+        Mark(slows, CREEP_MPS, REVERSING_MPS2),
+        Mark(
+            _brakes_at(ends_s),
+            0.0,
+            _STOPS_MPS2,
+            hold_s=_PAUSE_S,
+            resume_mps=draft.speed_in_force(ends_s),
+            resume_rate_mps2=draft.acceleration_mps2(onwards_mps2),
+        ),
+    ]
+    draft.course_ = None
+
+
+def brakes_from(draft: DriveDraft, until_s: float, rate_mps2: float, to_mps: float) -> float:
+    """Where it has to begin to brake to be that slow at a place; below 0 if it is too late."""
+    s = np.arange(0.0, until_s, _SAMPLE_M)
+    speed = np.interp(draft.course.times_at(s), draft.course.time_s, draft.course.speed_mps)
+    spare = until_s - s - np.maximum(speed**2 - to_mps**2, 0.0) / (2 * rate_mps2)
+    in_time = np.flatnonzero(spare >= 0.0)
+    return float(s[in_time[-1]]) if in_time.size else float(spare.max())
+
+
+def _brakes_at(rest_s: float) -> float:
+    return rest_s - CREEP_MPS**2 / (2 * _STOPS_MPS2)
+
+
+def _shared_ground(
+    path: Path, body: Body, other: Path, other_body: Body
+) -> tuple[float, float] | None:
+    """Where on a way one is in the way of who takes another: the first stretch, from and to."""
+    rows: NDArray[np.bool_] = np.any(in_each_others_way(path, body, other, other_body), axis=1)
+    if not rows.any():
+        return None
+    s = sampled(path)[0]
+    first = int(rows.argmax())
+    free = np.flatnonzero(~rows[first:])
+    last = first + int(free[0]) - 1 if free.size else len(rows) - 1
+    return float(s[first]), float(s[last])
+
+
+def in_each_others_way(path: Path, body: Body, other: Path, other_body: Body) -> NDArray[np.bool_]:
+    """Whether bodies touch on two ways, by place of the one and of the other (see ``sampled``)."""
+    _, *own = sampled(path)
+    _, *its = sampled(other)
+    x, y, heading = (values[:, None] for values in own)
+    x2, y2, heading2 = (values[None, :] for values in its)
+    return overlaps((x, y, heading), body, (x2, y2, heading2), other_body)

@@ -1,0 +1,86 @@
+"""Keep those apart who have no business with each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+
+import numpy as np
+
+from scegen.concretization.boxes import Poses, overlaps
+from scegen.concretization.drafts import DriveDraft
+from scegen.motion.model import Array
+
+_SAMPLE_S = 0.05
+_MARGIN_M = 1.0
+_COARSE_S = 0.4
+_COARSE_M = 14.0
+"""Two cars approach each other by less than this in half a coarse step."""
+_STEP_S = 0.5
+LONGEST_S = 40.0
+
+
+def touch(first: DriveDraft, first_s: float, second: DriveDraft, second_s: float) -> bool:
+    """Whether two drives with these offsets ever touch (or nearly) while both are on the road."""
+    begin = max(first_s, second_s)
+    end = min(first_s + float(first.course.time_s[-1]), second_s + float(second.course.time_s[-1]))
+    if end <= begin:
+        return False
+    reach = first.body.length_m + second.body.length_m
+    # Look coarsely first: most of the time everybody is far away.
+    coarse = np.arange(begin, end, _COARSE_S)
+    near = _distance(first, coarse - first_s, second, coarse - second_s) < reach + _COARSE_M
+    if not near.any():
+        return False
+    times = np.concatenate([np.arange(t, t + _COARSE_S, _SAMPLE_S) for t in coarse[near]])
+    a, b = _poses(first, times - first_s), _poses(second, times - second_s)
+    return bool(overlaps(a, first.body, b, second.body, _MARGIN_M).any())
+
+
+def _distance(first: DriveDraft, first_s: Array, second: DriveDraft, second_s: Array) -> Array:
+    """Distance of the reference points at times of either course."""
+    places = []
+    for draft, times in ((first, first_s), (second, second_s)):
+        path = draft.laid.path
+        s = np.interp(times, draft.course.time_s, draft.course.s_m)
+        places.append((np.interp(s, path.s_m, path.x_m), np.interp(s, path.s_m, path.y_m)))
+    (x1, y1), (x2, y2) = places
+    return np.hypot(x1 - x2, y1 - y2)
+
+
+def _poses(draft: DriveDraft, times_s: Array) -> Poses:
+    path = draft.laid.path
+    s = np.interp(times_s, draft.course.time_s, draft.course.s_m)
+    return (
+        np.interp(s, path.s_m, path.x_m),
+        np.interp(s, path.s_m, path.y_m),
+        np.interp(s, path.s_m, path.heading_rad),
+    )
+
+
+def clear_offset(
+    draft: DriveDraft,
+    offset_s: float,
+    others: Iterable[DriveDraft],
+    offsets_s: Mapping[str, float],
+    *,
+    direction: int = 1,
+    within_s: float = LONGEST_S,
+    companions: Sequence[tuple[DriveDraft, float]] = (),
+) -> float:
+    """The offset next to ``offset_s`` at which a drive touches none of the others.
+
+    Nor do its ``companions``, each with how much later its own offset is. ``direction`` 1 looks
+    later, -1 earlier, 0 both ways. Where none ``within_s`` is free, the offset stays.
+    """
+    placed = [(other, offsets_s[other.id]) for other in others]
+    for k in range(int(within_s / _STEP_S) + 1):
+        signs = (direction,) if direction else (1, -1)
+        for sign in signs:
+            tried = offset_s + sign * k * _STEP_S
+            if not any(
+                touch(one, tried + later, other, at)
+                for one, later in ((draft, 0.0), *companions)
+                for other, at in placed
+            ):
+                return tried
+    return offset_s

@@ -1,0 +1,251 @@
+"""Who is where when: turns meetings and queues into starting places.
+
+Every vehicle has a timeline as if it started at the outer end of its arm, and an offset by which
+its timeline is late against the scenario's clock. Arranging the meetings fixes the offsets
+against the ego's; one common shift then makes the approach long enough.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from scegen.concretization.clearance import LONGEST_S, clear_offset
+from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.limits import APPROACH_S, HEADWAY_S, LEAD_IN_S, QUEUE_GAP_M
+from scegen.concretization.meetings import (
+    BYSTANDER,
+    ORDINARY,
+    Meeting,
+    shared_length_m,
+)
+from scegen.concretization.walkers import Appointment
+
+_ARM_MARGIN_M = 1.0
+_BEFORE_JUNCTION_M = 5.0
+_LEAST_GAP_M = 3.0
+_DANGER_WITHIN_S = 1.5
+"""Those who meet in danger may be this much off their meeting to spare others."""
+
+
+@dataclass(frozen=True)
+class Schedule:
+    """Offsets (s) by participant, and by how much the arms are too short (m), and for whom."""
+
+    offsets_s: dict[str, float]
+    shortfall_m: float
+    shortest_of: str
+
+
+def arrange(scene: Scene, meetings: Sequence[Meeting]) -> dict[str, float]:
+    """The offset of every drive against the ego's timeline (s)."""
+    offsets = {scene.ego.id: 0.0}
+    ordered = sorted(meetings, key=lambda m: m.priority)
+    while len(offsets) < len(scene.drives):
+        if _arrange_one(scene, ordered, offsets) or _queue_one(scene, ordered, offsets):
+            continue
+        free = [n for n in scene.drives if n not in offsets]
+        name = min(free, key=lambda n: scene.drives[n].drive.rank)
+        draft = scene.drives[name]
+        offset = _like_the_ego(scene, draft)
+        offsets[name] = clear_offset(
+            draft,
+            offset,
+            _placed(scene, offsets),
+            offsets,
+            companions=_companions(scene, ordered, name, offsets),
+        )
+    return offsets
+
+
+def _partners(meetings: Sequence[Meeting], name: str) -> set[str]:
+    """Those whom one meets in danger."""
+    risky = [m for m in meetings if m.priority < ORDINARY and name in {m.first, m.second}]
+    return {other for m in risky for other in (m.first, m.second) if other != name}
+
+
+def _companions(
+    scene: Scene, meetings: Sequence[Meeting], name: str, offsets: dict[str, float]
+) -> list[tuple[DriveDraft, float]]:
+    """Those whose place follows from one's own, as an overtaker's does, and how much later (s)."""
+    return [
+        (scene.drives[m.second], m.lag_s - _gap_s(scene, m))
+        for m in meetings
+        if m.priority < 0 and m.first == name and m.second not in offsets
+    ]
+
+
+def _gap_s(scene: Scene, meeting: Meeting) -> float:
+    """How much longer the second of a meeting is on its way there than the first."""
+    first, second = scene.drives[meeting.first], scene.drives[meeting.second]
+    return second.course.time_at(meeting.second_s_m) - first.course.time_at(meeting.first_s_m)
+
+
+def _placed(
+    scene: Scene, offsets: dict[str, float], *, without: Collection[str] = ()
+) -> list[DriveDraft]:
+    return [d for n, d in scene.drives.items() if n in offsets and n not in without]
+
+
+def _arrange_one(scene: Scene, meetings: Sequence[Meeting], offsets: dict[str, float]) -> bool:
+    """Arrange the most important meeting of which one side is fixed."""
+    for meeting in meetings:
+        known, other = meeting.first in offsets, meeting.second in offsets
+        if known == other:
+            continue
+        first, second = scene.drives[meeting.first], scene.drives[meeting.second]
+        gap = _gap_s(scene, meeting)
+        if known:
+            partner, draft = first, second
+            offset = offsets[first.id] + meeting.lag_s - gap
+        else:
+            partner, draft = second, first
+            offset = offsets[second.id] - meeting.lag_s + gap
+        if meeting.priority >= 0:
+            # Those who meet touch nobody else; who has no part in a danger touches nobody.
+            bystander = meeting.priority >= BYSTANDER
+            spared = set() if bystander else {partner.id, *_partners(meetings, draft.id)}
+            offset = clear_offset(
+                draft,
+                offset,
+                _placed(scene, offsets, without=spared),
+                offsets,
+                direction=1 if bystander else 0,
+                within_s=LONGEST_S if meeting.priority >= ORDINARY else _DANGER_WITHIN_S,
+            )
+        offsets[draft.id] = offset
+        if meeting.priority >= 0:
+            _keep_apart(scene, draft, offsets, partner.id)
+        return True
+    return False
+
+
+def _keep_apart(scene: Scene, draft: DriveDraft, offsets: dict[str, float], partner: str) -> None:
+    """Move a vehicle back or forth in the queue of its lane where it would touch another."""
+    for other in scene.drives.values():
+        if other.id not in offsets or other.id == partner or not same_lane(other, draft):
+            continue
+        behind = offsets[other.id] + headway_s(other, draft, gap_m=_LEAST_GAP_M, time_s=0.0)
+        before = offsets[other.id] - headway_s(draft, other, gap_m=_LEAST_GAP_M, time_s=0.0)
+        if before < offsets[draft.id] < behind:
+            after = other.drive.rank < draft.drive.rank
+            offsets[draft.id] = behind if after else before
+
+
+def _queue_one(scene: Scene, meetings: Sequence[Meeting], offsets: dict[str, float]) -> bool:
+    """Line one vehicle up behind or before those of its arm and lane that are fixed."""
+    for name, draft in sorted(scene.drives.items(), key=lambda item: item[1].drive.rank):
+        if name in offsets:
+            continue
+        same = [d for d in scene.drives.values() if d.id in offsets and same_lane(d, draft)]
+        if not same:
+            continue
+        ahead = [d for d in same if d.drive.rank < draft.drive.rank]
+        if ahead:
+            offset = max(offsets[d.id] + headway_s(d, draft) for d in ahead)
+            direction = 1
+        else:
+            offset = min(offsets[d.id] - headway_s(draft, d) for d in same)
+            direction = -1
+        others = _placed(scene, offsets)
+        offsets[name] = clear_offset(
+            draft,
+            offset,
+            others,
+            offsets,
+            direction=direction,
+            companions=_companions(scene, meetings, name, offsets),
+        )
+        return True
+    return False
+
+
+def same_lane(first: DriveDraft, second: DriveDraft) -> bool:
+    """Whether two drives start on the same arm in the same lane."""
+    return (
+        first.drive.entry == second.drive.entry
+        and first.entry_lane == second.entry_lane
+        and first.id != second.id
+    )
+
+
+def headway_s(
+    lead: DriveDraft, follow: DriveDraft, *, gap_m: float = QUEUE_GAP_M, time_s: float = HEADWAY_S
+) -> float:
+    """How much later than ``lead`` ``follow`` must be to keep its distance all along (s).
+
+    At every place that both pass, the follower's reference point comes ``time_s`` after the
+    leader's, and its bumper stays ``gap_m`` behind.
+    """
+    shared = min(shared_length_m(lead, follow), float(follow.course.s_m[-1]))
+    s = np.arange(0.0, max(shared, 1.0), 2.0)
+    bodies = gap_m + lead.body.rear_m + follow.body.front_m
+    mine = follow.course.times_at(s)
+    by_time = lead.course.times_at(s) + time_s
+    by_place = lead.course.times_at(s + bodies)
+    return float(np.max(np.maximum(by_time, by_place) - mine))
+
+
+def _like_the_ego(scene: Scene, draft: DriveDraft) -> float:
+    """Arrives at the junction when the ego does."""
+    ego = scene.ego
+    return ego.course.time_at(ego.arrives_s_m) - draft.course.time_at(draft.arrives_s_m)
+
+
+def schedule(
+    scene: Scene, meetings: Sequence[Meeting], appointments: Sequence[Appointment]
+) -> Schedule:
+    """Offsets on the scenario's clock, and by how much the arms are too short.
+
+    Everybody starts on its arm, before its first phase and before its first meeting; the ego
+    has ``APPROACH_S`` until its own; those into whose way somebody steps keep the appointment.
+    """
+    offsets = arrange(scene, meetings)
+    first_s = _first_places(scene, meetings)
+    ego = scene.ego
+    latest = [0.0 if ego.backs_out else APPROACH_S - ego.course.time_at(first_s[ego.id])]
+    for name, draft in scene.drives.items():
+        if draft.stands_at_m is not None:
+            continue
+        if draft.backs_out:
+            # It stands near where it starts until its time has come.
+            latest.append(-offsets[name])
+            continue
+        lead_in = draft.course.time_at(_latest_start_m(draft, first_s[name])) - LEAD_IN_S
+        latest.append(-offsets[name] - max(0.0, lead_in))
+    for appointment in appointments:
+        arrival = scene.drives[appointment.drive].course.time_at(appointment.s_m)
+        latest.append(appointment.least_s - arrival - offsets[appointment.drive])
+    shift = max(latest)
+    shifted = {name: offset + shift for name, offset in offsets.items()}
+    short, who = 0.0, ""
+    for name, draft in scene.drives.items():
+        if draft.backs_out:
+            continue
+        start = draft.stands_at_m
+        if start is None:
+            start = draft.course.s_at(-shifted[name])
+        missing = draft.body.rear_m + _ARM_MARGIN_M - start
+        if missing > short:
+            short, who = missing, name
+    return Schedule(shifted, short, who)
+
+
+def _first_places(scene: Scene, meetings: Sequence[Meeting]) -> dict[str, float]:
+    """Where each drive has its first meeting, or the inner end of its arm."""
+    places = {name: draft.arrives_s_m for name, draft in scene.drives.items()}
+    for meeting in meetings:
+        if meeting.priority < 0:
+            continue
+        places[meeting.first] = min(places[meeting.first], meeting.first_s_m)
+        places[meeting.second] = min(places[meeting.second], meeting.second_s_m)
+    return places
+
+
+def _latest_start_m(draft: DriveDraft, meeting_s_m: float) -> float:
+    places = [meeting_s_m, draft.junction_s_m - _BEFORE_JUNCTION_M]
+    places += [mark.s_m for mark in draft.all_marks() if mark.s_m > 0.5]
+    places += [draft.laid.path_s_m(change.position_m) for change in draft.lane_changes]
+    return max(0.0, min(places))

@@ -1,0 +1,183 @@
+"""From a logical scenario to numbers, step by step; the same seed gives the same numbers."""
+
+from __future__ import annotations
+
+from math import ceil
+
+import numpy as np
+
+from scegen.concretization.abreast import place_abreast
+from scegen.concretization.along.compose import compose_along, tells_along
+from scegen.concretization.assemble import assemble
+from scegen.concretization.clock import schedule
+from scegen.concretization.coming_up import come_up, prepare_standing
+from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.encounters import conflict_meetings
+from scegen.concretization.hazards.table import ordered_rules
+from scegen.concretization.lane_choice import choose_lanes
+from scegen.concretization.maneuvers import prepare_maneuvers, shape_maneuvers
+from scegen.concretization.meeting_lanes import choose_lanes_that_meet
+from scegen.concretization.meetings import Meeting
+from scegen.concretization.obstacles import (
+    expect_obstacles,
+    needs_obstacle,
+    place_obstacles,
+    stop_short,
+)
+from scegen.concretization.occluders import hide
+from scegen.concretization.pulling_out import (
+    program_pulls,
+    pull_appointments,
+    pull_out,
+)
+from scegen.concretization.roads import FIRST_ARM_M, LONGEST_ARM_M, plan
+from scegen.concretization.room import NeedsLongerArms
+from scegen.concretization.speeds import cruise_speed_mps
+from scegen.concretization.standers import go_round_standers, place_standers
+from scegen.concretization.walkers import appointments, place_walkers, program_walkers
+from scegen.errors import MotionInfeasibleError
+from scegen.motion.friction import GRAVITY_MPS2, friction_of
+from scegen.road import build_network
+from scegen.scenario.concrete import ConcreteScenario, RoadParameters
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.logical import Drive, LogicalScenario
+from scegen.scenario.vocabulary import Control
+
+_ATTEMPTS = 30
+_ARM_STEP_M = 10.0
+_PATIENT, _GROWTH = 12, 1.15
+
+
+def concretize(
+    functional: FunctionalScenario,
+    logical: LogicalScenario,
+    *,
+    seed: int = 0,
+    road: RoadParameters | None = None,
+) -> ConcreteScenario:
+    """The first concrete scenario: those in conflict arrive together, dangers get numbers.
+
+    Args:
+        functional: what the description says.
+        logical: who enters and leaves where, one of the functional scenario's.
+        seed: of all random choices (small differences of speed, strength of dangers).
+        road: the road to use; None plans one that is long and wide enough.
+
+    Raises:
+        MotionInfeasibleError: it cannot be driven, or needs something unsupported.
+        RoadInfeasibleError: the junction cannot be built.
+    """
+    if tells_along(functional, logical):
+        return compose_along(functional, logical, seed=seed, road=road)
+    try:
+        return _on_long_enough_arms(functional, logical, seed, road, obstacles=True)
+    except MotionInfeasibleError:
+        if not any(needs_obstacle(functional, hazard) for hazard in functional.hazards):
+            raise
+    # Without the thing in the way, the rest can perhaps be driven; the proof says what is missing.
+    return _on_long_enough_arms(functional, logical, seed, road, obstacles=False)
+
+
+def _on_long_enough_arms(
+    functional: FunctionalScenario,
+    logical: LogicalScenario,
+    seed: int,
+    road: RoadParameters | None,
+    *,
+    obstacles: bool,
+) -> ConcreteScenario:
+    arm_m = FIRST_ARM_M
+    for attempt in range(_ATTEMPTS):
+        parameters = road if road is not None else plan(functional, logical, arm_m)
+        network = build_network(parameters)
+        # The same draws in every attempt: lengthening the road must not change the rest.
+        rng = np.random.Generator(np.random.PCG64(seed))
+        scene = Scene(functional, logical, parameters, network, rng, obstacles=obstacles)
+        try:
+            return _compose(scene, seed)
+        except NeedsLongerArms as need:
+            # Some plans ask for little more each time: after a while, go faster.
+            least = arm_m * _GROWTH if attempt >= _PATIENT else 0.0
+            arm_m = ceil(max(arm_m + need.metres, least) / _ARM_STEP_M) * _ARM_STEP_M
+            if road is not None or arm_m > LONGEST_ARM_M:
+                longest = max(arm.length_m for arm in parameters.arms)
+                raise MotionInfeasibleError(
+                    f"the arms ({longest:.0f} m) are {need.metres:.0f} m too short for its run-up",
+                    where=need.who,
+                    hint="Give longer arms, or fewer or slower vehicles.",
+                ) from need
+    raise MotionInfeasibleError(f"no arm length up to {arm_m:.0f} m lets everybody in and out")
+
+
+def _compose(scene: Scene, seed: int) -> ConcreteScenario:
+    rules = ordered_rules(scene.functional.hazards)
+    _place(scene)
+    expect_obstacles(scene)
+    choose_lanes_that_meet(scene, rules)
+    for rule, hazard in rules:
+        if rule.prepare is not None:
+            rule.prepare(scene, hazard)
+    prepare_maneuvers(scene)
+    prepare_standing(scene)
+    for draft in scene.drives.values():
+        draft.lay(scene.network)
+    place_walkers(scene)
+    meetings: list[Meeting] = []
+    for rule, hazard in rules:
+        if rule.shape is not None:
+            meetings += rule.shape(scene, hazard)
+    meetings += shape_maneuvers(scene)
+    meetings += go_round_standers(scene)
+    place_obstacles(scene)
+    for rule, hazard in rules:
+        if rule.act is not None:
+            rule.act(scene, hazard)
+    meetings += come_up(scene)
+    pull_out(scene)
+    stop_short(scene)
+    meetings += conflict_meetings(scene, rules, meetings)
+    _start(scene, meetings)
+    for rule, hazard in rules:
+        if rule.react is not None:
+            rule.react(scene, hazard)
+    program_walkers(scene)
+    program_pulls(scene)
+    return hide(scene.functional, assemble(scene, seed), scene.network)
+
+
+def _place(scene: Scene) -> None:
+    """Who stands where, and who drives in which lane before any danger is looked at."""
+    place_standers(scene)
+    for drive in scene.logical.drives:
+        if drive.participant not in scene.stands:
+            scene.drives[drive.participant] = _draft(scene, drive)
+    for draft in scene.drives.values():
+        choose_lanes(scene, draft)
+    place_abreast(scene)
+
+
+def _draft(scene: Scene, drive: Drive) -> DriveDraft:
+    participant = scene.functional.participant(drive.participant)
+    return DriveDraft(
+        id=participant.id,
+        kind=participant.kind,
+        drive=drive,
+        cruise_mps=cruise_speed_mps(scene, participant),
+        grip_mps2=friction_of(scene.functional.environment) * GRAVITY_MPS2,
+        stops_at_line=scene.road.control is Control.ALL_WAY_STOP,
+    )
+
+
+def _start(scene: Scene, meetings: list[Meeting]) -> None:
+    plan_ = schedule(scene, meetings, [*appointments(scene), *pull_appointments(scene)])
+    if plan_.shortfall_m > 0:
+        raise NeedsLongerArms(plan_.shortfall_m, plan_.shortest_of)
+    reasons = {m.second: f"{m.reason} with {m.first}" for m in reversed(meetings) if m.reason}
+    for name, draft in scene.drives.items():
+        draft.offset_s = plan_.offsets_s[name]
+        draft.start_m = 0.0 if draft.backs_out else draft.course.s_at(-draft.offset_s)
+        if draft.stands_at_m is not None:
+            draft.start_m = draft.stands_at_m
+        station = draft.laid.station_m(draft.start_m)
+        reason = reasons.get(name, "in line on its arm")
+        scene.note(f"{name}.start_m", station, reason)

@@ -1,0 +1,288 @@
+"""What is known of a scenario while its numbers are being chosen."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from scegen.concretization.limits import (
+    COMFORTABLE_ACCELERATION_MPS2,
+    COMFORTABLE_BRAKING_MPS2,
+    CREEP_MPS,
+    LATERAL_MPS2,
+)
+from scegen.concretization.marks import Mark, Timeline, timeline
+from scegen.concretization.others import Expected, PullDraft, StandDraft, WalkDraft
+from scegen.concretization.turning import turning_marks
+from scegen.errors import MotionInfeasibleError
+from scegen.motion.friction import GRAVITY_MPS2
+from scegen.motion.paths import END_MARGIN_M
+from scegen.motion.polyline import LaidDrive
+from scegen.motion.reversing import lay_way
+from scegen.motion.routing import walk_route
+from scegen.road.model import RoadNetwork
+from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.concrete import (
+    Change,
+    DriveMotion,
+    LaneChange,
+    RoadParameters,
+    SpeedPhase,
+)
+from scegen.scenario.functional import FunctionalScenario, Hazard
+from scegen.scenario.logical import Drive, LogicalScenario
+from scegen.scenario.objects import StaticObject
+from scegen.scenario.reversing import BacksOut, Reversal
+from scegen.scenario.speed_limits import implied_limit_mps
+from scegen.scenario.vocabulary import ParticipantKind
+
+_SIDEWAYS = 0.9
+"""The share of the grip that a bend may take."""
+
+
+@dataclass
+class DriveDraft:
+    """A vehicle's drive in the making.
+
+    ``cruise_mps`` is its speed away from turns; ``marks`` what dangers add to its program;
+    ``laid`` and ``course`` its way and its timeline from the outer end of the entry arm;
+    ``start_m`` where on that path it starts at time 0; ``reactions`` phases that look at others,
+    to be put where the program reaches ``reacts_at_s_m``. ``slowing_mps2`` is how hard it brakes
+    before turns, ``approach_mps`` and ``resume_mps`` its speeds before and after them if not
+    ``cruise_mps``; ``grip_mps2`` is what the tyres hold on this road. One that stands at first does
+    so at ``stands_at_m`` of its path, until ``moves_off``; ``comes_up`` says that it brakes behind
+    one who is slower or stands. ``rests_at_m`` is where it is to come to rest if it brakes, because
+    of a thing in its way; ``halts_at_m`` where it stays. ``reversal`` is a part driven backwards;
+    one that backs out (of arm ``from_arm``, if not from beside the road) joins its drive at station
+    ``joins_m``. Within ``alone_s_m`` of its path only the marks of dangers count. ``backs_to`` is
+    somebody who crosses behind it. ``offset_s`` is how late it is against its course.
+    """
+
+    id: str
+    kind: ParticipantKind
+    drive: Drive
+    cruise_mps: float
+    entry_lane: int = 1
+    exit_lane: int = 1
+    ring_lane: int | None = None
+    lateral_mps2: float = LATERAL_MPS2
+    stops_at_line: bool = False
+    slowing_mps2: float = COMFORTABLE_BRAKING_MPS2
+    approach_mps: float | None = None
+    resume_mps: float | None = None
+    lane_changes: list[LaneChange] = field(default_factory=list)
+    marks: list[Mark] = field(default_factory=list)
+    reactions: list[SpeedPhase] = field(default_factory=list)
+    reacts_at_s_m: float = 0.0
+    stands_at_m: float | None = None
+    moves_off: SpeedPhase | None = None
+    comes_up: bool = False
+    start_m: float = 0.0
+    offset_s: float = 0.0
+    grip_mps2: float = GRAVITY_MPS2
+    rests_at_m: float | None = None
+    halts_at_m: float | None = None
+    reversal: Reversal | None = None
+    joins_m: float = 0.0
+    from_arm: int | None = None
+    backs_to: str | None = None
+    alone_s_m: tuple[float, float] | None = None
+    laid_: LaidDrive | None = None
+    course_: Timeline | None = None
+
+    @property
+    def body(self) -> Body:
+        """Its size."""
+        return BODIES[self.kind]
+
+    def braking_mps2(self, wanted_mps2: float) -> float:
+        """How hard it brakes if it wants to so much: as hard as its brakes and tyres can."""
+        return min(wanted_mps2, self.body.max_deceleration_mps2, self.grip_mps2)
+
+    def acceleration_mps2(self, wanted_mps2: float) -> float:
+        """The same for speeding up."""
+        return min(wanted_mps2, self.body.max_acceleration_mps2, self.grip_mps2)
+
+    @property
+    def laid(self) -> LaidDrive:
+        """Its way from the outer end of its entry arm."""
+        if self.laid_ is None:
+            msg = f"{self.id} has not been laid out"
+            raise RuntimeError(msg)
+        return self.laid_
+
+    @property
+    def course(self) -> Timeline:
+        """When it is where if it starts at the outer end of its entry arm."""
+        if self.course_ is None:
+            self.course_ = timeline(self.all_marks(), self.first_speed(), self.laid.path.length_m)
+        return self.course_
+
+    @property
+    def junction_s_m(self) -> float:
+        """Arc length at the inner end of the entry arm."""
+        return self.laid.path_s_m(self.laid.turning_starts_m)
+
+    @property
+    def arrives_s_m(self) -> float:
+        """Where its approach ends: at the junction, or where it stays before."""
+        return self.junction_s_m if self.halts_at_m is None else self.halts_at_m
+
+    @property
+    def changes_before(self) -> bool:
+        """Whether it changes lanes before the junction, or anywhere on a plain road."""
+        begins = self.laid.turning_starts_m
+        plain = self.laid.turning_ends_m <= begins
+        return any(plain or change.position_m < begins for change in self.lane_changes)
+
+    @property
+    def exit_s_m(self) -> float:
+        """Arc length at the inner end of the exit arm."""
+        return self.laid.path_s_m(self.laid.turning_ends_m)
+
+    def motion(self, start_m: float = 0.0) -> DriveMotion:
+        """The drive as written to files."""
+        laid = self.laid_
+        start_m = self.joins_m if self.backs_out else start_m
+        return DriveMotion(
+            entry=self.drive.entry,
+            entry_lane=self.entry_lane,
+            exit=self.drive.exit,
+            exit_lane=self.exit_lane,
+            ring_lane=self.ring_lane,
+            start_m=round(start_m, 3),
+            turning_starts_m=round(laid.turning_starts_m, 3) if laid else 0.0,
+            turning_ends_m=round(laid.turning_ends_m, 3) if laid else 0.0,
+            lane_changes=tuple(self.lane_changes),
+            reversal=self.reversal,
+        )
+
+    @property
+    def backs_out(self) -> bool:
+        """Whether it starts beside the road or on a side arm, to come out backwards."""
+        return isinstance(self.reversal, BacksOut)
+
+    def lay(self, network: RoadNetwork) -> None:
+        """Lay the drive out anew, after lanes or lane changes have changed."""
+        self.lane_changes.sort(key=lambda change: change.position_m)
+        motion = self.motion()
+        stretches, self.exit_lane = walk_route(network, motion, self.id)
+        end_m = stretches[-1].end_m - END_MARGIN_M
+        self.laid_ = lay_way(network, motion, stretches, end_m, self.id)
+        self.course_ = None
+
+    def add_mark(self, mark: Mark) -> None:
+        """Add a mark of a danger; a holding one resumes the speed then in force."""
+        if mark.hold_s is not None:
+            faster = self.acceleration_mps2(mark.resume_rate_mps2)
+            resume = self.speed_in_force(mark.s_m)
+            mark = replace(mark, resume_mps=resume, resume_rate_mps2=faster)
+        self.marks.append(mark)
+        self.course_ = None
+
+    def base_marks(self) -> list[Mark]:
+        """Slowing down for turns and stop lines, and speeding up after them."""
+        return turning_marks(
+            self.laid,
+            self.cruise_mps,
+            lateral_mps2=min(self.lateral_mps2, _SIDEWAYS * self.grip_mps2),
+            stops_at_line=self.stops_at_line,
+            front_m=self.body.front_m,
+            slowing_mps2=min(self.slowing_mps2, self.grip_mps2),
+            faster_mps2=self.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2),
+            approach_mps=self.approach_mps,
+            resume_mps=self.resume_mps,
+        )
+
+    def all_marks(self) -> list[Mark]:
+        """All marks in the order of the path; one that stays before the junction does not turn."""
+        turning = self.base_marks() if self.halts_at_m is None else []
+        low, high = self.alone_s_m or (1.0, 0.0)
+        ordinary = [mark for mark in turning if not low <= mark.s_m <= high]
+        return sorted([*ordinary, *self.marks], key=lambda mark: mark.s_m)
+
+    def first_speed(self) -> float:
+        """The speed at the outer end of the entry arm, or where it comes out."""
+        return CREEP_MPS if self.backs_out else self.cruise_mps
+
+    def speed_in_force(self, s_m: float) -> float:
+        """The target speed at a place, dangers apart."""
+        speed = self.cruise_mps
+        for mark in self.base_marks():
+            if mark.s_m <= s_m:
+                speed = mark.target_mps
+        return speed
+
+
+@dataclass
+class Scene:
+    """Everything about one scenario in the making.
+
+    ``obstacles`` says whether things may be laid in the way, ``expected`` are the dangers that they
+    are to cause, ``objects`` the things that have a place.
+    """
+
+    functional: FunctionalScenario
+    logical: LogicalScenario
+    road: RoadParameters
+    network: RoadNetwork
+    rng: np.random.Generator
+    obstacles: bool = True
+    drives: dict[str, DriveDraft] = field(default_factory=dict)
+    walks: dict[str, WalkDraft] = field(default_factory=dict)
+    stands: dict[str, StandDraft] = field(default_factory=dict)
+    pulls: dict[str, PullDraft] = field(default_factory=dict)
+    expected: list[Expected] = field(default_factory=list)
+    objects: list[StaticObject] = field(default_factory=list)
+    caused: dict[Hazard, Hazard] = field(default_factory=dict)
+    changes: list[Change] = field(default_factory=list)
+
+    @property
+    def hazards(self) -> tuple[Hazard, ...]:
+        """The dangers, with the things that cause them."""
+        return tuple(self.caused.get(hazard, hazard) for hazard in self.functional.hazards)
+
+    def add_object(self, thing: StaticObject, hazard: Hazard, who: str) -> None:
+        """Place a thing, which causes a danger to somebody."""
+        self.objects.append(thing)
+        to = hazard.to or (who,)
+        self.caused[hazard] = hazard.model_copy(update={"by": (thing.id,), "to": to})
+
+    @property
+    def limit_mps(self) -> float:
+        """The speed limit of the junction."""
+        return self.functional.junction.speed_limit_mps or min(
+            implied_limit_mps(self.functional), self.road.arms[0].speed_limit_mps
+        )
+
+    @property
+    def ego(self) -> DriveDraft:
+        """The ego's drive.
+
+        Raises:
+            MotionInfeasibleError: the ego does not drive.
+        """
+        name = self.functional.ego.id
+        if name not in self.drives:
+            raise MotionInfeasibleError("the ego must drive through the junction", where=name)
+        return self.drives[name]
+
+    def allowed(self, name: str, default: tuple[float, float]) -> tuple[float, float]:
+        """The range of a parameter of the logical scenario."""
+        for parameter in self.logical.parameters:
+            if parameter.name == name:
+                return parameter.low, parameter.high
+        return default
+
+    def note(self, parameter: str, after: float, reason: str, before: float | None = None) -> None:
+        """Record who set a parameter and why."""
+        self.changes.append(
+            Change(
+                parameter=parameter,
+                by="concretization",
+                before=before,
+                after=round(after, 3),
+                reason=reason,
+            )
+        )

@@ -1,0 +1,164 @@
+"""Which drives shall arrive together: causes and sufferers of dangers, then all the ego meets."""
+
+from __future__ import annotations
+
+from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.hazards.rule import (
+    Rule,
+    event_s_m,
+    in_line_before,
+    pairs,
+    same_arm,
+)
+from scegen.concretization.limits import APPROACH_S, CLOSE_FOLLOWING_S, PASSING_LAG_S
+from scegen.concretization.meetings import (
+    BYSTANDER,
+    DANGER,
+    DANGER_TO_OTHERS,
+    ORDINARY,
+    STRUCTURAL,
+    Meeting,
+    drives_meet,
+)
+from scegen.scenario.functional import Hazard
+from scegen.scenario.vocabulary import HazardKind
+
+_SHORT_OF_REST_M = 0.5
+_EARLIER_S = 3.0
+_LEAST_PLACE_M = 20.0
+
+
+def conflict_meetings(
+    scene: Scene, rules: list[tuple[Rule, Hazard]], arranged: list[Meeting]
+) -> list[Meeting]:
+    """Meetings by priority: dangers to or by the ego, between others, then all others' with it.
+
+    Where the text names dangers, vehicles without a part in them pass a little after the ego.
+    ``arranged`` are meetings that manoeuvres need already.
+    """
+    meetings: list[Meeting] = []
+    involved = {frozenset((m.first, m.second)) for m in arranged}
+    named: set[str] = set()
+    for rule, hazard in rules:
+        named |= {*hazard.by, *hazard.to}
+        if not rule.meets:
+            continue
+        for cause, sufferer in pairs(scene, hazard):
+            key = frozenset((cause.id, sufferer.id))
+            if key not in involved and not _others_between(scene, cause, sufferer):
+                priority = DANGER if scene.ego.id in key else DANGER_TO_OTHERS
+                reason = f"{hazard.kind}: arrives together"
+                if same_arm(cause, sufferer) and drives_meet(cause, sufferer) is None:
+                    found = [_close(scene, hazard, cause, sufferer, priority)]
+                else:
+                    found = _meeting(priority, cause, sufferer, 0.0, reason)
+                meetings += found
+                if found:
+                    involved.add(key)
+    together = _brake_together(scene)
+    involved |= {frozenset((m.first, m.second)) for m in together}
+    return [*together, *meetings, *_ordinary(scene, involved, named)]
+
+
+def _others_between(scene: Scene, one: DriveDraft, other: DriveDraft) -> bool:
+    """Whether somebody drives between two in one lane: each keeps its distance from the next."""
+    first, last = sorted((one, other), key=lambda draft: draft.drive.rank)
+    line = in_line_before(scene, last)
+    return first in line and line[-1] is not first
+
+
+def _brake_together(scene: Scene) -> list[Meeting]:
+    """All who brake hard for one who walks begin when it leaves the kerb."""
+    if not scene.walks:
+        return []
+    begins = {
+        draft.id: mark.s_m
+        for draft in scene.drives.values()
+        for mark in draft.marks
+        if mark.hazard is HazardKind.HARD_BRAKING
+    }
+    if len(begins) < 2:
+        return []
+    (first, first_s), *others = begins.items()
+    reason = "brakes for the same walker"
+    return [Meeting(DANGER, first, name, first_s, s, 0.0, reason) for name, s in others]
+
+
+def _ordinary(scene: Scene, involved: set[frozenset[str]], named: set[str]) -> list[Meeting]:
+    """The first of each queue that the ego's way meets; the others queue up."""
+    meetings: list[Meeting] = []
+    ego = scene.ego.id
+    # A queue of which one meets the ego in danger is placed by that one.
+    taken = {
+        (d.drive.entry, d.entry_lane)
+        for d in scene.drives.values()
+        if frozenset((d.id, ego)) in involved
+    }
+    for draft in sorted(scene.drives.values(), key=lambda d: d.drive.rank):
+        queue = (draft.drive.entry, draft.entry_lane)
+        if draft.id == ego or queue in taken:
+            continue
+        bystander = bool(scene.functional.hazards) and draft.id not in named
+        priority = BYSTANDER if bystander else ORDINARY
+        lag = PASSING_LAG_S if bystander else 0.0
+        point = drives_meet(scene.ego, draft)
+        if point is not None and point.opposed:
+            continue  # an overtaker in the oncoming lane: nobody said that it is met there
+        found = _meeting(priority, scene.ego, draft, lag, "arrives together")
+        if found:
+            meetings += found
+            taken.add(queue)
+    return meetings
+
+
+def _meeting(
+    priority: int, first: DriveDraft, second: DriveDraft, lag_s: float, reason: str
+) -> list[Meeting]:
+    point = drives_meet(first, second)
+    if point is None:
+        return []
+    first_s = arrival_s_m(first, point.first_s_m)
+    second_s = arrival_s_m(second, point.second_s_m)
+    return [Meeting(priority, first.id, second.id, first_s, second_s, lag_s, reason)]
+
+
+def arrival_s_m(draft: DriveDraft, meeting_s_m: float) -> float:
+    """Where a drive is when it counts as arrived: at the meeting, or at rest just before it.
+
+    One who brakes to a stop before the meeting is not to be met after going on again.
+    """
+    place = meeting_s_m if draft.halts_at_m is None else min(meeting_s_m, draft.halts_at_m)
+    for mark in draft.marks:
+        if mark.hold_s is not None and mark.target_mps == 0 and mark.s_m < meeting_s_m:
+            rest = mark.s_m + draft.course.speed_at(mark.s_m) ** 2 / (2 * mark.rate_mps2)
+            place = min(place, max(mark.s_m, rest - _SHORT_OF_REST_M))
+    return place
+
+
+def _close(
+    scene: Scene, hazard: Hazard, cause: DriveDraft, sufferer: DriveDraft, priority: int
+) -> Meeting:
+    """On one arm: level in neighbouring lanes, close behind each other in one."""
+    place = max(5.0, event_s_m(scene, cause, hazard))
+    marks = [mark.s_m for mark in cause.marks if mark.hazard is hazard.kind]
+    place = min([place, *marks])
+    if cause.entry_lane != sufferer.entry_lane:
+        return Meeting(priority, cause.id, sufferer.id, place, place, 0.0, f"{hazard.kind}: level")
+    lead, follow = cause, sufferer
+    if sufferer.drive.rank < cause.drive.rank:
+        lead, follow = sufferer, cause
+    reason = f"{hazard.kind}: close behind"
+    if lead.cruise_mps > follow.cruise_mps:
+        # They draw apart: nearest where the leader starts, about this far before the junction.
+        begins = lead.junction_s_m - lead.cruise_mps * (APPROACH_S + _EARLIER_S)
+        place, priority = max(_LEAST_PLACE_M, begins), STRUCTURAL
+    bodies = lead.body.rear_m + follow.body.front_m
+    return Meeting(
+        priority,
+        lead.id,
+        follow.id,
+        place,
+        place - bodies,
+        CLOSE_FOLLOWING_S,
+        reason,
+    )

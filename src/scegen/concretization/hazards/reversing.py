@@ -1,0 +1,240 @@
+"""Reversing: backing up towards another, or backing out in front of it; the other brakes, late.
+
+One that reverses waits for the other: it goes when that one is so many seconds short of where it
+will have to brake.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from scegen.concretization.backing import (
+    back_out,
+    back_up,
+    back_up_to,
+    brakes_from,
+    in_each_others_way,
+)
+from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.hazards.rule import Rule, culprits, same_arm, victims
+from scegen.concretization.lane_choice import entry_lanes
+from scegen.concretization.meetings import DANGER, Meeting, sampled
+from scegen.concretization.others import WalkDraft
+from scegen.concretization.room import NeedsLongerArms
+from scegen.errors import MotionInfeasibleError
+from scegen.scenario.concrete import ArrivalBelow, SpeedPhase, StoodStill
+from scegen.scenario.functional import Hazard
+from scegen.scenario.logical import Reverses
+from scegen.scenario.vocabulary import HazardKind, Maneuver
+
+_BRAKING_MPS2 = 6.0
+_GAP_M = 0.5
+"""Who brakes for one that reverses comes to rest this far from where it touches it."""
+_SEEN_S = 1.0
+"""It brakes so long after the other has begun to reverse, at least."""
+_INTRUDED_S = 0.5
+"""And so long after the other has come into its way."""
+_BEGINS_M = 0.3
+_SEEN_BY_THEN_S = 0.6
+"""Time to get so far from standing."""
+_LEAST_RUN_UP_M = 15.0
+_LEAST_WAIT_S = 1.5
+_RESUMING_MPS2 = 1.5
+_IN_LINE_M = 3.0
+_SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
+
+
+def _sufferer(scene: Scene, hazard: Hazard, draft: DriveDraft) -> DriveDraft | None:
+    """Towards whom it reverses: the first who drives.
+
+    Raises:
+        MotionInfeasibleError: those who are named only stand.
+    """
+    others = victims(scene, hazard, draft)
+    if hazard.to and all(name in scene.stands for name in hazard.to):
+        raise MotionInfeasibleError(
+            f"reversing towards {', '.join(hazard.to)}, who is parked, is not supported: one that "
+            "reverses does so towards somebody who drives, walks or rides across",
+            where=draft.id,
+            hint="Name another as the one that suffers it, or let it drive.",
+        )
+    if not hazard.to:
+        # Nobody is named: not one that drives ahead of it.
+        others = [o for o in others if not same_arm(o, draft) or o.drive.rank > draft.drive.rank]
+    return others[0] if others else None
+
+
+def _crosser(scene: Scene, hazard: Hazard, draft: DriveDraft) -> WalkDraft | None:
+    """Who crosses behind it: one who suffers it, or in whose way it is by another danger."""
+    crossing = [
+        name for other in scene.functional.hazards if draft.id in other.to for name in other.by
+    ]
+    names = [name for name in (*hazard.to, *crossing) if name in scene.walks]
+    return scene.walks[names[0]] if names else None
+
+
+def _prepare(scene: Scene, hazard: Hazard) -> None:
+    """Who comes out backwards enters, as it were, ahead of the other, in its lane."""
+    for draft in culprits(scene, hazard):
+        other = _sufferer(scene, hazard, draft)
+        draft.stops_at_line = False
+        if draft.drive.maneuver in _SIDEWAYS:
+            raise MotionInfeasibleError(
+                f"reversing and {draft.drive.maneuver.value.replace('_', ' ')} in one drive are "
+                "not supported together",
+                where=draft.id,
+                hint="Leave one of both out.",
+            )
+        if other is None:
+            continue
+        other.stops_at_line = False
+        if draft.drive.reverses is Reverses.OUT_OF_ARM:
+            update = {"entry": other.drive.entry, "rank": other.drive.rank - 1}
+            draft.from_arm = draft.drive.entry
+            draft.drive = draft.drive.model_copy(update=update)
+        if same_arm(draft, other):
+            _check_order(draft, other)
+            _one_lane(scene, draft, other)
+
+
+def _check_order(draft: DriveDraft, other: DriveDraft) -> None:
+    """On one arm, who reverses is ahead."""
+    beside = draft.id == other.drive.beside or other.id == draft.drive.beside
+    if beside or draft.drive.rank > other.drive.rank:
+        raise MotionInfeasibleError(
+            f"drives {'beside' if beside else 'behind'} {other.id}: reversing moves it away",
+            where=draft.id,
+            hint=f"Let it be ahead of {other.id}, or come from another arm.",
+        )
+
+
+def _one_lane(scene: Scene, draft: DriveDraft, other: DriveDraft) -> None:
+    own = entry_lanes(scene, draft)
+    lanes = [lane for lane in entry_lanes(scene, other) if lane in own]
+    if draft.from_arm is not None:
+        routes = scene.network.routes.get((draft.drive.entry, draft.from_arm), ())
+        lanes = [lane for lane in lanes if any(r.entry_lane == lane for r in routes)]
+    if not lanes:
+        raise MotionInfeasibleError(
+            f"no lane of arm {draft.drive.entry} leads both {draft.id} and {other.id} where they "
+            "go, so the one cannot reverse towards the other",
+            where=draft.id,
+        )
+    lane = other.entry_lane if other.entry_lane in lanes else lanes[0]
+    draft.entry_lane = other.entry_lane = lane
+
+
+def _shape(scene: Scene, hazard: Hazard) -> list[Meeting]:
+    meetings: list[Meeting] = []
+    for draft in culprits(scene, hazard):
+        other = _sufferer(scene, hazard, draft)
+        if draft.reversal is not None:
+            continue
+        comes_out = draft.drive.reverses not in {None, Reverses.BACKS_UP}
+        walk = _crosser(scene, hazard, draft) if other is None else None
+        if comes_out and other is not None:
+            back_out(scene, draft)
+        elif walk is not None:
+            back_up_to(scene, draft, walk)
+        else:
+            back_up(scene, draft, other)
+        if other is not None:
+            event_s, brakes_s, _ = _encounter(draft, other)
+            reason = "reversing: brakes when it comes back"
+            meetings.append(Meeting(DANGER, draft.id, other.id, event_s, brakes_s, 0.0, reason))
+    return meetings
+
+
+def _encounter(draft: DriveDraft, other: DriveDraft) -> tuple[float, float, float]:
+    """Where the one is when the other has to brake, where that one is then, and where it stops."""
+    touching = in_each_others_way(draft.laid.path, draft.body, other.laid.path, other.body)
+    s, its = sampled(draft.laid.path)[0], sampled(other.laid.path)[0]
+    begins_s, ends_s = draft.laid.path.backwards[0]
+    back = (s >= begins_s) & (s <= ends_s)
+    meets = touching[back]
+    if not meets.any():
+        raise MotionInfeasibleError(
+            f"does not come into the way of {other.id} where it reverses", where=draft.id
+        )
+    stops_s = float(its[int(meets.any(axis=0).argmax())]) - _GAP_M - 1.0
+    intrudes_s = max(begins_s + _BEGINS_M, float(s[back][int(meets.any(axis=1).argmax())]))
+    course = draft.course
+    sees_s = course.time_at(begins_s + _BEGINS_M) + _SEEN_S
+    event_s = course.s_at(max(sees_s, course.time_at(intrudes_s) + _INTRUDED_S))
+    rate = other.braking_mps2(_BRAKING_MPS2)
+    brakes_s = brakes_from(other, stops_s, rate, 0.0)
+    if brakes_s < _LEAST_RUN_UP_M:
+        raise NeedsLongerArms(_LEAST_RUN_UP_M - brakes_s + 1.0, other.id)
+    return event_s, brakes_s, stops_s
+
+
+def _react(scene: Scene, hazard: Hazard) -> None:
+    """It goes when the other comes; the other, and who is behind it, brakes and goes on later."""
+    for draft in culprits(scene, hazard):
+        other = _sufferer(scene, hazard, draft)
+        if other is None or draft.reversal is None:
+            continue
+        _, brakes_s, stops_s = _encounter(draft, other)
+        _wait_for(draft, other, brakes_s)
+        _, ends_s = draft.laid.path.backwards[0]
+        begins_s = draft.laid.path.backwards[0][0]
+        over_s = draft.course.time_at(ends_s + (ends_s - begins_s)) + draft.offset_s
+        _brake_for(other, brakes_s, stops_s, over_s)
+
+
+def _wait_for(draft: DriveDraft, other: DriveDraft, brakes_s: float) -> None:
+    """Begin to reverse when the other is so many seconds short of where it brakes."""
+    index = next(
+        n for n, mark in enumerate(draft.marks) if mark.resume_hazard is HazardKind.REVERSING
+    )
+    mark = draft.marks[index]
+    begins_s, _ = draft.laid.path.backwards[0]
+    goes_s = draft.course.time_at(begins_s + _BEGINS_M) - _SEEN_BY_THEN_S
+    at_s = other.course.s_at(goes_s + draft.offset_s - other.offset_s)
+    speed = other.course.speed_at(at_s)
+    if at_s >= brakes_s or speed < 1.0:
+        return
+    waits = ArrivalBelow(
+        participant=other.id,
+        place_m=round(brakes_s - other.start_m, 3),
+        time_s=round(_away_m(other, at_s, brakes_s) / speed, 3),
+    )
+    draft.marks[index] = replace(mark, waits_for=waits)
+
+
+def _away_m(draft: DriveDraft, from_s: float, to_s: float) -> float:
+    """How far apart two places of its way are, in a straight line."""
+    here, there = draft.laid.path.pose(from_s), draft.laid.path.pose(to_s)
+    return float(np.hypot(there.x_m - here.x_m, there.y_m - here.y_m))
+
+
+def _brake_for(other: DriveDraft, brakes_s: float, stops_s: float, over_s: float) -> None:
+    if other.reactions:
+        return
+    rate = other.braking_mps2(_BRAKING_MPS2)
+    speed = other.course.speed_at(brakes_s)
+    stands_s = other.course.time_at(brakes_s) + other.offset_s + speed / rate
+    other.reactions += [
+        SpeedPhase(
+            trigger=ArrivalBelow(
+                participant=other.id,
+                place_m=round(stops_s - other.start_m, 3),
+                time_s=_away_m(other, brakes_s, stops_s) / max(speed, 1.0),
+            ),
+            target_speed_mps=0.0,
+            rate_mps2=rate,
+        ),
+        SpeedPhase(
+            trigger=StoodStill(
+                participant=other.id, duration_s=max(_LEAST_WAIT_S, over_s - stands_s)
+            ),
+            target_speed_mps=other.speed_in_force(stops_s),
+            rate_mps2=other.acceleration_mps2(_RESUMING_MPS2),
+        ),
+    ]
+    other.reacts_at_s_m = brakes_s
+
+
+REVERSING = Rule(prepare=_prepare, shape=_shape, react=_react)

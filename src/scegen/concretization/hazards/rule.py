@@ -1,0 +1,141 @@
+"""What a rule for a hazard looks like, and whom it concerns."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.limits import HARD_BRAKING_MPS2, LATE_BRAKING_MPS2
+from scegen.concretization.marks import Mark
+from scegen.concretization.meetings import Meeting, drives_meet
+from scegen.concretization.room import NeedsLongerArms
+from scegen.scenario.functional import Hazard
+from scegen.scenario.vocabulary import HazardKind
+
+Shape = Callable[[Scene, Hazard], list[Meeting]]
+Act = Callable[[Scene, Hazard], None]
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """How one kind of danger is made concrete; every part is optional.
+
+    ``prepare`` sets speeds and lanes before any way is laid out; ``shape`` adds lane changes
+    and returns the meetings that they need; ``act`` adds marks to speed programs; ``react``
+    adds phases once all starts are known. ``meets`` says that the danger needs who causes and
+    who suffers it to arrive together.
+    """
+
+    prepare: Act | None = None
+    shape: Shape | None = None
+    act: Act | None = None
+    react: Act | None = None
+    meets: bool = True
+
+
+_BRAKING = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING, HazardKind.STOPPING})
+
+
+def culprits(scene: Scene, hazard: Hazard) -> list[DriveDraft]:
+    """The drives that cause a hazard.
+
+    Where nobody is named: who brakes is the one that another tailgates, else the ego; any other
+    danger comes from the first vehicle that does not suffer it.
+    """
+    if hazard.by:
+        return [scene.drives[name] for name in hazard.by if name in scene.drives]
+    sufferers = [name for name in hazard.to if name in scene.drives]
+    if hazard.kind in _BRAKING:
+        followed = [
+            scene.drives[name]
+            for other in scene.functional.hazards
+            if other.kind is HazardKind.TAILGATING
+            for name in other.to
+            if name in scene.drives
+        ]
+        return [d for d in (*followed, scene.ego) if d.id not in sufferers][:1]
+    free = [d for d in scene.drives.values() if d is not scene.ego and d.id not in sufferers]
+    return free[:1] or ([scene.ego] if scene.ego.id not in sufferers else [])
+
+
+def victims(scene: Scene, hazard: Hazard, culprit: DriveDraft) -> list[DriveDraft]:
+    """The drives that suffer it; where nobody is named, the ego, or the others if it is the ego's.
+
+    Where named sufferers do not drive (a pedestrian), there is none.
+    """
+    if hazard.to:
+        return [scene.drives[n] for n in hazard.to if n in scene.drives and n != culprit.id]
+    if culprit is not scene.ego:
+        return [scene.ego]
+    return [d for d in scene.drives.values() if d is not culprit]
+
+
+def pairs(scene: Scene, hazard: Hazard) -> list[tuple[DriveDraft, DriveDraft]]:
+    """(cause, sufferer) of a hazard, drives only."""
+    return [(c, v) for c in culprits(scene, hazard) for v in victims(scene, hazard, c)]
+
+
+def same_arm(first: DriveDraft, second: DriveDraft) -> bool:
+    """Whether both enter on the same arm."""
+    return first.drive.entry == second.drive.entry
+
+
+def in_line_before(scene: Scene, draft: DriveDraft) -> list[DriveDraft]:
+    """Those ahead on the same arm and lane, the first in line first."""
+    ahead = [
+        other
+        for other in scene.drives.values()
+        if other is not draft
+        and same_arm(other, draft)
+        and other.entry_lane == draft.entry_lane
+        and other.drive.rank < draft.drive.rank
+    ]
+    return sorted(ahead, key=lambda other: other.drive.rank)
+
+
+BRAKES = (HazardKind.DELAYED_BRAKING, HazardKind.HARD_BRAKING)
+
+
+def braking_of(scene: Scene, draft: DriveDraft) -> tuple[HazardKind | None, float]:
+    """The danger that a driver's braking is, if one is asked for, and how hard it brakes."""
+    for kind in BRAKES:
+        if any(h.kind is kind and draft.id in h.by for h in scene.functional.hazards):
+            return kind, draft.braking_mps2(HARD_BRAKING_MPS2[0])
+    return None, draft.braking_mps2(LATE_BRAKING_MPS2)
+
+
+def brake_behind(scene: Scene, draft: DriveDraft, place_m: float, pace_mps: float) -> None:
+    """Come down to another's pace, late, by the place where it is close behind; then keep to it.
+
+    Raises:
+        NeedsLongerArms: there is no room to brake.
+    """
+    hazard, rate = braking_of(scene, draft)
+    before = draft.cruise_mps
+    if before <= pace_mps:
+        return
+    begins = place_m - (before**2 - pace_mps**2) / (2 * rate)
+    if begins < draft.body.rear_m + before:
+        raise NeedsLongerArms(before - begins + 10.0, draft.id)
+    draft.add_mark(Mark(begins, pace_mps, rate, hazard))
+    draft.approach_mps = draft.resume_mps = pace_mps
+    draft.comes_up = True
+
+
+def event_s_m(scene: Scene, draft: DriveDraft, hazard: Hazard) -> float:
+    """Where on its way a driver's danger happens.
+
+    Short of a thing in its way; where it meets a sufferer; else two thirds along its entry arm,
+    before it slows to turn; on a road without a junction, in the middle.
+    """
+    if draft.rests_at_m is not None:
+        return draft.rests_at_m
+    for victim in victims(scene, hazard, draft):
+        point = drives_meet(draft, victim)
+        if point is not None:
+            return point.first_s_m
+    if not scene.network.junctions:
+        return draft.laid.path.length_m / 2
+    base = [mark.s_m for mark in draft.base_marks() if mark.s_m > 1.0]
+    return min([draft.junction_s_m - 10.0, *base]) - 5.0

@@ -1,0 +1,106 @@
+"""Swerving and loss of control: two quick lane changes there and back."""
+
+from __future__ import annotations
+
+from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.hazards.rule import Rule, culprits, same_arm, victims
+from scegen.concretization.lane_choice import change_lanes, entry_lanes, neighbour_lane
+from scegen.concretization.limits import (
+    ABRUPT_LANE_CHANGE_S,
+    CUT_IN_HEADWAY_S,
+    HARD_BRAKING_MPS2,
+)
+from scegen.concretization.marks import Mark
+from scegen.concretization.meetings import STRUCTURAL, Meeting
+from scegen.concretization.passing import change_length_m, slowing_s_m
+from scegen.concretization.room import NeedsLongerArms
+from scegen.scenario.functional import Hazard
+from scegen.scenario.vocabulary import HazardKind, JunctionKind
+
+_STAYS_M = 1.0
+
+
+def swerve(scene: Scene, draft: DriveDraft, hazard: Hazard) -> list[Meeting]:
+    """Out of the lane and back before the junction, or around the middle of a plain road.
+
+    Towards the sufferer, if it drives in a lane beside, and close before it. One that leaves its
+    lane for another danger (cuts in, strays into oncoming traffic) does both in one.
+    """
+    if draft.lane_changes:
+        return []
+    length = change_length_m(draft.cruise_mps, ABRUPT_LANE_CHANGE_S)
+    whole = 2 * length + _STAYS_M
+    if scene.network.junctions:
+        end = slowing_s_m(draft) - 2.0
+    else:
+        end = (draft.laid.path.length_m + whole) / 2
+    start = end - whole
+    if start < 10.0:
+        raise NeedsLongerArms(15.0 - start, draft.id)
+    lane = draft.entry_lane
+    beside = sufferer_beside(scene, hazard, draft)
+    if beside is not None:
+        aside = beside.entry_lane
+    elif meet_at_centre_line(scene, hazard, draft):
+        lane, aside = draft.entry_lane, 0
+    else:
+        ring = scene.road.kind is JunctionKind.ROUNDABOUT
+        aside = neighbour_lane(scene, draft, oncoming=not ring)
+    ways = [(start, length, aside), (end - length, length, lane)]
+    change_lanes(scene, draft, ways, hazard.kind)
+    return [] if beside is None else [close_before(scene, draft, beside, start + length)]
+
+
+def sufferer_beside(scene: Scene, hazard: Hazard, draft: DriveDraft) -> DriveDraft | None:
+    """The sufferer in a lane next to one who causes a danger, on the same arm."""
+    for other in victims(scene, hazard, draft):
+        if same_arm(draft, other) and abs(other.entry_lane - draft.entry_lane) == 1:
+            return other
+    return None
+
+
+def meet_at_centre_line(scene: Scene, hazard: Hazard, draft: DriveDraft) -> bool:
+    """Put one who strays and those who come towards it next to the centre line, if any come."""
+    oncoming = [
+        other
+        for other in victims(scene, hazard, draft)
+        if other.drive.entry == draft.drive.exit and other.drive.exit == draft.drive.entry
+    ]
+    for each in (draft, *oncoming) if oncoming else ():
+        inner = min(entry_lanes(scene, each))
+        if inner != each.entry_lane and not each.lane_changes:
+            each.entry_lane = inner
+            each.lay(scene.network)
+    return bool(oncoming) and draft.entry_lane == 1
+
+
+def close_before(scene: Scene, draft: DriveDraft, other: DriveDraft, place_m: float) -> Meeting:
+    """At a place of its way, one is as close before another as a cut-in."""
+    place = draft.laid.path_s_m(place_m)
+    headway = float(scene.rng.uniform(*CUT_IN_HEADWAY_S))
+    gap = headway * other.cruise_mps + draft.body.rear_m + other.body.front_m
+    reason = f"comes into its lane {headway:.2f} s ahead"
+    return Meeting(STRUCTURAL, draft.id, other.id, place, max(0.0, place - gap), 0.0, reason)
+
+
+def _swerving(scene: Scene, hazard: Hazard) -> list[Meeting]:
+    return [m for draft in culprits(scene, hazard) for m in swerve(scene, draft, hazard)]
+
+
+def _losing(scene: Scene, hazard: Hazard) -> list[Meeting]:
+    return [m for draft in culprits(scene, hazard) for m in swerve(scene, draft, hazard)]
+
+
+def _brake(scene: Scene, hazard: Hazard) -> None:
+    """Loss of control ends in hard braking to walking pace."""
+    for draft in culprits(scene, hazard):
+        changes = draft.lane_changes
+        if not changes:
+            continue
+        place = draft.laid.path_s_m(changes[-1].position_m)
+        rate = draft.braking_mps2(HARD_BRAKING_MPS2[0])
+        draft.add_mark(Mark(place, 2.0, rate, HazardKind.LOSS_OF_CONTROL, hold_s=1.0))
+
+
+SWERVING = Rule(shape=_swerving)
+LOSS_OF_CONTROL = Rule(shape=_losing, act=_brake)

@@ -1,0 +1,58 @@
+"""Which rule makes which danger; rules are applied in this order."""
+
+from __future__ import annotations
+
+from scegen.concretization.hazards.braking import DELAYED_BRAKING, HARD_BRAKING, STOPPING
+from scegen.concretization.hazards.conflict import (
+    ARRIVES_TOGETHER,
+    CROSSES,
+    STANDS_OR_WALKS,
+)
+from scegen.concretization.hazards.cut_in import CUT_IN
+from scegen.concretization.hazards.oncoming_lane import ONCOMING_LANE
+from scegen.concretization.hazards.overtaking import OVERTAKING
+from scegen.concretization.hazards.reversing import REVERSING
+from scegen.concretization.hazards.rule import Rule
+from scegen.concretization.hazards.slow_driving import SLOW_DRIVING
+from scegen.concretization.hazards.speeding import SPEEDING
+from scegen.concretization.hazards.sudden_acceleration import SUDDEN_ACCELERATION
+from scegen.concretization.hazards.sudden_turn import SUDDEN_TURN
+from scegen.concretization.hazards.swerving import LOSS_OF_CONTROL, SWERVING
+from scegen.concretization.hazards.tailgating import TAILGATING
+from scegen.scenario.functional import Hazard
+from scegen.scenario.vocabulary import HazardKind
+
+RULES: dict[HazardKind, Rule] = {
+    HazardKind.REVERSING: REVERSING,
+    HazardKind.SPEEDING: SPEEDING,
+    HazardKind.SLOW_DRIVING: SLOW_DRIVING,
+    HazardKind.SUDDEN_ACCELERATION: SUDDEN_ACCELERATION,
+    HazardKind.SUDDEN_TURN: SUDDEN_TURN,
+    HazardKind.OVERTAKING: OVERTAKING,
+    HazardKind.CUT_IN: CUT_IN,
+    HazardKind.ONCOMING_LANE: ONCOMING_LANE,
+    HazardKind.SWERVING: SWERVING,
+    HazardKind.LOSS_OF_CONTROL: LOSS_OF_CONTROL,
+    HazardKind.TAILGATING: TAILGATING,
+    HazardKind.HARD_BRAKING: HARD_BRAKING,
+    HazardKind.DELAYED_BRAKING: DELAYED_BRAKING,
+    HazardKind.STOPPING: STOPPING,
+    HazardKind.MERGING_CONFLICT: ARRIVES_TOGETHER,
+    HazardKind.UNPROTECTED_LEFT_TURN: ARRIVES_TOGETHER,
+    HazardKind.RED_LIGHT_RUNNING: ARRIVES_TOGETHER,
+    HazardKind.FAILURE_TO_YIELD: ARRIVES_TOGETHER,
+    HazardKind.CROSSING_PEDESTRIAN: STANDS_OR_WALKS,
+    HazardKind.CROSSING_CYCLIST: CROSSES,
+    HazardKind.OCCLUSION: STANDS_OR_WALKS,
+    HazardKind.OBSTACLE: STANDS_OR_WALKS,
+}
+
+
+def ordered_rules(hazards: tuple[Hazard, ...]) -> list[tuple[Rule, Hazard]]:
+    """The rules of some hazards, in the order of the table.
+
+    Kinds without a rule of their own come last: their acts and ways make them, in time.
+    """
+    order = {kind: place for place, kind in enumerate(RULES)}
+    ranked = sorted(hazards, key=lambda hazard: order.get(hazard.kind, len(order)))
+    return [(RULES.get(hazard.kind, ARRIVES_TOGETHER), hazard) for hazard in ranked]

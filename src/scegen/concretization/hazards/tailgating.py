@@ -1,0 +1,104 @@
+"""Tailgating: a time gap of 0.4 to 0.8 s at the leader's speed, and braking as late."""
+
+from __future__ import annotations
+
+from math import hypot
+
+from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.hazards.rule import Rule, brake_behind, pairs, same_arm
+from scegen.concretization.limits import HARD_BRAKING_MPS2, TAILGATING_HEADWAY_S
+from scegen.concretization.meetings import STRUCTURAL, Meeting
+from scegen.scenario.concrete import DistanceBelow, SpeedPhase, StoodStill
+from scegen.scenario.functional import Hazard
+from scegen.scenario.vocabulary import HazardKind
+
+_LEAST_GAP_M = 2.0
+_NOTICES = 0.9
+"""The follower reacts when a tenth of the free gap is gone."""
+_SLOWER_START_S = 0.8
+_PLACE = 0.5
+
+
+def _couples(scene: Scene, hazard: Hazard) -> list[tuple[DriveDraft, DriveDraft]]:
+    return [(c, v) for c, v in pairs(scene, hazard) if same_arm(c, v)][:1]
+
+
+def _shape(scene: Scene, hazard: Hazard) -> list[Meeting]:
+    meetings = []
+    for follower, leader in _couples(scene, hazard):
+        headway = float(scene.rng.uniform(*TAILGATING_HEADWAY_S))
+        follower.entry_lane = leader.entry_lane
+        comes_up = _comes_up_fast(scene, follower, leader)
+        if not comes_up:
+            follower.cruise_mps = leader.cruise_mps
+        follower.lateral_mps2 = leader.lateral_mps2
+        follower.stops_at_line = leader.stops_at_line
+        follower.lay(scene.network)
+        gap = max(_LEAST_GAP_M, headway * leader.cruise_mps)
+        bodies = leader.body.rear_m + follower.body.front_m
+        place = leader.junction_s_m * _PLACE
+        if comes_up:
+            brake_behind(scene, follower, place - gap - bodies, leader.cruise_mps)
+        scene.note(f"{follower.id}.headway_s", headway, f"tailgating {leader.id}")
+        meetings.append(
+            Meeting(
+                STRUCTURAL - 1,
+                leader.id,
+                follower.id,
+                place,
+                place - gap - bodies,
+                0.0,
+                f"tailgating at {headway:.2f} s",
+            )
+        )
+    return meetings
+
+
+def _comes_up_fast(scene: Scene, follower: DriveDraft, leader: DriveDraft) -> bool:
+    """Whether the follower is said to be speeding, and the leader is not."""
+    speeding = [h.by for h in scene.functional.hazards if h.kind is HazardKind.SPEEDING]
+    fast = any(follower.id in by for by in speeding)
+    alone = not any(leader.id in by for by in speeding)
+    return fast and alone and follower.cruise_mps > leader.cruise_mps
+
+
+def _distance_m(follower: DriveDraft, leader: DriveDraft, time_s: float) -> float:
+    """Straight distance of the reference points at a time of the scenario."""
+    poses = []
+    for draft in (follower, leader):
+        begun = draft.course.time_at(draft.start_m)
+        poses.append(draft.laid.path.pose(draft.course.s_at(begun + time_s)))
+    a, b = poses
+    return hypot(a.x_m - b.x_m, a.y_m - b.y_m)
+
+
+def _react(scene: Scene, hazard: Hazard) -> None:
+    """Brake hard and late where the leader brakes to a stop; go on after it."""
+    for follower, leader in _couples(scene, hazard):
+        marks = leader.all_marks()
+        stops = [i for i in leader.course.resumes_s if marks[i].target_mps == 0.0]
+        if not stops:
+            continue
+        brake_s = leader.course.time_at(marks[stops[0]].s_m) - leader.course.time_at(leader.start_m)
+        apart = _distance_m(follower, leader, brake_s)
+        bodies = leader.body.rear_m + follower.body.front_m
+        stands = marks[stops[0]].hold_s or 0.0
+        follower.reactions += [
+            SpeedPhase(
+                trigger=DistanceBelow(
+                    participant=leader.id, distance_m=bodies + _NOTICES * (apart - bodies)
+                ),
+                target_speed_mps=0.0,
+                rate_mps2=follower.braking_mps2(HARD_BRAKING_MPS2[1]),
+                hazard=HazardKind.TAILGATING,
+            ),
+            SpeedPhase(
+                trigger=StoodStill(participant=follower.id, duration_s=stands + _SLOWER_START_S),
+                target_speed_mps=marks[stops[0]].resume_mps,
+                rate_mps2=marks[stops[0]].resume_rate_mps2,
+            ),
+        ]
+        follower.reacts_at_s_m = marks[stops[0]].s_m
+
+
+TAILGATING = Rule(shape=_shape, react=_react, meets=False)

@@ -1,0 +1,106 @@
+"""Which lane a drive takes where the text leaves it open."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.errors import MotionInfeasibleError
+from scegen.road.model import Route
+from scegen.scenario.concrete import LaneChange
+from scegen.scenario.vocabulary import HazardKind
+
+
+def routes_of(scene: Scene, draft: DriveDraft) -> tuple[Route, ...]:
+    """The routes between a drive's arms.
+
+    Raises:
+        MotionInfeasibleError: there is none.
+    """
+    key = (draft.drive.entry, draft.drive.exit)
+    routes = scene.network.routes.get(key, ())
+    if not routes:
+        raise MotionInfeasibleError(
+            f"no route leads from arm {key[0]} to arm {key[1]}", where=draft.id
+        )
+    return routes
+
+
+def entry_lanes(scene: Scene, draft: DriveDraft) -> tuple[int, ...]:
+    """The lanes from which a drive's exit can be reached, outermost first."""
+    return tuple(sorted({r.entry_lane for r in routes_of(scene, draft)}, reverse=True))
+
+
+def lanes_in(scene: Scene, draft: DriveDraft) -> int:
+    """Number of lanes towards the junction on a drive's entry arm."""
+    return scene.road.arms[draft.drive.entry].lanes_in
+
+
+def choose_lanes(scene: Scene, draft: DriveDraft) -> None:
+    """Start in the outermost lane that leads to the exit."""
+    lanes = entry_lanes(scene, draft)
+    draft.entry_lane = lanes[0]
+    draft.exit_lane = lanes[0]
+    choose_ring_lane(scene, draft)
+
+
+def choose_ring_lane(scene: Scene, draft: DriveDraft, *, inner: bool = False) -> None:
+    """The outermost ring lane (or the innermost) that can be reached from the drive's lane."""
+    lane = lane_at_junction(draft)
+    rings = sorted(
+        r.ring_lane
+        for r in routes_of(scene, draft)
+        if r.ring_lane is not None and r.entry_lane == lane
+    )
+    if rings:
+        draft.ring_lane = rings[0] if inner else rings[-1]
+
+
+def lane_at_junction(draft: DriveDraft) -> int:
+    """The lane in which a drive arrives at the junction.
+
+    Only changes planned before the junction count: those in rings and on exit arms come later.
+    """
+    lane = draft.entry_lane
+    for change in draft.lane_changes:
+        if draft.laid_ is None or change.position_m < draft.laid_.turning_starts_m:
+            lane = change.lane_after
+    return lane
+
+
+def neighbour_lane(scene: Scene, draft: DriveDraft, *, oncoming: bool) -> int:
+    """The lane into which a drive pulls out: towards the centre line, else outwards.
+
+    ``oncoming`` allows (and where there is one lane, chooses) the oncoming lane.
+
+    Raises:
+        MotionInfeasibleError: there is only one lane and the oncoming one is not allowed.
+    """
+    if draft.entry_lane > 1:
+        return draft.entry_lane - 1
+    if oncoming:
+        return 0
+    if lanes_in(scene, draft) > 1:
+        return 2
+    raise MotionInfeasibleError(
+        f"arm {draft.drive.entry} has one lane: there is no lane to change into", where=draft.id
+    )
+
+
+def change_lanes(
+    scene: Scene,
+    draft: DriveDraft,
+    changes: Sequence[tuple[float, float, int]],
+    hazard: HazardKind | None = None,
+) -> None:
+    """Add lane changes (position, length, lane after) and lay the drive out anew."""
+    draft.lane_changes += [
+        LaneChange(
+            position_m=round(max(0.0, position), 3),
+            length_m=round(length, 3),
+            lane_after=lane,
+            hazard=hazard,
+        )
+        for position, length, lane in changes
+    ]
+    draft.lay(scene.network)

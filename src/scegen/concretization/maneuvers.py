@@ -1,0 +1,186 @@
+"""Lane changes and overtakes that are asked for as manoeuvres, not as dangers."""
+
+from __future__ import annotations
+
+from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.hazards.overtaking import overtake_speeds
+from scegen.concretization.hazards.rule import same_arm
+from scegen.concretization.hazards.swerving import close_before
+from scegen.concretization.lane_choice import change_lanes, entry_lanes, lanes_in
+from scegen.concretization.meetings import DANGER, STRUCTURAL, Meeting, drives_meet
+from scegen.concretization.obstacles import goes_round_a_thing
+from scegen.concretization.passing import (
+    change_length_m,
+    pass_drive,
+    slowing_s_m,
+)
+from scegen.concretization.room import NeedsLongerArms
+from scegen.errors import MotionInfeasibleError
+from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
+
+
+def prepare_maneuvers(scene: Scene) -> None:
+    """Make those who change lanes round another faster than it."""
+    for draft in scene.drives.values():
+        slower = _passed(scene, draft)
+        if slower is not None:
+            overtake_speeds(scene, draft, slower)
+
+
+def shape_maneuvers(scene: Scene) -> list[Meeting]:
+    """Lane changes and overtakes of those who have none yet, and the meetings they need."""
+    meetings: list[Meeting] = []
+    for draft in scene.drives.values():
+        if draft.lane_changes or draft.drive.maneuver not in _SIDEWAYS:
+            continue
+        passed = _passed(scene, draft)
+        if passed is not None:
+            meetings += pass_drive(
+                scene,
+                draft,
+                passed,
+                oncoming=lanes_in(scene, draft) == 1,
+                comes_back=draft.drive.maneuver is Maneuver.OVERTAKE,
+            )
+        elif not (
+            _goes_round_somebody_standing(scene, draft)
+            or _drives_past(scene, draft)
+            or goes_round_a_thing(scene, draft)
+        ):
+            meetings += _free_change(scene, draft)
+    return [*meetings, *_side_by_side(scene, meetings)]
+
+
+_SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
+
+
+def _passed(scene: Scene, draft: DriveDraft) -> DriveDraft | None:
+    """The vehicle ahead on the same arm that a lane change or overtake goes round.
+
+    The one that the text calls slow, else the nearest.
+    """
+    if draft.drive.maneuver not in _SIDEWAYS:
+        return None
+    ahead = [
+        other
+        for other in scene.drives.values()
+        if other is not draft
+        and same_arm(other, draft)
+        and other.drive.rank < draft.drive.rank
+        and other.drive.beside is None
+        and other.drive.reverses is None
+    ]
+    slow = {
+        name
+        for hazard in scene.functional.hazards
+        if hazard.kind is HazardKind.SLOW_DRIVING
+        for name in hazard.by
+    }
+    return max(ahead, key=lambda other: (other.id in slow, other.drive.rank), default=None)
+
+
+def _goes_round_somebody_standing(scene: Scene, draft: DriveDraft) -> bool:
+    return any(
+        stand.standing.in_lane and stand.standing.arm in {draft.drive.entry, draft.drive.exit}
+        for stand in scene.stands.values()
+    )
+
+
+def _drives_past(scene: Scene, draft: DriveDraft) -> bool:
+    """Whether it "overtakes" one who is parked beside its lane, which needs no other lane.
+
+    Nor does passing one who reverses into its way: it gets no farther.
+    """
+    beside = any(
+        not stand.standing.in_lane and stand.standing.arm in {draft.drive.entry, draft.drive.exit}
+        for stand in scene.stands.values()
+    )
+    reverses = any(
+        other.drive.reverses is not None
+        and same_arm(other, draft)
+        and other.drive.rank < draft.drive.rank
+        for other in scene.drives.values()
+    )
+    return draft.drive.maneuver is Maneuver.OVERTAKE and (beside or reverses)
+
+
+def _free_change(scene: Scene, draft: DriveDraft) -> list[Meeting]:
+    """A change into the lane of one beside it, or into the one that leads on."""
+    if scene.road.kind is JunctionKind.ROUNDABOUT and lanes_in(scene, draft) < 2:
+        raise MotionInfeasibleError("there is no second lane to change into", where=draft.id)
+    goals = entry_lanes(scene, draft)
+    count = lanes_in(scene, draft)
+    goal = draft.entry_lane if draft.entry_lane in goals else goals[0]
+    start = goal - 1 if goal > 1 else goal + 1
+    if start > count and draft.drive.maneuver is Maneuver.OVERTAKE:
+        raise MotionInfeasibleError(
+            f"nobody is ahead of it on arm {draft.drive.entry} whom it could overtake",
+            where=draft.id,
+            hint="Let another vehicle enter on that arm before it, or let it drive straight on.",
+        )
+    if start > count:
+        raise MotionInfeasibleError(
+            f"arm {draft.drive.entry} has one lane: there is no lane to change into",
+            where=draft.id,
+        )
+    beside = _into_lane_of(scene, draft, goals)
+    if beside is not None:
+        goal = beside.entry_lane
+    else:
+        draft.entry_lane = start
+    for other in scene.drives.values():
+        # Who travels beside it is in the lane that it wants.
+        if beside is None and other.drive.beside == draft.id and goal in entry_lanes(scene, other):
+            other.entry_lane = goal
+            other.lay(scene.network)
+    length = change_length_m(draft.cruise_mps)
+    end = slowing_s_m(draft) - 3.0
+    if not scene.network.junctions:
+        end = (draft.laid.path.length_m + length) / 2
+    if end - length < 10.0:
+        raise NeedsLongerArms(15.0 - (end - length), draft.id)
+    change_lanes(scene, draft, [(end - length, length, goal)])
+    return [] if beside is None else [close_before(scene, draft, beside, end)]
+
+
+def _into_lane_of(scene: Scene, draft: DriveDraft, goals: tuple[int, ...]) -> DriveDraft | None:
+    """The one next to whom it drives, and into whose lane it changes; rather the ego."""
+    near = [
+        other
+        for other in scene.drives.values()
+        if (other.id == draft.drive.beside or other.drive.beside == draft.id)
+        and same_arm(other, draft)
+        and abs(other.entry_lane - draft.entry_lane) == 1
+        and other.entry_lane in goals
+        and not other.lane_changes
+    ]
+    return max(near, key=lambda other: other is scene.ego, default=None)
+
+
+def _side_by_side(scene: Scene, meetings: list[Meeting]) -> list[Meeting]:
+    """Those who travel beside another are level with it half way along the arm.
+
+    Where one turns across the other, they are so there.
+    """
+    arranged = {frozenset((m.first, m.second)) for m in meetings}
+    found = []
+    # The second in the same lane drives in a line with the first.
+    taken: set[tuple[str, int]] = set()
+    for draft in scene.drives.values():
+        beside = scene.drives.get(draft.drive.beside or "")
+        if beside is None or not same_arm(draft, beside):
+            continue
+        if frozenset((beside.id, draft.id)) in arranged or (beside.id, draft.entry_lane) in taken:
+            continue
+        taken.add((beside.id, draft.entry_lane))
+        point = drives_meet(beside, draft)
+        if point is not None:
+            reason = "side by side, one turns across the other"
+            places = point.first_s_m, point.second_s_m
+            found.append(Meeting(DANGER, beside.id, draft.id, *places, 0.0, reason))
+            continue
+        place = draft.junction_s_m * 0.6
+        found.append(
+            Meeting(STRUCTURAL + 1, beside.id, draft.id, place, place, 0.0, "side by side")
+        )
+    return found

@@ -1,0 +1,230 @@
+"""Things in the way: where they lie, and what those in whose way they lie do about them.
+
+Who changes lanes anyway does it because of the thing, which lies in the lane that it leaves. Who
+is concerned with nothing else brakes and stops short of it, and so does, in line, who follows.
+Everybody else goes round it, as round a parked vehicle; who is said to brake does so first.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from scegen.concretization.clock import same_lane
+from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.hazards.rule import culprits, same_arm, victims
+from scegen.concretization.lane_choice import lanes_in
+from scegen.concretization.limits import HARD_BRAKING_MPS2
+from scegen.concretization.marks import Mark
+from scegen.concretization.meetings import drives_meet
+from scegen.concretization.objects import caused_by_nobody, causes_it, free_name, made_of, shape_of
+from scegen.concretization.obstacle_spots import (
+    Spot,
+    is_free,
+    spots_ahead,
+    spots_beside,
+    touches,
+)
+from scegen.concretization.others import Expected
+from scegen.concretization.passing import calm_change_length_m, pass_standing
+from scegen.concretization.things import OBSTACLE
+from scegen.errors import MotionInfeasibleError
+from scegen.scenario.bodies import Body
+from scegen.scenario.functional import FunctionalScenario, Hazard
+from scegen.scenario.vocabulary import HazardKind, Maneuver
+
+_REACTS = (
+    HazardKind.HARD_BRAKING,
+    HazardKind.SWERVING,
+    HazardKind.STOPPING,
+    HazardKind.DELAYED_BRAKING,
+    HazardKind.LOSS_OF_CONTROL,
+    HazardKind.MERGING_CONFLICT,
+    HazardKind.CUT_IN,
+    HazardKind.ONCOMING_LANE,
+    HazardKind.OVERTAKING,
+    HazardKind.SUDDEN_TURN,
+)
+"""What somebody may do because of a thing in its way, the plainest first."""
+_BRAKES = frozenset({HazardKind.HARD_BRAKING, HazardKind.STOPPING, HazardKind.DELAYED_BRAKING})
+_BY_THINGS = frozenset({HazardKind.OBSTACLE, HazardKind.OCCLUSION})
+_IN_LINE = _BRAKES | {HazardKind.SPEEDING, HazardKind.TAILGATING}
+"""Dangers in one line of vehicles that end with it standing before the thing."""
+_SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
+_KERB_M = 0.1
+_SHORT_M = 1.0
+"""Between a thing and who stops for it."""
+_QUEUE_M = 1.5
+"""Between two who stop for it in line."""
+_PULLS_OUT_OVER_M = 15.0
+"""One that has stopped needs no more room than this to change lanes."""
+_BEFORE_PULLING_OUT_M = 0.5
+
+
+def needs_obstacle(functional: FunctionalScenario, hazard: Hazard) -> bool:
+    """Whether a danger is a thing in the way, and nobody is said to be that thing."""
+    return hazard.kind is HazardKind.OBSTACLE and caused_by_nobody(functional, hazard)
+
+
+def expect_obstacles(scene: Scene) -> None:
+    """Which dangers need a thing in the way, what it is, and in whose way it lies."""
+    for hazard in scene.functional.hazards:
+        if not (scene.obstacles and needs_obstacle(scene.functional, hazard)):
+            continue
+        thing = causes_it(scene.functional, hazard)
+        if thing is None and scene.stands:
+            continue
+        named_victims = [name for name in hazard.to if name in scene.drives]
+        if thing is not None and thing.in_way_of in scene.drives:
+            named_victims = [thing.in_way_of]
+        who = named_victims[0] if named_victims else _who_reacts(scene)
+        shape = OBSTACLE if thing is None else shape_of(thing.kind)
+        taken = {plan.name for plan in scene.expected}
+        name = free_name(scene.functional, shape.kind, taken) if thing is None else thing.id
+        called = None if thing is None else thing.called
+        scene.expected.append(Expected(hazard, name, shape, who, called))
+
+
+def _who_reacts(scene: Scene) -> str:
+    """Who does something that one does because of a thing in the way; else the ego."""
+    for kind in _REACTS:
+        for hazard in scene.functional.hazards:
+            if hazard.kind is kind:
+                found = [d for d in culprits(scene, hazard) if _for_it(scene, hazard, d)]
+                if found:
+                    return found[0].id
+    sideways = [d.id for d in scene.drives.values() if d.drive.maneuver in _SIDEWAYS]
+    return next(iter(sideways), scene.ego.id) if scene.ego.id not in sideways else scene.ego.id
+
+
+def goes_round_a_thing(scene: Scene, draft: DriveDraft) -> bool:
+    """Whether a drive that overtakes or changes lanes does so round a thing in its way."""
+    expected = any(plan.who == draft.id for plan in scene.expected)
+    return expected and (draft.drive.maneuver is Maneuver.OVERTAKE or lanes_in(scene, draft) == 1)
+
+
+def place_obstacles(scene: Scene) -> None:
+    """Lay every thing that is expected in the way, and lead the others round it.
+
+    Where there is no place for it, it is left out, and the danger with it.
+    """
+    for plan in scene.expected:
+        draft = scene.drives[plan.who]
+        width = scene.road.arms[draft.drive.entry].lane_width_m - 2 * _KERB_M
+        thing = replace(plan.shape, width_m=min(plan.shape.width_m, width))
+        body = thing.body
+        stays = _may_stay(scene, draft)
+        if draft.changes_before:
+            spots = spots_beside(scene, draft, body)
+        else:
+            spots = spots_ahead(scene, draft, body, stays=stays)
+        free = (spot for spot in spots if is_free(scene, draft, spot, body))
+        spot = next((s for s in free if _react(scene, draft, s, body, stays=stays)), None)
+        if spot is None:
+            continue
+        made = made_of(plan.name, thing, plan.called, spot.pose)
+        scene.add_object(made, plan.hazard, draft.id)
+        away = draft.laid.turning_starts_m - spot.station_m
+        scene.note(f"{made.id}.from_junction_m", away, f"lies in the way of {draft.id}")
+
+
+def _may_stay(scene: Scene, draft: DriveDraft) -> bool:
+    """Whether a drive may stop short of a thing for good: nothing but its line is concerned."""
+    line = [draft, *_behind(scene, draft)]
+    names = {d.id for d in line}
+    if scene.walks or any(d.changes_before or d.drive.maneuver in _SIDEWAYS for d in line):
+        return False
+    for hazard in scene.functional.hazards:
+        own = {d.id for d in culprits(scene, hazard)} | {*hazard.by, *hazard.to} <= names
+        if hazard.kind not in _BY_THINGS and not (own and hazard.kind in _IN_LINE):
+            return False
+    return all(
+        same_lane(other, draft) or drives_meet(one, other) is None
+        for one in line
+        for other in scene.drives.values()
+        if other.id not in names
+    )
+
+
+def _behind(scene: Scene, draft: DriveDraft) -> list[DriveDraft]:
+    """Those behind a drive in its lane, in line."""
+    behind = [
+        other
+        for other in scene.drives.values()
+        if same_lane(other, draft) and other.drive.rank > draft.drive.rank
+    ]
+    return sorted(behind, key=lambda other: other.drive.rank)
+
+
+def _react(scene: Scene, draft: DriveDraft, spot: Spot, body: Body, *, stays: bool) -> bool:
+    """Lead everybody round a thing who would touch it; who may stay stops short of it.
+
+    False where somebody has no room for it: nothing has changed then.
+    """
+    before = {name: list(other.lane_changes) for name, other in scene.drives.items()}
+    try:
+        _go_round(scene, draft, spot, body, stays=stays)
+    except MotionInfeasibleError:
+        for name, changes in before.items():
+            other = scene.drives[name]
+            other.rests_at_m = other.halts_at_m = None
+            if other.lane_changes != changes:
+                other.lane_changes = changes
+                other.lay(scene.network)
+        return False
+    return True
+
+
+def _go_round(scene: Scene, draft: DriveDraft, spot: Spot, body: Body, *, stays: bool) -> None:
+    line = [draft, *_behind(scene, draft)] if stays else []
+    rear = spot.station_m - body.length_m / 2 - _SHORT_M
+    for one in line:
+        one.halts_at_m = one.rests_at_m = one.laid.path_s_m(rear - one.body.front_m)
+        rear -= one.body.length_m + _QUEUE_M
+    brakes = _brakes(scene, draft)
+    for other in scene.drives.values():
+        if other.changes_before or other in line:
+            continue
+        if touches(other.laid.path, other.body, spot.pose, body):
+            width = scene.road.arms[other.drive.entry].lane_width_m
+            calm = calm_change_length_m(other, width)
+            out = _PULLS_OUT_OVER_M if brakes and other is draft else calm
+            pass_standing(scene, other, spot.station_m, body, over_m=(out, calm))
+            if other is draft and brakes:
+                out = draft.lane_changes[0].position_m - _BEFORE_PULLING_OUT_M
+                draft.rests_at_m = draft.laid.path_s_m(out)
+
+
+def _brakes(scene: Scene, draft: DriveDraft) -> bool:
+    """Whether a drive is said to brake or to stop, as one does before a thing."""
+    return any(
+        hazard.kind in _BRAKES
+        and draft in culprits(scene, hazard)
+        and _for_it(scene, hazard, draft)
+        for hazard in scene.functional.hazards
+    )
+
+
+def _for_it(scene: Scene, hazard: Hazard, draft: DriveDraft) -> bool:
+    """Whether somebody may do it because of a thing on its approach.
+
+    Who brakes in the way of one from another arm does it where the two meet, not for the thing.
+    """
+    if hazard.kind not in _BRAKES or not hazard.to:
+        return True
+    return any(same_arm(victim, draft) for victim in victims(scene, hazard, draft))
+
+
+def stop_short(scene: Scene) -> None:
+    """Who stops short of a thing stays there; where nothing says how it brakes, it brakes hard."""
+    for draft in scene.drives.values():
+        if draft.halts_at_m is None:
+            continue
+        stopping = [n for n, mark in enumerate(draft.marks) if mark.target_mps == 0.0]
+        if stopping:
+            draft.marks[stopping[0]] = replace(draft.marks[stopping[0]], hold_s=None)
+        else:
+            rate = draft.braking_mps2(float(scene.rng.uniform(*HARD_BRAKING_MPS2)))
+            braking = draft.course.speed_at(draft.halts_at_m) ** 2 / (2 * rate)
+            start = max(3.0, draft.halts_at_m - braking - 0.1)
+            draft.add_mark(Mark(start, 0.0, rate, HazardKind.OBSTACLE))
+        draft.course_ = None

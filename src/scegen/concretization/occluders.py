@@ -1,0 +1,260 @@
+"""Things that hide: placed where they cut the line of sight until a moment before the encounter.
+
+Nobody's movement depends on what stands beside the road. So the movements come first; then every
+place is tried that lies on a line of sight shortly before the two come nearest to each other, off
+the road and off everybody's way, and the one is taken from which most is hidden, late moments
+counting more.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from itertools import product
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from scegen.concretization.ground import boxes, taken_ground
+from scegen.concretization.objects import caused_by_nobody, causes_it, free_name, made_of, shape_of
+from scegen.concretization.things import SCREEN, Shape
+from scegen.motion.model import Array, Trace
+from scegen.motion.paths import build_paths
+from scegen.motion.simulation import simulate
+from scegen.road.geometry import Pose
+from scegen.road.model import RoadNetwork
+from scegen.scenario.concrete import (
+    Change,
+    ConcreteScenario,
+    CrossingMotion,
+    DriveMotion,
+    StandingMotion,
+)
+from scegen.scenario.functional import FunctionalScenario, Hazard
+from scegen.scenario.objects import StaticObject
+from scegen.scenario.things import Thing
+from scegen.scenario.vocabulary import HazardKind
+
+_EARLIEST_S, _LATEST_S, _EVERY_S = 8.0, 0.5, 0.8
+"""Before the encounter: the moments whose lines of sight are tried."""
+_LOOK_S = 10.0
+_STEP_S = 0.1
+_FADES_S = 2.0
+_LEAST_S = 0.3
+_FROM_EITHER_M = (1.0, 1.6, 2.4, 3.5, 5.0, 7.0, 10.0, 14.0, 20.0)
+_ALONG = (0.0, -0.45, 0.45)
+"""Where the line of sight meets a box along its length: in the middle, or near an end."""
+_ASIDE_M = tuple(0.2 * n for n in range(-6, 7))
+"""How far to the side of that a box is moved: to the kerb, clear of somebody's way."""
+_LONG_M = 12.0
+"""As long as what can be as long as needed is, where it is to hide a vehicle."""
+_ACROSS = 0.95
+"""A thing across the road is worth a little less than one along it: few stand like that."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Places:
+    """Poses of a thing's middle to try; ``worth`` weighs them."""
+
+    x_m: Array
+    y_m: Array
+    heading_rad: Array
+    worth: Array
+
+    def only(self, chosen: NDArray[np.bool_]) -> _Places:
+        return _Places(
+            self.x_m[chosen], self.y_m[chosen], self.heading_rad[chosen], self.worth[chosen]
+        )
+
+
+def hide(
+    functional: FunctionalScenario, concrete: ConcreteScenario, network: RoadNetwork
+) -> ConcreteScenario:
+    """The scenario with a thing for every occlusion that nobody is said to cause.
+
+    Where it is too small for that it is as large as a plain wall; where even then no place hides
+    anybody for long enough, it is left out, and the danger with it.
+    """
+    parked = any(isinstance(p.motion, StandingMotion) for p in concrete.participants)
+    for hazard in concrete.hazards:
+        if hazard.kind is not HazardKind.OCCLUSION or not caused_by_nobody(functional, hazard):
+            continue
+        thing = causes_it(functional, hazard)
+        if thing is None and parked:
+            continue
+        shape = SCREEN if thing is None else shape_of(thing.kind)
+        taken = {o.id for o in concrete.objects}
+        name = free_name(functional, shape.kind, taken) if thing is None else thing.id
+        named = thing if thing is not None else Thing(id=name, kind=shape.kind)
+        made = _hide(concrete, network, hazard, named, shape)
+        if made is concrete:  # too small for who is behind it
+            wider = max(shape.length_m, SCREEN.length_m), max(shape.width_m, SCREEN.width_m)
+            larger = replace(shape, length_m=wider[0], width_m=wider[1])
+            made = _hide(concrete, network, hazard, named, larger)
+        concrete = made
+    return concrete
+
+
+def _hide(
+    concrete: ConcreteScenario, network: RoadNetwork, hazard: Hazard, thing: Thing, shape: Shape
+) -> ConcreteScenario:
+    observer = next(iter(hazard.to), concrete.ego.id)
+    paths = build_paths(concrete, network)
+    traces = simulate(concrete, paths, dt_s=_STEP_S)
+    ground = taken_ground(network, concrete, paths)
+    best: tuple[float, str, StaticObject] | None = None
+    for group in _hidden_ones(concrete, observer, thing):
+        for name in group:
+            drives = isinstance(concrete.participant(name).motion, DriveMotion)
+            sized = replace(shape, length_m=_LONG_M) if shape.long and drives else shape
+            found = _best_place(traces[observer], traces[name], concrete, sized, ground)
+            if found is not None and (best is None or found[0] > best[0]):
+                best = found[0], name, made_of(thing.id, sized, thing.called, Pose(*found[1:]))
+        if best is not None:
+            break
+    if best is None:
+        return concrete
+    _, name, made = best
+    change = Change(
+        parameter=f"{made.id}.length_m",
+        by="concretization",
+        after=made.length_m,
+        reason=f"hides {name} from {observer}",
+    )
+    caused = hazard.model_copy(update={"by": (made.id,), "to": hazard.to or (observer,)})
+    return concrete.model_copy(
+        update={
+            "objects": (*concrete.objects, made),
+            "hazards": tuple(caused if h is hazard else h for h in concrete.hazards),
+            "provenance": (*concrete.provenance, change),
+        }
+    )
+
+
+def _hidden_ones(concrete: ConcreteScenario, observer: str, thing: Thing) -> list[list[str]]:
+    """Who may be hidden: who is said to be, who crosses, who endangers, whom one meets, anybody."""
+    drives = [p.id for p in concrete.participants if isinstance(p.motion, DriveMotion)]
+    walks = [p.id for p in concrete.participants if isinstance(p.motion, CrossingMotion)]
+    causes = [n for h in concrete.hazards if observer in h.to for n in h.by if n in drives]
+    met = [
+        name
+        for conflict in concrete.logical.conflicts
+        if observer in (conflict.first, conflict.second)
+        for name in (conflict.first, conflict.second)
+        if name in drives
+    ]
+    said = [name for name in thing.hides if name in {*drives, *walks}]
+    groups = [said] if said else [walks, causes, met, drives]
+    return [[n for n in dict.fromkeys(group) if n != observer] for group in groups]
+
+
+def _best_place(
+    observer: Trace,
+    target: Trace,
+    concrete: ConcreteScenario,
+    thing: Shape,
+    ground: shapely.Geometry,
+) -> tuple[float, float, float, float] | None:
+    """(worth, x, y, heading) of the best place; None if none hides the target long enough."""
+    eye, mark = _centre(concrete, observer), _centre(concrete, target)
+    nearest = int(np.hypot(*(eye - mark)).argmin())
+    places = _places(eye, mark, observer, target, thing, nearest)
+    outlines = boxes(places.x_m, places.y_m, places.heading_rad, thing.length_m, thing.width_m)
+    shapely.prepare(ground)
+    free = ~shapely.intersects(ground, outlines)
+    if not free.any():
+        return None
+    places = places.only(free)
+    first = max(0, nearest - round(_LOOK_S / _STEP_S))
+    hidden = np.ones((len(places.x_m), nearest - first), dtype=np.bool_)
+    for point in _points(concrete, target, mark):
+        hidden &= _cut(places, thing, eye[:, first:nearest], point[:, first:nearest])
+    before_s = (nearest - np.arange(first, nearest)) * _STEP_S
+    worth = (hidden * np.exp(-before_s / _FADES_S)).sum(axis=1) * places.worth
+    worth[hidden.sum(axis=1) * _STEP_S < _LEAST_S] = 0.0
+    n = int(worth.argmax())
+    if worth[n] <= 0.0:
+        return None
+    return (
+        float(worth[n]),
+        float(places.x_m[n]),
+        float(places.y_m[n]),
+        float(places.heading_rad[n]),
+    )
+
+
+def _centre(concrete: ConcreteScenario, trace: Trace) -> Array:
+    """The middle of a body over time, (2, t)."""
+    ahead = concrete.participant(trace.participant).body.centre_ahead_m
+    return np.array(
+        [
+            trace.x_m + ahead * np.cos(trace.heading_rad),
+            trace.y_m + ahead * np.sin(trace.heading_rad),
+        ]
+    )
+
+
+def _points(concrete: ConcreteScenario, trace: Trace, centre: Array) -> list[Array]:
+    """The middle and the corners of a body over time."""
+    body = concrete.participant(trace.participant).body
+    c, s = np.cos(trace.heading_rad), np.sin(trace.heading_rad)
+    corners = [
+        centre
+        + np.array(
+            [
+                i * body.length_m / 2 * c - j * body.width_m / 2 * s,
+                i * body.length_m / 2 * s + j * body.width_m / 2 * c,
+            ]
+        )
+        for i, j in product((-1, 1), (-1, 1))
+    ]
+    return [centre, *corners]
+
+
+def _places(
+    eye: Array, mark: Array, observer: Trace, target: Trace, thing: Shape, nearest: int
+) -> _Places:
+    """Places on lines of sight before the encounter, near either end; along the road first."""
+    rows = []
+    for before_s in np.arange(_LATEST_S, _EARLIEST_S, _EVERY_S):
+        t = nearest - round(before_s / _STEP_S)
+        if t < 0:
+            break
+        a, b = eye[:, t], mark[:, t]
+        away = float(np.hypot(*(b - a)))
+        sight = (b - a) / max(away, 1e-6)
+        across = float(np.arctan2(sight[1], sight[0])) + np.pi / 2
+        headings = (
+            (float(observer.heading_rad[t]), 1.0),
+            (float(target.heading_rad[t]), _ACROSS),
+            (across, _ACROSS**2),
+        )
+        for from_it in _FROM_EITHER_M:
+            if from_it >= away:
+                break
+            for point in (b - from_it * sight, a + from_it * sight):
+                rows += [(*point, heading, worth) for heading, worth in headings]
+    table = np.array(rows, dtype=np.float64).reshape(-1, 1, 4)
+    shifts = np.array(list(product(_ALONG, _ASIDE_M))) * np.array([thing.length_m, 1.0])
+    x, y, heading, worth = np.repeat(table, len(shifts), axis=1).T
+    along, aside = shifts[:, :1], shifts[:, 1:]
+    c, s = np.cos(heading), np.sin(heading)
+    x, y = x + along * c - aside * s, y + along * s + aside * c
+    return _Places(*(values.T.ravel() for values in (x, y, heading, worth)))
+
+
+def _cut(places: _Places, thing: Shape, eye: Array, point: Array) -> NDArray[np.bool_]:
+    """Whether each box cuts the straight line between two points, (place, t)."""
+    c, s = np.cos(places.heading_rad)[:, None], np.sin(places.heading_rad)[:, None]
+    low, high = np.zeros((len(c), eye.shape[1])), np.ones((len(c), eye.shape[1]))
+    ax, ay = eye[0] - places.x_m[:, None], eye[1] - places.y_m[:, None]
+    bx, by = point[0] - places.x_m[:, None], point[1] - places.y_m[:, None]
+    sides = (
+        (ax * c + ay * s, bx * c + by * s, thing.length_m / 2),
+        (ay * c - ax * s, by * c - bx * s, thing.width_m / 2),
+    )
+    for start, end, half in sides:
+        step = np.where(np.abs(end - start) < 1e-9, 1e-9, end - start)
+        one, two = (-half - start) / step, (half - start) / step
+        low, high = np.maximum(low, np.minimum(one, two)), np.minimum(high, np.maximum(one, two))
+    return low <= high

@@ -1,0 +1,81 @@
+"""Those who cross, stand or pull out, in the making, and what is to lie in the way."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from scegen.concretization.things import Shape
+from scegen.motion.model import Path
+from scegen.motion.polyline import LaidDrive
+from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.concrete import CrossingMotion, DriveMotion, SpeedPhase, StandingMotion
+from scegen.scenario.functional import Hazard
+from scegen.scenario.logical import Crossing, Standing
+from scegen.scenario.vocabulary import HazardKind, ParticipantKind
+
+
+@dataclass
+class WalkDraft:
+    """One who crosses an arm, in the making."""
+
+    id: str
+    kind: ParticipantKind
+    crossing: Crossing
+    speed_mps: float
+    motion: CrossingMotion
+    path: Path
+    program: list[SpeedPhase] = field(default_factory=list)
+
+    @property
+    def body(self) -> Body:
+        """Its size."""
+        return BODIES[self.kind]
+
+
+@dataclass
+class StandDraft:
+    """One who stands, in the making."""
+
+    id: str
+    kind: ParticipantKind
+    standing: Standing
+    motion: StandingMotion
+    path: Path
+
+    @property
+    def body(self) -> Body:
+        """Its size."""
+        return BODIES[self.kind]
+
+
+@dataclass
+class PullDraft:
+    """One who is parked and pulls out, in the making; lengths are along its path.
+
+    It is in the lane ``in_lane_m`` from where it stands, ``takes_s`` after it sets off, when
+    ``waits_for`` is at ``place_m`` of its own path.
+    """
+
+    id: str
+    kind: ParticipantKind
+    motion: DriveMotion
+    laid: LaidDrive
+    speed_mps: float
+    rate_mps2: float
+    in_lane_m: float
+    hazard: HazardKind | None = None
+    waits_for: str | None = None
+    place_m: float = 0.0
+    takes_s: float = 0.0
+    program: list[SpeedPhase] = field(default_factory=list)
+
+
+@dataclass(frozen=True, slots=True)
+class Expected:
+    """A danger that a thing is to cause, its name and shape, and in whose way it lies."""
+
+    hazard: Hazard
+    name: str
+    shape: Shape
+    who: str
+    called: str | None = None

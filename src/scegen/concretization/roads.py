@@ -1,0 +1,106 @@
+"""The road that a logical scenario needs, beyond what its description says."""
+
+from __future__ import annotations
+
+from scegen.concretization.abreast import crosses_beside
+from scegen.concretization.turning_ways import lanes_to_turn_back, with_turns
+from scegen.errors import RoadInfeasibleError
+from scegen.motion.lanes import is_ring
+from scegen.road import build_network, plan_road
+from scegen.road.model import RoadNetwork
+from scegen.scenario.concrete import RoadParameters
+from scegen.scenario.control import has_crosswalk
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.logical import Drive, LogicalScenario
+from scegen.scenario.speed_limits import implied_limit_mps
+from scegen.scenario.vocabulary import FROM_BESIDE, HazardKind, JunctionKind, Maneuver
+
+FIRST_ARM_M = 100.0
+LONGEST_ARM_M = 1500.0
+_RING_CHANGE_ROOM_M = 16.0
+_RING_RADII_M = (20.0, 24.0, 28.0, 32.0, 36.0, 40.0, 50.0)
+_SIDE_BY_SIDE = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
+_SIDE_BY_SIDE_HAZARDS = frozenset({HazardKind.CUT_IN, HazardKind.OVERTAKING})
+
+_SWERVING_HAZARDS = frozenset({HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL})
+
+
+def plan(
+    functional: FunctionalScenario,
+    logical: LogicalScenario,
+    arm_length_m: float,
+    least_lanes: int = 0,
+) -> RoadParameters:
+    """Road parameters with the lanes, strips and ring that the scenario needs."""
+    kinds = {hazard.kind for hazard in functional.hazards}
+    limit = round(implied_limit_mps(functional), 6)
+    turning_back = [drive for drive in logical.drives if drive.entry == drive.exit]
+    parameters = plan_road(
+        functional.junction.model_copy(update={"speed_limit_mps": limit}),
+        arm_length_m=arm_length_m,
+        min_lanes=least_lanes
+        or max(_min_lanes(functional, logical), lanes_to_turn_back(functional, logical)),
+        crosswalks=_crosswalks(functional, logical),
+        parking_lanes=frozenset(s.arm for s in logical.standings if not s.in_lane),
+        u_turns=frozenset(drive.entry for drive in turning_back),
+    )
+    parameters = with_turns(functional, logical, parameters)
+    if functional.junction.kind is not JunctionKind.ROUNDABOUT or HazardKind.CUT_IN not in kinds:
+        return parameters
+    return _with_wide_ring(parameters)
+
+
+def _crosswalks(functional: FunctionalScenario, logical: LogicalScenario) -> frozenset[int]:
+    """Where somebody crosses at a junction."""
+    crossed = {crossing.arm for crossing in logical.crossings}
+    return frozenset(arm for arm in crossed if has_crosswalk(functional.junction, arm))
+
+
+def _min_lanes(functional: FunctionalScenario, logical: LogicalScenario) -> int:
+    """Two lanes per direction where somebody drives beside, changes lanes or overtakes.
+
+    Numbers of lanes that the text gives are kept, and overtaking then uses the oncoming lane.
+    """
+    if functional.junction.lanes:
+        return 1
+    roundabout = functional.junction.kind is JunctionKind.ROUNDABOUT
+    drives = logical.drives
+    entries = [drive.entry for drive in drives]
+    kinds = {hazard.kind for hazard in functional.hazards}
+    beside = any(drive.beside for drive in drives)
+    sideways = any(drive.maneuver in _SIDE_BY_SIDE and _among(drive, drives) for drive in drives)
+    plain = functional.junction.kind is JunctionKind.STRAIGHT
+    beside_kinds = _SIDE_BY_SIDE_HAZARDS | (FROM_BESIDE if plain else frozenset())
+    together = len(set(entries)) < len(entries) and bool(kinds & beside_kinds)
+    oncoming = HazardKind.ONCOMING_LANE in kinds
+    across = crosses_beside(functional)
+    swerves = roundabout and bool(kinds & _SWERVING_HAZARDS)
+    crossed = any(
+        drive.participant in across and _among(drive, drives) and drive.turn is Maneuver.STRAIGHT
+        for drive in drives
+    )
+    wide = sideways or swerves or (together and not roundabout) or (crossed and plain)
+    return 2 if beside or (wide and not oncoming) else 1
+
+
+def _among(drive: Drive, drives: tuple[Drive, ...]) -> bool:
+    """Whether somebody else enters on the same arm."""
+    return any(other.entry == drive.entry and other is not drive for other in drives)
+
+
+def _with_wide_ring(parameters: RoadParameters) -> RoadParameters:
+    """Two ring lanes, and the smallest ring with room for a lane change between two arms."""
+    two = parameters.model_copy(update={"ring_lanes": 2})
+    for radius in _RING_RADII_M:
+        wide = two.model_copy(update={"ring_radius_m": radius})
+        try:
+            network = build_network(wide)
+        except RoadInfeasibleError:
+            continue
+        if min(_ring_lengths_m(network), default=0.0) >= _RING_CHANGE_ROOM_M:
+            return wide
+    return two
+
+
+def _ring_lengths_m(network: RoadNetwork) -> list[float]:
+    return [road.length_m for road in network.roads if is_ring(road)]

@@ -1,0 +1,88 @@
+"""Ordinary speed along a way: slow down for bends and stop lines, speed up after them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import sqrt
+
+from scegen.concretization.limits import (
+    STOP_LINE_SPEED_MPS,
+)
+from scegen.concretization.marks import Mark
+from scegen.motion.polyline import LaidDrive
+
+_WORTH_IT = 0.98
+_REACTION_M = 1.0
+_STOP_LINE_M = 1.5
+"""From the front bumper of a stopping vehicle to the inner end of its arm."""
+
+
+@dataclass(frozen=True, slots=True)
+class Bend:
+    """From ``start_s_m`` to ``end_s_m`` of the path no more than ``speed_mps`` is comfortable."""
+
+    start_s_m: float
+    end_s_m: float
+    speed_mps: float
+
+
+def bend_of(laid: LaidDrive, cruise_mps: float, lateral_mps2: float) -> Bend | None:
+    """The bends of a way that are too tight for ``cruise_mps``, as one; None if there is none.
+
+    The comfortable speed is sqrt(lateral acceleration * radius) of the lane driven.
+    """
+    found: list[Bend] = []
+    for piece in laid.stretches:
+        at = piece.start_m
+        segments = piece.road.line.segments
+        for segment in segments if piece.forward else reversed(segments):
+            after = at + segment.length_m * piece.scale
+            if segment.curvature_1pm:
+                bend = segment.curvature_1pm * (1 if piece.forward else -1)
+                radius = abs(1.0 / bend - piece.d_m)
+                speed = sqrt(lateral_mps2 * radius)
+                if speed < cruise_mps * _WORTH_IT:
+                    found.append(Bend(laid.path_s_m(at), laid.path_s_m(after), speed))
+            at = after
+    if not found:
+        return None
+    return Bend(found[0].start_s_m, found[-1].end_s_m, min(bend.speed_mps for bend in found))
+
+
+def turning_marks(
+    laid: LaidDrive,
+    cruise_mps: float,
+    *,
+    lateral_mps2: float,
+    stops_at_line: bool,
+    front_m: float,
+    slowing_mps2: float,
+    faster_mps2: float,
+    approach_mps: float | None = None,
+    resume_mps: float | None = None,
+) -> list[Mark]:
+    """The marks of a drive along a way at ``cruise_mps``.
+
+    ``approach_mps`` is its speed when it begins to slow down, ``resume_mps`` its speed after
+    the bend; None: ``cruise_mps``.
+    """
+    bend = bend_of(laid, cruise_mps, lateral_mps2)
+    line_s = laid.path_s_m(laid.turning_starts_m) - front_m - _STOP_LINE_M
+    marks: list[Mark] = []
+    through = bend.speed_mps if bend else cruise_mps
+    before = cruise_mps if approach_mps is None else approach_mps
+    after = cruise_mps if resume_mps is None else resume_mps
+    if stops_at_line:
+        slow = min(STOP_LINE_SPEED_MPS, through)
+        marks.append(_slow_before(line_s, before, slow, slowing_mps2))
+        marks.append(Mark(max(line_s, 0.1), through, faster_mps2))
+    elif bend:
+        marks.append(_slow_before(bend.start_s_m, before, bend.speed_mps, slowing_mps2))
+    if bend:
+        marks.append(Mark(bend.end_s_m, after, faster_mps2))
+    return marks
+
+
+def _slow_before(s_m: float, from_mps: float, to_mps: float, rate_mps2: float) -> Mark:
+    distance = (from_mps**2 - to_mps**2) / (2 * rate_mps2)
+    return Mark(max(0.0, s_m - distance - _REACTION_M), to_mps, rate_mps2)

@@ -1,0 +1,222 @@
+"""Where pedestrians and cyclists cross, and what makes them step off."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+from math import sqrt
+
+from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.limits import (
+    CYCLING_MPS,
+    WALKING_MPS,
+    WALKING_START_MPS2,
+)
+from scegen.concretization.meetings import MeetingPoint, meeting_point
+from scegen.concretization.others import WalkDraft
+from scegen.errors import MotionInfeasibleError
+from scegen.motion.standing import crossing_path
+from scegen.road.model import LaneType
+from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.concrete import AtTime, CrossingMotion, SpeedPhase, Travelled
+from scegen.scenario.functional import Participant
+from scegen.scenario.logical import Crossing
+from scegen.scenario.vocabulary import HazardKind, ParticipantKind, Side
+
+_SETBACK_M = 1.5
+_BEYOND_STRIP_M = 1.0
+_UNMARKED_M = 4.0
+_STRAIGHT_M = 5.0
+_BEYOND_PARKED_M = 1.2
+_BEHIND_SCREEN_M = 0.8
+"""The front of one whom a thing is to hide is so far from the carriageway: it needs room there."""
+_STOP_SHORT_M = 0.15
+_INTO_PATH_M = 1.0
+"""The walker is in the driver's line when the bumper is this close (both at their speed)."""
+_STEPS_OFF_M = 0.5
+_SETTLE_S = 0.5
+_ABREAST_M = 0.9
+_OF_PEAK = 0.9
+"""Of the pace at which one who sets off must begin to stop, the share that is used."""
+
+_HAZARD = {
+    ParticipantKind.PEDESTRIAN: HazardKind.CROSSING_PEDESTRIAN,
+    ParticipantKind.BICYCLE: HazardKind.CROSSING_CYCLIST,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Appointment:
+    """A drive must not reach ``s_m`` before ``least_s``, so that the walker can get there."""
+
+    drive: str
+    s_m: float
+    least_s: float
+
+
+def place_walkers(scene: Scene) -> None:
+    """On the crosswalk if the arm has one, from behind a parked vehicle if one hides them."""
+    side_by_side: Counter[tuple[int, Side]] = Counter()
+    for crossing in scene.logical.crossings:
+        place = (crossing.arm, crossing.start)
+        aside = _abreast_m(side_by_side[place])
+        side_by_side[place] += 1
+        participant = scene.functional.participant(crossing.participant)
+        motion = CrossingMotion(
+            arm=crossing.arm,
+            start_side=crossing.start,
+            from_junction_m=round(max(0.0, _from_junction_m(scene, crossing) + aside), 3),
+            setback_m=_setback_m(scene, crossing.arm, BODIES[participant.kind]),
+        )
+        path = crossing_path(scene.network, motion, participant.id)
+        speed = _speed(scene, participant)
+        scene.walks[participant.id] = WalkDraft(
+            participant.id, participant.kind, crossing, speed, motion, path
+        )
+
+
+def _abreast_m(number: int) -> float:
+    """How far aside the next of several walks: 0, one to the left, one to the right, and so on."""
+    return (number + 1) // 2 * _ABREAST_M * (1 if number % 2 else -1)
+
+
+def _speed(scene: Scene, participant: Participant) -> float:
+    usual = WALKING_MPS if participant.kind is ParticipantKind.PEDESTRIAN else CYCLING_MPS
+    low, high = scene.allowed(f"{participant.id}.speed_mps", (0.9 * usual, 1.2 * usual))
+    least = min(max(low, 0.9 * usual), high)
+    speed = float(scene.rng.uniform(least, max(min(high, 1.2 * usual), least)))
+    speed = min(max(speed, low, 0.3), max(high, 0.3))
+    scene.note(f"{participant.id}.speed_mps", speed, "usual pace")
+    return round(speed, 3)
+
+
+def _setback_m(scene: Scene, arm: int, body: Body) -> float:
+    hidden = any(h.kind is HazardKind.OCCLUSION and not h.by for h in scene.functional.hazards)
+    behind = body.front_m + _BEHIND_SCREEN_M if hidden else 0.0
+    strip = [
+        lane.width_m
+        for lane in scene.network.arm_road(arm).lanes
+        if lane.type in {LaneType.PARKING, LaneType.SHOULDER}
+    ]
+    usual = max(strip) + _BEYOND_STRIP_M if strip else _SETBACK_M
+    return max(usual, behind)
+
+
+def _from_junction_m(scene: Scene, crossing: Crossing) -> float:
+    road = scene.network.arm_road(crossing.arm)
+    if road.crosswalks:
+        return road.length_m - road.crosswalks[0].s_m
+    hidden = [
+        stand
+        for stand in scene.stands.values()
+        if stand.standing.arm == crossing.arm
+        and not stand.standing.in_lane
+        and stand.standing.side is crossing.start
+    ]
+    usual = _UNMARKED_M if scene.network.junctions else _STRAIGHT_M
+    if not hidden:
+        return usual
+    # All stand with their inner bumper at the same clearance: just inside of it is in sight last.
+    nearest = min(hidden, key=lambda stand: stand.motion.from_junction_m)
+    body = BODIES[nearest.kind]
+    towards = nearest.path.heading_rad[0] - road.line.end.heading_rad
+    front = body.front_m if abs(towards) < 1.0 else body.rear_m
+    return max(0.5, nearest.motion.from_junction_m - front - _BEYOND_PARKED_M)
+
+
+def partner_of(scene: Scene, walk: WalkDraft) -> tuple[DriveDraft, MeetingPoint] | None:
+    """The drive into whose way a walker steps: named sufferers first, then the ego, then others."""
+    named = [
+        name
+        for hazard in scene.functional.hazards
+        if walk.id in hazard.by
+        for name in hazard.to
+        if name in scene.drives
+    ]
+    for name in dict.fromkeys([*named, scene.ego.id, *scene.drives]):
+        draft = scene.drives[name]
+        point = meeting_point(draft.laid.path, walk.path)
+        if point is not None:
+            return draft, point
+    return None
+
+
+def _walking_time_s(walk: WalkDraft, distance_m: float) -> float:
+    """From the order to go until ``distance_m`` are covered, with the start from rest."""
+    return distance_m / walk.speed_mps + walk.speed_mps / (2 * WALKING_START_MPS2) + 0.1
+
+
+def appointments(scene: Scene) -> list[Appointment]:
+    """What walkers ask of the drivers' schedule."""
+    result = []
+    for walk in scene.walks.values():
+        found = partner_of(scene, walk)
+        if found is not None:
+            draft, point = found
+            place, distance = _rendezvous(draft, walk, point)
+            least = _walking_time_s(walk, distance) + _SETTLE_S
+            result.append(Appointment(draft.id, place, least))
+    return result
+
+
+def _rendezvous(draft: DriveDraft, walk: WalkDraft, point: MeetingPoint) -> tuple[float, float]:
+    """(place of the driver, way of the walker) to be reached at the same time.
+
+    The walker is in the driver's line when its bumper comes; where the driver brakes for it,
+    the walker leaves the kerb just then. Behind one that reverses it is where the tail will be.
+    """
+    if draft.backs_to == walk.id:
+        begins_s, ends_s = draft.laid.path.backwards[0]
+        return (begins_s + ends_s) / 2, point.second_s_m
+    for mark in draft.marks:
+        if mark.hold_s is not None and mark.s_m < point.first_s_m - draft.body.front_m:
+            return mark.s_m, max(0.0, walk.motion.setback_m - _STEPS_OFF_M)
+    return max(1.0, point.first_s_m - draft.body.front_m - _INTO_PATH_M), point.second_s_m
+
+
+def program_walkers(scene: Scene) -> None:
+    """Step off when the driver has come so far that both arrive together; stop at the far side."""
+    for walk in scene.walks.values():
+        found = partner_of(scene, walk)
+        stops = any(
+            hazard.kind is HazardKind.STOPPING and walk.id in hazard.by
+            for hazard in scene.functional.hazards
+        )
+        if stops and found is not None:
+            _stop_in_the_way(scene, walk, found[1])
+        kind = _HAZARD.get(walk.kind)
+        trigger: Travelled | AtTime = AtTime(time_s=1.0)
+        if found is not None:
+            draft, point = found
+            place, way = _rendezvous(draft, walk, point)
+            go = draft.course.time_at(place) - _walking_time_s(walk, min(way, walk.path.length_m))
+            distance = draft.course.s_at(go) - draft.start_m
+            trigger = Travelled(participant=draft.id, distance_m=round(max(0.0, distance), 3))
+            scene.note(f"{walk.id}.starts_at_m", distance, f"arrives when {draft.id} does")
+        braking = walk.speed_mps**2 / (2 * WALKING_START_MPS2)
+        end = max(0.0, walk.path.length_m - braking - _STOP_SHORT_M)
+        walk.program = [
+            SpeedPhase(
+                trigger=trigger,
+                target_speed_mps=walk.speed_mps,
+                rate_mps2=WALKING_START_MPS2,
+                hazard=kind,
+            ),
+            SpeedPhase(
+                trigger=Travelled(participant=walk.id, distance_m=round(end, 3)),
+                target_speed_mps=0.0,
+                rate_mps2=WALKING_START_MPS2,
+                hazard=HazardKind.STOPPING if stops else None,
+            ),
+        ]
+
+
+def _stop_in_the_way(scene: Scene, walk: WalkDraft, point: MeetingPoint) -> None:
+    """End the way where the driver comes by."""
+    length = min(point.second_s_m + _STOP_SHORT_M, walk.path.length_m)
+    if length <= 0:
+        raise MotionInfeasibleError("stops before it has started", where=walk.id)
+    # Nobody reaches its full pace on a way too short to stop from it.
+    walk.speed_mps = round(min(walk.speed_mps, _OF_PEAK * sqrt(WALKING_START_MPS2 * length)), 3)
+    walk.motion = walk.motion.model_copy(update={"stops_after_m": round(length, 3)})
+    walk.path = crossing_path(scene.network, walk.motion, walk.id)

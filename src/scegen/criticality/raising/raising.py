@@ -1,0 +1,242 @@
+"""Raise the criticality of a concrete scenario: the stage between numbers and files."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from scegen.claims.hazards.scenes import Pair
+from scegen.claims.ways import paths_of, ways_of
+from scegen.criticality.proposals.advising import Advised
+from scegen.criticality.proposals.proposal import Proposer
+from scegen.criticality.raising.blocking import blocking
+from scegen.criticality.raising.braking_leader import braking_leaders
+from scegen.criticality.raising.giving_up import give_up, out_of_reach
+from scegen.criticality.raising.refusing import too_fast, too_slow
+from scegen.criticality.raising.stage import Stage
+from scegen.criticality.search.optimize import Best, follow, search
+from scegen.criticality.search.pairs import candidate_pairs
+from scegen.criticality.search.problem import SEARCH_DT_S, Problem
+from scegen.criticality.search.proving import PROOF_DT_S, Evidence
+from scegen.criticality.search.rebuild import rebuilt
+from scegen.criticality.target import NEAR_MISS, parse_target
+from scegen.motion.ties import clear_of_ties
+from scegen.road import build_network
+from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.proof import Proof
+
+_ATTEMPTS = ((1.0, SEARCH_DT_S), (2.5, SEARCH_DT_S), (1.0, PROOF_DT_S), (2.5, PROOF_DT_S))
+"""How far inside of the demands a search aims, and its steps, one after the other while the proof
+in fine steps fails: one who creeps over a line passes it 0.3 s later in coarse steps."""
+_AGAIN = {"rounds": 1, "restarts": 1}
+"""Less effort where some of what is said cannot be met at all."""
+
+
+@dataclass(frozen=True, slots=True)
+class Raised:
+    """The scenario found (or the one given, if none was) and its proof.
+
+    ``others`` are different solutions of the same demands.
+    """
+
+    concrete: ConcreteScenario
+    proof: Proof
+    others: tuple[tuple[ConcreteScenario, Proof], ...] = ()
+
+
+def raise_criticality(
+    functional: FunctionalScenario | None,
+    concrete: ConcreteScenario,
+    *,
+    target: str = NEAR_MISS,
+    seed: int = 0,
+    solutions: int = 1,
+    proposer: Proposer | None = None,
+) -> Raised:
+    """Make every danger asked for happen at once, and bring the pair's measure into its band.
+
+    Every claim holds meanwhile: what is possible at all comes first, then claims, then the target.
+    Numbers change as little as that needs, within what is realistic; where no numbers do it and
+    no danger is asked for that could, a leader brakes (see ``braking_leader``). The result is
+    proved by simulating it anew from its own numbers at 0.01 s. Where the target cannot be
+    reached, the claims alone are sought; the proof says what blocked it and what does not hold.
+
+    Args:
+        functional: what the description says; None if unknown.
+        concrete: the scenario.
+        target: ``near-miss``, ``collision`` or a band such as ``pet=0.3..1.0``.
+        seed: of the search; the same seed gives the same result.
+        solutions: how many different ones to look for.
+        proposer: who proposes where to begin; None for a search without proposals.
+
+    Raises:
+        InputError: the target is none.
+        MotionInfeasibleError, RoadInfeasibleError: the scenario itself cannot be built.
+    """
+    wanted = parse_target(target)
+    network = build_network(concrete.road, name=concrete.name)
+    stage = Stage(functional, concrete, network, wanted, _between(functional, concrete))
+    before = stage.examine(concrete)
+    rng = np.random.Generator(np.random.PCG64(seed))
+    reason = too_fast(functional) or stage.blocked or too_slow(concrete, stage.pair)
+    if reason is not None:
+        return _without_target(stage, None, before, rng, reason)
+    found: list[tuple[ConcreteScenario, Proof]] = []
+    if stage.stands(before):
+        bound = stage.bound(before)
+        found.append((bound.concrete, stage.proof(before, bound, 1, None)))
+        if solutions == 1:
+            return Raised(*found[0])
+    problem = stage.problem()
+    advice = None
+    if found:
+        problem.known.append(problem.space.origin)
+    else:
+        give_up(stage, problem, out_of_reach(problem, before, rng))
+        if proposer is not None:
+            advice = stage.ask(proposer, problem, before, seed)
+    blocked = _fill(found, solutions, stage, problem, before, rng, advice)
+    if not found and problem.never:
+        give_up(stage, problem, problem.never)
+        _fill(found, solutions, stage, problem, before, rng, None)
+    if not found:
+        found = [
+            (made, _with_advice(proof, advice, led=False))
+            for made, proof in _by_braking(stage, problem, before, rng)
+        ]
+    if not found:
+        raised = _without_target(stage, problem, before, rng, blocked)
+        return Raised(raised.concrete, _with_advice(raised.proof, advice, led=False))
+    return Raised(*found[0], others=tuple(found[1:]))
+
+
+def _between(functional: FunctionalScenario | None, concrete: ConcreteScenario) -> Pair | None:
+    """The pair that the description's outcome names, if both have a way of their own here."""
+    between = functional.outcome.between if functional and functional.outcome else ()
+    known = {entity.id for entity in concrete.entities}
+    return (between[0], between[1]) if len(between) == 2 and {*between} <= known else None
+
+
+def _by_braking(
+    stage: Stage, problem: Problem, before: Evidence, rng: np.random.Generator
+) -> list[tuple[ConcreteScenario, Proof]]:
+    """What a leader that brakes makes of it, if anything."""
+    found: list[tuple[ConcreteScenario, Proof]] = []
+    pairs = candidate_pairs(stage.concrete)
+    for pair, braking in braking_leaders(
+        before, stage.network, stage.target, pairs, stage.friction
+    ):
+        other = Stage(stage.functional, braking, stage.network, stage.target, pair)
+        other.given_up = stage.given_up
+        if other.blocked is None:
+            tried = other.problem()
+            tried.evaluations = problem.evaluations
+            _fill(found, 1, other, tried, other.examine(stage.concrete), rng, None)
+            problem.evaluations = tried.evaluations
+        if found:
+            break
+    return found
+
+
+def _without_target(
+    stage: Stage,
+    problem: Problem | None,
+    before: Evidence,
+    rng: np.random.Generator,
+    reason: str | None,
+) -> Raised:
+    """What holds every claim that can be held, where the target cannot be reached."""
+    if stage.pair and not before.holds(stage.given_up):
+        problem = problem or stage.problem()
+        problem.untargeted = stage.untargeted = True
+        give_up(stage, problem, out_of_reach(problem, before, rng))
+        made, _ = _solve(stage, problem, rng, None)
+        if made is not None:
+            proof = stage.proof(before, made.evidence, problem.evaluations, reason)
+            return Raised(made.evidence.concrete, proof)
+    evaluations = problem.evaluations if problem is not None else 1
+    return Raised(stage.concrete, stage.proof(before, before, evaluations, reason))
+
+
+def _fill(
+    found: list[tuple[ConcreteScenario, Proof]],
+    solutions: int,
+    stage: Stage,
+    problem: Problem,
+    before: Evidence,
+    rng: np.random.Generator,
+    advice: Advised | None,
+) -> str | None:
+    """Search until so many solutions are found; the reason why there is not one more, if so."""
+    while len(found) < solutions:
+        made, blocked = _solve(stage, problem, rng, None if found else advice)
+        if made is None:
+            return blocked
+        evidence = stage.bound(made.evidence)
+        proof = stage.proof(before, evidence, problem.evaluations, None)
+        found.append((evidence.concrete, _with_advice(proof, advice, led=made.led)))
+    return None
+
+
+@dataclass(frozen=True, slots=True)
+class _Made:
+    """A scenario that stands up to the proof; ``led``: found from what was proposed."""
+
+    evidence: Evidence
+    led: bool
+
+
+def _with_advice(proof: Proof, advised: Advised | None, *, led: bool) -> Proof:
+    if advised is None:
+        return proof
+    advice = advised.advice.model_copy(update={"led": led})
+    return proof.model_copy(update={"advice": advice})
+
+
+def _solve(
+    stage: Stage, problem: Problem, rng: np.random.Generator, advised: Advised | None
+) -> tuple[_Made | None, str | None]:
+    """Search until a candidate stands up to the proof; otherwise the reason why none does.
+
+    What was proposed is followed first, and forgotten if it leads nowhere: a scenario that is found
+    without proposals is found with any.
+    """
+    if advised is not None and advised.lead is not None:
+        problem.room, problem.dt_s = _ATTEMPTS[0]
+        best = follow(problem, advised.lead)
+        made = _evidence(stage, problem, best, advised.concrete) if best.found else None
+        if made is not None and stage.stands(made):
+            problem.known.append(best.x)
+            return _Made(made, led=True), None
+    reason = None
+    for problem.room, problem.dt_s in _ATTEMPTS:
+        best = search(problem, rng, **(_AGAIN if stage.given_up else {}))
+        if not best.found:
+            claims = {claim.id for claim in problem.claims}
+            problem.never = frozenset(n for n, v in best.least.items() if v > 0.0 and n in claims)
+            return None, reason or blocking(problem, best)
+        evidence = _evidence(stage, problem, best, stage.concrete)
+        if stage.stands(evidence):
+            problem.known.append(best.x)
+            return _Made(evidence, led=False), None
+        # What comes after the end of what was found must not count the next time.
+        problem.duration_s = min(problem.duration_s, evidence.concrete.duration_s)
+        reason = "what was found does not stand up to the proof in steps of 0.01 s"
+    return None, reason
+
+
+def _evidence(stage: Stage, problem: Problem, best: Best, concrete: ConcreteScenario) -> Evidence:
+    """What the candidate found really shows; its changes are told from ``concrete`` on."""
+    outcome = problem.evaluate(best.x[None, :])
+    fresh = rebuilt(
+        concrete,
+        stage.ways,
+        outcome.made,
+        0,
+        float(outcome.duration_s[0]),
+        f"search for {stage.target.text}",
+    )
+    fresh = clear_of_ties(fresh, paths_of(ways_of(fresh, stage.network)))
+    return stage.examine(fresh)

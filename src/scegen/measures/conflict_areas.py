@@ -1,0 +1,222 @@
+"""Where two paths get in each other's way: conflict areas and merge points, found once per pair.
+
+The set of positions (s of one, s of the other) at which the two boxes touch falls apart into
+regions. A region where the paths cross, or meet head on, is a conflict area: its extent along
+either path is from where the front enters the ground that the other's box sweeps to where the
+rear leaves it. Where the paths merge, the shared lane is no useful area (both drive on in it);
+there the "area" is the merge point: entered by the front, left by the rear. Where one path
+follows the other from a start on, there is none.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import inf
+from typing import NamedTuple
+
+import numpy as np
+
+from scegen.measures.bodies import Body, body_of
+from scegen.measures.boxes import Box
+from scegen.measures.contact import boxes_touch
+from scegen.motion.batch.arrays import Bools, Floats, Ints
+from scegen.motion.batch.kernels import kernel
+from scegen.motion.model import Path
+
+SAMPLING_M = 0.5
+"""Coarsest spacing of sampled positions; half the smallest side where that is less."""
+PRECISION_M = 1e-3
+"""Precision of the entry and exit positions."""
+MERGED_ASIDE_M = 0.3
+MERGED_TURN_RAD = np.deg2rad(10.0)
+MERGED_FOR_M = 5.0
+"""Paths have merged where they lie within these for so long; crossings are shorter or steeper."""
+
+
+class AreaTable(NamedTuple):
+    """Areas ``first[p]`` to ``first[p+1] - 1`` belong to pair p.
+
+    ``enter_m`` and ``leave_m`` (areas, 2): the positions along the path of the first and the
+    second of the pair at which it enters and has left the area, m; it has never left (inf) where
+    its path ends inside.
+    """
+
+    first: Ints
+    enter_m: Floats
+    leave_m: Floats
+
+
+class _Sampled(NamedTuple):
+    """Boxes along a path: positions s, centres, directions; and the half sides."""
+
+    s: Floats
+    x: Floats
+    y: Floats
+    cos: Floats
+    sin: Floats
+    half_length: float
+    half_width: float
+
+
+def area_table(
+    paths: Sequence[Path], bodies: Floats, pairs: Sequence[tuple[int, int]]
+) -> AreaTable:
+    """The conflict areas of these pairs."""
+    found = [_areas(paths[a], paths[b], body_of(bodies, a), body_of(bodies, b)) for a, b in pairs]
+    rows = [row for areas in found for row in areas]
+    table = np.array(rows, dtype=np.float64).reshape(-1, 4)
+    first = np.concatenate(([0], np.cumsum([len(areas) for areas in found], dtype=np.int64)))
+    return AreaTable(first.astype(np.int64), table[:, :2].copy(), table[:, 2:].copy())
+
+
+def _areas(first: Path, second: Path, a: Body, b: Body) -> list[tuple[float, float, float, float]]:
+    """(enter a, enter b, leave a, leave b) of each area of a pair."""
+    small = min(a.half_length_m, a.half_width_m, b.half_length_m, b.half_width_m)
+    spacing = min(SAMPLING_M, small)
+    one, two = _sample(first, a, spacing), _sample(second, b, spacing)
+    result = []
+    for rows, columns in _regions(touching(one, two)):
+        merge = merge_point(first, second, one.s[rows], two.s[columns])
+        if merge is None:
+            own, other = _cut(one, rows), _cut(two, columns)
+            enter_a, leave_a = _extent(first, a, one.s, rows, other)
+            enter_b, leave_b = _extent(second, b, two.s, columns, own)
+            result.append((enter_a, enter_b, leave_a, leave_b))
+        elif min(merge) > SAMPLING_M and not _comes_backwards(first, second, merge):
+            sa, sb = merge
+            result.append(
+                (
+                    sa - a.front_m,
+                    sb - b.front_m,
+                    sa + a.rear_m,
+                    sb + b.rear_m,
+                )
+            )
+    return result
+
+
+def _comes_backwards(first: Path, second: Path, merge: tuple[float, float]) -> bool:
+    """Whether one of two drives backwards where their ways merge: its front does not come first."""
+    return any(
+        begins <= place <= ends
+        for path, place in zip((first, second), merge, strict=True)
+        for begins, ends in path.backwards
+    )
+
+
+def _sample(path: Path, body: Body, spacing: float) -> _Sampled:
+    count = int(np.ceil(path.length_m / spacing)) + 1
+    return _at(path, body, np.linspace(0.0, path.length_m, count))
+
+
+def _at(path: Path, body: Body, s: Floats) -> _Sampled:
+    heading = np.interp(s, path.s_m, path.heading_rad)
+    cos, sin = np.cos(heading), np.sin(heading)
+    return _Sampled(
+        s,
+        np.interp(s, path.s_m, path.x_m) + body.ahead_m * cos,
+        np.interp(s, path.s_m, path.y_m) + body.ahead_m * sin,
+        cos,
+        sin,
+        body.half_length_m,
+        body.half_width_m,
+    )
+
+
+def _cut(boxes: _Sampled, part: slice) -> _Sampled:
+    """The boxes of a part and one more at either end."""
+    wide = slice(max(part.start - 1, 0), part.stop + 1)
+    s, x, y, cos, sin = (array[wide] for array in boxes[:5])
+    return _Sampled(s, x, y, cos, sin, boxes.half_length, boxes.half_width)
+
+
+@kernel
+def touching(one: _Sampled, two: _Sampled) -> Bools:
+    """Whether box m of one and box n of the other touch: (m, n)."""
+    result = np.zeros((one.x.shape[0], two.x.shape[0]), dtype=np.bool_)
+    reach = np.hypot(one.half_length, one.half_width) + np.hypot(two.half_length, two.half_width)
+    for m in range(one.x.shape[0]):
+        a = Box(one.x[m], one.y[m], one.cos[m], one.sin[m], one.half_length, one.half_width)
+        for n in range(two.x.shape[0]):
+            dx, dy = two.x[n] - a.x, two.y[n] - a.y
+            if dx * dx + dy * dy <= reach * reach:
+                b = Box(two.x[n], two.y[n], two.cos[n], two.sin[n], two.half_length, two.half_width)
+                result[m, n] = boxes_touch(a, b)
+    return result
+
+
+def _regions(touch: Bools) -> list[tuple[slice, slice]]:
+    """Row and column ranges of the parts into which the touching positions fall."""
+    waiting = [(slice(0, touch.shape[0]), slice(0, touch.shape[1]))]
+    done: list[tuple[slice, slice]] = []
+    while waiting:
+        rows, columns = waiting.pop()
+        parts = [
+            (r, c)
+            for r in _runs(np.logical_or.reduce(touch[rows, columns], axis=1), rows.start)
+            for c in _runs(np.logical_or.reduce(touch[r, columns], axis=0), columns.start)
+        ]
+        if parts == [(rows, columns)]:
+            done.append((rows, columns))
+        else:
+            waiting.extend(parts)
+    return sorted(done, key=lambda part: (part[0].start, part[1].start))
+
+
+def _runs(flags: Bools, offset: int) -> list[slice]:
+    """Runs of True as slices, counted from ``offset``."""
+    edges = np.flatnonzero(np.diff(np.concatenate(([False], flags, [False])).astype(np.int8)))
+    return [
+        slice(int(a) + offset, int(b) + offset)
+        for a, b in zip(edges[::2], edges[1::2], strict=True)
+    ]
+
+
+def _extent(path: Path, body: Body, s: Floats, run: slice, other: _Sampled) -> tuple[float, float]:
+    """Where one enters and leaves the ground that the other's boxes cover.
+
+    One whose path ends there stops there: it never leaves (inf).
+    """
+    enter, leave = float(s[run.start]), inf
+    if run.start > 0:
+        enter = _edge(path, body, float(s[run.start - 1]), enter, other)
+    if run.stop < len(s):
+        leave = _edge(path, body, float(s[run.stop]), float(s[run.stop - 1]), other)
+    return enter, leave
+
+
+def _edge(path: Path, body: Body, free: float, touches: float, other: _Sampled) -> float:
+    """The position between a free and a touching one at which touching begins, by bisection."""
+    while abs(touches - free) > PRECISION_M:
+        middle = (free + touches) / 2
+        if touching(_at(path, body, np.array([middle])), other).any():
+            touches = middle
+        else:
+            free = middle
+    return touches
+
+
+def merge_point(
+    first: Path, second: Path, s_first: Floats, s_second: Floats
+) -> tuple[float, float] | None:
+    """Positions along both paths at which they have become one; None if they only cross.
+
+    A position near 0 says that the path begins on the other: following, no merge.
+    """
+    second_s = np.linspace(s_second[0], s_second[-1], 4 * len(s_second))
+    h1 = np.interp(s_first, first.s_m, first.heading_rad)
+    h2 = np.interp(second_s, second.s_m, second.heading_rad)
+    dx = np.interp(s_first, first.s_m, first.x_m)[:, None] - np.interp(
+        second_s, second.s_m, second.x_m
+    )
+    dy = np.interp(s_first, first.s_m, first.y_m)[:, None] - np.interp(
+        second_s, second.s_m, second.y_m
+    )
+    nearest = np.argmin(dx**2 + dy**2, axis=1)
+    rows = np.arange(len(s_first))
+    turn = np.abs(np.angle(np.exp(1j * (h1 - h2[nearest]))))
+    near = (np.hypot(dx, dy)[rows, nearest] < MERGED_ASIDE_M) & (turn < MERGED_TURN_RAD)
+    for run in _runs(near, 0):
+        if s_first[run.stop - 1] - s_first[run.start] >= MERGED_FOR_M:
+            return float(s_first[run.start]), float(second_s[nearest[run.start]])
+    return None

@@ -1,0 +1,119 @@
+"""Occlusion: how long one participant is hidden from another, and when it comes into sight.
+
+Definition: the target is hidden while the occluder's box cuts all straight lines from the centre
+of the observer's box to the centre and the corners of the target's box. Time of occlusion is the
+longest spell of steps without sight; sight begins at the first step after it.
+Unit: s.
+Direction: a longer occlusion is worse, and so is a later sight.
+Source: line of sight between a point and a box (slab test: Kay, Kajiya, 1986); for occlusion as a
+layer of perception-related scenarios see ISO 34502.
+Validity: flat world, every box as high as the sight line; one occluder at a time: what two hide
+together is not seen as hidden. 0 and nan without occlusion; sight is inf if it never comes.
+"""
+
+from __future__ import annotations
+
+from math import inf, nan
+
+import numpy as np
+
+from scegen.measures.bodies import body_of
+from scegen.measures.boxes import Box, box_at, frames_of
+from scegen.motion.batch.arrays import Bools, Floats, Ints
+from scegen.motion.batch.kernels import inner_kernel, kernel
+
+
+@inner_kernel
+def cuts(box: Box, x0: float, y0: float, x1: float, y1: float) -> bool:
+    """Whether a box cuts the straight line between two points (m, world)."""
+    ax, ay = x0 - box.x, y0 - box.y
+    bx, by = x1 - box.x, y1 - box.y
+    low, high = _slab(
+        0.0, 1.0, ax * box.cos + ay * box.sin, bx * box.cos + by * box.sin, box.half_length
+    )
+    if low > high:
+        return False
+    low, high = _slab(
+        low, high, ay * box.cos - ax * box.sin, by * box.cos - bx * box.sin, box.half_width
+    )
+    return low <= high
+
+
+@inner_kernel
+def _slab(low: float, high: float, start: float, end: float, half: float) -> tuple[float, float]:
+    """The part of a line (0 start, 1 end) within -half..half; empty: (1, 0)."""
+    step = end - start
+    if step == 0.0:
+        return (low, high) if abs(start) <= half else (1.0, 0.0)
+    one, two = (-half - start) / step, (half - start) / step
+    return max(low, min(one, two)), min(high, max(one, two))
+
+
+@inner_kernel
+def hidden(observer: Box, target: Box, occluder: Box) -> bool:
+    """Whether the occluder hides the target's centre and corners from the observer's centre."""
+    if not cuts(occluder, observer.x, observer.y, target.x, target.y):
+        return False
+    lx, ly = target.half_length * target.cos, target.half_length * target.sin
+    wx, wy = -target.half_width * target.sin, target.half_width * target.cos
+    for sign in (-1.0, 1.0):
+        for side in (-1.0, 1.0):
+            x = target.x + sign * lx + side * wx
+            y = target.y + sign * ly + side * wy
+            if not cuts(occluder, observer.x, observer.y, x, y):
+                return False
+    return True
+
+
+@inner_kernel
+def hidden_at(frames: Floats, bodies: Floats, occlusion: Ints, t: int) -> bool:
+    """Whether the target is hidden at step t; ``frames`` of one candidate (i, row, t)."""
+    return hidden(
+        _box(frames, bodies, occlusion[0], t),
+        _box(frames, bodies, occlusion[1], t),
+        _box(frames, bodies, occlusion[2], t),
+    )
+
+
+@inner_kernel
+def _box(frames: Floats, bodies: Floats, i: int, t: int) -> Box:
+    """The box of participant i at step t."""
+    body = body_of(bodies, i)
+    return box_at(frames[i], body.half_length_m, body.half_width_m, t)
+
+
+@kernel
+def occlusion_times(
+    frames: Floats, bodies: Floats, occlusion: Ints, dt_s: float
+) -> tuple[float, float]:
+    """Length of the longest spell without sight, and when sight follows it, s.
+
+    ``frames`` of one candidate (i, row, t); ``occlusion`` (3,): observer, target, occluder.
+    """
+    longest, sight = 0, nan
+    spell = 0
+    for t in range(frames.shape[2]):
+        if hidden_at(frames, bodies, occlusion, t):
+            spell += 1
+            if spell > longest:
+                longest, sight = spell, inf
+        else:
+            if spell > 0 and spell == longest and sight == inf:
+                sight = t * dt_s
+            spell = 0
+    return longest * dt_s, sight
+
+
+@kernel
+def occlusion_series(tracks: Floats, bodies: Floats, occlusions: Ints) -> Bools:
+    """Whether the target is hidden at every step: [candidate, time, occlusion].
+
+    ``occlusions`` (q, 3): observer, target, occluder.
+    """
+    out = np.empty((tracks.shape[0], tracks.shape[3], occlusions.shape[0]), dtype=np.bool_)
+    for c in range(out.shape[0]):
+        frames = frames_of(tracks[c], bodies)
+        for t in range(out.shape[1]):
+            for q in range(out.shape[2]):
+                out[c, t, q] = hidden_at(frames, bodies, occlusions[q], t)
+    return out

@@ -1,0 +1,61 @@
+"""All that the measures know beside the movements: bodies, pairs, lanes shared, conflict areas."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+
+from scegen.measures.bodies import Kind, body_table
+from scegen.measures.conflict_areas import AreaTable, area_table
+from scegen.measures.following import FollowTable, follow_table
+from scegen.measures.injury import PROTECTED, UNPROTECTED
+from scegen.motion.batch.arrays import Floats, Ints
+from scegen.motion.model import Path
+
+
+class Scene(NamedTuple):
+    """Made once per scenario; candidates share it, because they share the paths.
+
+    ``bodies`` (participant, field of ``Body``); ``pairs`` (p, 2) are the indices of the
+    participants measured against each other; ``occlusions`` (q, 3) are observer, target and
+    occluder.
+    """
+
+    bodies: Floats
+    pairs: Ints
+    following: FollowTable
+    areas: AreaTable
+    occlusions: Ints
+
+
+def build_scene(
+    paths: Sequence[Path],
+    kinds: Sequence[Kind],
+    *,
+    pairs: Sequence[tuple[int, int]] | None = None,
+    occlusions: Sequence[tuple[int, int, int]] = (),
+    friction: float = 1.0,
+) -> Scene:
+    """The scene of participants with these paths and kinds.
+
+    Args:
+        paths: one per participant, in the order of the program.
+        kinds: what they are.
+        pairs: who is measured against whom; None for everybody against everybody.
+        occlusions: (observer, target, occluder): does the occluder hide the target.
+        friction: coefficient between tyre and road; 1 on dry asphalt.
+    """
+    bodies = body_table(
+        kinds, friction=friction, protected_curve=PROTECTED, unprotected_curve=UNPROTECTED
+    )
+    chosen = list(combinations(range(len(paths)), 2)) if pairs is None else list(pairs)
+    return Scene(
+        bodies=bodies,
+        pairs=np.array(chosen, dtype=np.int64).reshape(-1, 2),
+        following=follow_table(paths, bodies, chosen),
+        areas=area_table(paths, bodies, chosen),
+        occlusions=np.array(list(occlusions), dtype=np.int64).reshape(-1, 3),
+    )

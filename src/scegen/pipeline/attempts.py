@@ -1,0 +1,98 @@
+"""Which of the logical scenarios are made: those in which all that is said holds come first."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from scegen.concretization import concretize
+from scegen.errors import InfeasibleError
+from scegen.llm import Session
+from scegen.pipeline.options import Options
+from scegen.pipeline.raising import Raising, raise_all
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.logical import LogicalScenario
+from scegen.scenario.proof import Proof
+
+MOST_TRIED = 8
+"""So many scenarios are tried for each that is asked for, where no number names it."""
+
+
+def make_some(
+    functional: FunctionalScenario,
+    picked: Sequence[LogicalScenario],
+    target: str | None,
+    options: Options,
+    progress: Callable[[str], None],
+    session: Session | None = None,
+) -> Raising:
+    """Concrete scenarios of the logical ones, as many as are asked for, their danger raised.
+
+    Those that were picked by name are made whatever comes of them. Of the others, one in which a
+    statement does not hold or the target is not reached is made only if no other will do; what
+    was passed over is told.
+
+    Raises:
+        InfeasibleError: none of them can be made.
+    """
+    wanted = len(picked) if options.pick else min(options.count, len(picked))
+    most = len(picked) if options.pick else MOST_TRIED * wanted
+    tried: list[Raising] = []
+    skipped: dict[str, str] = {}
+    for scenario in picked:
+        good = sum(_flaws(raising) == (0, 0) for raising in tried)
+        if len(tried) >= most or (wanted <= good and not options.pick):
+            break
+        name = f"{scenario.index:03d}-{scenario.slug}"
+        progress(f"concretizing {name}")
+        try:
+            concrete = concretize(functional, scenario, seed=options.seed)
+        except InfeasibleError as error:
+            skipped[name] = error.render()
+            continue
+        tried.append(
+            raise_all(
+                functional,
+                [concrete],
+                target,
+                options.seed,
+                progress,
+                session,
+                solutions=options.solutions,
+            )
+        )
+    if not tried:
+        name, reason = next(iter(skipped.items()))
+        more = f" (and {len(skipped) - 1} more)" if len(skipped) > 1 else ""
+        raise InfeasibleError(f"none of the scenarios can be made: {name}{more}: {reason}")
+    chosen = tried if options.pick else sorted(tried, key=_flaws)[:wanted]
+    passed_over = {
+        name: _why(proof)
+        for raising in tried
+        if all(raising is not taken for taken in chosen)
+        for name, proof in list(raising.proofs.items())[:1]
+    }
+    return _joined(chosen, skipped | passed_over)
+
+
+def _flaws(raising: Raising) -> tuple[int, int]:
+    """Statements that do not hold, targets that are not reached."""
+    proofs = raising.proofs.values()
+    return sum(len(p.missed) for p in proofs), sum(not p.in_band for p in proofs)
+
+
+def _why(proof: Proof) -> str:
+    """Why a scenario was passed over for another."""
+    if proof.missed:
+        missed = "; ".join(claim.statement for claim in proof.missed[:3])
+        return f"passed over: {len(proof.missed)} of {len(proof.claims)} do not hold ({missed})"
+    return f"passed over: the target is not reached ({proof.blocked_by or proof.target})"
+
+
+def _joined(chosen: Sequence[Raising], skipped: dict[str, str]) -> Raising:
+    joined = Raising([], skipped=dict(skipped))
+    for raising in chosen:
+        joined.concretes.extend(raising.concretes)
+        joined.proofs.update(raising.proofs)
+        joined.search_s.update(raising.search_s)
+        joined.skipped.update(raising.skipped)
+    return joined

@@ -1,0 +1,240 @@
+"""What somebody does as acts, in the order of the text."""
+
+from __future__ import annotations
+
+from scegen.scenario.acts import ActKind
+from scegen.scenario.model import Interval
+from scegen.scenario.vocabulary import HazardKind, Maneuver, Side
+from scegen.understanding.amounts.sentences import Sentences
+from scegen.understanding.chunks import Event, Mention, Place
+from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.frames import ActFrame, acts
+from scegen.understanding.happenings import Amount, Doing
+from scegen.understanding.meaning.context import Context, Scene
+
+_SIDES = {"left": Side.LEFT, "right": Side.RIGHT}
+_OTHER = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT}
+_BEGINNING = frozenset({"start", "begin", "commence", "set"})
+_WISHING = frozenset({"want", "intend", "plan", "hope", "wish", "aim"})
+_PREVENTED = frozenset({"fail", "avoid", "prevent", "delay", "encounter"})
+_SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
+_DRIVEN = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.CHANGE_LANE, ActKind.SWERVE,
+                     ActKind.REVERSE, ActKind.TURN, ActKind.OVERTAKE})  # fmt: skip
+_RESTING = frozenset({"stop", "wait", "unknown"})
+
+
+def acts_in(text: Sentences, context: Context) -> list[Doing]:
+    """Everything that is done; of each participant once where it is only told again.
+
+    Args:
+        text: the text with its clauses.
+        context: the scenario in the making, everything else understood.
+    """
+    found: list[Doing] = []
+    described = [s for s in text.scenes if s.event.premod_of is not None]
+    told = [s for s in text.scenes if s.event.premod_of is None]
+    for scene in told:
+        for doing in _acts_of(scene, text, context):
+            if not _continued(doing, found, text) and not _told_again(doing, found, text):
+                found.append(doing)
+    for scene in described:  # "the braking car ahead": unless the text tells of it
+        for doing in _acts_of(scene, text, context):
+            known = any(d.entity is doing.entity and d.kind is doing.kind for d in found)
+            braking = doing.kind is ActKind.BRAKE and scene.event.form == "ing"
+            if braking and not known:
+                found.append(doing)
+    found.sort(key=lambda d: d.i)
+    return found
+
+
+def _acts_of(scene: Scene, text: Sentences, context: Context) -> list[Doing]:
+    event = scene.event
+    parent = event.parent
+    changed = [e for e in scene.actors if _changes_lane(e, event)]
+    frame = ActFrame(ActKind.CHANGE_LANE, always=True) if changed else acts().get(event.name)
+    if frame is None or event.negated or event.unable:
+        return []
+    if parent is not None and (parent.name in _PREVENTED or parent.negated):
+        return []
+    if parent is not None and text.tokens[parent.i].forms[-1][0] in _WISHING:
+        return []  # "wants to pass a truck"
+    basis = Basis(event.i, event.j)
+    made = []
+    for entity in scene.actors:
+        kind = _kind(frame.kind, entity, event, text)
+        if kind is None or _stands_then(entity, event):
+            continue
+        always = (
+            (frame.always or kind is ActKind.CHANGE_LANE)
+            and not (event.modal and parent is None)
+            and not _forced(event)
+        )
+        always = always and not (kind is ActKind.STOP and not entity.is_vehicle)
+        doing = Doing(kind, entity, basis, event.i, always=always)
+        _aside(doing, scene, context)
+        _to_standstill(doing, text)
+        made.append(doing)
+    return made
+
+
+def _changes_lane(entity: Entity, event: Event) -> bool:
+    """Whether it is this verb that says that somebody changes lanes."""
+    basis = entity.maneuver_basis
+    moved = Maneuver.LANE_CHANGE in entity.maneuvers
+    return moved and basis is not None and basis.i == event.i
+
+
+def _kind(kind: ActKind, entity: Entity, event: Event, text: Sentences) -> ActKind | None:
+    """``starts to walk``: crosses; ``veers into the left lane``: changes lanes."""
+    afoot = not entity.is_vehicle
+    if kind in _DRIVEN and afoot:
+        return None
+    if kind is ActKind.OVERTAKE and Maneuver.OVERTAKE not in entity.maneuvers:
+        return None
+    if kind is ActKind.CROSS and not afoot and Maneuver.CROSS not in entity.maneuvers:
+        return None
+    if kind is ActKind.CHANGE_LANE and _changes_lane(entity, event):
+        return kind
+    if event.name == "move":
+        verb = event.parent.i if event.parent is not None else event.i
+        begins = text.tokens[verb].forms[-1][0] in _BEGINNING
+        begins = begins or text.tokens[event.i].forms[-1][0] in _BEGINNING
+        crosses = Maneuver.CROSS in entity.maneuvers
+        return (ActKind.CROSS if crosses else ActKind.SET_OFF) if begins else None
+    if event.name == "pull_out" and Maneuver.LANE_CHANGE in entity.maneuvers:
+        return ActKind.CHANGE_LANE
+    if event.name == "pull_out" and Maneuver.OVERTAKE in entity.maneuvers:
+        return ActKind.OVERTAKE
+    if kind is ActKind.SET_OFF and not (entity.pulls_out or entity.was_parked or entity.stands):
+        return None
+    if event.name == "merge" and Maneuver.LANE_CHANGE not in entity.maneuvers:
+        return None
+    if event.name == "cut_off" and Maneuver.LANE_CHANGE not in entity.maneuvers:
+        return None
+    return kind
+
+
+def _forced(event: Event) -> bool:
+    """``forces the ego to brake``: what the one under test has to do, not what it is made to do."""
+    parent = event.parent
+    return event.modal or (parent is not None and parent.name in {"cause", "prevent"})
+
+
+def _stands_then(entity: Entity, event: Event) -> bool:
+    """``has stopped in the lane``: where it is, nothing that it does."""
+    own = entity.stands is not None and entity.stands.i == event.i
+    return (own or entity.parked or (entity.stands is not None and entity.sets_off < 0)) and (
+        event.name in {"stop", "wait"}
+    )
+
+
+def _aside(doing: Doing, scene: Scene, context: Context) -> None:
+    """To which side, and into whose lane."""
+    if doing.kind not in {ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.TURN, ActKind.OVERTAKE}:
+        return
+    event, entity = scene.event, doing.entity
+    goals = [event.object, *(p.target for p in event.pps if p.value in {"into", "to", "for", "in"})]
+    sides = [(d.value, Basis(d.i, d.j)) for d in event.dirs]
+    sides += [(d, Basis(p.i, p.j)) for p in goals if isinstance(p, Place) for d in p.dirs]
+    for value, basis in sides:
+        if value in _SIDES and doing.side is None:
+            doing.side, doing.side_basis = _SIDES[value], basis
+    if doing.kind is ActKind.TURN:
+        return
+    sources = [p.target for p in event.pps if p.value == "from" or p.outer == "from"]
+    for place in sources:
+        named = [d for d in place.dirs if d in _SIDES] if isinstance(place, Place) else []
+        if named and doing.side is None and place is not None:
+            doing.side, doing.side_basis = _OTHER[_SIDES[named[0]]], Basis(place.i, place.j)
+    _into(doing, scene, context)
+    homeward = doing.into is None or doing.into.ego
+    if homeward and doing.kind is ActKind.CHANGE_LANE and doing.side is None and entity.beside:
+        side, words = entity.beside
+        doing.side = _OTHER[_SIDES[side]] if side in _SIDES else None
+        doing.side_basis = Basis(words.i, words.j, "into the lane beside its own")
+
+
+def _into(doing: Doing, scene: Scene, context: Context) -> None:
+    if doing.kind is not ActKind.CHANGE_LANE:
+        return
+    event = scene.event
+    goals = [event.object, *(p.target for p in event.pps if p.value in {"into", "to", "for"})]
+    lanes = [g for g in goals if isinstance(g, Place) and g.kind in {"lane", "path"}]
+    owners = [e for g in lanes if g.owner is not None for e in g.owner.entities]
+    ahead = [
+        e
+        for p in event.pps
+        if p.word.cat == "locus" and p.value == "ahead" and isinstance(p.target, Mention)
+        for e in p.target.entities
+    ]
+    cut = [
+        e
+        for d in context.draft.dangers
+        if d.kind is HazardKind.CUT_IN and doing.entity in d.by
+        for e in (d.to or [x for x in context.draft.entities if x.ego])
+    ]
+    named = [e for e in (*owners, *scene.targets, *ahead, *cut) if e is not doing.entity]
+    if named:
+        doing.into, doing.into_basis = named[0], Basis(event.i, event.j)
+
+
+def _to_standstill(doing: Doing, text: Sentences) -> None:
+    """``brakes to a stop``, ``an emergency stop``."""
+    if doing.kind is not ActKind.BRAKE:
+        return
+    end = text.bounds(doing.i)[1]
+    later = [s.event.i for s in text.within(doing.i + 1, end) if s.event.name not in _RESTING]
+    phrase = text.says("standstill", doing.i, min([end, *later]))
+    if phrase is not None:
+        span = _find(text, phrase, doing.i)
+        doing.amounts["target_speed_mps"] = Amount(_zero(), Basis(*span))
+
+
+def _zero() -> Interval:
+    return Interval(low=0.0, high=0.0)
+
+
+def _find(text: Sentences, phrase: str, i: int) -> tuple[int, int]:
+    """Where a phrase stands from a token on."""
+    wanted = phrase.split()
+    for k in range(max(0, i), len(text.tokens)):
+        if [t.low for t in text.tokens[k : k + len(wanted)]] == wanted:
+            return k, k + len(wanted)
+    return i, i + 1
+
+
+def _continued(doing: Doing, found: list[Doing], text: Sentences) -> bool:
+    """``brakes and stops``: one act that ends at standstill."""
+    before = next((d for d in reversed(found) if d.entity is doing.entity), None)
+    if doing.kind is not ActKind.STOP or before is None or before.kind is not ActKind.BRAKE:
+        return False
+    same = text.bounds(before.i) == text.bounds(doing.i)
+    if not same or "target_speed_mps" in before.amounts:
+        if same:
+            before.told.append(doing.i)
+        return same
+    before.amounts["target_speed_mps"] = Amount(_zero(), doing.basis)
+    before.told.append(doing.i)
+    return True
+
+
+def _told_again(doing: Doing, found: list[Doing], text: Sentences) -> bool:
+    """Whether the same is only told another time: no words of order, and no other sentence part."""
+    before = next((d for d in reversed(found) if d.entity is doing.entity), None)
+    if before is None or before.kind is not doing.kind:
+        alike = before is not None and {before.kind, doing.kind} <= _SLOWING
+        return alike and before is not None and before.kind is ActKind.BRAKE and not doing.always
+    if before.i == doing.i:
+        return True
+    before.told.append(doing.i)
+    ordered = text.says("then", before.basis.j or before.i, doing.i)
+    if ordered is not None:
+        before.told.pop()
+        return False
+    before.side = before.side or doing.side
+    before.side_basis = before.side_basis or doing.side_basis
+    before.into = before.into or doing.into
+    before.into_basis = before.into_basis or doing.into_basis
+    before.always = before.always or doing.always
+    before.amounts = {**doing.amounts, **before.amounts}
+    return True

@@ -1,0 +1,174 @@
+"""Numbers that say how an act is done: how hard, how fast at the end, how long, how far aside."""
+
+from __future__ import annotations
+
+from scegen.scenario.acts import ActKind
+from scegen.scenario.model import Interval
+from scegen.scenario.vocabulary import Side
+from scegen.understanding.amounts.sentences import Sentences
+from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.frames import Measured
+from scegen.understanding.frames import acts as frames
+from scegen.understanding.happenings import Amount, Doing, Happenings, Trigger, amount_of, exactly
+from scegen.understanding.meaning.context import Scene
+
+_ALONG = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.STOP, ActKind.SET_OFF})
+_ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE})
+_ANY = frozenset(ActKind)
+FIELDS: dict[str, tuple[str, frozenset[ActKind]]] = {
+    "rate": ("rate_mps2", _ALONG),
+    "speed_after": ("target_speed_mps", _ALONG),
+    "speed_change": ("target_speed_mps", _ALONG),
+    "duration": ("duration_s", _ANY),
+    "distance": ("distance_m", _ANY),
+    "lateral_speed": ("lateral_mps", _ASIDE),
+    "lateral_move": ("lateral_m", _ASIDE),
+}
+"""Role of a number -> field of an act, and which acts have it."""
+
+
+class Filler:
+    """Gives numbers to acts.
+
+    Args:
+        text: the text with its clauses.
+        happenings: what the text tells of.
+    """
+
+    def __init__(self, text: Sentences, happenings: Happenings) -> None:
+        self._text = text
+        self._happenings = happenings
+
+    def read(self, number: Measured) -> bool:
+        """One number; whether an act takes it.
+
+        Args:
+            number: the number.
+        """
+        role = number.frame.role
+        name, kinds = FIELDS[role]
+        doing = self._act(number, kinds, name)
+        if doing is None and role == "duration":
+            return self._before_the_next(number)
+        if doing is None:
+            doing = self._made(number, role)
+        if doing is None:
+            return False
+        plain = role.startswith("lateral") or role in {"duration", "distance"}
+        amount = exactly(number) if plain else amount_of(number)
+        if role == "rate" and doing.kind is ActKind.STOP:
+            doing.kind = ActKind.BRAKE
+            doing.amounts.setdefault("target_speed_mps", Amount(_still(), doing.basis))
+        if role == "speed_change":
+            changed = self._changed(doing, number)
+            if changed is None:
+                return False
+            amount = changed
+        if role == "lateral_move" and name in doing.amounts:
+            doing = self._further(doing)
+        if role == "lateral_move":
+            self._side(doing, number)
+        for same in self._alike(doing):
+            if name in same.amounts and same.amounts[name].value != amount.value:
+                return False
+            same.amounts.setdefault(name, amount)
+            if same.amounts[name] is not amount:
+                self._happenings.further.append((f"{name}", same.entity, amount.basis))
+        return True
+
+    def _alike(self, doing: Doing) -> list[Doing]:
+        """``both brake with 6 m/s²``: each of them."""
+        return [a for a in self._happenings.acts if a.i == doing.i and a.kind is doing.kind]
+
+    def _act(self, number: Measured, kinds: frozenset[ActKind], name: str) -> Doing | None:
+        """The act of a number: the last before it in its sentence, else the next, else the last."""
+        start, end = self._text.bounds(number.i)
+        fitting = [a for a in self._happenings.acts if a.kind in kinds]
+        here = [a for a in fitting if start <= a.i < end]
+        scene = self._text.scene_at(number.i, number.j)
+        if number.frame.role == "duration" and scene is not None:
+            own = [a for a in here if scene.event.i in (a.i, *a.told)]
+            if not own:
+                own = self._named_by(scene, fitting)
+            return own[-1] if own else None
+        before = [a for a in here if a.i < number.i]
+        free = [a for a in before if name not in a.amounts]
+        if number.frame.role == "lateral_move" and before:
+            return before[-1]
+        if free and before and free[-1].i == before[-1].i:
+            return free[-1]
+        after = [a for a in here if a.i > number.i and name not in a.amounts]
+        if after and not before:
+            return after[0]
+        if before:
+            return before[-1]
+        earlier = [a for a in fitting if a.i < start and name not in a.amounts]
+        spoken = any(m.entities for m in self._text.mentions if start <= m.i < number.i)
+        same = [a for a in earlier if not spoken or a.entity in self._text.subject_before(number.i)]
+        return same[-1] if same and (not here) else None
+
+    def _named_by(self, scene: Scene, acts: list[Doing]) -> list[Doing]:
+        """``the lane change takes 5 s``: of the act that a noun names."""
+        noun = scene.event if scene.event.nominal else scene.event.parent
+        frame = frames().get(noun.name) if noun is not None and noun.nominal else None
+        return [a for a in acts if frame is not None and a.kind is frame.kind]
+
+    def _made(self, number: Measured, role: str) -> Doing | None:
+        """``lead car, deceleration 6 m/s²``: an act that only its amount tells of."""
+        kind = {"rate": ActKind.BRAKE, "lateral_move": ActKind.SWERVE}.get(role)
+        who = self._text.subject_before(number.i)
+        if kind is None or not who:
+            return None
+        accelerates = any(w in number.around.before for w in ("accelerat", "start", "sets off"))
+        kind = ActKind.ACCELERATE if role == "rate" and accelerates else kind
+        doing = Doing(kind, who[0], amount_of(number).basis, number.i)
+        self._happenings.acts.append(doing)
+        self._happenings.acts.sort(key=lambda a: a.i)
+        return doing
+
+    def _changed(self, doing: Doing, number: Measured) -> Amount | None:
+        """``slows by 20 km/h``: from the speed that it had."""
+        speed = doing.entity.speed
+        if speed is None:
+            return None
+        sign = 1 if doing.kind is ActKind.ACCELERATE else -1
+        by = number.quantity.value
+        low, high = sorted((speed.low + sign * by.low, speed.high + sign * by.high))
+        if low < 0:
+            return None
+        reason = "its speed before, changed by so much"
+        return Amount(Interval(low=low, high=high), Basis(number.i, number.j, reason))
+
+    def _further(self, doing: Doing) -> Doing:
+        """``1 m to the left and 1 m to the right``: one after the other."""
+        second = Doing(doing.kind, doing.entity, doing.basis, doing.i + 1)
+        second.when = Trigger("after", doing.basis, act=doing)
+        at = self._happenings.acts.index(doing)
+        self._happenings.acts.insert(at + 1, second)
+        return second
+
+    def _side(self, doing: Doing, number: Measured) -> None:
+        for k in range(number.j, min(number.j + 4, len(self._text.tokens))):
+            low = self._text.tokens[k].low
+            if low in {"left", "right"}:
+                doing.side, doing.side_basis = Side(low), Basis(k, k + 1)
+                return
+            if self._text.tokens[k].kind in {"punct", "number"}:
+                return
+
+    def _before_the_next(self, number: Measured) -> bool:
+        """``holds it for 5 s and then slows``: how long until the next act."""
+        later = [a for a in self._happenings.acts if a.i > number.i and a.always]
+        who: list[Entity] = self._text.subject_before(number.i)
+        own = [a for a in later if a.entity in who]
+        if not own or own[0].when is not None:
+            return False
+        before = [a for a in self._happenings.acts if a.i < number.i and a.entity in who]
+        doing, amount = own[0], amount_of(number)
+        doing.when = Trigger("after" if before else "start", amount.basis, amount)
+        doing.when.act = before[-1] if before else None
+        return True
+
+
+def _still() -> Interval:
+    return Interval(low=0.0, high=0.0)

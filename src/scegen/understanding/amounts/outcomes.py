@@ -1,0 +1,278 @@
+"""How it ends: who touches whom, nearly or not at all, and where on the ego."""
+
+from __future__ import annotations
+
+from scegen.scenario.model import Interval
+from scegen.scenario.outcome import OutcomeKind
+from scegen.scenario.spacings import CONTACT, Measure
+from scegen.scenario.vocabulary import Approach, BodySide, Maneuver
+from scegen.understanding.amounts.sentences import Sentences
+from scegen.understanding.amounts.whom import counterpart, ego_of
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place
+from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.frames import Measured, words
+from scegen.understanding.happenings import Amount, Apart, Ending, Happenings, amount_of
+from scegen.understanding.meaning.context import Context, Scene
+
+_BEFORE = 4
+_WHOLE, _HALF = 100.0, 50.0
+_PARTS = {"front": BodySide.FRONT, "rear": BodySide.REAR, "left": BodySide.LEFT,
+          "right": BodySide.RIGHT}  # fmt: skip
+_OPPOSED = {BodySide.FRONT: BodySide.REAR, BodySide.REAR: BodySide.FRONT}
+_REACH = 7
+
+
+class Judge:
+    """Reads the outcome.
+
+    Args:
+        text: the text with its clauses.
+        context: the scenario in the making.
+        happenings: what the text tells of; the ending is set.
+    """
+
+    def __init__(self, text: Sentences, context: Context, happenings: Happenings) -> None:
+        self._text = text
+        self._context = context
+        self._happenings = happenings
+
+    def read(self) -> None:
+        """The outcome, as verbs tell it, or nouns where none does."""
+        endings = [e for s in self._text.scenes if (e := self._of_verb(s)) is not None]
+        endings += self._of_phrases()
+        for kind in (OutcomeKind.COLLISION, OutcomeKind.NEAR_MISS, OutcomeKind.AVOIDED):
+            told = [e for e in endings if e.kind is kind]
+            if told:
+                self._happenings.ending = told[0]
+                break
+        if self._happenings.ending is not None:
+            self._where(self._happenings.ending)
+        self._overlaps()
+
+    def _of_verb(self, scene: Scene) -> Ending | None:
+        event = scene.event
+        if event.premod_of is not None or not self._meets(scene):
+            return None
+        start = max(self._text.bounds(event.i)[0], event.i - _BEFORE)
+        basis = Basis(event.i, event.j)
+        nearly = self._phrase("nearly", start, event.i)
+        parent = event.parent
+        held_off = parent is not None and parent.name in {"avoid", "prevent", "fail"}
+        if event.name == "overlook":
+            kind = OutcomeKind.NEAR_MISS
+        elif nearly is not None:
+            kind, basis = OutcomeKind.NEAR_MISS, Basis(nearly[0], event.j)
+        elif event.negated or held_off or self._before_it(event):
+            kind = OutcomeKind.AVOIDED
+        elif event.modal or self._supposed(start, event.i):
+            return None
+        else:
+            kind = OutcomeKind.COLLISION
+        return Ending(kind, basis, self._between(scene))
+
+    def _meets(self, scene: Scene) -> bool:
+        """Verbs of contact; "meets head-on"; "just misses"."""
+        event = scene.event
+        lemma = self._text.tokens[event.i].forms[-1][0]
+        if event.name == "overlook" and lemma == "miss":
+            start = max(0, event.i - _BEFORE)
+            return self._phrase("nearly", start, event.i) is not None
+        part = isinstance(event.object, Place) and event.object.kind in {"side", "middle", "front"}
+        meets = lemma == "meet" and (event.how("head_on") is not None or part)
+        return event.name == "collide" or meets
+
+    def _supposed(self, start: int, end: int) -> bool:
+        """``could hit``, ``to avoid hitting``: not that it happens."""
+        low = self._text.low(start, end)
+        return any(f" {w} " in low for w in words()["supposed"] if w != "to") or low.endswith(
+            " to "
+        )
+
+    def _before_it(self, event: Event) -> bool:
+        """``stops just before hitting it``."""
+        before = {t.low for t in self._text.tokens[max(0, event.i - 2) : event.i]}
+        return bool(before & {"before", "without"}) and event.form == "ing"
+
+    def _phrase(self, name: str, start: int, end: int) -> tuple[int, int] | None:
+        """Where a phrase of a list stands between two tokens."""
+        lows = [t.low for t in self._text.tokens[start:end]]
+        for phrase in words()[name]:
+            wanted = phrase.split()
+            for k in range(len(lows) - len(wanted) + 1):
+                if lows[k : k + len(wanted)] == wanted:
+                    return start + k, start + k + len(wanted)
+        return None
+
+    def _of_phrases(self) -> list[Ending]:
+        found = []
+        for name in ("near_miss", "avoided", "collision"):
+            span = self._phrase(name, 0, len(self._text.tokens))
+            if span is None:
+                continue
+            start = max(self._text.bounds(span[0])[0], span[0] - _BEFORE)
+            if name == "collision" and self._supposed(start, span[0]):
+                continue
+            who = self._around(span[0], None)
+            found.append(Ending(OutcomeKind(name), Basis(*span), who))
+        return found
+
+    def _between(self, scene: Scene) -> list[Entity]:
+        """Who touches whom: by the verb, by whose part is named, by who is named around."""
+        who = [*scene.actors, *scene.targets]
+        if len(who) > 2 and scene.actors and scene.targets:
+            return [scene.actors[0], scene.targets[0]]
+        if len(who) == 2:
+            return who
+        return self._around(scene.event.i, who[0] if who else None)
+
+    def _around(self, i: int, known: Entity | None) -> list[Entity]:
+        start, end = self._text.bounds(i)
+        before = [e for m in self._text.mentions if start <= m.i < i for e in m.entities]
+        after = [e for m in self._text.mentions if i <= m.i < end for e in m.entities]
+        if not before and not after and known is None:
+            before = [e for m in self._text.mentions for e in m.entities]
+        chosen = [known] if known is not None else []
+        for entity in (*reversed(before), *after):
+            if entity not in chosen and not entity.parked and len(chosen) < 2:
+                chosen.append(entity)
+        if len(chosen) == 1:
+            near = [e for m in self._text.mentions if m.i < i for e in m.entities]
+            other = counterpart(chosen[0], self._context, near)
+            chosen += [other] if other is not None else []
+        return chosen if len(chosen) == 2 else []
+
+    def _where(self, ending: Ending) -> None:
+        """``the middle of the ego's front``, ``hits its rear``: on which side of the ego, and where."""
+        i = ending.basis.i or 0
+        start, end = self._text.bounds(i)
+        ego = ego_of(self._context)
+        for place in self._text.places(start, end, {"side", "front"}):
+            part = next((_PARTS[d] for d in place.dirs if d in _PARTS), None)
+            if place.kind == "front":
+                part = BodySide.FRONT
+            whose = self._owner(place, i)
+            flank = part is not None and part not in _OPPOSED
+            hit_by = place.prep is not None and place.prep.value in {"by", "with"}
+            on = place.prep is not None and place.prep.value == "in" and place.head is not None
+            hit_by = hit_by or (on and ego is not None and self._is_hit(ego, i))
+            if part is None or whose is None or (flank and not (hit_by and whose is ego)):
+                continue
+            basis = Basis(place.i, place.j)
+            if whose is ego and ending.struck is None:
+                ending.struck, ending.struck_basis = part, basis
+                self._middle(ending, place, start)
+            elif (
+                ending.struck is None
+                and not flank
+                and ego in ending.between
+                and part is BodySide.REAR
+            ):
+                ending.struck, ending.struck_basis = BodySide.FRONT, basis
+                if ego is not None and self._is_hit(ego, i):
+                    ending.struck = None
+        self._by_the_bonnet(ending, start, end)
+
+    def _by_the_bonnet(self, ending: Ending, start: int, end: int) -> None:
+        """``by the centre of the bonnet``: a part that only the ego can mean."""
+        tokens = self._text.tokens
+        for k in range(start, end):
+            if tokens[k].low not in words()["middle"] or ending.impact is not None:
+                continue
+            after = [t.low for t in tokens[k + 1 : min(k + _REACH, end)]]
+            part = next((n for n, low in enumerate(after) if low in words()["parts"]), None)
+            owners = [
+                e
+                for m in self._text.mentions
+                if part is not None and k < m.i <= k + 1 + part
+                for e in m.entities
+            ]
+            if part is not None and after[:1] == ["of"] and all(e.ego for e in owners):
+                value = Interval(low=_HALF, high=_HALF)
+                ending.impact = Amount(value, Basis(k, k + 2 + part))
+
+    def _is_hit(self, ego: Entity, i: int) -> bool:
+        return any(
+            ego in s.targets and ego not in s.actors for s in self._text.scenes if s.event.i == i
+        )
+
+    def _owner(self, place: Place, i: int) -> Entity | None:
+        """Whose part it is: "the ego's front", "the rear of the car", "its rear"."""
+        if place.owner is not None and place.owner.entities:
+            return place.owner.entities[0]  # type: ignore[no-any-return]
+        k = next(k for k, c in enumerate(self._text.chunks) if c is place)
+        of = self._text.chunks[k + 1 : k + 3]
+        if len(of) == 2 and getattr(of[0], "value", "") == "of" and isinstance(of[1], Mention):
+            return of[1].entities[0] if of[1].entities else None
+        own = any(m.cat == "possessive" and m.value == "its" for m in place.mods)
+        scene = next((s for s in self._text.scenes if s.event.i == i), None)
+        if scene is None:
+            return None
+        direct = scene.event.object is place
+        if direct and scene.targets:
+            return scene.targets[0]
+        if own and scene.event.passive and place.prep is not None and place.prep.value == "in":
+            return scene.targets[0] if scene.targets else None  # "is hit on its right side"
+        if own or not direct:
+            doer = scene.actors[0] if scene.actors else None
+            hit_by = scene.event.passive and place.prep is not None and place.prep.value == "by"
+            return ego_of(self._context) if hit_by or doer is None else doer
+        return None
+
+    def _middle(self, ending: Ending, place: NounPhrase, start: int) -> None:
+        """``with the middle of its front``."""
+        for k in range(max(start, place.i - _REACH), place.i):
+            if self._text.tokens[k].low in words()["middle"]:
+                value = Interval(low=_HALF, high=_HALF)
+                ending.impact = Amount(value, Basis(k, place.j))
+
+    def impact(self, number: Measured) -> bool:
+        """``at 25 % of its width counted from its right side``.
+
+        Args:
+            number: the share.
+        """
+        ego = ego_of(self._context)
+        ending = self._happenings.ending
+        if ending is None:
+            who = self._around(number.i, ego)
+            ending = Ending(OutcomeKind.COLLISION, amount_of(number).basis, who)
+            self._happenings.ending = ending
+        _, end = self._text.bounds(number.i)
+        left = self._edge("left_edge", number.j, end)
+        right = self._edge("right_edge", number.j, end)
+        value, basis = number.quantity.exact, amount_of(number).basis
+        if not left and not right:
+            other = next((e for e in ending.between if e is not ego), None)
+            right = other is not None and self._from_the_right(other)
+            if value.low != value.high or value.low != _HALF:
+                side = "right" if right else "left"
+                reason = f"counted from the {side}, from where the other comes"
+                basis = Basis(basis.i, basis.j, reason)
+        if right and not left:
+            value = Interval(low=_WHOLE - value.high, high=_WHOLE - value.low)
+        if ending.impact is None or basis.reason is None:
+            ending.impact = Amount(value, basis)
+        return True
+
+    def _edge(self, name: str, start: int, end: int) -> bool:
+        return self._phrase(name, start, end) is not None
+
+    def _from_the_right(self, entity: Entity) -> bool:
+        crosses = Maneuver.CROSS in entity.maneuvers or not entity.is_vehicle
+        return crosses and self._context.placed(entity, Approach.RIGHT)
+
+    def _overlaps(self) -> None:
+        """``with full overlap``: a share without a number."""
+        ending = self._happenings.ending
+        ego = ego_of(self._context)
+        for name, share in (("full_overlap", _WHOLE), ("half_overlap", _HALF)):
+            span = self._phrase(name, 0, len(self._text.tokens))
+            if span is None or ego is None:
+                continue
+            named = [e for e in ending.between if e is not ego] if ending is not None else []
+            near = [e for m in self._text.mentions if m.i < span[0] for e in m.entities]
+            other = named[0] if named else counterpart(ego, self._context, near)
+            if other is not None:
+                amount = Amount(Interval(low=share, high=share), Basis(*span))
+                apart = Apart(Measure.OVERLAP_PERCENT, other, ego, amount, CONTACT)
+                self._happenings.spacings.append(apart)

@@ -1,0 +1,182 @@
+"""Finds one's way in a text: its sentences, the clause of a word, who is spoken of there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
+from scegen.understanding.draft import Entity
+from scegen.understanding.frames import words
+from scegen.understanding.meaning.context import Scene
+from scegen.understanding.words.tokens import Token
+
+_PARENTHESIS = 2
+_ENDS = frozenset({".", ";", "!", "?", "\n"})
+
+
+class Sentences:
+    """A text with its clauses, mentions resolved.
+
+    Args:
+        tokens: its tokens.
+        chunks: its chunks.
+        scenes: what happens, in the order of the text.
+    """
+
+    def __init__(self, tokens: list[Token], chunks: list[Chunk], scenes: list[Scene]) -> None:
+        self.tokens = tokens
+        self.chunks = chunks
+        self.scenes = scenes
+        self.mentions = [c for c in chunks if isinstance(c, Mention)]
+        self._subs = [c for c in chunks if isinstance(c, Word) and c.cat == "sub"]
+
+    def bounds(self, i: int) -> tuple[int, int]:
+        """Where the sentence of a token begins and ends."""
+        start, end = i, i
+        while start > 0 and self.tokens[start - 1].low not in _ENDS:
+            start -= 1
+        while end < len(self.tokens) and self.tokens[end].low not in _ENDS:
+            end += 1
+        return start, end
+
+    def within(self, start: int, end: int) -> list[Scene]:
+        """What happens between two tokens, participles before nouns left out."""
+        return [s for s in self.scenes if start <= s.event.i < end and s.event.premod_of is None]
+
+    def low(self, i: int, j: int) -> str:
+        """The words of some tokens, with a blank at either end."""
+        return f" {' '.join(t.low for t in self.tokens[max(0, i) : j])} "
+
+    def says(self, name: str, i: int, j: int) -> str | None:
+        """The first phrase of a list that stands between two tokens."""
+        text = self.low(i, j)
+        return next((p for p in words()[name] if f" {p} " in text), None)
+
+    def scene_at(self, i: int, j: int) -> Scene | None:
+        """The clause in which a number stands.
+
+        Args:
+            i: index of the first token of the number.
+            j: index after the last one.
+        """
+        for scene in self.scenes:
+            if any((m.i, m.j) == (i, j) for m in scene.event.mods):
+                return scene
+        start, end = self.bounds(i)
+        here = [s for s in self.within(start, end) if s.event.name not in {"inert", "match"}]
+        before = [s for s in here if s.event.i < i]
+        return before[-1] if before else next(iter(here), None)
+
+    def subordinate(self, i: int) -> tuple[int, int, str] | None:
+        """The clause that sets something off in which a token stands: begin, end, opening words."""
+        start, stop = self.bounds(i)
+        opened = [c for c in self._subs if start <= c.i <= i]
+        if not opened:
+            return None
+        word = opened[-1]
+        opening = self.low(word.i, word.j).strip()
+        begin = word.i
+        marks = sum(t.low == "," for t in self.tokens[begin:i])
+        if marks not in {0, _PARENTHESIS}:
+            return None  # "when the ego, at 40 km/h, is 20 m away"
+        end = next((k for k in range(i, stop) if self._closes(k)), stop)
+        return begin, end, opening
+
+    def own_subject(self, i: int) -> list[Entity]:
+        """Whom a clause after "when", "while" … is about in which a token stands."""
+        start, _ = self.bounds(i)
+        opened = [c for c in self._subs if start <= c.i <= i]
+        if not opened:
+            return []
+        inside = [m for m in self.mentions if opened[-1].i < m.i < i and m.entities]
+        free = [m for m in inside if m.prep is None and not m.possessor]
+        return list(free[0].entities) if free else []
+
+    def _closes(self, k: int) -> bool:
+        """Whether a clause ends at a token: a comma, "and then"."""
+        pair = [t.low for t in self.tokens[k : k + 2]]
+        return pair[:1] == [","] or pair == ["and", "then"]
+
+    def holder(self, i: int, j: int) -> list[Entity]:
+        """Whom a number is said of by standing with the noun ("the car at 50 km/h")."""
+        for mention in self.mentions:
+            if any((m.i, m.j) == (i, j) for m in mention.mods):
+                return list(mention.entities)
+        return []
+
+    def adjacent(self, i: int) -> list[Entity]:
+        """Who is named right before a token, forms of "to be" and adverbs skipped."""
+        start, _ = self.bounds(i)
+        for chunk in reversed(self.chunks):
+            if chunk.j > i:
+                continue
+            if chunk.j <= start:
+                return []
+            if isinstance(chunk, Mention):
+                return [] if chunk.possessor else list(chunk.entities)
+            copula = isinstance(chunk, Word) and (
+                chunk.cat in {"aux", "manner", "unknown"} or chunk.value in {"(", ","}
+            )
+            if not copula or chunk.value == ",":
+                return []
+        return []
+
+    def subject_before(self, i: int) -> list[Entity]:
+        """Who a sentence is about up to a token: the subject of its last verb, or its first noun.
+
+        Args:
+            i: index of a token.
+        """
+        start, _ = self.bounds(i)
+        own = self.adjacent(i)
+        if own:
+            return own
+        before = [s for s in self.within(start, i) if s.actors]
+        named = [m for m in self.mentions if start <= m.i < i and m.entities]
+        free = [m for m in named if m.prep is None and not m.possessor]
+        last = before[-1] if before else None
+        if last is not None and free and free[-1].i > last.event.i:
+            objects = {id(last.event.object)}
+            later = [m for m in free if m.i > last.event.i and id(m) not in objects]
+            if later:
+                return list(later[-1].entities)
+        if last is not None:
+            return list(last.actors)
+        return list((free or named)[-1].entities) if (free or named) else []
+
+    def phrase_after(self, j: int) -> tuple[Prep | Word, NounPhrase | None] | None:
+        """A phrase of place right after a number: "ahead of the ego", "from the junction".
+
+        Args:
+            j: index after the number.
+        """
+        k = next((k for k, c in enumerate(self.chunks) if c.i >= j), len(self.chunks))
+        while k < len(self.chunks) and getattr(self.chunks[k], "value", "") in {"(", ")"}:
+            k += 1  # "26.7 m (1.6 s) behind a car"
+            while k < len(self.chunks) and getattr(self.chunks[k], "cat", "") == "quantity":
+                k += 1
+        word = self.chunks[k] if k < len(self.chunks) else None
+        if not isinstance(word, Word):
+            return None
+        for chunk in self.chunks[k + 1 : k + 5]:
+            if isinstance(chunk, Mention | Place | Thing):
+                return word, chunk
+            if isinstance(chunk, Event) or chunk.value in {",", ";", "."}:
+                break
+        return word, None
+
+    def named(self, noun: NounPhrase | None) -> list[Entity]:
+        """Whom a noun means, or whose part it is ("the ego's front")."""
+        if isinstance(noun, Mention) and noun.entities and not noun.possessor:
+            return list(noun.entities)
+        owner = noun if isinstance(noun, Mention) else getattr(noun, "owner", None)
+        return list(owner.entities) if owner is not None else []
+
+    def places(self, start: int, end: int, kinds: Iterable[str]) -> list[Place]:
+        """Places of some kinds that are named between two tokens."""
+        wanted = set(kinds)
+        return [
+            c
+            for c in self.chunks
+            if isinstance(c, Place) and start <= c.i < end and c.kind in wanted
+        ]

@@ -1,0 +1,146 @@
+"""When acts happen: after one another, so much later, as soon as another begins."""
+
+from __future__ import annotations
+
+from scegen.scenario.acts import ActKind
+from scegen.understanding.amounts.sentences import Sentences
+from scegen.understanding.chunks import Word
+from scegen.understanding.draft import Basis
+from scegen.understanding.frames import Measured, words
+from scegen.understanding.happenings import Doing, Happenings, Trigger, amount_of
+from scegen.understanding.words.quantities import quantity_at
+
+_LATER = frozenset({"later", "afterwards", "thereafter", "that"})
+
+
+class Clock:
+    """Says what sets acts off.
+
+    Args:
+        text: the text with its clauses.
+        happenings: what the text tells of.
+    """
+
+    def __init__(self, text: Sentences, happenings: Happenings) -> None:
+        self._text = text
+        self._happenings = happenings
+
+    def delay(self, number: Measured) -> bool:
+        """``after 3 s``, ``2 s later``, ``1 s after the van has cut in``.
+
+        Args:
+            number: the time.
+        """
+        doing = self._delayed(number)
+        if doing is None or doing.when is not None:
+            return False
+        basis = amount_of(number).basis
+        base, since = self._base(number, doing)
+        doing.when = Trigger("after" if base else "start", basis, amount_of(number), base, since)
+        return True
+
+    def _delayed(self, number: Measured) -> Doing | None:
+        """The act that is delayed: the one before the time in its clause, else the next."""
+        start, end = self._text.bounds(number.i)
+        here = [a for a in self._happenings.acts if start <= a.i < end]
+        opening = max(
+            [
+                start,
+                *(k + 1 for k in range(start, number.i) if self._text.tokens[k].low == ","),
+                *(
+                    k + 1
+                    for k in range(max(start, number.i - 2), number.i)
+                    if self._text.tokens[k].low in {"and", "then"}
+                ),
+            ]
+        )
+        before = [a for a in here if opening <= a.i < number.i]
+        after = [a for a in here if a.i > number.i]
+        following = self._text.tokens[number.j].low if number.j < len(self._text.tokens) else ""
+        if following == "after" and len(after) > 1 and not before:
+            return after[1]
+        if before:
+            return before[-1]
+        comma = next((k for k in range(number.j, end) if self._text.tokens[k].low == ","), None)
+        first = [a for a in after if comma is None or a.i > comma]
+        return (first or after or [None])[0]  # type: ignore[list-item]
+
+    def _base(self, number: Measured, doing: Doing) -> tuple[Doing | None, str]:
+        """Since when a delay counts."""
+        tokens = self._text.tokens
+        _, end = self._text.bounds(number.i)
+        following = tokens[number.j].low if number.j < len(tokens) else ""
+        if following == "after":
+            clause = [a for a in self._happenings.acts if number.j <= a.i < end and a is not doing]
+            if clause:
+                begins = self._text.low(number.j, clause[0].i)
+                begun = any(f" {w} " in begins for w in ("begins", "starts", "begun", "started"))
+                return clause[0], "begin" if begun else "end"
+            return None, "end"
+        before = [a for a in self._happenings.acts if a.i < doing.i]
+        if not before:
+            return None, "end"
+        nearby = {t.low for t in tokens[number.j : number.j + 2]}
+        own = before[-1].entity is doing.entity
+        ends = bool({"target_speed_mps", "duration_s", "distance_m"} & set(before[-1].amounts))
+        ends = ends or before[-1].kind not in {ActKind.BRAKE, ActKind.ACCELERATE}
+        since = "end" if ends else "begin"  # braking without an end: since it began
+        return (before[-1], since) if own or nearby & _LATER else (None, "end")
+
+    def order(self) -> None:
+        """Acts without a number: "then", "as soon as", and what one does in turn."""
+        acts = self._happenings.acts
+        self._clauses()
+        for doing in acts:  # "both brake when they are 80 m apart"
+            alike = [a for a in acts if a.i == doing.i and a.kind is doing.kind and a.when]
+            doing.when = doing.when or (alike[0].when if alike else None)
+        for doing, before in zip(acts[1:], acts, strict=False):
+            if doing.when is not None or doing.i == before.i:
+                continue
+            if before.when is not None and before.when.act is doing:
+                continue
+            phrase = self._then(before, doing)
+            basis = Basis(*phrase) if phrase is not None else doing.basis
+            mine = [a for a in acts if a.entity is doing.entity and a.i < doing.i]
+            if phrase is not None and (before.always or before.amounts or doing.always):
+                doing.when = Trigger("after", basis, act=before)
+            elif mine and mine[-1].always and doing.always and not self._at_once(mine[-1], doing):
+                reason = "what one does in turn happens in the order of the text"
+                doing.when = Trigger("after", Basis(basis.i, basis.j, reason), act=mine[-1])
+
+    def _at_once(self, one: Doing, other: Doing) -> bool:
+        between = self._text.low(one.i, other.i + 6)
+        return any(f" {w} " in between for w in ("while", "simultaneously", "same time"))
+
+    def _then(self, before: Doing, doing: Doing) -> tuple[int, int] | None:
+        start = max(before.basis.j or before.i, self._text.bounds(doing.i)[0])
+        for phrase in words()["then"]:
+            wanted = phrase.split()
+            for k in range(start, doing.i):
+                if [t.low for t in self._text.tokens[k : k + len(wanted)]] == wanted:
+                    forwards = phrase != "before"
+                    return (k, k + len(wanted)) if forwards else None
+        return None
+
+    def _clauses(self) -> None:
+        """``as soon as the lead brakes, the ego changes lanes``."""
+        acts = self._happenings.acts
+        for chunk in self._text.chunks:
+            if not isinstance(chunk, Word) or chunk.cat != "sub":
+                continue
+            opening = self._text.low(chunk.i, chunk.j).strip()
+            because = opening in {"because", "since"}
+            if (not because and opening not in words()["triggers"]) or opening in {"if", "until"}:
+                continue
+            start, stop = self._text.bounds(chunk.i)
+            if quantity_at(self._text.tokens, chunk.j) is not None:
+                continue  # "after 2 s"
+            end = next((k for k in range(chunk.j, stop) if self._text.tokens[k].low == ","), stop)
+            inside = [a for a in acts if chunk.j <= a.i < end]
+            outside = [a for a in acts if start <= a.i < stop and a not in inside]
+            front = [a for a in outside if a.i < chunk.i]
+            main = front[-1:] or [a for a in outside if a.i >= end][:1]
+            if not inside or not main or main[0].when is not None:
+                continue
+            since = "begin" if because or opening in words()["while_begun"] else "end"
+            main[0].when = Trigger("after", Basis(chunk.i, chunk.j), act=inside[0], since=since)

@@ -1,0 +1,136 @@
+"""Acts, spacings, things and the outcome of the scenario, with their evidence."""
+
+from __future__ import annotations
+
+from scegen.scenario.acts import Act, AfterAct, AfterStart, BeforeJunction, When, WhenMeasure
+from scegen.scenario.model import Interval
+from scegen.scenario.outcome import Outcome
+from scegen.scenario.spacings import Spacing
+from scegen.scenario.things import Thing
+from scegen.understanding.building.proving import Proofs
+from scegen.understanding.draft import Entity
+from scegen.understanding.happenings import Doing, Ending, Happenings, Trigger
+
+_NONE = Interval(low=0.0, high=0.0)
+
+
+class Writer:
+    """Writes what the text tells of, once everybody has a name.
+
+    Args:
+        happenings: what the text tells of.
+        ego: the ego.
+        proofs: where the evidence goes.
+    """
+
+    def __init__(self, happenings: Happenings, ego: Entity, proofs: Proofs) -> None:
+        self._happenings = happenings
+        self._ego = ego
+        self._proofs = proofs
+
+    def acts(self) -> tuple[Act, ...]:
+        """All acts in the order of the text."""
+        for name, entity, basis in self._happenings.further:
+            self._proofs.add(f"participants.{entity.name}.{name}", basis)
+        return tuple(self._act(doing) for doing in self._happenings.acts)
+
+    def _act(self, doing: Doing) -> Act:
+        path = f"acts.{doing.name}"
+        self._proofs.add(f"{path}.kind", doing.basis)
+        values = {name: amount.value for name, amount in doing.amounts.items()}
+        for name, amount in doing.amounts.items():
+            self._proofs.add(f"{path}.{name}", amount.basis)
+        if doing.side is not None:
+            self._proofs.add(f"{path}.side", doing.side_basis or doing.basis)
+        if doing.into is not None:
+            self._proofs.add(f"{path}.into", doing.into_basis or doing.basis)
+        when = self._when(doing.when) if doing.when is not None else None
+        if doing.when is not None and when is not None:
+            self._proofs.add(f"{path}.when", doing.when.basis)
+        return Act(
+            id=doing.name,
+            participant=doing.entity.name,
+            kind=doing.kind,
+            side=doing.side,
+            into=doing.into.name if doing.into is not None else None,
+            when=when,
+            **values,
+        )
+
+    def _when(self, trigger: Trigger) -> When | None:
+        value = trigger.amount.value if trigger.amount is not None else _NONE
+        if trigger.kind == "start":
+            return AfterStart(delay_s=value)
+        if trigger.kind == "junction":
+            return BeforeJunction(distance_m=value)
+        if trigger.kind == "after" and trigger.act is not None and trigger.act.name:
+            since = "begin" if trigger.since == "begin" else "end"
+            return AfterAct(act=trigger.act.name, since=since, delay_s=value)
+        if trigger.measure is None or trigger.entity is None:
+            return None
+        reference = trigger.reference or self._ego
+        return WhenMeasure(
+            measure=trigger.measure,
+            participant=trigger.entity.name,
+            reference=reference.name,
+            value=value,
+        )
+
+    def spacings(self) -> tuple[Spacing, ...]:
+        """All spacings in the order of the text."""
+        found = []
+        for apart in self._happenings.spacings:
+            reference = apart.reference or self._ego
+            if reference is apart.entity:
+                continue
+            self._proofs.add(f"spacings.{len(found)}", apart.amount.basis)
+            found.append(
+                Spacing(
+                    participant=apart.entity.name,
+                    reference=reference.name,
+                    measure=apart.measure,
+                    value=apart.amount.value,
+                    at=apart.at if isinstance(apart.at, str) else apart.at.name,
+                    side=apart.side,
+                )
+            )
+        return tuple(found)
+
+    def outcome(self) -> Outcome | None:
+        """How it ends, if that is said."""
+        ending = self._happenings.ending
+        if ending is None:
+            return None
+        self._proofs.add("outcome.kind", ending.basis)
+        if ending.impact is not None:
+            self._proofs.add("outcome.impact_percent", ending.impact.basis)
+        if ending.struck is not None:
+            self._proofs.add("outcome.struck", ending.struck_basis or ending.basis)
+        return Outcome(
+            kind=ending.kind,
+            between=self._names(ending),
+            impact_percent=ending.impact.value if ending.impact is not None else None,
+            struck=ending.struck,
+        )
+
+    def _names(self, ending: Ending) -> tuple[str, ...]:
+        """The ego first, so that the same pair is always written the same way."""
+        ordered = sorted(ending.between, key=lambda e: e is not self._ego)
+        return tuple(e.name for e in ordered)
+
+    def objects(self) -> tuple[Thing, ...]:
+        """The things on and beside the road."""
+        found = []
+        for item in self._happenings.items:
+            self._proofs.add(f"objects.{item.name}.kind", item.basis)
+            found.append(
+                Thing(
+                    id=item.name,
+                    kind=item.kind,
+                    in_way_of=self._ego.name if item.blocks else None,
+                    hides=tuple(e.name for e in item.hides),
+                    side=item.side,
+                    called=item.called,
+                )
+            )
+        return tuple(found)

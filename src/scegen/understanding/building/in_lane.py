@@ -1,0 +1,98 @@
+"""Where in the road somebody is: ahead in the lane, in which of several lanes, in the ring."""
+
+from __future__ import annotations
+
+from scegen.scenario.functional import Junction
+from scegen.scenario.vocabulary import (
+    Approach,
+    DrivingSide,
+    JunctionKind,
+    Maneuver,
+    ParticipantKind,
+)
+from scegen.understanding.draft import Basis, Draft, Entity
+
+_FEWEST_WITH_A_MIDDLE = 3
+
+
+def settle_along(draft: Draft, ego: Entity) -> None:
+    """On a straight road, who stands or walks in the lane is ahead; lanes of one name are one.
+
+    Args:
+        draft: the scenario in the making, positions settled.
+        ego: its ego.
+    """
+    for entity in draft.entities:
+        if entity is ego:
+            continue
+        _in_the_same_lane(entity, ego)
+        alone = not entity.approaches and entity.heading is None and not entity.parked
+        if entity.stands is not None and alone:
+            basis = entity.stands
+            entity.approaches = {Approach.AHEAD}
+            entity.approach_basis = Basis(basis.i, basis.j, "who stands in the lane is ahead")
+        along = {Approach.AHEAD, Approach.OPPOSITE}
+        walks = entity.kind is ParticipantKind.PEDESTRIAN
+        along |= {Approach.BEHIND} if entity.maneuvers == {Maneuver.STAY} else set()
+        keeps = entity.maneuvers in ({Maneuver.STRAIGHT}, {Maneuver.STAY})
+        if walks and keeps and entity.approaches & along:
+            entity.approaches &= along
+        afoot = entity.kind is ParticipantKind.PEDESTRIAN
+        if afoot and alone and entity.maneuvers == {Maneuver.STRAIGHT}:
+            basis = entity.maneuver_basis or entity.basis
+            entity.approaches = {Approach.AHEAD, Approach.OPPOSITE}
+            reason = "along the road; which way is not said"
+            entity.approach_basis = Basis(basis.i, basis.j, reason)
+
+
+def _in_the_same_lane(entity: Entity, ego: Entity) -> None:
+    """``the ego in the right lane … a truck in the right lane``: not beside it."""
+    if entity.start_lane is None or ego.start_lane is None:
+        return
+    if entity.start_lane[0] == ego.start_lane[0] and entity.approaches == {Approach.ADJACENT}:
+        entity.beside = None
+        basis = entity.start_lane[1]
+        entity.approaches = {Approach.AHEAD}
+        entity.approach_basis = Basis(basis.i, basis.j, "in the lane of the ego")
+
+
+def beside_of(entity: Entity) -> Approach | None:
+    """On which side of the ego the lane of somebody beside it lies.
+
+    Args:
+        entity: a participant.
+    """
+    if entity.approaches != {Approach.ADJACENT} or entity.beside is None:
+        return None
+    return Approach(entity.beside[0])
+
+
+def lanes_of(entity: Entity, junction: Junction, draft: Draft) -> frozenset[int]:
+    """The lane that the text names, counted from 1 at the centre line outwards.
+
+    Args:
+        entity: a participant.
+        junction: where it drives.
+        draft: the scenario in the making.
+    """
+    count = min(junction.lanes, default=1)
+    count -= draft.ramp is not None and count > 2
+    if entity.start_lane is None or count < 2:
+        return frozenset()
+    name = entity.start_lane[0]
+    if name == "middle":
+        return frozenset({count // 2 + 1}) if count >= _FEWEST_WITH_A_MIDDLE else frozenset()
+    if name in {"fast", "slow"}:
+        return frozenset({1 if name == "fast" else count})
+    inner = "right" if junction.driving_side is DrivingSide.LEFT else "left"
+    return frozenset({1 if name == inner else count})
+
+
+def circulates(entity: Entity, junction: Junction) -> bool:
+    """Whether somebody is said to be in the roundabout already.
+
+    Args:
+        entity: a participant.
+        junction: where it drives.
+    """
+    return junction.kind is JunctionKind.ROUNDABOUT and entity.circulates is not None

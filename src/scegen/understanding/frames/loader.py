@@ -1,0 +1,75 @@
+"""Loads the frames: what a number means by the words it stands with, what a verb is as an act."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib.resources import files
+from typing import Any
+
+from scegen.scenario.acts import ActKind
+from scegen.scenario.files import parse
+
+
+@dataclass(frozen=True, slots=True)
+class AmountFrame:
+    """One row of ``amounts.yaml``: a role with what must stand around the number."""
+
+    dimension: str
+    role: str
+    before: tuple[str, ...] = ()
+    next: tuple[str, ...] = ()
+    after: tuple[str, ...] = ()
+    near: tuple[str, ...] = ()
+    verb: frozenset[str] = frozenset()
+    most: float | None = None
+    instead: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class ActFrame:
+    """One row of ``acts.yaml``."""
+
+    kind: ActKind
+    always: bool
+
+
+def _read(name: str) -> Any:  # noqa: ANN401 - the shape differs from file to file
+    text = files(__package__).joinpath(f"{name}.yaml").read_text(encoding="utf-8")
+    return parse(text, where=f"{name}.yaml")
+
+
+@lru_cache(maxsize=1)
+def amounts() -> tuple[AmountFrame, ...]:
+    """All rows of what numbers mean, in their order."""
+    return tuple(
+        AmountFrame(
+            dimension=row["dimension"],
+            role=row["role"],
+            before=tuple(row.get("before", ())),
+            next=tuple(row.get("next", ())),
+            after=tuple(row.get("after", ())),
+            near=tuple(row.get("near", ())),
+            verb=frozenset(row.get("verb", ())),
+            most=row.get("most"),
+            instead=row.get("instead"),
+        )
+        for row in _read("amounts")
+    )
+
+
+@lru_cache(maxsize=1)
+def acts() -> dict[str, ActFrame]:
+    """Verb -> what it is as an act."""
+    return {
+        row["verb"]: ActFrame(ActKind(row["act"]), bool(row.get("always"))) for row in _read("acts")
+    }
+
+
+@lru_cache(maxsize=1)
+def words() -> dict[str, tuple[str, ...]]:
+    """Named lists of phrases, the longest first."""
+    return {
+        name: tuple(sorted(phrases, key=len, reverse=True))
+        for name, phrases in _read("words").items()
+    }

@@ -1,0 +1,62 @@
+"""What each number of a text is: a speed, a gap, a rate …"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from scegen.understanding.frames.loader import AmountFrame
+from scegen.understanding.frames.windows import Window, frame_of, window
+from scegen.understanding.words.quantities import Quantity
+from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import Token
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """A number with its unit, the words around it, and what they make of it."""
+
+    quantity: Quantity
+    around: Window
+    frame: AmountFrame
+
+    @property
+    def i(self) -> int:
+        """Index of its first token."""
+        return self.quantity.i
+
+    @property
+    def j(self) -> int:
+        """Index after its last token."""
+        return self.quantity.j
+
+
+class Numbers:
+    """The numbers of a text.
+
+    Args:
+        terms: its terms.
+        tokens: its tokens.
+        limit: the number that is a speed limit.
+    """
+
+    def __init__(self, terms: list[Term], tokens: list[Token], limit: Term | None) -> None:
+        self._tokens = tokens
+        found: list[Quantity] = [
+            t.data["quantity"]
+            for t in terms
+            if t.data.get("quantity") is not None and t is not limit
+        ]
+        self.quantities = sorted(found, key=lambda q: q.i)
+        self._ends = {q.j: q.i for q in found}
+
+    def measured(self, quantity: Quantity, verb: str) -> Measured:
+        """A number with its role.
+
+        Args:
+            quantity: the number.
+            verb: what happens in its clause; empty if nothing does.
+        """
+        around = window(self._tokens, quantity.i, quantity.j, self._ends)
+        return Measured(
+            quantity, around, frame_of(quantity.dimension, quantity.value.low, around, verb)
+        )

@@ -1,0 +1,126 @@
+"""The words around a number, and which frame they make."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from scegen.understanding.frames.loader import AmountFrame, amounts
+from scegen.understanding.words.tokens import Token
+
+_REACH = 9
+_JOINTS = frozenset({"while", "when", "which", "who", "that", "but", "and", "where", "because"})
+_CLOSE = frozenset({"to", "by", "for", "in", "over", "at", "with", "after", "within", "until",
+                    "till", "from", "only", "just", "following"})  # fmt: skip
+"""Words that mean something only right before the number."""
+_FILLERS = frozenset({"a", "an", "the", "about", "around", "only", "just", "some", "roughly",
+                      "approximately", "constant", "steady", "speed", "of", "exactly", "approx",
+                      "up", "further", "another", "clear", "well", "almost", "nearly", "than",
+                      "less", "more", "under", "over", "below", "above", "least", "most"})  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Window:
+    """Words before and after a number, each with a blank at either end."""
+
+    before: str
+    after: str
+
+    def fits(self, frame: AmountFrame, verb: str) -> bool:
+        """Whether all that a frame asks for is there.
+
+        Args:
+            frame: a row.
+            verb: what happens in the clause of the number.
+        """
+        if frame.verb and verb not in frame.verb:
+            return False
+        if frame.near and not any(self._near(p) for p in frame.near):
+            return False
+        if not (frame.before or frame.next or frame.after):
+            return True
+        return (
+            any(self.preceded(p) for p in frame.before)
+            or any(self.after.startswith(f" {p} ") for p in frame.next)
+            or any(f" {p} " in self.after for p in frame.after)
+        )
+
+    def _near(self, phrase: str) -> bool:
+        return f" {phrase} " in self.before or f" {phrase} " in self.after
+
+    def preceded(self, phrase: str) -> bool:
+        """Whether a phrase stands before the number; short words only right before it.
+
+        Args:
+            phrase: words.
+        """
+        at = self.before.rfind(f" {phrase} ")
+        if at < 0:
+            return False
+        if phrase.split(maxsplit=1)[0] not in _CLOSE:
+            return True
+        return set(self.before[at + len(phrase) + 2 :].split()) <= _FILLERS
+
+
+def window(tokens: list[Token], i: int, j: int, ends: dict[int, int]) -> Window:
+    """The words around the tokens ``i`` to ``j - 1``.
+
+    Args:
+        tokens: the tokens of the text.
+        i: index of the first token of a number with its unit.
+        j: index after the last one.
+        ends: where each number of the text begins, by where it ends.
+    """
+    bracketed = i > 0 and tokens[i - 1].low == "(" and i - 1 in ends
+    if bracketed and j < len(tokens) and tokens[j].low == ")":
+        return window(tokens, ends[i - 1], j + 1, {})  # "26.7 m (1.6 s) behind": as the first
+    return Window(_before(tokens, i, ends), _after(tokens, j))
+
+
+def _before(tokens: list[Token], i: int, ends: dict[int, int]) -> str:
+    k = i - 1
+    while k >= 0 and tokens[k].low in {"(", ":"}:
+        k -= 1
+    words: list[str] = []
+    while k >= 0 and len(words) < _REACH:
+        token = tokens[k]
+        if token.kind in {"punct", "number"} or token.low in _JOINTS or k + 1 in ends:
+            break
+        words.insert(0, token.low)
+        k -= 1
+    return f" {' '.join(words)} "
+
+
+def _after(tokens: list[Token], j: int) -> str:
+    k = j
+    if k < len(tokens) and tokens[k].low == "(":
+        while k < len(tokens) and tokens[k].low != ")":
+            k += 1
+    while k < len(tokens) and tokens[k].low == ")":
+        k += 1
+    words: list[str] = []
+    while k < len(tokens) and len(words) < _REACH:
+        token = tokens[k]
+        if token.kind in {"punct", "number"} or token.low in _JOINTS:
+            break
+        words.append(token.low)
+        k += 1
+    return f" {' '.join(words)} "
+
+
+def frame_of(dimension: str, value: float, around: Window, verb: str) -> AmountFrame:
+    """The first frame that fits a number.
+
+    Args:
+        dimension: what the number measures.
+        value: how much it is, in SI units.
+        around: the words around it.
+        verb: what happens in its clause; empty if nothing does.
+    """
+    rest = AmountFrame(dimension, "other", instead="a measure that no rule could attach; left out")
+    fitting = (
+        f
+        for f in amounts()
+        if f.dimension == dimension and (f.most is None or value <= f.most)
+        if around.fits(f, verb)
+    )
+    return next(fitting, rest)

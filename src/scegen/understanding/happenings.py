@@ -1,0 +1,119 @@
+"""Acts, spacings, things and the outcome in the making; each value has its words beside it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from scegen.scenario.acts import ActKind
+from scegen.scenario.model import Interval
+from scegen.scenario.outcome import OutcomeKind
+from scegen.scenario.spacings import START, Measure
+from scegen.scenario.things import ThingKind
+from scegen.scenario.vocabulary import BodySide, Side
+from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.frames import Measured
+
+
+@dataclass(frozen=True, slots=True)
+class Amount:
+    """A quantity with its words."""
+
+    value: Interval
+    basis: Basis
+
+
+def amount_of(number: Measured) -> Amount:
+    """The value of a number with its words."""
+    return Amount(number.quantity.value, Basis(number.i, number.j, number.quantity.note))
+
+
+def exactly(number: Measured) -> Amount:
+    """The number itself, without what "up to" or "about" make of it."""
+    return Amount(number.quantity.exact, Basis(number.i, number.j))
+
+
+@dataclass(slots=True, eq=False)
+class Trigger:
+    """What sets an act off.
+
+    ``amount`` is a delay after the start or after ``act``, the value that ``measure`` comes down
+    to, or how far before the junction.
+    """
+
+    kind: str
+    basis: Basis
+    amount: Amount | None = None
+    act: Doing | None = None
+    since: str = "end"
+    measure: Measure | None = None
+    entity: Entity | None = None
+    reference: Entity | None = None
+
+
+@dataclass(slots=True, eq=False)
+class Doing:
+    """An act in the making; ``i`` is where the text tells of it."""
+
+    kind: ActKind
+    entity: Entity
+    basis: Basis
+    i: int
+    always: bool = True
+    amounts: dict[str, Amount] = field(default_factory=dict)
+    side: Side | None = None
+    side_basis: Basis | None = None
+    into: Entity | None = None
+    into_basis: Basis | None = None
+    when: Trigger | None = None
+    told: list[int] = field(default_factory=list)
+    """Where the text tells of it again."""
+    name: str = ""
+
+
+@dataclass(slots=True, eq=False)
+class Apart:
+    """A spacing in the making; ``reference`` None is the ego."""
+
+    measure: Measure
+    entity: Entity | Item
+    reference: Entity | None
+    amount: Amount
+    at: Doing | str = START
+    side: Side | None = None
+
+
+@dataclass(slots=True, eq=False)
+class Ending:
+    """The outcome in the making."""
+
+    kind: OutcomeKind
+    basis: Basis
+    between: list[Entity] = field(default_factory=list)
+    impact: Amount | None = None
+    struck: BodySide | None = None
+    struck_basis: Basis | None = None
+
+
+@dataclass(slots=True, eq=False)
+class Item:
+    """A thing in the making."""
+
+    kind: ThingKind
+    called: str
+    basis: Basis
+    blocks: bool = False
+    hides: list[Entity] = field(default_factory=list)
+    side: Side | None = None
+    name: str = ""
+
+
+@dataclass(slots=True)
+class Happenings:
+    """All that the text tells of beside who takes part and where they go."""
+
+    acts: list[Doing] = field(default_factory=list)
+    spacings: list[Apart] = field(default_factory=list)
+    items: list[Item] = field(default_factory=list)
+    ending: Ending | None = None
+    further: list[tuple[str, Entity, Basis]] = field(default_factory=list)
+    """Words that say again what a field of a participant holds."""

@@ -1,0 +1,92 @@
+"""Who stands in the lane from the start: stationary, broken down, stopped before it begins."""
+
+from __future__ import annotations
+
+from scegen.scenario.model import Interval
+from scegen.scenario.vocabulary import HazardKind, Maneuver
+from scegen.understanding.chunks import Event, Place
+from scegen.understanding.draft import Basis
+from scegen.understanding.meaning.context import Context, Scene
+
+STANDING = frozenset({"stand", "sit", "idle", "unload", "load", "deliver", "linger", "lie"})
+"""Verbs by which somebody stays where it is."""
+_HELD = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_stop", "parking",
+                   "sidewalk", "shoulder"})  # fmt: skip
+_WAY = frozenset({"lane", "road", "highway", "middle", "path"})
+_SINCE = frozenset({"is", "are", "has", "have", "was", "were", "had", "already", "'s", "stopped"})
+_REACH = 3
+
+
+def stand(scene: Scene, context: Context) -> None:
+    """``a van stands in the lane``, ``a bus has stopped``: from the start, and all the time.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+    """
+    event = scene.event
+    if event.negated or event.modal or event.nominal or _until(event, context):
+        return
+    lemma = context.tokens[event.i].forms[-1][0]
+    stands = event.name in {"wait", "stop"} and lemma in STANDING
+    stands = stands or (event.name == "stop" and _over(event, context))
+    if not stands or any(p.kind in _HELD for p in scene.places()):
+        return
+    for entity in scene.actors:
+        if entity.parked:
+            continue
+        entity.stands = entity.stands or scene.words
+        if entity.ego and entity.speed is None:
+            entity.speed, entity.speed_basis = Interval(low=0.0, high=0.0), scene.words
+        if not entity.is_vehicle and Maneuver.CROSS not in entity.maneuvers:
+            context.draft.maneuver(entity, {Maneuver.STAY}, scene.words)
+
+
+def _until(event: Event, context: Context) -> bool:
+    """``brakes until it stands``: not before."""
+    before = context.tokens[max(0, event.i - _REACH) : event.i]
+    return any(t.low in {"until", "till"} for t in before)
+
+
+def _over(event: Event, context: Context) -> bool:
+    """``has stopped``, ``is stopped``: before it begins."""
+    if event.perfect or event.passive:
+        return event.form == "ed"
+    before = {t.low for t in context.tokens[max(0, event.i - _REACH) : event.i]}
+    now = not context.told_in_the_past and not event.mods
+    return event.form == "ed" and (event.reduced or now or bool(before & _SINCE))
+
+
+def in_the_road(scene: Scene, context: Context) -> bool:
+    """``a man stands in the lane``: in the way, without crossing.
+
+    Args:
+        scene: what happens.
+        context: the scenario in the making.
+
+    Returns:
+        Whether that is said.
+    """
+    there = [e for e in scene.walkers if e.stands is not None and e.maneuvers == {Maneuver.STAY}]
+    lanes = [
+        p.target
+        for p in scene.event.pps
+        if p.value == "in" and isinstance(p.target, Place) and p.target.kind in _WAY
+    ]
+    if there and lanes and there == scene.walkers:
+        basis = Basis(scene.event.i, max(scene.event.j, lanes[0].j))
+        context.draft.hazard(HazardKind.STOPPING, basis, there)
+        return True
+    return False
+
+
+def lane_of(place: Place) -> str | None:
+    """Which lane of several a phrase names: ``left``, ``right``, ``middle``, ``fast``, ``slow``.
+
+    Args:
+        place: a lane.
+    """
+    if place.kind != "lane" or place.owner is not None:
+        return None
+    rank = place.head.data.get("rank") if place.head is not None else None
+    return rank or next((d for d in place.dirs if d in {"left", "right"}), None)

@@ -1,0 +1,38 @@
+"""Tells English from other languages, by the words that stand in nearly every sentence."""
+
+from __future__ import annotations
+
+import unicodedata
+
+from scegen.errors import InputError
+from scegen.understanding.lexicon import load_languages
+from scegen.understanding.words.tokens import Token
+
+_ENGLISH = "English"
+_FEWEST = 3
+_HALF = 0.5
+_HINT = "Describe the situation in English, for example 'Two cars meet at a T-junction.'"
+
+
+def require_english(tokens: list[Token], text: str) -> None:
+    """Refuses a text in another language.
+
+    Args:
+        tokens: the tokens of the text.
+        text: the text.
+
+    Raises:
+        InputError: if it is plainly not English.
+    """
+    letters = [c for c in text if c.isalpha()]
+    foreign = [c for c in letters if not unicodedata.name(c, "").startswith("LATIN")]
+    if len(letters) > _FEWEST and len(foreign) > _HALF * len(letters):
+        msg = "the description is not written in Latin letters; only English is read"
+        raise InputError(msg, where="description", hint=_HINT)
+    words = [t.text.lower() for t in tokens if t.kind == "word"]
+    counts = {name: sum(w in common for w in words) for name, common in load_languages().items()}
+    english = counts.pop(_ENGLISH)
+    likeliest = max(counts, key=lambda name: counts[name])
+    if counts[likeliest] >= _FEWEST and counts[likeliest] > english + len(words) * 0.1:
+        msg = f"the description seems to be written in {likeliest}; only English is read"
+        raise InputError(msg, where="description", hint=_HINT)
