@@ -9,7 +9,7 @@ from math import ceil
 
 from scegen.concretization.along.crossing import Walk
 from scegen.concretization.along.parked import Parked
-from scegen.concretization.along.runner import NEVER_S, Runner, Step
+from scegen.concretization.along.runner import FORTH_M, NEVER_S, Runner, Step
 from scegen.concretization.along.story import Story
 from scegen.motion.paths import END_MARGIN_M
 from scegen.road.defaults import LANE_WIDTH_M
@@ -29,6 +29,7 @@ from scegen.scenario.concrete import (
 )
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing, Drive, Standing
+from scegen.scenario.reversing import BacksUp
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 
 _ARM_MARGIN_M = 3.0
@@ -37,6 +38,7 @@ _LEAST_ARM_M = 40.0
 _ROUND_M = 10.0
 _STOPS_SHORT_M = 0.15
 _LEAST_MOVE_M = 2.0
+_SPARE_M = 3.0
 _MOVES_MPS = 0.1
 _EARLY_S = 0.025
 """Half a step of the players: a trigger so much earlier fires in the step next to its moment."""
@@ -54,6 +56,7 @@ class Frame:
     joint_m: float
     end_m: float
     ego_arm: int
+    lasts_s: float = 0.0
 
     def station_m(self, runner: Runner, x_m: float) -> float:
         """The place on a drive, from the outer end of its entry arm."""
@@ -96,6 +99,7 @@ def frame_of(
         joint,
         joint + ceil((end - joint) / _ROUND_M) * _ROUND_M,
         arm,
+        lasts_s,
     )
 
 
@@ -124,16 +128,22 @@ def written_runner(story: Story, frame: Frame, participant: Participant) -> Conc
     changes = _changes(frame, runner)
     last = changes[-1].lane_after if changes else runner.lane
     joint = frame.joint_m - frame.begin_m if runner.forward else frame.end_m - frame.joint_m
+    start = frame.station_m(runner, runner.at_m or 0.0)
+    reversal = None
+    if runner.backs:
+        back = runner.profile.way_m(frame.lasts_s) - FORTH_M
+        reversal = BacksUp(from_m=round(start + FORTH_M, 3), length_m=round(back + _SPARE_M, 3))
     motion = DriveMotion(
         entry=entry,
         entry_lane=runner.lane,
         exit=1 - entry,
         exit_lane=last,
-        start_m=round(frame.station_m(runner, runner.at_m or 0.0), 3),
+        start_m=round(start, 3),
         offset_m=round(runner.offset_m, 3),
         turning_starts_m=round(joint, 3),
         turning_ends_m=round(joint, 3),
         lane_changes=changes,
+        reversal=reversal,
     )
     return ConcreteParticipant(
         id=participant.id,

@@ -15,6 +15,7 @@ from scegen.understanding.meaning.context import Context, Scene
 _SIDES = {"left": Side.LEFT, "right": Side.RIGHT}
 _OTHER = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT}
 _BEGINNING = frozenset({"start", "begin", "commence", "set"})
+_WISHING = frozenset({"want", "intend", "plan", "hope", "wish", "aim"})
 _PREVENTED = frozenset({"fail", "avoid", "prevent", "delay", "encounter"})
 _SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
 _DRIVEN = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.CHANGE_LANE, ActKind.SWERVE,
@@ -55,6 +56,8 @@ def _acts_of(scene: Scene, text: Sentences, context: Context) -> list[Doing]:
         return []
     if parent is not None and (parent.name in _PREVENTED or parent.negated):
         return []
+    if parent is not None and text.tokens[parent.i].forms[-1][0] in _WISHING:
+        return []  # "wants to pass a truck"
     basis = Basis(event.i, event.j)
     made = []
     for entity in scene.actors:

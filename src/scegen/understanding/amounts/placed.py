@@ -23,6 +23,7 @@ MEASURES = {
     "overlap": Measure.OVERLAP_PERCENT,
 }
 _APART = 4
+_SIDE_REACH = 14
 _JUNCTION = frozenset({"junction", "signal", "stop_line", "stop_sign", "yield_sign"})
 _ALONG = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
 _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
@@ -181,6 +182,8 @@ class Spacer:
         located = after is not None and isinstance(after[0], Word) and after[0].cat == "locus"
         scene = text.scene_at(number.i, number.j)
         subject = text.subject_before(number.i)
+        if isinstance(noun, Mention) and noun.pronoun is not None and named == subject:
+            named = []  # "and the ego, 15 m behind it": not behind itself
         if number.frame.role in {"overlap", "headway", "ttc"} or not (named or located):
             if scene is not None and scene.actors and scene.targets:
                 return scene.actors[0], scene.targets[0]
@@ -217,7 +220,7 @@ class Spacer:
                 return self._text.tokens[k].low == "right"
             if self._text.tokens[k].kind in {"number", "punct"}:
                 break
-        for k in range(number.i - 1, max(start, number.i - 12) - 1, -1):
+        for k in range(number.i - 1, max(start, number.i - _SIDE_REACH) - 1, -1):
             if self._text.tokens[k].low in {"left", "right"}:
                 return self._text.tokens[k].low == "right"
         return None
@@ -225,7 +228,7 @@ class Spacer:
     def _half(self, number: Measured) -> Side | None:
         """``the left 50 %``, ``the right half of its front (50 % overlap)``."""
         start, end = self._text.bounds(number.i)
-        right = self._toward(number, max(start, number.i - 8), end)
+        right = self._toward(number, start, end)
         return None if right is None else Side.RIGHT if right else Side.LEFT
 
     def _moment(
@@ -241,11 +244,16 @@ class Spacer:
             acts = [] if entity.parked or reference.parked else acts
             passing = [a for a in acts if a.kind is ActKind.OVERTAKE and start <= a.i < end]
             return passing[-1] if passing else START
-        if self._text.says("starts", start, end) or measure not in _ALONG:
+        if measure not in _ALONG:
             return START
+        if self._text.says("starts", start, end):
+            named = self._text.low(start, end)
+            of_act = any(f" {w} of the " in named for w in ("beginning", "start", "onset"))
+            laned = [a for a in acts if a.kind in _LANED]
+            return laned[-1] if of_act and laned else START
         begun = [a for a in acts if self._in_trigger(a, start, end, number.i)]
         if begun:
-            return begun[-1]
+            return begun[0]
         trigger = self._text.subordinate(number.i)
         here = [a for a in acts if start <= a.i < end and a.i < number.i]
         if trigger is not None and trigger[2] in words()["triggers"] and here:
@@ -297,6 +305,8 @@ class Spacer:
                 return True
             return False
         subject = self._subject(number, clause if opened else None, doing)
+        if opened and clause is not None and self._acts_inside(clause, number, subject):
+            return False  # "when the truck moves over 30 m in front of it"
         if junction:
             if subject is not doing.entity:
                 return False
@@ -316,6 +326,10 @@ class Spacer:
         doing.when = Trigger("measure", amount_of(number).basis, amount_of(number))
         doing.when.measure, doing.when.entity, doing.when.reference = measure, entity, reference
         return True
+
+    def _acts_inside(self, clause: tuple[int, int, str], number: Measured, subject: Entity) -> bool:
+        acts = self._happenings.acts
+        return any(clause[0] <= a.i < number.i and a.entity is subject for a in acts)
 
     def _also(
         self,
