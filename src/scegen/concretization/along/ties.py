@@ -101,14 +101,23 @@ def is_ahead(story: Story, who: str, other: str) -> bool:
             act.participant == name and act.into == reference
             and act.kind is ActKind.CHANGE_LANE for act in story.acts
         )  # fmt: skip
-        if comes_in:
+        if comes_in or _moves_before(story.runners[name], story.runners[reference]):
             return sign
     if first.stands != second.stands:
         return first.stands
     order = by_rank(story.logical, story.runners)
     if order[who] != order[other]:
         return order[who] < order[other]
-    return who != story.ego.id
+    if story.ego.id in {who, other}:
+        return who != story.ego.id
+    names = list(story.runners)
+    return names.index(who) < names.index(other)
+
+
+def _moves_before(first: Runner, second: Runner) -> bool:
+    """Whether one comes over into the lane of another that stays in its own."""
+    comes = any(m.lane == second.lane != first.lane for m in first.moves)
+    return comes and not second.moves
 
 
 def _urgency(story: Story, name: str, order: dict[str, int]) -> tuple[bool, bool, bool, int]:
