@@ -13,7 +13,7 @@ from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank, conta
 from scegen.concretization.limits import LANE_CHANGE_S
 from scegen.errors import MotionInfeasibleError
 from scegen.road.defaults import LANE_WIDTH_M
-from scegen.scenario.acts import Act
+from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.spacings import CONTACT, Measure, Spacing
 from scegen.scenario.vocabulary import HazardKind, Side
@@ -102,9 +102,7 @@ def overtake(story: Story) -> None:
         slow = passed_by(story, act)
         if slow is not None:
             _pass(story, act, story.runners[act.participant], slow)
-        elif any(
-            r.forward != story.runners[act.participant].forward for r in story.runners.values()
-        ):
+        elif act.kind is ActKind.CHANGE_LANE or story.hazard_of(act) is not None:
             _stray(story, act, story.runners[act.participant])
         elif not _drives_past(story):
             raise MotionInfeasibleError(

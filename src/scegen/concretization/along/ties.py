@@ -197,7 +197,8 @@ def _level_s(runner: Runner, other: Runner) -> float:
 
 def _reference(story: Story, name: str, order: dict[str, int]) -> str:
     """To whom a place is told: who is concerned by its danger, the next in its line, the ego."""
-    known = {n for n, r in story.runners.items() if r.at_m is not None}
+    known = [n for n, r in story.runners.items() if r.at_m is not None]
+    names = list(story.runners)
     for thing in story.things:
         if thing.id == name and thing.in_way_of in known:
             return thing.in_way_of
@@ -212,7 +213,8 @@ def _reference(story: Story, name: str, order: dict[str, int]) -> str:
         if story.runners[n].lane == runner.lane and story.runners[n].forward == runner.forward
     ]  # fmt: skip
     if line:
-        return min(line, key=lambda n: abs(order[n] - order[name]))
+        here = names.index(name)
+        return min(line, key=lambda n: (abs(order[n] - order[name]), abs(names.index(n) - here)))
     return story.functional.ego.id
 
 
