@@ -184,9 +184,9 @@ class Spacer:
         subject = text.subject_before(number.i)
         if isinstance(noun, Mention) and noun.pronoun is not None and named == subject:
             named = []  # "and the ego, 15 m behind it": not behind itself
-        if number.frame.role in {"overlap", "headway", "ttc"} or not (named or located):
-            if scene is not None and scene.actors and scene.targets:
-                return scene.actors[0], scene.targets[0]
+        by_verb = number.frame.role in {"overlap", "headway", "ttc"} or not (named or located)
+        if by_verb and scene is not None and scene.actors and scene.targets:
+            return scene.actors[0], scene.targets[0]
         subject = [e for e in subject if e not in named]
         if not subject and scene is not None:
             subject = [e for e in scene.actors if e not in named]
@@ -370,5 +370,6 @@ class Spacer:
         free = [m for m in inside if m.prep is None and not m.possessor]
         chosen = free[-1] if free else inside[-1] if inside else None
         if chosen is not None:
-            return chosen.entities[0]
+            first: Entity = chosen.entities[0]
+            return first
         return doing.entity

@@ -45,7 +45,7 @@ def read_amounts(
     for number in held:
         if not _speed(number, text, context, found):
             _note(number, context)
-    _joined(text, context)
+    _joined(text)
     _alike(text, context)
     _followed(text, context)
     found.items = items_in(text, context)
@@ -123,7 +123,7 @@ def _speed(number: Measured, text: Sentences, context: Context, found: Happening
     change = _from_to(number, text, found)
     taken = [e for e in context.draft.entities if _at(e.speed_basis, span)]
     if change is not None:
-        for entity in [change.entity] if not taken else taken:
+        for entity in taken or [change.entity]:
             entity.speed, entity.speed_basis = quantity.parts[0], Basis(*span)
         return True
     if taken:
@@ -222,7 +222,7 @@ def _alike(text: Sentences, context: Context) -> None:
                     entity.speed_basis = Basis(k, k + len(wanted), "as fast as the other")
 
 
-def _joined(text: Sentences, context: Context) -> None:
+def _joined(text: Sentences) -> None:
     """``ego and lead at 80 km/h``: both, where the text gives the first no other speed."""
     for mention in text.mentions:
         own = [m for m in mention.mods if m.cat == "quantity" and m.value == "speed"]

@@ -120,6 +120,11 @@ def _same_way(prep: Prep) -> bool:
     return isinstance(place, Place) and place.kind == "direction" and "same" in place.dirs
 
 
+def _past_the_parked(approaches: set[Approach], entities: list[Entity]) -> bool:
+    """``1 m beside the parked cars``: they have no lane of their own."""
+    return approaches == {Approach.ADJACENT} and any(e.parked for e in entities)
+
+
 def _steadily(event: Event | None, prep: Prep) -> bool:
     """Whether a lane that is named is the one where somebody is at first."""
     return event is None or event.name in _STEADY or prep.value == "from"
@@ -289,9 +294,8 @@ class Placer:
         if event is not None and event.name not in _STEADY and prep.outer != "from":
             self._behind_the_ego(prep, entities, basis)
             return
-        if event is not None and target and _ends_there(event, prep):
-            return
-        if prep.outer == "from" and isinstance(target, Mention) and event is not None:
+        out_of = prep.outer == "from" and isinstance(target, Mention)
+        if event is not None and target and (out_of or _ends_there(event, prep)):
             return
         comes = target is None and (prep.outer, prep.value) == ("from", "ahead")
         approaches = {Approach.OPPOSITE if comes else Approach(prep.value)}
@@ -300,9 +304,8 @@ class Placer:
             if not target.entities:
                 return
             reference = target.entities[0]
-        past = reference is not None and reference.parked
-        if approaches == {Approach.ADJACENT} and (past or any(e.parked for e in entities)):
-            return  # "1 m beside the parked cars": no lane of their own
+        if _past_the_parked(approaches, [*entities, *([reference] if reference else [])]):
+            return
         same = event is not None and any(_same_way(p) for p in event.pps)
         for entity in entities:
             if entity.is_vehicle or prep.value != "ahead" or same:
