@@ -121,7 +121,9 @@ class Discourse:
         of_whom = next((p.target for p in mention.pps if p.value == "of"), None)
         if reading.driver and isinstance(of_whom, Mention):
             vehicle = self.resolve(of_whom, subject=False, exclude=[])
-            out = mention.walks and not mention.drives and any(e.parked for e in vehicle)
+            still = any(m.cat == "state" for m in of_whom.mods)
+            still = still or any(e.parked for e in vehicle)
+            out = mention.walks and not mention.drives and still
             afoot = ParticipantKind.PEDESTRIAN  # "the driver of the stalled van steps out"
             return [self._roster.new(afoot, basis)] if out else vehicle
         parked = opened(reading, mention, self._draft.entities)
