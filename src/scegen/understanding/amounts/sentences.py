@@ -116,7 +116,7 @@ class Sentences:
                 return [] if chunk.possessor else list(chunk.entities)
             if not isinstance(chunk, Word):
                 return []
-            if chunk.cat not in {"aux", "manner", "unknown"} and chunk.value != "(":
+            if chunk.cat not in {"aux", "manner", "unknown"} and chunk.value not in {"(", ":"}:
                 return []
         return []
 
@@ -157,6 +157,10 @@ class Sentences:
         word = self.chunks[k] if k < len(self.chunks) else None
         if not isinstance(word, Word):
             return None
+        before = word.cat == "sub" and self.low(word.i, word.j).strip() == "before"
+        before = before or self.tokens[word.i].low in {"short", "away", "distant"}
+        if word.cat not in {"locus", "prep"} and not before:
+            return word, None
         for chunk in self.chunks[k + 1 : k + 5]:
             if isinstance(chunk, Mention | Place | Thing):
                 return word, chunk
