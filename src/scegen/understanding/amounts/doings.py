@@ -49,6 +49,8 @@ class Filler:
         name, kinds = FIELDS[role]
         doing = self._act(number, kinds, name)
         if doing is None and role == "duration":
+            doing = self._said_of_it(number)
+        if doing is None and role == "duration":
             return self._before_the_next(number)
         if doing is None:
             doing = self._made(number, role)
@@ -107,6 +109,13 @@ class Filler:
         same = [a for a in earlier if not spoken or a.entity in self._text.subject_before(number.i)]
         return same[-1] if same and (not here) else None
 
+    def _said_of_it(self, number: Measured) -> Doing | None:
+        """``the manoeuvre lasts 4 s``: what was told last, if nobody is named."""
+        start, _ = self._text.bounds(number.i)
+        named = any(m.entities for m in self._text.mentions if start <= m.i < number.i)
+        before = [a for a in self._happenings.acts if a.i < start and a.always]
+        return before[-1] if before and not named else None
+
     def _named_by(self, scene: Scene, acts: list[Doing]) -> list[Doing]:
         """``the lane change takes 5 s``: of the act that a noun names."""
         noun = scene.event if scene.event.nominal else scene.event.parent
@@ -122,6 +131,9 @@ class Filler:
         accelerates = any(w in number.around.before for w in ("accelerat", "start", "sets off"))
         kind = ActKind.ACCELERATE if role == "rate" and accelerates else kind
         doing = Doing(kind, who[0], amount_of(number).basis, number.i)
+        _, end = self._text.bounds(number.i)
+        if kind is ActKind.BRAKE and self._text.says("standstill", number.i, end) is not None:
+            doing.amounts["target_speed_mps"] = Amount(_still(), doing.basis)
         self._happenings.acts.append(doing)
         self._happenings.acts.sort(key=lambda a: a.i)
         return doing

@@ -78,7 +78,7 @@ class Writer:
 
     def spacings(self) -> tuple[Spacing, ...]:
         """All spacings in the order of the text."""
-        found = []
+        found: list[Spacing] = []
         for apart in self._happenings.spacings:
             reference = apart.reference or self._ego
             if reference is apart.entity:

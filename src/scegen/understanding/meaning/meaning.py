@@ -206,7 +206,9 @@ class Interpreter:
                     scene.targets[:1], scene.actors, Basis(prep.word.i, prep.word.j)
                 )
             elif event.name == "pass" and event.object is None and bearing.bare_side(prep):
-                continue  # "passes on the right": on which side one gets past
+                self._placer.passes_on(prep, scene.actors)
+            elif event.name in {"pass", "bypass"} and bearing.is_side(prep) and scene.targets:
+                self._placer.passed_on(prep, scene.targets)
             elif prep.on_mention is None or self._starts(event, prep):
                 turned = event.passive and event.name != "hide"
                 turned = turned and prep.value not in {"behind", "from"}

@@ -34,12 +34,11 @@ def not_done(scene: Scene, context: Context) -> None:
     """
     event = scene.event
     basis = Basis(event.i, event.j)
-    if _nobody_reacts(scene):
-        return
     if event.unable:
         _unable(scene, context)
     elif (
-        rule_out(scene, context)
+        _nobody_reacts(scene)
+        or rule_out(scene, context)
         or _no_distance(scene, context)
         or _overlooks(scene, context)
         or (event.name in _SEEING and breaches.breach(scene, context))

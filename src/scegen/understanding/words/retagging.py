@@ -102,6 +102,12 @@ def _has_done(tokens: list[Token], term: Term) -> bool:
     return done in _DONE and after in _AFTER
 
 
+def _governed(terms: list[Term]) -> bool:
+    """``from the ego's left at the moment …``: a noun after a preposition does nothing."""
+    before = [t for t in terms[-3:-1] if t.cat not in {"det", "label"}]
+    return bool(before) and before[-1].cat == "prep"
+
+
 def _near_or_far(term: Term, tokens: list[Token]) -> Term:
     """``the far kerb``: the side across the road."""
     value = _NEAR_OR_FAR.get(tokens[term.i].low) if term.j - term.i == 1 else None
@@ -111,7 +117,7 @@ def _near_or_far(term: Term, tokens: list[Token]) -> Term:
 
 def _shortened(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     """``someone's left a van there``, ``the ego, who's forced to brake``: has, is."""
-    if _has_done(tokens, term):
+    if _has_done(tokens, term) and not _governed(terms):
         return replace(term, cat="aux", value="have")
     word = tokens[terms[-1].i].low if terms else ""
     short = word in {"it", "he", "she", "there", "here", "what", "that"}
