@@ -168,11 +168,11 @@ def _homewards(doing: Doing, context: Context) -> None:
             doing.side = across
             reason = "who comes from the front crosses the middle of the road"
             doing.side_basis = Basis(words.i, words.j, reason)
-    elif doing.side is None and entity.beside is None and doing.into is not None:
-        if doing.into.ego and Maneuver.OVERTAKE in entity.maneuvers:
-            doing.side = _OTHER[across]
-            reason = "who has overtaken comes back to its lane"
-            doing.side_basis = Basis(words.i, words.j, reason)
+    back = doing.into is not None and doing.into.ego and Maneuver.OVERTAKE in entity.maneuvers
+    if back and doing.side is None and entity.beside is None:
+        doing.side = _OTHER[across]
+        reason = "who has overtaken comes back to its lane"
+        doing.side_basis = Basis(words.i, words.j, reason)
 
 
 def _into(doing: Doing, scene: Scene, context: Context) -> None:

@@ -50,12 +50,14 @@ class Filler:
         doing = self._act(number, kinds, name)
         if doing is None and role == "duration":
             doing = self._said_of_it(number)
-        if doing is None and role == "duration":
-            return self._before_the_next(number)
-        if doing is None:
-            doing = self._made(number, role)
-        if doing is None:
-            return False
+            if doing is None:
+                return self._before_the_next(number)
+        doing = doing or self._made(number, role)
+        return doing is not None and self._give(doing, number, name)
+
+    def _give(self, doing: Doing, number: Measured, name: str) -> bool:
+        """Gives a number to a field of an act."""
+        role = number.frame.role
         plain = role.startswith("lateral") or role in {"duration", "distance"}
         amount = exactly(number) if plain else amount_of(number)
         if role == "rate" and doing.kind is ActKind.STOP:
@@ -66,16 +68,15 @@ class Filler:
             if changed is None:
                 return False
             amount = changed
-        if role == "lateral_move" and name in doing.amounts:
-            doing = self._further(doing)
         if role == "lateral_move":
+            doing = self._further(doing) if name in doing.amounts else doing
             self._side(doing, number)
         for same in self._alike(doing):
             if name in same.amounts and same.amounts[name].value != amount.value:
                 return False
             same.amounts.setdefault(name, amount)
             if same.amounts[name] is not amount:
-                self._happenings.further.append((f"{name}", same.entity, amount.basis))
+                self._happenings.further.append((name, same, amount.basis))
         return True
 
     def _alike(self, doing: Doing) -> list[Doing]:

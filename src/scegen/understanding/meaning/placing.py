@@ -109,6 +109,9 @@ def _ends_there(event: Event, prep: Prep) -> bool:
     """``swerves behind the ego``, ``sweeps left in front of the bus``: where it gets to."""
     turns = any(d.value in _SIDES for d in event.dirs)
     onto = event.name == "swerve" and any(p.value == "into" for p in event.pps)
+    afoot = isinstance(prep.target, Mention) and not any(e.is_vehicle for e in prep.target.entities)
+    if afoot and (event.name, prep.value) == ("stop", "ahead"):
+        return True  # "stops 1 m in front of her"
     return (event.name, prep.value) == ("swerve", "behind") or (
         (turns or onto) and prep.value == "ahead"
     )
@@ -293,8 +296,10 @@ class Placer:
         """
         side = prep.target
         named = [d for d in side.dirs if d in _SIDES] if isinstance(side, Place) else []
-        for entity in [e for e in entities if not e.ego] if len(named) == 1 and side else []:
-            entity.beside = entity.beside or (named[0], Basis(prep.word.i, side.j if side else 0))
+        if not isinstance(side, Place) or len(named) != 1:
+            return
+        for entity in [e for e in entities if not e.ego]:
+            entity.beside = entity.beside or (named[0], Basis(prep.word.i, side.j))
 
     def passed_on(self, prep: Prep, entities: list[Entity]) -> None:
         """``the ego passes three parked cars on its right``: where these stand.
@@ -322,9 +327,6 @@ class Placer:
         if event is not None and event.name not in _STEADY and prep.outer != "from":
             self._behind_the_ego(prep, entities, basis)
             return
-        stops = event is not None and event.name == "stop" and prep.value == "ahead"
-        if stops and isinstance(target, Mention) and not any(e.is_vehicle for e in target.entities):
-            return  # "stops 1 m in front of her"
         out_of = prep.outer == "from" and isinstance(target, Mention)
         if event is not None and target and (out_of or _ends_there(event, prep)):
             return

@@ -128,9 +128,10 @@ def _in_lanes(chunks: list[Chunk]) -> list[Chunk]:
         bare = isinstance(before, Word) and (before.cat == "quantity" or before.value == ",")
         who = isinstance(before, Mention) and any(m.cat == "quantity" for m in before.mods)
         ends = after is None or (isinstance(after, Word) and after.cat in {"punct", "conj"})
-        named = isinstance(chunk, Place) and chunk.kind == "lane" and bool(chunk.dirs)
-        plain = named and isinstance(chunk, Place) and all(m.cat == "dir" for m in chunk.mods)
-        if plain and ends and (bare or who) and {"left", "right"} & set(chunk.dirs):
+        lane = chunk if isinstance(chunk, Place) and chunk.kind == "lane" else None
+        plain = lane is not None and all(m.cat == "dir" for m in lane.mods)
+        sided = lane is not None and bool({"left", "right"} & set(lane.dirs))
+        if plain and sided and ends and (bare or who):
             found.append(Word(Term("prep", "in", chunk.i, chunk.i)))
         found.append(chunk)
     return found

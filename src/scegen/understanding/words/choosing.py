@@ -110,11 +110,9 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     if match.has(*_NOUNS) and match.form in {"base", "s"} and _noun_slot(match, tokens, previous):
         part = match.has("dir") and match.get("dir").value == "rear" and before != "manner"
         return match.get("dir") if part else match.get(*_NOUNS), False  # "hit the back of it"
-    across = match.has("dir") and match.get("dir").value == "lateral"
-    if across and match.form == "base" and not noun_follows(tokens, match.j):
-        return verb, False  # "… and a pedestrian at 5 km/h cross in front of it"
     if match.has("dir") and match.form == "base" and not _second_verb(match, tokens, previous):
-        return match.get("dir"), False
+        across = match.get("dir").value == "lateral" and not noun_follows(tokens, match.j)
+        return (verb if across else match.get("dir")), False  # "they … cross in front of it"
     return verb, False
 
 
