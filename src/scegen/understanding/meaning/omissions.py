@@ -21,6 +21,7 @@ _CROSSING = frozenset({HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_CYCLI
 """What concerns those who come from the front, too."""
 _NEAR = 12
 _PHRASE = 5
+_REACTING = frozenset({"brake", "react", "slow", "swerve", "avoid", "reply"})
 _LEEWAY = frozenset({"time", "chance", "room", "space", "distance", "hope"})
 _HARMLESS = frozenset({"light", "inert", "return", "move", "encounter", "try"})
 
@@ -35,8 +36,8 @@ def not_done(scene: Scene, context: Context) -> None:
     event = scene.event
     basis = Basis(event.i, event.j)
     nobody = any(m.pronoun in {"everybody", "neither", "nobody"} for m in event.subject)
-    if nobody and event.name in {"brake", "react", "slow", "swerve", "avoid", "reply"}:
-        return  # "nobody reacts": it takes its course
+    if nobody and _takes_its_course(scene, context):
+        return
     if event.unable:
         _unable(scene, context)
     elif (
@@ -68,6 +69,12 @@ def not_done(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.OCCLUSION, basis, [])
     elif event.name not in _HARMLESS | {"collide"}:
         context.draft.note(event.i, event.j, "said not to happen; left out")
+
+
+def _takes_its_course(scene: Scene, context: Context) -> bool:
+    """``nobody reacts``, ``nobody stops`` where no rule says that they must."""
+    bound = _for_people(scene) or _at_signals(scene, context) or _has_to_wait(scene, context)
+    return scene.event.name in _REACTING or (scene.event.name == "stop" and not bound)
 
 
 def _late(scene: Scene) -> bool:
