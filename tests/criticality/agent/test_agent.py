@@ -41,11 +41,13 @@ def test_it_sees_everything_that_it_may_change(advised, good_changes, chat_serve
     (body,) = chat_server.asked("parameters")
     message = user_message(body)
     for words in (
-        "`car_1.start_m` = 21.658 m, 1.995 to 51.363: where car_1 starts",
+        "`car_1.start_m` = 21.658 m, 1.995 to 51.363; 1 m more comes 0.052 s sooner: where car_1",
+        "(beyond: car_1 takes a bend with more than 6.2 m/s2 sideways",
+        "car_1 moves as a car can: holds",
         "speeding by car_1",
         "near-miss, without touching, pet 0.2 to 1 s",
         "- car_1 and car_2",
-        "enters their common ground 0.9",
+        "car_1 is on their common ground from 6.41 to 7.51 s, car_2 from 6.60 to 7.27 s: gap -0.9",
     ):
         assert words in message
     system = body["messages"][0]["content"]

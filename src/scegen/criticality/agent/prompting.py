@@ -5,7 +5,9 @@ from __future__ import annotations
 from functools import lru_cache
 from math import ceil, floor
 
+from scegen.criticality.proposals.parameters import Parameter
 from scegen.criticality.proposals.proposal import Situation
+from scegen.criticality.proposals.reaching import Reach, Said
 from scegen.criticality.search.problem import MEASURE_FIELDS
 from scegen.criticality.target import BANDS, Target
 from scegen.llm.prompting import as_data, data_rule, prompt_file, version_of
@@ -13,6 +15,7 @@ from scegen.scenario.concrete import ConcreteParticipant, DriveMotion
 from scegen.scenario.proof import HazardProof
 
 AGENT = "parameters"
+_NO_TIME_S = 0.0005
 
 
 @lru_cache(maxsize=1)
@@ -31,6 +34,7 @@ def instructions_version() -> str:
 def question(situation: Situation) -> str:
     """Everything about one situation."""
     first, second = situation.pair
+    found = situation.explore()
     now = [f"{n} {value:.3g} {unit}" for n, value, unit in situation.measures if value is not None]
     return "\n".join(
         [
@@ -39,15 +43,8 @@ def question(situation: Situation) -> str:
             f"Target, between {first} and {second}: {_target(situation.target)}",
             f"As it is now: {', '.join(now) or 'the two do not meet'}",
             _listing("The dangers", [_danger(h) for h in situation.hazards]),
-            _listing(
-                "Who meets whom",
-                [
-                    f"{e.second} enters their common ground {abs(e.gap_s):.2f} s "
-                    f"{'before' if e.gap_s < 0 else 'after'} {e.first} has left it, "
-                    f"at {e.at_s:.2f} s"
-                    for e in situation.encounters
-                ],
-            ),
+            _listing("What is said and must hold", [_statement(s) for s in found.said]),
+            _listing("Who meets whom (all others never do)", _meetings(situation)),
             _listing("Who touches whom", [f"{a} and {b}" for a, b in situation.contacts]),
             _listing(
                 "The participants",
@@ -58,12 +55,7 @@ def question(situation: Situation) -> str:
             ),
             _listing(
                 "The parameters",
-                [
-                    # bounds rounded inwards, so that a value at a bound is inside
-                    f"`{p.name}` = {p.value:.3f} {p.unit}, {ceil(p.low * 1000) / 1000:.3f} to "
-                    f"{floor(p.high * 1000) / 1000:.3f}: {p.meaning}"
-                    for p in situation.parameters
-                ],
+                [_parameter(p, found.reaches[p.name]) for p in situation.parameters],
             ),
         ]
     )
@@ -88,10 +80,49 @@ def _unit(measure: str) -> str:
     return MEASURE_FIELDS[measure][1]
 
 
+def _meetings(situation: Situation) -> list[str]:
+    """When both are on their common ground, and how near in time."""
+    lines = []
+    for e in situation.encounters:
+        first, second = e.passages
+        gap = f"gap {e.gap_s:.2f} s" + (", both there at once" if e.gap_s < 0 else "")
+        later = (
+            f", later {e.least_s:.2f} s in the lane that they share" if e.least_s < e.gap_s else ""
+        )
+        lines.append(
+            f"{e.first} is on their common ground from {first.enters_s:.2f} to "
+            f"{first.leaves_s:.2f} s, {e.second} from {second.enters_s:.2f} to "
+            f"{second.leaves_s:.2f} s: {gap}{later}"
+        )
+    return lines
+
+
+def _statement(said: Said) -> str:
+    if said.margin >= 0.0:
+        return f"{said.statement}: holds"
+    return f"{said.statement}: does not hold, by {-said.margin:.2f} {said.unit}"
+
+
+def _parameter(parameter: Parameter, reach: Reach) -> str:
+    """Its range is rounded inwards, so that a value at a bound is inside."""
+    low, high = ceil(reach.low * 1000) / 1000, floor(reach.high * 1000) / 1000
+    stops = f" (beyond: {'; '.join(reach.stops)})" if reach.stops else ""
+    sooner = ""
+    if reach.sooner_s is not None and abs(reach.sooner_s) >= _NO_TIME_S:
+        comes = "sooner" if reach.sooner_s > 0 else "later"
+        sooner = f"; 1 {parameter.unit} more comes {abs(reach.sooner_s):.3f} s {comes}"
+    return (
+        f"`{parameter.name}` = {parameter.value:.3f} {parameter.unit}, {low:.3f} to {high:.3f}"
+        f"{stops}{sooner}: {parameter.meaning}"
+    )
+
+
 def _danger(hazard: HazardProof) -> str:
     who = f"{hazard.kind} by {' and '.join(hazard.by) or 'somebody'}"
     who += f" to {' and '.join(hazard.to)}" if hazard.to else ""
-    margin = "" if hazard.margin is None else f" (margin {hazard.margin:.2f} {hazard.unit})"
+    beyond = "" if hazard.margin is None else f"{abs(hazard.margin):.2f} {hazard.unit}"
+    margin = f" ({beyond} {'beyond' if hazard.happened else 'short of'} its threshold)"
+    margin = margin if beyond else ""
     return f"{who}: {'happens' if hazard.happened else 'does not happen yet'}{margin}"
 
 

@@ -4,26 +4,57 @@ from __future__ import annotations
 
 from itertools import combinations
 
+from scegen.claims.view import View, view_of
 from scegen.concretization.boxes import overlap
-from scegen.criticality.search.problem import Problem
-from scegen.motion.batch.arrays import Floats
+from scegen.criticality.search.problem import Problem, finishing
+from scegen.motion.batch.arrays import Bools, Floats
+from scegen.motion.batch.simulation import simulate_batch
 from scegen.scenario.bodies import BODIES
 
-_TYRES = "somebody takes a bend faster than the tyres hold"
+
+def driven(problem: Problem, x: Floats) -> View:
+    """The movements with these values of all variables (c, n)."""
+    made = problem.space.candidates(x)
+    traces = simulate_batch(problem.program, made, duration_s=problem.duration_s, dt_s=problem.dt_s)
+    return view_of(problem.concrete, problem.ways, problem.scene, traces, problem.friction)
 
 
 def hindrances(problem: Problem, x: Floats) -> frozenset[str]:
     """Why values of all variables (n,) cannot be driven; nothing: they can."""
-    outcome = problem.evaluate(x[None, :])
-    found = set(_overlaps(problem, outcome.made.start_m[0]))
-    if outcome.missing["lateral acceleration"][0] > 0.0:
-        found.add(_TYRES)
-    if outcome.missing["finish"][0] > 0.0:
-        found.add(
-            f"somebody is still under way after {problem.duration_s:.0f} s, or waits at the end of "
-            "its road"
-        )
-    return frozenset(found)
+    (found,) = hindrances_in(problem, x[None, :], driven(problem, x[None, :]))
+    return found
+
+
+def hindrances_in(problem: Problem, x: Floats, view: View) -> list[frozenset[str]]:
+    """The same of many (c, n), whose movements are known."""
+    made = problem.space.candidates(x)
+    standing: dict[bytes, list[str]] = {}
+    for starts in made.start_m:
+        if starts.tobytes() not in standing:
+            standing[starts.tobytes()] = _overlaps(problem, starts)
+    found = [set(standing[starts.tobytes()]) for starts in made.start_m]
+    for name, limit in problem.lateral_mps2.items():
+        slides = view.lateral_mps2(name).max(axis=1) > limit
+        why = f"{name} takes a bend with more than {limit:.1f} m/s2 sideways, which it may not"
+        _add(found, slides, why)
+    missing, _ = finishing(view, problem.pair)
+    for participant in problem.concrete.participants:
+        way = problem.ways[participant.id]
+        under_way = view.place_m(participant.id)[:, -1] < way.goal_m
+        if not way.halts:
+            why = f"{participant.id} is still under way after {problem.duration_s:.0f} s, the end"
+            _add(found, under_way & (missing > 0.0), why)
+            missing = missing * ~under_way
+    _add(
+        found, missing > 0.0, "somebody does not stand, or waits at the end of its road, in the end"
+    )
+    return [frozenset(one) for one in found]
+
+
+def _add(found: list[set[str]], where: Bools, why: str) -> None:
+    for one, holds in zip(found, where, strict=True):
+        if holds:
+            one.add(why)
 
 
 def _overlaps(problem: Problem, start_m: Floats) -> list[str]:

@@ -14,6 +14,7 @@ from scegen.criticality.proposals.parameters import Parameter
 from scegen.criticality.proposals.proposal import Check, Encounter, Proposal, Proposed, Situation
 from scegen.criticality.target import Target
 from scegen.scenario.functional import Hazard
+from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.vocabulary import HazardKind
 
 OFFLINE = "offline rules"
@@ -24,15 +25,6 @@ _CLOSEST_S = 0.2
 _TOUCHES_S = -0.5
 _WORTH_S = 0.02
 _SHARE = 0.5
-_MORE = {
-    HazardKind.SPEEDING: ("speed_mps", 1),
-    HazardKind.SLOW_DRIVING: ("speed_mps", -1),
-    HazardKind.SUDDEN_ACCELERATION: ("rate_mps2", 1),
-    HazardKind.HARD_BRAKING: ("rate_mps2", 1),
-    HazardKind.DELAYED_BRAKING: ("rate_mps2", 1),
-    HazardKind.TAILGATING: ("start_m", 1),
-}
-"""What makes a danger: the quantity of whoever causes it, and whether more or less of it does."""
 
 
 class OfflineProposer:
@@ -51,9 +43,10 @@ class OfflineProposer:
 def _strengthened(situation: Situation) -> Iterator[Proposal]:
     """More of what makes a danger that does not happen yet."""
     for proof in situation.hazards:
-        if proof.happened or proof.kind not in _MORE:
+        more_of = HAZARDS[proof.kind].more_of
+        if proof.happened or more_of is None:
             continue
-        quantity, sign = _MORE[proof.kind]
+        quantity, sign = more_of
         hazard = Hazard(kind=proof.kind, by=proof.by, to=proof.to)
         for who in culprits(situation.concrete, hazard):
             parameter = _of_hazard(situation, who, proof.kind, quantity)

@@ -20,9 +20,10 @@ _WHOLE = {
 }
 _OF_STEP = {
     "rate_mps2": "how hard {who} {does} ({what})",
-    "distance_m": "shift of the distance at which {who} {does} ({what}): 0 is as it is, more is "
+    "distance_m": "shift of the {distance} at which {who} {does} ({what}): 0 is as it is, more is "
     "{more}",
-    "place_m": "shift of the place at which {who} {does} ({what}): 0 is as it is, more is later",
+    "place_m": "shift of the place at which {who} {does} ({what}): 0 is as it is, more is later; "
+    "the place stays where it is if the start changes",
     "time_s": "shift of the time before another's arrival at which {who} {does} ({what}): 0 is as "
     "it is, more is earlier",
     "duration_s": "shift of how long {who} stands before it drives on ({what}): 0 is as it is",
@@ -76,7 +77,9 @@ def _meaning(concrete: ConcreteScenario, variable: Variable) -> str:
     phase = participant.speed_program[int(step["step"])]
     slows = phase.target_speed_mps < participant.speed_mps
     does = f"{'brakes' if slows else 'changes speed'} to {phase.target_speed_mps:g} m/s"
-    more = "earlier" if isinstance(phase.trigger, DistanceBelow) else "later"
+    near = isinstance(phase.trigger, DistanceBelow)
+    more = "earlier" if near else "later"
+    distance = "straight distance between the reference points" if near else "distance"
     what = f"step {int(step['step']) + 1}, {step['what'].replace('_', ' ')}"
     text = _OF_STEP.get(step["quantity"], "{who}: " + step["quantity"])
-    return text.format(who=who, does=does, what=what, more=more)
+    return text.format(who=who, does=does, what=what, more=more, distance=distance)

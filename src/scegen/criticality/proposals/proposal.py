@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Annotated, Any, Protocol
 
 from pydantic import Field, WithJsonSchema
 
 from scegen.criticality.proposals.parameters import Parameter
+from scegen.criticality.proposals.reaching import Explored
 from scegen.criticality.target import Target
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.model import FrozenModel
@@ -31,18 +32,27 @@ class Proposal(FrozenModel):
 
 
 @dataclass(frozen=True, slots=True)
+class Passage:
+    """When somebody is on the ground that it shares with another, and where its way enters it."""
+
+    enters_s: float
+    leaves_s: float
+    enters_m: float
+
+
+@dataclass(frozen=True, slots=True)
 class Encounter:
     """Two whose paths meet: ``second`` enters ``gap_s`` after ``first`` has left, or before (< 0).
 
-    ``at_s`` is when the second enters. ``least_s`` is the smallest gap from there on: less, where
-    the second catches up with the first in a lane that they share.
+    ``passages`` are those of the first and of the second. ``least_s`` is the smallest gap from
+    there on: less, where the second catches up with the first in a lane that they share.
     """
 
     first: str
     second: str
     gap_s: float
-    at_s: float
     least_s: float
+    passages: tuple[Passage, Passage]
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +60,8 @@ class Situation:
     """A scenario before the search, and what it is to become.
 
     ``hazards`` say which dangers happen already; ``measures`` are the pair's by name with value
-    (None: undefined) and unit; ``contacts`` are those who touch.
+    (None: undefined) and unit; ``contacts`` are those who touch. ``explore`` finds out, when asked,
+    what every parameter can do.
     """
 
     concrete: ConcreteScenario
@@ -61,6 +72,7 @@ class Situation:
     measures: tuple[tuple[str, float | None, str], ...]
     encounters: tuple[Encounter, ...]
     contacts: tuple[tuple[str, str], ...]
+    explore: Callable[[], Explored] = field(compare=False)
 
     def parameter(self, name: str) -> Parameter | None:
         """The parameter of this name."""

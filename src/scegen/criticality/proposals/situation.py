@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import inf
 
 import numpy as np
@@ -9,7 +10,8 @@ import numpy as np
 from scegen.claims.hazards.judging import number
 from scegen.claims.view import View, view_of
 from scegen.criticality.proposals.parameters import parameters_of
-from scegen.criticality.proposals.proposal import Encounter, Situation
+from scegen.criticality.proposals.proposal import Encounter, Passage, Situation
+from scegen.criticality.proposals.reaching import explored
 from scegen.criticality.search.problem import MEASURE_FIELDS, Problem
 from scegen.measures.following import SPACING_M
 from scegen.motion.batch.arrays import Floats
@@ -25,19 +27,33 @@ def situation_of(problem: Problem, hazards: tuple[HazardProof, ...]) -> Situatio
     view = view_of(problem.concrete, problem.ways, problem.scene, traces, problem.friction)
     people = [entity.id for entity in problem.concrete.entities]
     touching = ~np.isnan(view.summary.contact_s[0])
+    parameters = parameters_of(problem.concrete, space)
+    encounters = tuple(_encounters(view, people))
     return Situation(
         concrete=problem.concrete,
         target=problem.target,
         pair=problem.pair,
-        parameters=parameters_of(problem.concrete, space),
+        parameters=parameters,
         hazards=hazards,
         measures=tuple(
             (name, number(view.of_pair(field, *problem.pair)[0]), unit)
             for name, (field, unit) in MEASURE_FIELDS.items()
         ),
-        encounters=tuple(_encounters(view, people)),
+        encounters=encounters,
         contacts=tuple((people[int(a)], people[int(b)]) for a, b in problem.scene.pairs[touching]),
+        explore=lambda: explored(problem, parameters, _places_m(encounters)),
     )
+
+
+def _places_m(encounters: Sequence[Encounter]) -> dict[str, float]:
+    """Where everybody comes to its first encounter."""
+    places: dict[str, float] = {}
+    for encounter in encounters:
+        for name, passage in zip(
+            (encounter.first, encounter.second), encounter.passages, strict=True
+        ):
+            places.setdefault(name, passage.enters_m)
+    return places
 
 
 def _encounters(view: View, people: list[str]) -> list[Encounter]:
@@ -49,18 +65,28 @@ def _encounters(view: View, people: list[str]) -> list[Encounter]:
             continue  # a thing comes at no time
         met = []
         for n in range(areas.first[p], areas.first[p + 1]):
-            entered = [_time_s(view, people[i], areas.enter_m[n, k]) for k, i in enumerate((a, b))]
-            left = [_time_s(view, people[i], areas.leave_m[n, k]) for k, i in enumerate((a, b))]
-            first = int(entered[1] < entered[0])
-            gap = entered[1 - first] - left[first]
-            if np.isfinite(gap) and min(left) > 0.0:  # else somebody starts beyond it
-                names = people[a], people[b]
-                behind = _least_behind_s(view, leader=names[first], follower=names[1 - first])
-                at = entered[1 - first]
-                met.append(Encounter(names[first], names[1 - first], gap, at, min(gap, behind)))
+            passages = [
+                Passage(
+                    _time_s(view, people[i], areas.enter_m[n, k]),
+                    _time_s(view, people[i], areas.leave_m[n, k]),
+                    float(areas.enter_m[n, k]),
+                )
+                for k, i in enumerate((a, b))
+            ]
+            names = [people[a], people[b]]
+            if passages[1].enters_s < passages[0].enters_s:
+                passages.reverse()
+                names.reverse()
+            first, second = passages
+            gap = second.enters_s - first.leaves_s
+            # else somebody starts beyond it
+            if np.isfinite(gap) and min(first.leaves_s, second.leaves_s) > 0.0:
+                behind = _least_behind_s(view, leader=names[0], follower=names[1])
+                both = names[0], names[1]
+                met.append(Encounter(*both, gap, min(gap, behind), (first, second)))
         if met:
             found.append(min(met, key=lambda e: e.gap_s))
-    return sorted(found, key=lambda e: (e.at_s, e.first, e.second))
+    return sorted(found, key=lambda e: (e.passages[1].enters_s, e.first, e.second))
 
 
 def _least_behind_s(view: View, *, leader: str, follower: str) -> float:

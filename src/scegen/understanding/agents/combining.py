@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from scegen.scenario.functional import FunctionalScenario
 from scegen.understanding.agents.comparing import compare_hazards, compare_people
-from scegen.understanding.agents.deciding import Decider
+from scegen.understanding.agents.deciding import EVERYBODYS, Decider
+from scegen.understanding.agents.numbers import compare_numbers
 from scegen.understanding.agents.stated import Words, miscounted, words_of
 from scegen.understanding.report.disagreement import Disagreement
 
@@ -38,6 +39,7 @@ def combine(
         # participants taken over from the reader agree with it in everything
         compare_people(decider)
         compare_hazards(decider)
+        compare_numbers(decider)
     return decider.scenario, decider.disagreements
 
 
@@ -74,11 +76,7 @@ def _counts(decider: Decider) -> bool:
     objections = miscounted(reader, decider.scenario)
     if not objections:
         return False
-    replaced = {
-        "participants": reader.participants,
-        "relations": reader.relations,
-        "hazards": reader.hazards,
-    }
+    replaced = {name: getattr(reader, name) for name in EVERYBODYS}
     words = _place(reader, objections[0].words or "")
     theirs, ours = _tally(reader), _tally(decider.scenario)
     decider.decide("participants", words, theirs, ours, replaced, number=True)

@@ -7,7 +7,7 @@ from typing import Any
 
 from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
 from scegen.scenario.vocabulary import ParticipantKind, Role
-from scegen.understanding.agents.deciding import Decider, close, shown
+from scegen.understanding.agents.deciding import EVERYBODYS, Decider, close, shown
 from scegen.understanding.agents.stated import Words, words_of
 from scegen.understanding.report.disagreement import Kept
 
@@ -180,11 +180,7 @@ def _ego(decider: Decider, ours: str | None) -> None:
     words = words_of(reader, f"participants.{reader.ego.id}.role")
     if words is None or ours is None or ours == scenario.ego.id:
         return
-    replaced: dict[str, Any] = {
-        "participants": reader.participants,
-        "relations": reader.relations,
-        "hazards": reader.hazards,
-    }
+    replaced: dict[str, Any] = {name: getattr(reader, name) for name in EVERYBODYS}
     decider.decide(
         f"participants.{ours}.role",
         words,

@@ -15,6 +15,8 @@ from scegen.understanding.report.disagreement import Disagreement, Kept
 _SAME_WITHIN = 0.02
 """Quantities that differ by less were only rounded."""
 _NUMBERS_WIN = "numbers stated in the text win"
+EVERYBODYS = ("participants", "relations", "objects", "hazards", "acts", "spacings", "outcome")
+"""Fields that name participants: who takes over another's participants takes over all of them."""
 _LEXICON_WINS = "the reader's lexicon has these words, and the agents named no others"
 
 
@@ -93,8 +95,7 @@ class Decider:
     def _evidence(self, update: Mapping[str, Any], path: str, proof: str) -> list[Any]:
         """The agents' evidence, with the reader's in place of what is replaced."""
         places = {f"{g}.{n}" for g, v in update.items() if isinstance(v, dict) for n in v}
-        everybody = {"participants", "relations", "hazards"} <= set(update)
-        groups = ("participants.", "relations", "hazards.") if everybody else ()
+        groups = EVERYBODYS if set(EVERYBODYS) <= set(update) else ()
 
         def replaced(field: str) -> bool:
             return field in places or field.startswith(groups)

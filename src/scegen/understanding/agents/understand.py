@@ -14,6 +14,7 @@ from scegen.llm.session import Heard, Progress, Session
 from scegen.scenario.functional import FunctionalScenario
 from scegen.understanding.agents.combining import combine
 from scegen.understanding.agents.contradicting import Contradiction, contradiction_in
+from scegen.understanding.agents.numbers import lost
 from scegen.understanding.agents.prompting import prompts_version
 from scegen.understanding.agents.result import READER, Disagreement, Objection, Understanding
 from scegen.understanding.agents.stated import miscounted
@@ -83,7 +84,7 @@ class _Offline:
     def objections(self, scenario: FunctionalScenario) -> tuple[Objection, ...]:
         """What speaks against a scenario, in the eyes of the reader."""
         if self.reading is not None:
-            return miscounted(self.reading, scenario)
+            return miscounted(self.reading, scenario) or lost(self.reading, scenario)
         return () if self.contradiction is None else self.contradiction.objections(scenario)
 
 

@@ -35,8 +35,7 @@ def not_done(scene: Scene, context: Context) -> None:
     """
     event = scene.event
     basis = Basis(event.i, event.j)
-    nobody = any(m.pronoun in {"everybody", "neither", "nobody"} for m in event.subject)
-    if nobody and _takes_its_course(scene, context):
+    if _nobody_reacts(scene, context):
         return
     if event.unable:
         _unable(scene, context)
@@ -71,8 +70,11 @@ def not_done(scene: Scene, context: Context) -> None:
         context.draft.note(event.i, event.j, "said not to happen; left out")
 
 
-def _takes_its_course(scene: Scene, context: Context) -> bool:
-    """``nobody reacts``, ``nobody stops`` where no rule says that they must."""
+def _nobody_reacts(scene: Scene, context: Context) -> bool:
+    """``neither brakes``, ``nobody stops`` where no rule says that they must: nothing is done."""
+    subjects = {m.pronoun for m in scene.event.subject}
+    if not subjects & {"everybody", "neither", "nobody"}:
+        return False
     bound = _for_people(scene) or _at_signals(scene, context) or _has_to_wait(scene, context)
     return scene.event.name in _REACTING or (scene.event.name == "stop" and not bound)
 
