@@ -9,6 +9,7 @@ from scegen.understanding.meaning.context import Context, Scene
 from scegen.understanding.phrases.which_road import AGAINST, ALONG
 
 _TURNS = frozenset({"turn", "sharp_turn", "enter", "move", "merge"})
+_OVER = frozenset({"across", "over"})
 _INTO = {"into": CrossedArm.EXIT, "from": CrossedArm.ENTRY}
 _SIDES = {Maneuver.LEFT: Approach.LEFT, Maneuver.RIGHT: Approach.RIGHT}
 _OTHER = {Approach.LEFT: Approach.RIGHT, Approach.RIGHT: Approach.LEFT}
@@ -25,6 +26,10 @@ def note_arms(scenes: list[Scene], context: Context) -> None:
     for scene in scenes:
         whom = scene.walkers + [e for e in scene.actors if context.is_cyclist(e) and not e.ego]
         for prep, place in _crossed(scene.event):
+            rides = prep is None and scene.event.name != "cross"
+            rides = rides or (prep is not None and context.tokens[prep.word.i].low not in _OVER)
+            if rides and not scene.walkers:
+                continue  # "a cyclist takes the first exit"
             arm = place.arm or used.get(place.kind)
             arm = CrossedArm.EXIT if arm is None and place.kind == "exit" else arm
             if arm is None:

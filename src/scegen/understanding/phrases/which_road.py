@@ -200,9 +200,10 @@ def _without_asides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             k += 1
             continue
         end = _seen(chunks, k, tokens) if text == "as" else None
-        sided = isinstance(before := _at(found, len(found) - 1), Place) and before.kind == "side"
-        if sided and end is None and isinstance(chunk, Word):
+        if end is None and isinstance(chunk, Word) and _from_a_side(found):
             end = _end_of_turn(chunks, k)
+            tells = isinstance(more := _at(chunks, end), Word) and more.cat in {"dir", "prep"}
+            end = k if tells else end
             end = _moment(chunks, k, tokens) if end == k else end
         if end is not None and end > k:
             k = end
@@ -210,6 +211,15 @@ def _without_asides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         found.append(chunk)
         k += 1
     return found
+
+
+def _from_a_side(before: list[Chunk]) -> bool:
+    """``from the left``, ``from its left``."""
+    place = _at(before, len(before) - 1)
+    m = len(before) - (3 if isinstance(_at(before, len(before) - 2), Mention) else 2)
+    word = _at(before, m)
+    side = isinstance(place, Place) and place.kind == "side"
+    return side and isinstance(word, Word) and (word.cat, word.value) == ("prep", "from")
 
 
 def _seen(chunks: list[Chunk], k: int, tokens: list[Token]) -> int | None:
