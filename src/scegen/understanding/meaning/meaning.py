@@ -13,6 +13,7 @@ from scegen.understanding.meaning import (
     afoot,
     breaches,
     courses,
+    crossed_arms,
     dangers,
     detours,
     encounters,
@@ -139,6 +140,7 @@ class Interpreter:
         breaches.subsume(self._context)
         courses.circulate(chunks, self._scenes, self._context)
         sides_left(chunks, self._context)
+        crossed_arms.note_arms(self._scenes, self._context)
         return self._scenes
 
     def _mention(self, mention: Mention) -> None:

@@ -103,9 +103,11 @@ def _has_done(tokens: list[Token], term: Term) -> bool:
 
 
 def _governed(terms: list[Term]) -> bool:
-    """``from the ego's left at the moment …``: a noun after a preposition does nothing."""
-    before = [t for t in terms[-3:-1] if t.cat not in {"det", "label"}]
-    return bool(before) and before[-1].cat == "prep"
+    """``from the ego's left at the bend``: what a preposition governs has no verb of its own."""
+    k = len(terms) - 1
+    while k >= 0 and terms[k].cat in {"actor", "det", "label", "possessive", "pronoun"}:
+        k -= 1
+    return k >= 0 and terms[k].cat == "prep"
 
 
 def _near_or_far(term: Term, tokens: list[Token]) -> Term:
