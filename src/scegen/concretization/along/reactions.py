@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from scegen.concretization.along.passing import apart_m
 from scegen.concretization.along.runner import Runner, Step, gap_m, in_line
 from scegen.concretization.along.story import Story, contact_wanted
 from scegen.concretization.limits import HARD_BRAKING_MPS2, LATE_BRAKING_MPS2
@@ -65,7 +66,7 @@ def _contact_s(first: Runner, second: Runner) -> float | None:
     steps = int(_LATEST_S / _STEP_S)
     for n in range(steps):
         time_s = n * _STEP_S
-        if gap_m(first, second, time_s) <= 0 and in_line(first, second, time_s, LANE_WIDTH_M):
+        if apart_m(first, second, time_s) <= 0:
             return time_s
     return None
 
