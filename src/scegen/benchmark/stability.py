@@ -79,6 +79,7 @@ def facts(scenario: FunctionalScenario | None) -> Facts:
         return {}
     junction = scenario.junction
     who = {p.id: _person(p) for p in scenario.participants}
+    who |= {thing.id: (thing.kind.value,) for thing in scenario.objects}
     others = [_person(p) for p in scenario.participants if p is not scenario.ego]
     return {
         "junction": junction.kind,

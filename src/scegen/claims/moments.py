@@ -17,6 +17,7 @@ from scegen.motion.batch.arrays import COS, SIN, SPEED, Bools, Floats, Ints
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
+from scegen.scenario.vocabulary import Side
 
 CHANGES_MPS2 = 0.3
 """Speed that changes faster than this is braking or accelerating."""
@@ -24,6 +25,8 @@ STANDS_MPS = 0.05
 LEAVES_M, HELD_M = 0.01, 0.001
 """Who is so far from its line has left it; the moment is when it was last so near."""
 TURNS_RAD = 0.1
+ASIDE_MPS = 0.05
+"""Who goes sideways faster than this is on its way to there."""
 SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
 GAINING = frozenset({ActKind.ACCELERATE, ActKind.SET_OFF})
 SIDEWAYS = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.OVERTAKE})
@@ -131,6 +134,35 @@ def _lateral(view: View, name: str, drive: Drive | None) -> Floats:
     return np.where(out, held + gone, held)
 
 
+def sideways_begin(
+    view: View, functional: FunctionalScenario, drive: Drive | None, act: Act
+) -> Ints:
+    """When a move to the side begins; one after another of the same, as it turns to its side."""
+    earlier = [
+        a
+        for a in functional.acts[: functional.acts.index(act)]
+        if a.participant == act.participant and a.kind in SIDEWAYS
+    ]
+    begins = leaves_lane(view, act.participant, drive)
+    if not earlier:
+        return begins
+    before = sideways_begin(view, functional, drive, earlier[-1])
+    moved = lateral_m(view, act.participant, drive)
+    speed = np.diff(moved, axis=1, append=moved[:, -1:]) / view.dt_s
+    sense = _sense(act) or -_sense(earlier[-1])
+    there = np.abs(speed) if sense == 0.0 else sense * speed
+    steps = np.arange(view.steps)
+    goes = first((np.abs(speed) > ASIDE_MPS) & (steps >= before[:, None]))
+    # Between two moves to one side it rests for a moment.
+    rests = (there <= ASIDE_MPS) & (steps > goes[:, None])
+    return first(np.maximum.accumulate(rests, axis=1) & (there > ASIDE_MPS))
+
+
+def _sense(act: Act) -> float:
+    """1 to its own left, -1 to its right, 0 where that is not said."""
+    return 0.0 if act.side is None else 1.0 if act.side is Side.LEFT else -1.0
+
+
 def leaves_lane(view: View, name: str, drive: Drive | None) -> Ints:
     """The step in which somebody was last on its line before it left it; all steps if never."""
     moved = np.abs(lateral_m(view, name, drive))
@@ -194,7 +226,7 @@ def _begins(view: View, functional: FunctionalScenario, logical: LogicalScenario
         run = act_run(view, functional, act)
         return np.where(run.happens, run.begin, never)
     if act.kind in SIDEWAYS:
-        return leaves_lane(view, name, drive_of(logical, name))
+        return sideways_begin(view, functional, drive_of(logical, name), act)
     if act.kind is ActKind.REVERSE:
         return first(view.row(name, SPEED) < -STANDS_MPS)
     if act.kind is ActKind.TURN:

@@ -12,12 +12,14 @@ from scegen.claims.arms import arms_of
 from scegen.claims.boxes import boxes, seen
 from scegen.claims.claim import Claim, ClaimKind, Judged, Test, within
 from scegen.claims.moments import (
+    ASIDE_MPS,
     GAINING,
     SIDEWAYS,
     SLOWING,
     act_begins,
     act_run,
     at,
+    first,
     lateral_m,
 )
 from scegen.claims.statements.maneuvers import LANE_M
@@ -38,7 +40,6 @@ from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import Side
 
 _SWERVES_M = 0.3
-_STILL_MPS = 0.1
 _SPEED_OVER_S = 0.1
 _THEN_S = Interval(low=0.0, high=2.0)
 """Where no delay is said, one act follows another within the time of a slow reaction."""
@@ -282,15 +283,23 @@ def _after_act(told: Told, act: Act, when: AfterAct, other: Act, view: View) -> 
         run = act_run(view, told.functional, other)
         since = np.where(run.happens, run.end, view.steps)
     elif when.since == "end" and other.kind in SIDEWAYS:
-        moved = lateral_m(view, other.participant, told.drive(other.participant))
-        speed = np.abs(np.diff(moved, axis=1)) > _STILL_MPS * view.dt_s
-        since = speed.shape[1] - speed[:, ::-1].argmax(axis=1)
+        since = _ends_aside(told, other, since, view)
     began = _begins(told, act, view)
     delay = np.where((since < view.steps) & (began < view.steps), began - since, np.nan)
     delay = delay * view.dt_s
     wanted = _THEN_S if when.delay_s.high == 0.0 else when.delay_s
     margin = within(delay, wanted, 2 * tolerances.TIME_S)
     return Judged(margin, delay, view.time_of(began))
+
+
+def _ends_aside(told: Told, act: Act, begins: Ints, view: View) -> Ints:
+    """When a move to the side, once under way, first comes to rest sideways or turns round."""
+    moved = lateral_m(view, act.participant, told.drive(act.participant))
+    speed = np.diff(moved, axis=1, append=moved[:, -1:]) / view.dt_s
+    under_way = (np.abs(speed) > ASIDE_MPS) & (np.arange(view.steps) >= begins[:, None])
+    goes = first(under_way)
+    sense = np.sign(at(speed, goes))[:, None]
+    return first((np.arange(view.steps) > goes[:, None]) & (sense * speed <= ASIDE_MPS))
 
 
 def _at_measure(told: Told, act: Act, when: WhenMeasure, view: View) -> Judged:

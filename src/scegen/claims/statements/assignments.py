@@ -53,7 +53,8 @@ def claims(told: Told) -> Iterator[Claim]:
     for first, second in combinations(told.logical.drives, 2):
         if first.entry == second.entry and first.rank != second.rank:
             ahead, behind = sorted((first, second), key=lambda drive: drive.rank)
-            if ahead.reverses is None and behind.reverses is None:
+            moves = Maneuver.STAY not in {ahead.maneuver, behind.maneuver}
+            if moves and ahead.reverses is None and behind.reverses is None:
                 yield _order(ahead.participant, behind.participant)
     for drive in told.logical.drives:
         if drive.beside is not None:
@@ -104,7 +105,7 @@ def _comes_in(drive: Drive, off_its_side: bool, view: View) -> Judged:
     # Out of the strip for parking, it starts beside the lanes; a lane's width is let pass.
     side = arm.inward * offset + arm.lane_width_m / 4
     if off_its_side:
-        side = arm.lane_width_m - side
+        side = np.minimum(offset - arm.edges_m[0], arm.edges_m[1] - offset)
     inside = np.min([along + 1.0, arm.length_m + 1.0 - along, side], axis=0)
     margin = np.where(arm.facing(box) > _SAME_WAY, inside, -NEVER)
     return Judged(margin, along, np.zeros(view.count))

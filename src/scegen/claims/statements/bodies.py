@@ -7,7 +7,7 @@ from functools import partial
 
 import numpy as np
 
-from scegen.claims.claim import Claim, ClaimKind, Judged
+from scegen.claims.claim import Claim, ClaimKind, Judged, always
 from scegen.claims.told import Told, plain
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import HEADING, Floats, X, Y
@@ -33,7 +33,7 @@ def claims(told: Told) -> Iterator[Claim]:
         yield Claim(
             id=f"body.{person.id}",
             kind=ClaimKind.BODY,
-            statement=f"{person.id} moves as a {plain(person.kind)} can",
+            statement=f"{person.id} is a {plain(person.kind)} and moves as one can",
             field=f"participants.{person.id}.kind",
             unit="1",
             test=partial(_possible, person),
@@ -44,6 +44,8 @@ def claims(told: Told) -> Iterator[Claim]:
 
 def _possible(person: Participant, view: View) -> Judged:
     """The greatest share of a limit: speed, braking, accelerating, sideways, a jump."""
+    if view.concrete.participant(person.id).kind is not person.kind:
+        return always(view, holds=False)
     body = view.body(person.id)
     speed = view.speed_mps(person.id)
     change = np.diff(speed, axis=1) / view.dt_s

@@ -5,11 +5,28 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 
-from scegen.claims.claim import Claim, ClaimKind, Judged
+import numpy as np
+
+from scegen.claims.claim import Claim, ClaimKind, Judged, yes_or_no
 from scegen.claims.hazards.judging import decisive
+from scegen.claims.moments import act_begins
 from scegen.claims.told import Told, plain
 from scegen.claims.view import View
+from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.functional import Hazard
+from scegen.scenario.vocabulary import HazardKind
+
+_SLOWS = frozenset({ActKind.BRAKE, ActKind.STOP})
+_ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE})
+MADE_BY: dict[HazardKind, frozenset[ActKind]] = {
+    HazardKind.HARD_BRAKING: _SLOWS,
+    HazardKind.DELAYED_BRAKING: _SLOWS,
+    HazardKind.STOPPING: _SLOWS,
+    HazardKind.SUDDEN_ACCELERATION: frozenset({ActKind.ACCELERATE, ActKind.SET_OFF}),
+    HazardKind.CUT_IN: _ASIDE,
+    HazardKind.SWERVING: _ASIDE,
+}
+"""Acts that make a danger; where the text gives their amounts, these decide, not a threshold."""
 
 
 def claims(told: Told) -> Iterator[Claim]:
@@ -23,11 +40,37 @@ def claims(told: Told) -> Iterator[Claim]:
             statement=f"{plain(hazard.kind)}{by}{to} happens",
             field=f"hazards.{hazard.kind}",
             unit="1",
-            test=partial(_happens, hazard),
+            test=partial(_as_said if measured_out(told, hazard) else _happens, told, hazard),
         )
 
 
-def _happens(hazard: Hazard, view: View) -> Judged:
+def measured_out(told: Told, hazard: Hazard) -> list[Act]:
+    """Acts that make a danger and of which the text says how strong or how near they are."""
+    acts = [
+        act
+        for name in hazard.by
+        for act in told.acts_of(name)
+        if act.kind in MADE_BY.get(hazard.kind, ())
+    ]
+    spaced = {spacing.at for spacing in told.functional.spacings}
+    return [
+        act
+        for act in acts
+        if act.rate_mps2 or act.lateral_m or act.lateral_mps or act.duration_s or act.id in spaced
+    ]
+
+
+def _as_said(told: Told, hazard: Hazard, view: View) -> Judged:
+    """What is said of it happens: its amounts are claims of their own."""
+    never = view.steps
+    begins = [
+        act_begins(view, told.functional, told.logical, act) for act in measured_out(told, hazard)
+    ]
+    step = np.max(begins, axis=0)
+    return yes_or_no(step < never, view.time_of(step), view.time_of(step))
+
+
+def _happens(_: Told, hazard: Hazard, view: View) -> Judged:
     """Margins are relative to the scale of the weakest condition."""
     margin, time_s = decisive(view, hazard)
     return Judged(margin, margin, time_s)

@@ -31,6 +31,15 @@ def claims(told: Told) -> Iterator[Claim]:
         lanes = junction.lanes
         statement = f"lanes per direction: {', '.join(map(str, lanes))}"
         yield _road("lanes", statement, lambda road: _wide(road, lanes))
+    names = {person.id for person in told.people}
+    yield Claim(
+        id="road.participants",
+        kind=ClaimKind.ROAD,
+        statement=f"there are {len(names)} participants and no others",
+        field="participants",
+        unit="1",
+        test=partial(_those, names),
+    )
     said = told.functional.environment.model_dump(mode="json", exclude_none=True)
     for name, value in said.items():
         yield Claim(
@@ -65,6 +74,11 @@ def _limited(limit_mps: float, road: RoadParameters) -> bool:
 def _wide(road: RoadParameters, lanes: tuple[int, ...]) -> bool:
     """At least as many lanes in: where somebody turns back, one more may be needed."""
     return all(arm.lanes_in >= count for arm, count in zip(road.arms, lanes, strict=False))
+
+
+def _those(names: set[str], view: View) -> Judged:
+    found = {person.id for person in view.concrete.participants}
+    return always(view, holds=found == names, measured=len(found))
 
 
 def _conditions(name: str, value: str, view: View) -> Judged:

@@ -136,13 +136,14 @@ def _meet_after(story: Story) -> None:
     Those whose place the text gives stay where they are.
     """
     said = {n for s in story.functional.spacings for n in (s.participant, s.reference)}
-    for stray in list(story.runners.values()):
+    passing = [act.participant for act in story.acts if story.goes_round(act)]
+    for stray in (story.runners[name] for name in passing):
         out = [m for m in stray.moves if m.lane == 0]
         back = [m for m in stray.moves if out and m.begins_s > out[0].begins_s and m.lane > 0]
         if not back:
             continue
         for other in story.runners.values():
-            if other.forward == stray.forward or other.id in said or stray.id in said:
+            if other.forward == stray.forward or other.stands or {other.id, stray.id} & said:
                 continue
             later = _JUST_BACK_S if _at_odds(story, stray.id, other.id) else _LONG_BACK_S
             moment = back[0].ends_s + later

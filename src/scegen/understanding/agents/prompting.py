@@ -17,6 +17,7 @@ from scegen.scenario.things import ThingKind
 from scegen.scenario.vocabulary import (
     Approach,
     Control,
+    CrossedArm,
     HazardKind,
     JunctionKind,
     Maneuver,
@@ -41,6 +42,7 @@ _DEFINED: dict[str, Iterable[StrEnum]] = {
     "controls": Control,
     "participant_kinds": ParticipantKind,
     "approaches": Approach,
+    "crossed_arms": CrossedArm,
     "maneuvers": [word for word in Maneuver if word not in _EXITS[1:]],
     "hazard_kinds": HazardKind,
     "acts": ActKind,

@@ -15,6 +15,7 @@ from scegen.understanding.meaning.context import Context, Scene
 _SIDES = {"left": Side.LEFT, "right": Side.RIGHT}
 _OTHER = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT}
 _BEGINNING = frozenset({"start", "begin", "commence", "set"})
+_WISHING = frozenset({"want", "intend", "plan", "hope", "wish", "aim"})
 _PREVENTED = frozenset({"fail", "avoid", "prevent", "delay", "encounter"})
 _SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
 _DRIVEN = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.CHANGE_LANE, ActKind.SWERVE,
@@ -39,7 +40,8 @@ def acts_in(text: Sentences, context: Context) -> list[Doing]:
     for scene in described:  # "the braking car ahead": unless the text tells of it
         for doing in _acts_of(scene, text, context):
             known = any(d.entity is doing.entity and d.kind is doing.kind for d in found)
-            if doing.kind is ActKind.BRAKE and not known:
+            braking = doing.kind is ActKind.BRAKE and scene.event.form == "ing"
+            if braking and not known:
                 found.append(doing)
     found.sort(key=lambda d: d.i)
     return found
@@ -54,6 +56,8 @@ def _acts_of(scene: Scene, text: Sentences, context: Context) -> list[Doing]:
         return []
     if parent is not None and (parent.name in _PREVENTED or parent.negated):
         return []
+    if parent is not None and text.tokens[parent.i].forms[-1][0] in _WISHING:
+        return []  # "wants to pass a truck"
     basis = Basis(event.i, event.j)
     made = []
     for entity in scene.actors:
@@ -84,6 +88,8 @@ def _kind(kind: ActKind, entity: Entity, event: Event, text: Sentences) -> ActKi
     """``starts to walk``: crosses; ``veers into the left lane``: changes lanes."""
     afoot = not entity.is_vehicle
     if kind in _DRIVEN and afoot:
+        return None
+    if kind is ActKind.OVERTAKE and Maneuver.OVERTAKE not in entity.maneuvers:
         return None
     if kind is ActKind.CROSS and not afoot and Maneuver.CROSS not in entity.maneuvers:
         return None
@@ -141,7 +147,8 @@ def _aside(doing: Doing, scene: Scene, context: Context) -> None:
         if named and doing.side is None and place is not None:
             doing.side, doing.side_basis = _OTHER[_SIDES[named[0]]], Basis(place.i, place.j)
     _into(doing, scene, context)
-    if doing.into is not None and doing.into.ego and doing.side is None and entity.beside:
+    homeward = doing.into is None or doing.into.ego
+    if homeward and doing.kind is ActKind.CHANGE_LANE and doing.side is None and entity.beside:
         side, words = entity.beside
         doing.side = _OTHER[_SIDES[side]] if side in _SIDES else None
         doing.side_basis = Basis(words.i, words.j, "into the lane beside its own")
@@ -203,8 +210,11 @@ def _continued(doing: Doing, found: list[Doing], text: Sentences) -> bool:
         return False
     same = text.bounds(before.i) == text.bounds(doing.i)
     if not same or "target_speed_mps" in before.amounts:
-        return same and "target_speed_mps" in before.amounts
+        if same:
+            before.told.append(doing.i)
+        return same
     before.amounts["target_speed_mps"] = Amount(_zero(), doing.basis)
+    before.told.append(doing.i)
     return True
 
 

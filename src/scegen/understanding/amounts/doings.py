@@ -8,7 +8,9 @@ from scegen.scenario.vocabulary import Side
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured
+from scegen.understanding.frames import acts as frames
 from scegen.understanding.happenings import Amount, Doing, Happenings, Trigger, amount_of, exactly
+from scegen.understanding.meaning.context import Scene
 
 _ALONG = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.STOP, ActKind.SET_OFF})
 _ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE})
@@ -85,7 +87,9 @@ class Filler:
         here = [a for a in fitting if start <= a.i < end]
         scene = self._text.scene_at(number.i, number.j)
         if number.frame.role == "duration" and scene is not None:
-            own = [a for a in here if a.i == scene.event.i]
+            own = [a for a in here if scene.event.i in (a.i, *a.told)]
+            if not own:
+                own = self._named_by(scene, fitting)
             return own[-1] if own else None
         before = [a for a in here if a.i < number.i]
         free = [a for a in before if name not in a.amounts]
@@ -103,13 +107,19 @@ class Filler:
         same = [a for a in earlier if not spoken or a.entity in self._text.subject_before(number.i)]
         return same[-1] if same and (not here) else None
 
+    def _named_by(self, scene: Scene, acts: list[Doing]) -> list[Doing]:
+        """``the lane change takes 5 s``: of the act that a noun names."""
+        noun = scene.event if scene.event.nominal else scene.event.parent
+        frame = frames().get(noun.name) if noun is not None and noun.nominal else None
+        return [a for a in acts if frame is not None and a.kind is frame.kind]
+
     def _made(self, number: Measured, role: str) -> Doing | None:
         """``lead car, deceleration 6 m/s²``: an act that only its amount tells of."""
         kind = {"rate": ActKind.BRAKE, "lateral_move": ActKind.SWERVE}.get(role)
         who = self._text.subject_before(number.i)
         if kind is None or not who:
             return None
-        accelerates = "accelerat" in number.around.before
+        accelerates = any(w in number.around.before for w in ("accelerat", "start", "sets off"))
         kind = ActKind.ACCELERATE if role == "rate" and accelerates else kind
         doing = Doing(kind, who[0], amount_of(number).basis, number.i)
         self._happenings.acts.append(doing)

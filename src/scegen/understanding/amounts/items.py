@@ -43,17 +43,16 @@ def items_in(text: Sentences, context: Context) -> list[Item]:
 
 
 def _lie_in_the_way(danger: Danger, text: Sentences, context: Context, found: list[Item]) -> None:
-    things = [t for t in _things(text) if t.kind in {"obstacle", "object"}]
-    i, j = danger.basis.i or 0, danger.basis.j or 0
-    named = [t for t in things if i <= t.i < j] or [t for t in things if abs(t.i - i) <= _NEAR]
+    i = danger.basis.i or 0
+    near = [t for t in _things(text) if abs(t.i - i) <= _NEAR or t.kind == "object"]
+    named = [t for t in _things(text) if t in context.draft.lying] or near[:1]
     listed = [t for t in named if _stands_for_others(t, text)]
     if listed and any(e.still for e in context.draft.entities):
         context.draft.dangers = [d for d in context.draft.dangers if d is not danger]
         return  # "two obstacles: a pedestrian and a bus"
-    seen: list[ThingKind] = [item.kind for item in found]
-    for thing in things if len(named) == len(things) else named:
-        again = ThingKind(_kind(thing)) in seen or _definite(thing)
-        if again and found:
+    for thing in named:
+        again = any(item.kind.value == _kind(thing) or _general(thing) for item in found)
+        if again and _definite(thing):
             continue
         for _ in range(_count(thing)):
             item = _item(thing, text)
@@ -113,6 +112,11 @@ def _things(text: Sentences) -> list[Thing]:
 
 def _kind(thing: Thing) -> str:
     return str(thing.head.data["thing"]) if thing.head is not None else "obstacle"
+
+
+def _general(thing: Thing) -> bool:
+    """``the obstacle``: whatever was named."""
+    return _kind(thing) == ThingKind.OBSTACLE.value
 
 
 def _known(thing: Thing, found: list[Item]) -> Item | None:

@@ -23,6 +23,7 @@ MEASURES = {
     "overlap": Measure.OVERLAP_PERCENT,
 }
 _APART = 4
+_SIDE_REACH = 14
 _JUNCTION = frozenset({"junction", "signal", "stop_line", "stop_sign", "yield_sign"})
 _ALONG = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
 _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
@@ -69,6 +70,8 @@ class Spacer:
         if measure is Measure.GAP_M and sideways and self._beside(entity, reference):
             measure = Measure.LATERAL_GAP_M
         amount, side = self._with_place(amount_of(number), number), None
+        if len(number.quantity.parts) > 1 and number.around.preceded("from"):
+            amount = Amount(number.quantity.parts[0], amount.basis)  # "closes from 40 m to 15 m"
         if measure is Measure.LATERAL_OFFSET_M:
             amount = self._signed(number)
         if measure in {Measure.HEADWAY_S, Measure.TTC_S}:
@@ -81,6 +84,7 @@ class Spacer:
                 for s in self._happenings.spacings
                 if s.measure is not measure or s.entity is not entity
             ]  # "with full overlap (100 %)"
+        self._behind_or_ahead(number, *pair)
         self._in_file(measure, entity, reference, amount)
         at = self._moment(number, measure, entity, reference)
         self._happenings.spacings.append(Apart(measure, entity, reference, amount, at, side))
@@ -89,21 +93,36 @@ class Spacer:
     def _to_a_thing(self, number: Measured) -> bool:
         """``a mattress lies 60 m ahead``, ``60 m ahead of the ego lies a mattress``."""
         start, end = self._text.bounds(number.i)
+        items = {x.basis.i: x for x in self._happenings.items if start <= (x.basis.i or 0) < end}
         others = [
-            e
+            m.i
             for m in self._text.mentions
-            if start <= m.i < end
-            for e in m.entities
-            if not e.ego and (m.i < number.i or not e.still)
+            if start <= m.i < number.i and any(not e.ego for e in m.entities)
         ]
-        items = [x for x in self._happenings.items if start <= (x.basis.i or 0) < end]
-        ego = ego_of(self._context)
-        if others or not items:
+        before = [i for i in items if i is not None and i < number.i]
+        nearest = max(before, default=None) if before else None
+        if nearest is None and not others:
+            nearest = min((i for i in items if i is not None), default=None)
+        if nearest is None or any(i > nearest for i in others):
             return False
         amount = self._with_place(amount_of(number), number)
-        for item in items[:1]:
-            self._happenings.spacings.append(Apart(Measure.GAP_M, item, ego, amount))
+        apart = Apart(Measure.GAP_M, items[nearest], ego_of(self._context), amount)
+        self._happenings.spacings.append(apart)
         return True
+
+    def _behind_or_ahead(self, number: Measured, one: Entity, other: Entity) -> None:
+        """``15 m behind``: who is said to be there, if no place of the two is said."""
+        draft, after = self._context.draft, number.around.after
+        way = {" behind ": Approach.BEHIND, " ahead ": Approach.AHEAD, " in front ": Approach.AHEAD}
+        said = next((a for w, a in way.items() if after.startswith(w)), None)
+        known = any(
+            {p.entity, p.reference or ego_of(self._context)} == {one, other}
+            for p in draft.placements
+        )
+        vehicles = one.is_vehicle and other.is_vehicle and not (one.parked or other.parked)
+        sideways = {Maneuver.CROSS, Maneuver.LANE_CHANGE} & (one.maneuvers | other.maneuvers)
+        if said is not None and not known and vehicles and not sideways:
+            draft.place(one, other, {said}, amount_of(number).basis)
 
     def _in_file(self, measure: Measure, one: Entity, other: Entity, amount: Amount) -> None:
         """``ego and target at 50 km/h, gap 12 m``: the other is ahead, if no place is said."""
@@ -124,7 +143,8 @@ class Spacer:
     def _where_it_stops(self, number: Measured) -> bool:
         """``stops 1 m before the pedestrian``: how far apart they end up."""
         scene = self._text.scene_at(number.i, number.j)
-        stops = scene is not None and scene.event.name in {"stop", "wait"}
+        name = scene.event.name if scene is not None else ""
+        stops = name in {"stop", "wait"} or (name == "pass" and not (scene and scene.targets))
         stops = stops and scene is not None and not any(e.still for e in scene.actors)
         return stops and number.around.after.startswith((" before ", " short ", " in front "))
 
@@ -162,6 +182,8 @@ class Spacer:
         located = after is not None and isinstance(after[0], Word) and after[0].cat == "locus"
         scene = text.scene_at(number.i, number.j)
         subject = text.subject_before(number.i)
+        if isinstance(noun, Mention) and noun.pronoun is not None and named == subject:
+            named = []  # "and the ego, 15 m behind it": not behind itself
         if number.frame.role in {"overlap", "headway", "ttc"} or not (named or located):
             if scene is not None and scene.actors and scene.targets:
                 return scene.actors[0], scene.targets[0]
@@ -198,7 +220,7 @@ class Spacer:
                 return self._text.tokens[k].low == "right"
             if self._text.tokens[k].kind in {"number", "punct"}:
                 break
-        for k in range(number.i - 1, max(start, number.i - 12) - 1, -1):
+        for k in range(number.i - 1, max(start, number.i - _SIDE_REACH) - 1, -1):
             if self._text.tokens[k].low in {"left", "right"}:
                 return self._text.tokens[k].low == "right"
         return None
@@ -206,7 +228,7 @@ class Spacer:
     def _half(self, number: Measured) -> Side | None:
         """``the left 50 %``, ``the right half of its front (50 % overlap)``."""
         start, end = self._text.bounds(number.i)
-        right = self._toward(number, max(start, number.i - 8), end)
+        right = self._toward(number, start, end)
         return None if right is None else Side.RIGHT if right else Side.LEFT
 
     def _moment(
@@ -222,16 +244,21 @@ class Spacer:
             acts = [] if entity.parked or reference.parked else acts
             passing = [a for a in acts if a.kind is ActKind.OVERTAKE and start <= a.i < end]
             return passing[-1] if passing else START
-        if self._text.says("starts", start, end) or measure not in _ALONG:
+        if measure not in _ALONG:
             return START
+        if self._text.says("starts", start, end):
+            named = self._text.low(start, end)
+            of_act = any(f" {w} of the " in named for w in ("beginning", "start", "onset"))
+            laned = [a for a in acts if a.kind in _LANED]
+            return laned[-1] if of_act and laned else START
         begun = [a for a in acts if self._in_trigger(a, start, end, number.i)]
         if begun:
-            return begun[-1]
+            return begun[0]
         trigger = self._text.subordinate(number.i)
         here = [a for a in acts if start <= a.i < end and a.i < number.i]
         if trigger is not None and trigger[2] in words()["triggers"] and here:
             return here[-1]
-        laned = [a for a in here if a.kind in _LANED]
+        laned = [a for a in here if a.kind in _LANED or a.kind is ActKind.CROSS]
         if laned:
             return laned[-1]
         one, other = entity.speed, reference.speed
@@ -278,6 +305,8 @@ class Spacer:
                 return True
             return False
         subject = self._subject(number, clause if opened else None, doing)
+        if opened and clause is not None and self._acts_inside(clause, number, subject):
+            return False  # "when the truck moves over 30 m in front of it"
         if junction:
             if subject is not doing.entity:
                 return False
@@ -291,11 +320,16 @@ class Spacer:
         if other is None or other is subject:
             return False
         entity, reference = subject, other
+        self._behind_or_ahead(number, subject, other)
         if measure is not Measure.GAP_M:
             entity, reference = in_file(entity, reference, self._context)
         doing.when = Trigger("measure", amount_of(number).basis, amount_of(number))
         doing.when.measure, doing.when.entity, doing.when.reference = measure, entity, reference
         return True
+
+    def _acts_inside(self, clause: tuple[int, int, str], number: Measured, subject: Entity) -> bool:
+        acts = self._happenings.acts
+        return any(clause[0] <= a.i < number.i and a.entity is subject for a in acts)
 
     def _also(
         self,

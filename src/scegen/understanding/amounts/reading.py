@@ -45,6 +45,7 @@ def read_amounts(
     for number in held:
         if not _speed(number, text, context, found):
             _note(number, context)
+    _joined(text, context)
     _alike(text, context)
     _followed(text, context)
     found.items = items_in(text, context)
@@ -128,6 +129,9 @@ def _speed(number: Measured, text: Sentences, context: Context, found: Happening
     if taken:
         return True
     whose = _whose(number, text, context)
+    ego = ego_of(context)
+    if not whose and ego is not None and ego.speed is None:
+        whose = [ego]
     if whose and all(e.speed not in (None, quantity.value) for e in whose):
         whose = _without_speed(number, text) or whose
     for entity in whose:
@@ -175,6 +179,9 @@ def _whose(number: Measured, text: Sentences, context: Context) -> list[Entity]:
     adjacent = text.adjacent(number.i)
     if adjacent:
         return adjacent
+    inside = text.own_subject(number.i)
+    if inside:
+        return inside
     movers = [e for e in (scene.actors if scene is not None else []) if not e.parked]
     if movers:
         return movers
@@ -213,6 +220,21 @@ def _alike(text: Sentences, context: Context) -> None:
                 if entity.speed is None and entity.is_vehicle:
                     entity.speed = known[0].speed
                     entity.speed_basis = Basis(k, k + len(wanted), "as fast as the other")
+
+
+def _joined(text: Sentences, context: Context) -> None:
+    """``ego and lead at 80 km/h``: both, where the text gives the first no other speed."""
+    for mention in text.mentions:
+        own = [m for m in mention.mods if m.cat == "quantity" and m.value == "speed"]
+        first = mention.joined
+        if not own or first is None or not mention.entities:
+            continue
+        last = mention.entities[0]
+        for entity in first.entities:
+            if entity.speed is None and entity.is_vehicle and not entity.still:
+                basis = last.speed_basis or Basis(own[0].i, own[0].j)
+                entity.speed = last.speed
+                entity.speed_basis = Basis(basis.i, basis.j, "said of both")
 
 
 def _followed(text: Sentences, context: Context) -> None:

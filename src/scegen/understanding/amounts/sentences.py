@@ -79,8 +79,23 @@ class Sentences:
         marks = sum(t.low == "," for t in self.tokens[begin:i])
         if marks not in {0, _PARENTHESIS}:
             return None  # "when the ego, at 40 km/h, is 20 m away"
-        end = next((k for k in range(i, stop) if self.tokens[k].low == ","), stop)
+        end = next((k for k in range(i, stop) if self._closes(k)), stop)
         return begin, end, opening
+
+    def own_subject(self, i: int) -> list[Entity]:
+        """Whom a clause after "when", "while" … is about in which a token stands."""
+        start, _ = self.bounds(i)
+        opened = [c for c in self._subs if start <= c.i <= i]
+        if not opened:
+            return []
+        inside = [m for m in self.mentions if opened[-1].i < m.i < i and m.entities]
+        free = [m for m in inside if m.prep is None and not m.possessor]
+        return list(free[0].entities) if free else []
+
+    def _closes(self, k: int) -> bool:
+        """Whether a clause ends at a token: a comma, "and then"."""
+        pair = [t.low for t in self.tokens[k : k + 2]]
+        return pair[:1] == [","] or pair == ["and", "then"]
 
     def holder(self, i: int, j: int) -> list[Entity]:
         """Whom a number is said of by standing with the noun ("the car at 50 km/h")."""

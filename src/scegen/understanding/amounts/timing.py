@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from scegen.scenario.acts import ActKind
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.chunks import Word
 from scegen.understanding.draft import Basis
 from scegen.understanding.frames import Measured, words
 from scegen.understanding.happenings import Doing, Happenings, Trigger, amount_of
+from scegen.understanding.words.quantities import quantity_at
 
 _LATER = frozenset({"later", "afterwards", "thereafter", "that"})
 
@@ -42,7 +44,15 @@ class Clock:
         start, end = self._text.bounds(number.i)
         here = [a for a in self._happenings.acts if start <= a.i < end]
         opening = max(
-            [start, *(k + 1 for k in range(start, number.i) if self._text.tokens[k].low == ",")]
+            [
+                start,
+                *(k + 1 for k in range(start, number.i) if self._text.tokens[k].low == ","),
+                *(
+                    k + 1
+                    for k in range(max(start, number.i - 2), number.i)
+                    if self._text.tokens[k].low in {"and", "then"}
+                ),
+            ]
         )
         before = [a for a in here if opening <= a.i < number.i]
         after = [a for a in here if a.i > number.i]
@@ -72,12 +82,18 @@ class Clock:
             return None, "end"
         nearby = {t.low for t in tokens[number.j : number.j + 2]}
         own = before[-1].entity is doing.entity
-        return (before[-1], "end") if own or nearby & _LATER else (None, "end")
+        ends = bool({"target_speed_mps", "duration_s", "distance_m"} & set(before[-1].amounts))
+        ends = ends or before[-1].kind not in {ActKind.BRAKE, ActKind.ACCELERATE}
+        since = "end" if ends else "begin"  # braking without an end: since it began
+        return (before[-1], since) if own or nearby & _LATER else (None, "end")
 
     def order(self) -> None:
         """Acts without a number: "then", "as soon as", and what one does in turn."""
         acts = self._happenings.acts
         self._clauses()
+        for doing in acts:  # "both brake when they are 80 m apart"
+            alike = [a for a in acts if a.i == doing.i and a.kind is doing.kind and a.when]
+            doing.when = doing.when or (alike[0].when if alike else None)
         for doing, before in zip(acts[1:], acts, strict=False):
             if doing.when is not None or doing.i == before.i:
                 continue
@@ -86,7 +102,7 @@ class Clock:
             phrase = self._then(before, doing)
             basis = Basis(*phrase) if phrase is not None else doing.basis
             mine = [a for a in acts if a.entity is doing.entity and a.i < doing.i]
-            if phrase is not None and (before.always or doing.always):
+            if phrase is not None and (before.always or before.amounts or doing.always):
                 doing.when = Trigger("after", basis, act=before)
             elif mine and mine[-1].always and doing.always and not self._at_once(mine[-1], doing):
                 reason = "what one does in turn happens in the order of the text"
@@ -117,6 +133,8 @@ class Clock:
             if (not because and opening not in words()["triggers"]) or opening in {"if", "until"}:
                 continue
             start, stop = self._text.bounds(chunk.i)
+            if quantity_at(self._text.tokens, chunk.j) is not None:
+                continue  # "after 2 s"
             end = next((k for k in range(chunk.j, stop) if self._text.tokens[k].low == ","), stop)
             inside = [a for a in acts if chunk.j <= a.i < end]
             outside = [a for a in acts if start <= a.i < stop and a not in inside]

@@ -33,7 +33,9 @@ def settle_along(draft: Draft, ego: Entity) -> None:
             entity.approach_basis = Basis(basis.i, basis.j, "who stands in the lane is ahead")
         along = {Approach.AHEAD, Approach.OPPOSITE}
         walks = entity.kind is ParticipantKind.PEDESTRIAN
-        if walks and entity.maneuvers == {Maneuver.STRAIGHT} and entity.approaches & along:
+        along |= {Approach.BEHIND} if entity.maneuvers == {Maneuver.STAY} else set()
+        keeps = entity.maneuvers in ({Maneuver.STRAIGHT}, {Maneuver.STAY})
+        if walks and keeps and entity.approaches & along:
             entity.approaches &= along
         afoot = entity.kind is ParticipantKind.PEDESTRIAN
         if afoot and alone and entity.maneuvers == {Maneuver.STRAIGHT}:

@@ -108,6 +108,9 @@ def _head_of(prep: Prep, state: State) -> Mention | None:
     ego = any(h.data.get("ego") for h in inner.heads) or inner.pronoun in {"it", "him"}
     if lane.kind != "lane" and not (ego and lane.kind == "side"):
         return None
+    placed = [p.target for e in state.events[-1:] for p in e.pps]
+    if any(isinstance(t, Place) and t.kind == "lane" for t in placed):
+        return None  # "stands in the left lane 30 m ahead of the ego in the middle lane"
     for mention in state.mentions:
         if any(p.target is inner and p.word.cat == "locus" for p in mention.pps):
             return mention

@@ -58,6 +58,7 @@ _BREACHING = frozenset(
 _ON_THE_MOVE = frozenset({"swing_wide", "pull_out", "swerve", "use", "enter", "move", "cross",
                           "lose_control", "lane_change", "merge", "overtake", "bypass", "turn",
                           "sharp_turn", "approach", "unknown"})  # fmt: skip
+_INTO_LANES = frozenset({"lane_change", "cut_in", "merge", "cut_off"})
 _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
                        "pull_out", "collide"})  # fmt: skip
@@ -82,6 +83,7 @@ class Interpreter:
         self._limit = limit
         self._scenes: list[Scene] = []
         self._of_verbs: set[int] = set()
+        self._chunks: list[Chunk] = []
 
     def run(self, chunks: list[Chunk], events: list[Event]) -> list[Scene]:
         """All statements of a text.
@@ -93,6 +95,7 @@ class Interpreter:
         Returns:
             What happens, in the order of the text.
         """
+        self._chunks = chunks
         self._of_verbs = {
             id(p)
             for e in events
@@ -104,6 +107,9 @@ class Interpreter:
                 or bearing.own_lane(e, p)
             )
         }
+        self._context.told_in_the_past = any(
+            e.finite and e.form == "ed" and e.name != "stop" for e in events
+        )
         set_off(events, self._context)
         numbered_lanes.note_lanes(chunks, events, self._context.tokens)
         handled = {
@@ -171,17 +177,8 @@ class Interpreter:
                 self._draft.hazard(HazardKind.TAILGATING, basis, follows)
         elif term.cat == "quantity":
             self._quantity(term, entities)
-        elif term.cat == "state" and term.value == "stationary":
-            others = [e for e in drivers if not e.ego]
-            if others:
-                self._draft.hazard(HazardKind.STOPPING, basis, others)
-            for entity in entities:
-                if not entity.ego and not entity.parked:
-                    entity.stands = entity.stands or basis
-        elif term.cat == "state" and term.value == "parked":
-            for entity in entities:
-                if not entity.ego and entity.is_vehicle and entity.sets_off < 0:
-                    entity.parked, entity.parked_basis = True, basis
+        elif term.cat == "state":
+            standing.state(term, entities, self._context)
 
     def _quantity(self, term: Term, entities: list[Entity], verb: str = "") -> None:
         quantity = term.data["quantity"]
@@ -197,6 +194,7 @@ class Interpreter:
     def _event(self, event: Event) -> None:
         scene = scene_of(event)
         courses.move_off(scene, self._context)
+        self._told_again(scene)
         event.name = recast(scene, self._context)
         self._scenes.append(scene)
         standing.stand(scene, self._context)
@@ -228,8 +226,7 @@ class Interpreter:
         movement = MOVEMENTS.get(event.name)
         if movement is not None:
             movement(scene, self._context)
-        if not standing.in_the_road(scene, self._context):
-            encounters.onto_the_road(scene, self._context)
+        encounters.onto_the_road(scene, self._context)
         encounters.after_a_thing(scene, self._context)
         danger = dangers.DANGERS.get(event.name)
         if danger is not None and not self._overruled(scene):
@@ -237,6 +234,24 @@ class Interpreter:
         if event.name in _ON_THE_MOVE:
             dangers.oncoming_lane(scene, self._context)
         screens.from_behind(scene, self._context)
+
+    def _told_again(self, scene: Scene) -> None:
+        """``a van merges …, at the beginning of the lane change``: what the van does."""
+        event = scene.event
+        definite = any((m.cat, m.value) == ("det", "def") for m in event.mods)
+        if not (event.nominal and definite and event.name in _INTO_LANES):
+            return
+        told = [s for s in self._scenes if s.event.name in _INTO_LANES and s.actors]
+        if told and told[-1].actors != scene.actors:
+            scene.actors = []
+
+    def _of_another_clause(self, event: Event, term: Term) -> bool:
+        """``crosses when the ego is 35 m away at 50 km/h``: the ego's speed."""
+        between = [c for c in self._chunks if event.j <= c.i < term.i]
+        opened = next((k for k, c in enumerate(between) if getattr(c, "cat", "") == "sub"), None)
+        if opened is None:
+            return False
+        return any(isinstance(c, Mention) and c.prep is None for c in between[opened:])
 
     def _ended(self, event: Event) -> bool:
         """``ends up in front of the ego``: where it gets to, not where it comes from."""
@@ -271,7 +286,7 @@ class Interpreter:
     def _manner(self, scene: Scene) -> None:
         event = scene.event
         for term in event.mods:
-            if term.cat == "quantity":
+            if term.cat == "quantity" and not self._of_another_clause(event, term):
                 self._quantity(term, scene.actors, event.name)
             elif term.cat == "compass":
                 self._placer.heading(term, scene.actors)

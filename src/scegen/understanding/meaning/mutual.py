@@ -16,6 +16,11 @@ def allow(entity: Entity, approaches: set[Approach], basis: Basis) -> None:
     """
     if not approaches or (approaches == {Approach.AHEAD} and entity.approaches - approaches):
         return  # "… from the left and stops in front of the ego": where it gets to
+    along = {Approach.AHEAD, Approach.BEHIND}
+    if approaches == {Approach.ADJACENT} and entity.approaches and entity.approaches <= along:
+        entity.approaches = set()  # "30 m ahead in the next lane": beside, so far ahead
+    if approaches <= along and entity.approaches == {Approach.ADJACENT}:
+        return
     common = entity.approaches & approaches
     entity.approaches = common or (entity.approaches | approaches)
     if entity.approach_basis is None or common:

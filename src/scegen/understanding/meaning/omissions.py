@@ -34,9 +34,8 @@ def not_done(scene: Scene, context: Context) -> None:
     """
     event = scene.event
     basis = Basis(event.i, event.j)
-    nobody = any(m.pronoun in {"everybody", "neither", "nobody"} for m in event.subject)
-    if nobody and event.name in {"brake", "react", "slow", "swerve", "avoid", "reply"}:
-        return  # "nobody reacts": it takes its course
+    if _nobody_reacts(scene):
+        return
     if event.unable:
         _unable(scene, context)
     elif (
@@ -68,6 +67,13 @@ def not_done(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.OCCLUSION, basis, [])
     elif event.name not in _HARMLESS | {"collide"}:
         context.draft.note(event.i, event.j, "said not to happen; left out")
+
+
+def _nobody_reacts(scene: Scene) -> bool:
+    """``neither brakes``, ``nobody reacts``: it takes its course."""
+    subjects = {m.pronoun for m in scene.event.subject}
+    reacts = scene.event.name in {"brake", "react", "slow", "swerve", "avoid"}
+    return reacts and bool(subjects & {"everybody", "neither", "nobody"})
 
 
 def _late(scene: Scene) -> bool:

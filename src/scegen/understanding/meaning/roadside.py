@@ -39,6 +39,7 @@ def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
         return  # "its tyre bursts", "a man with a dog": a part of somebody
     if thing.kind == "obstacle":
         draft.hazard(HazardKind.OBSTACLE, basis, [])
+        draft.lying.append(thing)
     elif thing.kind == "door" and _open(thing, draft):
         whose = [e for p in thing.pps if isinstance(p.target, Mention) for e in p.target.entities]
         whose += thing.owner.entities if thing.owner is not None else []
@@ -46,6 +47,7 @@ def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
         draft.note(thing.i, thing.j, "doors are not modelled; an obstacle is")
     elif thing.kind == "object" and _in_the_way(thing, chunks):
         draft.hazard(HazardKind.OBSTACLE, basis, [])
+        draft.lying.append(thing)
     elif thing.kind == "object":
         draft.note(
             thing.i, thing.j, "things beside the road are built only where they hide somebody"

@@ -5,8 +5,9 @@ from __future__ import annotations
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 from scegen.understanding.chunks import Event, Place
-from scegen.understanding.draft import Basis
+from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.words.terms import Term
 
 STANDING = frozenset({"stand", "sit", "idle", "unload", "load", "deliver", "linger", "lie"})
 """Verbs by which somebody stays where it is."""
@@ -42,6 +43,28 @@ def stand(scene: Scene, context: Context) -> None:
             context.draft.maneuver(entity, {Maneuver.STAY}, scene.words)
 
 
+def state(term: Term, entities: list[Entity], context: Context) -> None:
+    """``a stationary car``, ``a parked van``: in the lane, or beside it.
+
+    Args:
+        term: the word for the state.
+        entities: whom it describes.
+        context: the scenario in the making.
+    """
+    basis = Basis(term.i, term.j)
+    others = [e for e in entities if not e.ego]
+    if term.value == "stationary":
+        drivers = [e for e in others if e.moving_vehicle]
+        if drivers:
+            context.draft.hazard(HazardKind.STOPPING, basis, drivers)
+        for entity in others:
+            entity.stands = entity.stands or (None if entity.parked else basis)
+    elif term.value == "parked":
+        for entity in others:
+            if entity.is_vehicle and entity.sets_off < 0:
+                entity.parked, entity.parked_basis = True, basis
+
+
 def _until(event: Event, context: Context) -> bool:
     """``brakes until it stands``: not before."""
     before = context.tokens[max(0, event.i - _REACH) : event.i]
@@ -53,7 +76,8 @@ def _over(event: Event, context: Context) -> bool:
     if event.perfect or event.passive:
         return event.form == "ed"
     before = {t.low for t in context.tokens[max(0, event.i - _REACH) : event.i]}
-    return event.form == "ed" and (event.reduced or bool(before & _SINCE))
+    now = not context.told_in_the_past and not event.mods
+    return event.form == "ed" and (event.reduced or now or bool(before & _SINCE))
 
 
 def in_the_road(scene: Scene, context: Context) -> bool:
@@ -77,15 +101,3 @@ def in_the_road(scene: Scene, context: Context) -> bool:
         context.draft.hazard(HazardKind.STOPPING, basis, there)
         return True
     return False
-
-
-def lane_of(place: Place) -> str | None:
-    """Which lane of several a phrase names: ``left``, ``right``, ``middle``, ``fast``, ``slow``.
-
-    Args:
-        place: a lane.
-    """
-    if place.kind != "lane" or place.owner is not None:
-        return None
-    rank = place.head.data.get("rank") if place.head is not None else None
-    return rank or next((d for d in place.dirs if d in {"left", "right"}), None)

@@ -23,6 +23,7 @@ from scegen.understanding.words.tokens import Token
 
 _MOST = 20
 _A_PAIR = 2
+_ALONG = {"front": "ahead", "rear": "behind"}
 
 
 class Discourse:
@@ -90,7 +91,8 @@ class Discourse:
         """``five cars wait in a queue``: they are the queue."""
         mass = bool(mention.head and mention.head.data.get("mass"))
         within = mention.prep is not None and mention.prep.value == "in"
-        return mass and within and len(self._roster.subject) > 1
+        end = mention.prep is not None and mention.prep.value == "of" and bool(self._roster.groups)
+        return mass and ((within and len(self._roster.subject) > 1) or end)
 
     def _we(self, mention: Mention) -> list[Entity]:
         """``three of us``: the ego and two more."""
@@ -288,6 +290,12 @@ class Discourse:
         placed = mention.pps or mention.elsewhere or mention.narrowed or done
         restricted = reading.dirs or reading.labels or placed
         only = [e for e in self._draft.entities if e.is_vehicle]
+        own = all(p.value == "to" for p in mention.pps) and not (mention.narrowed or loci)
+        own = own and not (reading.dirs or reading.labels or reading.plural or mention.sides)
+        ego = next((e for e in only if e.ego and "speaks" not in e.named_by), None)
+        car = reading.kind is ParticipantKind.CAR and not reading.driver and mention.i > 0
+        if own and car and len(only) == 1 and ego is not None and reading.det == "def":
+            return [ego]  # "the ego reverses; a child stands behind the car"
         seen_by = mention.prep is not None and mention.prep.value == "by" and reading.driver
         if seen_by and reading.det == "def" and len(only) == 1 and not reading.labels:
             return only  # "as seen by the driver facing forward"
@@ -298,5 +306,6 @@ class Discourse:
 
 def _known_there(entity: Entity, reading: Reading) -> bool:
     """``follows a car … the lead vehicle``: who is followed is the one ahead."""
-    along = reading.dirs <= {"ahead", "behind"} and not entity.dirs
-    return along and reading.dirs <= entity.loci
+    dirs = {_ALONG.get(d, d) for d in reading.dirs}
+    along = dirs <= {"ahead", "behind"} and entity.dirs <= dirs
+    return along and dirs <= entity.loci | entity.dirs

@@ -141,6 +141,8 @@ def _count(
         return int(head["count"]), False, None  # "an old couple"
     if not plural:
         return 1, False, None
+    if mention.heads and "mass" in mention.heads[-1].data and "opposite" in mention.dirs:
+        return 1, True, "no number is given; one of the oncoming traffic is enough"
     return DEFAULT_COUNT, True, f"no number is given; {DEFAULT_COUNT} are assumed"
 
 

@@ -49,6 +49,8 @@ class Pronouns:
             return self._new_driver(mention)
         if which == "neither" and self.tokens[mention.i].low == "none":
             return everybody(mention, self.draft)
+        if which == "both" and len(self.draft.entities) == 1:
+            self._with_the_ego(basis)
         if which in {"they", "both", "all", "neither"}:
             return self.roster.together(exclude)
         if which == "other":
@@ -66,6 +68,13 @@ class Pronouns:
         if which == "another":
             return self.roster.further(exclude, basis)
         return self._counted(mention, exclude, basis)
+
+    def _with_the_ego(self, basis: Basis) -> None:
+        """``the lead car slows down; both drive 100 km/h``: it and the ego."""
+        if not self.draft.entities[0].ego:
+            ego = self.roster.new(ParticipantKind.CAR, basis)
+            ego.ego = ego.claimed = True
+            ego.named_by.add("ego")
 
     def _single(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         if mention.landmark and mention.pronoun == "it" and self.roster.landmark:

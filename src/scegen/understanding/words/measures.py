@@ -19,6 +19,8 @@ def names_a_measure(match: Match, tokens: list[Token], previous: Term | None) ->
     """
     if not match.has("inert") or match.form != "base" or match.get("verb").value != "speed":
         return False
+    if previous is None or previous.cat == "punct":
+        return True  # "speed ego = 80 km/h"
     if previous is not None and (previous.cat in {"aux", "pronoun"} or previous.value == "to"):
         return False
     following = tokens[match.j] if match.j < len(tokens) else None
