@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 
-from scegen.concretization.along.passing import apart_m, just_missed_s
+from scegen.concretization.along.passing import JUST_M, apart_m, just_missed_s
 from scegen.concretization.along.runner import NEVER_S, Move, Runner, Step, gap_m
 from scegen.concretization.along.spacing import level
 from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank, contact_wanted
@@ -19,8 +19,6 @@ from scegen.scenario.spacings import CONTACT, Measure, Spacing
 from scegen.scenario.vocabulary import HazardKind, Side
 
 _CLEAR_M = 6.0
-_NEAR_M = 0.3
-"""How near one passes who goes round another."""
 _ROUNDS = 20
 _LONG_BACK_S = 2.5
 _LOOK_S, _LONGEST_S = 0.05, 60.0
@@ -115,9 +113,7 @@ def overtake(story: Story) -> None:
         slow = passed_by(story, act)
         if slow is not None:
             _pass(story, act, story.runners[act.participant], slow)
-        elif any(
-            r.forward != story.runners[act.participant].forward for r in story.runners.values()
-        ):
+        elif act.kind is ActKind.CHANGE_LANE or story.hazard_of(act) is not None:
             _stray(story, act, story.runners[act.participant])
         elif not _drives_past(story):
             raise MotionInfeasibleError(
@@ -142,14 +138,14 @@ def _drives_past(story: Story) -> bool:
     return any(s.participant not in story.runners for s in story.logical.standings)
 
 
-def _meet_after(story: Story) -> None:
+def _meet_after(story: Story, strays: set[str]) -> None:
     """Who comes towards one in its lane meets it when it is back: just then, if that is a danger.
 
     Those whose place the text gives stay where they are.
     """
     said = {n for s in story.functional.spacings for n in (s.participant, s.reference)}
-    passing = [act.participant for act in story.acts if story.goes_round(act)]
-    for stray in (story.runners[name] for name in passing):
+    strays |= {act.participant for act in story.acts if story.goes_round(act)}
+    for stray in (r for r in story.runners.values() if r.id in strays):
         out = [m for m in stray.moves if m.lane == 0]
         back = [m for m in stray.moves if out and m.begins_s > out[0].begins_s and m.lane > 0]
         if not back:
@@ -279,7 +275,7 @@ def _latest_out_s(
     fast: Runner, slow: Runner, place: tuple[int, float], lasts_s: float, earliest_s: float
 ) -> float:
     """The latest moment to pull out at which one still gets past close by, without touching."""
-    reaches = _when(lambda t: gap_m(fast, slow, t) <= _NEAR_M, earliest_s)
+    reaches = _when(lambda t: gap_m(fast, slow, t) <= JUST_M, earliest_s)
     kept = list(fast.moves)
     low, high = earliest_s, max(reaches, earliest_s)
     for _ in range(_ROUNDS):
@@ -293,7 +289,7 @@ def _latest_out_s(
 
 
 def _too_near(first: Runner, second: Runner, time_s: float) -> bool:
-    return apart_m(first, second, time_s) < _NEAR_M
+    return apart_m(first, second, time_s) < JUST_M
 
 
 def _when(true: Callable[[float], bool], from_s: float) -> float:
@@ -309,6 +305,7 @@ def _when(true: Callable[[float], bool], from_s: float) -> float:
 
 def come_back(story: Story) -> None:
     """Who strays into the lane of those who come towards it is back as they meet."""
+    strays: set[str] = set()
     for runner in list(story.runners.values()):
         astray = runner.moves and runner.moves[-1].lane == 0
         if not astray:
@@ -323,7 +320,8 @@ def come_back(story: Story) -> None:
         back = max(last.ends_s + 0.1, time_s - _CLEAR_BEFORE_S - _CLEAR_AFTER * last.lasts_s)
         lane = max(1, runner.lane)
         runner.moves.append(Move(back, last.lasts_s, lane, 0.0, last.act, last.hazard))
-    _meet_after(story)
+        strays.add(runner.id)
+    _meet_after(story, strays)
 
 
 def _level(first: Runner, second: Runner, time_s: float) -> bool:
