@@ -27,7 +27,7 @@ def perform(story: Story, act: Act, begins_s: float) -> None:
     """Add an act's steps and moves to who does it."""
     runner = story.runners[act.participant]
     story.begins_s[act.id] = begins_s
-    if story.goes_round(act):
+    if story.goes_round(act) or story.comes_back(act):
         story.ends_s[act.id] = begins_s  # its moves follow from the places
         return
     if act.kind in {ActKind.CHANGE_LANE, ActKind.SWERVE}:
