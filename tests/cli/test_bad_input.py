@@ -217,3 +217,56 @@ def test_a_number_stands_for_a_range_wherever_a_file_is_read(scegen, tmp_path):
 def test_fields_are_complained_about_in_words(scegen, tmp_path, level, field, value, words):
     (tmp_path / "in.json").write_text(json.dumps(WHOLE[level] | {field: value}))
     assert_refused(scegen("generate", "in.json", "-o", "out"), words)
+
+
+ONE = WHOLE["logical"]["scenarios"][0]
+DRIVE = ONE["assignments"][0]
+
+
+@pytest.mark.parametrize(
+    ("scenarios", "words"),
+    [
+        ([], "holds no logical scenario"),
+        ([ONE, ONE], "two scenarios have the index 0"),
+        ([ONE | {"assignments": ONE["assignments"][1:]}], "participant 'ego' has no assignment"),
+        (
+            [ONE | {"assignments": [*ONE["assignments"], DRIVE]}],
+            "participant 'ego' has 2 assignments",
+        ),
+        (
+            [ONE | {"assignments": [*ONE["assignments"], DRIVE | {"participant": "ghost"}]}],
+            "there is no participant 'ghost'; there are box, car_1, ego, van, walker",
+        ),
+        (
+            [ONE | {"assignments": [DRIVE | {"exit": 4}, *ONE["assignments"][1:]]}],
+            "ego uses arm 4, outside 0..3",
+        ),
+        ([ONE | {"hazards": [{"kind": "cut_in", "by": ["ghost"]}]}], "no participant 'ghost'"),
+        ([ONE | {"deadlock": ["ghost"]}], "no participant 'ghost'"),
+        (
+            [ONE | {"parameters": [ONE["parameters"][0] | {"name": "ego.warp"}]}],
+            "there is no parameter 'ego.warp'",
+        ),
+    ],
+)
+@pytest.mark.parametrize("command", ["generate", "concretize", "gallery"])
+def test_logical_scenarios_that_cannot_be(scegen, tmp_path, command, scenarios, words):
+    content = WHOLE["logical"] | {"scenarios": scenarios}
+    (tmp_path / "in.json").write_text(json.dumps(content))
+    assert_refused(scegen(command, "in.json", *READING[command]), words)
+
+
+def test_a_certificate_in_a_file_is_not_believed(scegen, tmp_path):
+    done = scegen("enumerate", "--entries", "0,1", "--junction-arms", "4", "-o", "in.json")
+    assert done.returncode == 0, done.stderr
+    listed = json.loads((tmp_path / "in.json").read_text())
+    right = listed["certificate"]
+    listed["certificate"] = right | {"count": 1, "total": 3, "complete": True}
+    (tmp_path / "in.json").write_text(json.dumps(listed))
+    plain = ("--check", "none", "--target", "none")
+    assert scegen("generate", "in.json", "-o", "out", *plain).returncode == 0
+    made = json.loads((tmp_path / "out" / "logical.json").read_text())
+    assert {name: made["certificate"][name] for name in ("count", "total", "complete")} == {
+        name: right[name] for name in ("count", "total", "complete")
+    }
+    assert "claims 1 scenarios of 3 assignments" in made["notes"][-1]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from scegen.enumeration import count_scenarios, enumerate_scenarios
+from scegen.errors import NoScenarioError
 from scegen.scenario.logical import ConflictKind, Crossing
 from scegen.scenario.vocabulary import Reduction, Side
 
@@ -85,6 +86,36 @@ def test_in_exact_the_crossers_turn_along(describe):
     functional = describe("four_way", 4, [EGO | {"entries": []}, PED])
     certificate = count_scenarios(functional)
     assert (certificate.total, certificate.count) == (16, 4)
+
+
+@pytest.mark.parametrize(
+    ("turn", "crosses", "approach", "expected"),
+    [
+        ("left", "exit", [], {(3, "right"), (3, "left")}),
+        ("left", "exit", ["right"], {(3, "left")}),
+        ("right", "exit", ["left"], {(1, "right")}),
+        ("right", "entry", ["left"], {(0, "left")}),
+        ("straight", "entry", [], {(0, "right"), (0, "left")}),
+    ],
+)
+def test_the_arm_by_which_whom_it_meets_comes_or_leaves(
+    describe, turn, crosses, approach, expected
+):
+    walker = PED | {"crosses": crosses, "approaches": approach}
+    assert crossings(describe("four_way", 4, [EGO | {"maneuvers": [turn]}, walker])) == expected
+
+
+def test_of_whom_it_meets_the_arm_counts(describe):
+    car = {"id": "car", "approaches": ["left"], "maneuvers": ["right"]}
+    hazard = {"kind": "crossing_pedestrian", "by": ["ped"], "to": ["car"]}
+    found = crossings(describe("four_way", 4, [EGO, car, PED | {"crosses": "exit"}], [hazard]))
+    assert {arm for arm, _ in found} == {0}
+
+
+def test_an_arm_that_it_cannot_be_is_told(describe):
+    walker = PED | {"crosses": "exit", "entries": [0]}
+    with pytest.raises(NoScenarioError, match="ped crosses the arm by which whom it meets leaves"):
+        count_scenarios(describe("four_way", 4, [EGO, walker]))
 
 
 @pytest.mark.parametrize(

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from scegen.enumeration.rooms import Kind, placements
 
 from scegen.enumeration import count_scenarios, counting, enumerate_scenarios
-from scegen.enumeration.rooms import Kind, placements
 from scegen.errors import InputError, NoScenarioError
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.vocabulary import ArmsMode, Reduction

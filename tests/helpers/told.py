@@ -9,20 +9,34 @@ from scegen.scenario.functional import ARM_COUNTS, FunctionalScenario
 from scegen.scenario.vocabulary import JunctionKind
 
 
-def who(name, kind="car", approaches=(), maneuvers=(), *, speed=None, parked=False):
+def who(name, kind="car", approaches=(), maneuvers=(), *, speed=None, parked=False, lanes=()):
     """A participant; the one called ego is the ego."""
     return {
         "id": name,
         "kind": kind,
         "role": "ego" if name == "ego" else "other",
         "parked": parked,
+        "lanes": list(lanes),
         "approaches": list(approaches),
         "maneuvers": list(maneuvers),
         "speed_mps": None if speed is None else {"low": speed, "high": speed},
     }
 
 
-def told(kind, people, hazards=(), *, lanes=0, side="right", **junction):
+def told(
+    kind,
+    people,
+    hazards=(),
+    *,
+    acts=(),
+    spacings=(),
+    objects=(),
+    relations=(),
+    outcome=None,
+    lanes=0,
+    side="right",
+    **junction,
+):
     """A functional scenario; ``hazards`` as (kind, by, to), one name each."""
     arms = ARM_COUNTS[JunctionKind(kind)][0]
     return FunctionalScenario.model_validate(
@@ -37,8 +51,40 @@ def told(kind, people, hazards=(), *, lanes=0, side="right", **junction):
             },
             "participants": list(people),
             "hazards": [{"kind": k, "by": [by], "to": [to]} for k, by, to in hazards],
+            "acts": list(acts),
+            "spacings": list(spacings),
+            "objects": list(objects),
+            "relations": list(relations),
+            "outcome": outcome,
         }
     )
+
+
+def act(name, by, kind, **more):
+    """Something that somebody does."""
+    return {"id": name, "participant": by, "kind": kind, **more}
+
+
+def apart(who, reference, measure, value, at="start", **more):
+    """How far one is from another."""
+    more |= {"participant": who, "reference": reference, "measure": measure}
+    return {**more, "value": value, "at": at}
+
+
+def as_soon_as(who, reference, measure, value):
+    """The moment at which a measure has come down to a value."""
+    found = {"participant": who, "reference": reference, "measure": measure, "value": value}
+    return {"type": "measure", **found}
+
+
+def after(name, delay=0.0, since="end"):
+    """The moment so long after an act."""
+    return {"type": "after", "act": name, "since": since, "delay_s": delay}
+
+
+def at_time(delay):
+    """The moment so long after the start."""
+    return {"type": "start", "delay_s": delay}
 
 
 def first(functional, seed=0):

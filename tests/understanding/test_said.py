@@ -76,7 +76,7 @@ _TEMPLATES = (
     a=st.sampled_from((2, 4.5, 7, 9.81)),
     p=st.sampled_from((25, 50, 100)),
 )
-def test_no_number_is_lost_in_any_of_many(template, v, w, d, t, a, p):  # noqa: PLR0917
+def test_no_number_is_lost_in_any_of_many(template, v, w, d, t, a, p):
     text = template.format(
         v=f"{v} km/h", w=f"{w} km/h", d=f"{d} m", t=f"{t} s", a=f"{a} m/s²", p=f"{p} %"
     )

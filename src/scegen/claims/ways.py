@@ -91,7 +91,9 @@ def _way(participant: ConcreteParticipant, concrete: ConcreteScenario, network: 
     width = arms[motion.entry].lane_width_m
     if motion.entry_lane > arms[motion.entry].lanes_in:
         width = (width + PARKING_WIDTH_M) / 2
-    places = [(motion.entry_lane, motion.offset_m)]
+    first = motion.lane_changes[0].position_m if motion.lane_changes else 0.0
+    in_ring = motion.ring_lane is not None and first >= laid.turning_starts_m
+    places = [((motion.ring_lane or 1) if in_ring else motion.entry_lane, motion.offset_m)]
     places += [(change.lane_after, change.offset_m) for change in motion.lane_changes]
     changes = tuple(
         Sideways(

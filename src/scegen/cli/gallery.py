@@ -27,13 +27,14 @@ def gallery(
     ] = None,
 ) -> None:
     """Draw the logical scenarios of a folder as gallery.png, or where --output says."""
+    from scegen.pipeline.source import recounted
     from scegen.scenario.files import load
     from scegen.scenario.logical import LogicalSet
 
     path = source / "logical.json" if source.is_dir() else source
     picture = output or path.with_name("gallery.png")
     require_picture(picture, "--output")
-    logical = load(path, LogicalSet)
+    logical = recounted(load(path, LogicalSet))
     write_picture(logical, picture)
     result(str(picture))
 

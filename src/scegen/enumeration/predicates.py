@@ -324,6 +324,14 @@ class DefaultPlace(Predicate, name="default_place"):
     id: ConstantStr
 
 
+class SaysArm(Predicate, name="says_arm"):
+    """A statement says which arm a crosser crosses: the ``entry`` or ``exit`` of whom it meets."""
+
+    statement: int
+    id: ConstantStr
+    which: ConstantStr
+
+
 class QueueLimit(Predicate, name="queue_limit"):
     """So many vehicles fit on one approach road."""
 

@@ -13,7 +13,14 @@ from scegen.enumeration import predicates as p
 from scegen.enumeration.on_foot import way_facts, ways_of
 from scegen.scenario.arms import arm_angles_deg, seen_from, turn_deg, turn_name
 from scegen.scenario.functional import FunctionalScenario, Junction, Participant
-from scegen.scenario.vocabulary import Approach, DrivingSide, HazardKind, JunctionKind, Maneuver
+from scegen.scenario.vocabulary import (
+    Approach,
+    CrossedArm,
+    DrivingSide,
+    HazardKind,
+    JunctionKind,
+    Maneuver,
+)
 
 QUEUE_LIMIT = 12
 """Vehicles that one approach road holds: 12 cars with their gaps fill about 120 m."""
@@ -27,6 +34,8 @@ MANNERS: dict[Maneuver, tuple[str, ...]] = {
     Maneuver.STAY: ("stay",),
 }
 """What the solver calls maneuvers that are no turns."""
+
+_ARM_WORDS = {CrossedArm.ENTRY: "comes", CrossedArm.EXIT: "leaves"}
 
 
 @dataclass
@@ -95,6 +104,10 @@ def stated(functional: FunctionalScenario) -> Stated:
         out.facts += [p.OnFoot(crosser.id, way) for way in ways_of(functional, crosser)]
         number = out.number(f"{crosser.id} is where the ego drives (the default)")
         out.facts.append(p.DefaultPlace(number, crosser.id))
+        if crosser.crosses is not None:
+            told = _ARM_WORDS[crosser.crosses]
+            number = out.number(f"{crosser.id} crosses the arm by which whom it meets {told}")
+            out.facts.append(p.SaysArm(number, crosser.id, crosser.crosses.value))
     return out
 
 

@@ -18,6 +18,8 @@ CURVE_STEP_M = 0.25
 """Vertex spacing on lines, and in arcs and lane changes: esmini is then off by 0.12 cm."""
 JOINT_GAP_M = 0.02
 _SAME_M = 1e-6
+_APART_M = 0.01
+"""Vertices closer than this are one."""
 
 
 @dataclass(frozen=True)
@@ -108,7 +110,7 @@ def _stations(piece: Stretch, segment: Segment, low: float, high: float) -> Arra
     """Vertices between two stations: dense in arcs and shifts, exact where they begin and end."""
     marks = {low, high}
     for shift in piece.shifts:
-        marks |= {m for m in (shift.u_m, shift.end_m) if low + _SAME_M < m < high - _SAME_M}
+        marks |= {m for m in (shift.u_m, shift.end_m) if low + _APART_M < m < high - _APART_M}
     cuts = sorted(marks)
     parts = []
     for a, b in pairwise(cuts):

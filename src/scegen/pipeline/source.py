@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+from scegen.enumeration import count_scenarios
 from scegen.errors import InputError
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import load_any, read_text
@@ -31,7 +32,35 @@ def resolve_source(text_or_path: str, understand: Understand = read) -> Source:
     path = _as_path(text_or_path)
     if path is None:
         return understand(text_or_path)
-    return load_any(path) or understand(read_text(path))
+    found = load_any(path) or understand(read_text(path))
+    return recounted(found) if isinstance(found, LogicalSet) else found
+
+
+def recounted(logical: LogicalSet) -> LogicalSet:
+    """The set with what its own functional scenario says of numbers: files may claim anything.
+
+    Raises:
+        InputError: the functional scenario has no logical one, or too many to count.
+    """
+    claimed = logical.certificate
+    counted = count_scenarios(logical.functional, reduction=logical.reduction, arms=logical.arms)
+    listed = len(logical.scenarios)
+    matching = None if claimed.matching is None else min(claimed.matching, counted.count)
+    certificate = counted.model_copy(
+        update={
+            "matching": matching,
+            "complete": claimed.complete and listed == (matching or counted.count),
+            "looked_at": claimed.looked_at and min(claimed.looked_at, counted.total),
+        }
+    )
+    if (claimed.total, claimed.count) == (counted.total, counted.count):
+        certificate = certificate.model_copy(update={"method": claimed.method})
+        return logical.model_copy(update={"certificate": certificate})
+    note = (
+        f"The file claims {claimed.count:,} scenarios of {claimed.total:,} assignments; counted "
+        f"again there are {counted.count:,} of {counted.total:,}."
+    )
+    return logical.model_copy(update={"certificate": certificate, "notes": (*logical.notes, note)})
 
 
 def _as_path(argument: str) -> Path | None:

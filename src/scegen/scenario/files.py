@@ -12,6 +12,7 @@ from pydantic import ValidationError
 from scegen.errors import InputError, VocabularyError
 from scegen.scenario.complaints import found, in_words
 from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.consistency import require_consistent
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.glossary import explain
 from scegen.scenario.logical import LogicalSet
@@ -77,7 +78,7 @@ def load(path: Path, cls: type[M]) -> M:
     if LEVELS[level] is not cls:
         wanted = next(name for name, model in LEVELS.items() if model is cls)
         raise VocabularyError(f"is a {level} file, not a {wanted} scenario", where=str(path))
-    return from_data(cls, data, where=str(path))
+    return _whole(cls, data, str(path))
 
 
 def load_any(path: Path) -> AnyLevel | None:
@@ -85,7 +86,7 @@ def load_any(path: Path) -> AnyLevel | None:
     if path.suffix.lower() not in {".yaml", ".yml", ".json"}:
         return None
     data, level = _data_and_level(path)
-    return from_data(LEVELS[level], data, where=str(path))
+    return _whole(LEVELS[level], data, str(path))
 
 
 def json_schema(level: str) -> dict[str, Any]:
@@ -93,6 +94,13 @@ def json_schema(level: str) -> dict[str, Any]:
     if level not in LEVELS:
         raise VocabularyError(f"unknown level {level!r}", hint=f"one of {', '.join(LEVELS)}")
     return explain(LEVELS[level].model_json_schema(mode="validation"))
+
+
+def _whole(cls: type[M], data: object, where: str) -> M:
+    found = from_data(cls, data, where=where)
+    if isinstance(found, LogicalSet):
+        require_consistent(found, where=where)
+    return found
 
 
 def _data_and_level(path: Path) -> tuple[object, str]:

@@ -19,6 +19,7 @@ from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import (
     Approach,
     Control,
+    CrossedArm,
     DrivingSide,
     EvidenceSource,
     HazardKind,
@@ -99,6 +100,8 @@ class Participant(FrozenModel):
     is ``parked`` stands beside the travelled lanes; with ``maneuvers`` other than to stay it pulls
     out. One who stands in the lane is not parked and has the maneuver ``stay``. ``circulating``: it
     is in the roundabout already. A pedestrian whose maneuver is ``straight`` walks along the road.
+    ``crosses`` tells which arm one crosses, by the way of whom it meets, None if either; the
+    ``approaches`` of who crosses are the sides as that one sees them on its course where they meet.
     """
 
     id: Identifier
@@ -110,6 +113,7 @@ class Participant(FrozenModel):
     entries: ArmSet = frozenset()
     lanes: ArmSet = frozenset()
     circulating: bool = False
+    crosses: CrossedArm | None = None
     speed_mps: Interval | None = None
 
     @property

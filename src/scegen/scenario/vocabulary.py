@@ -162,6 +162,23 @@ class Side(Word):
     )
 
 
+class CrossedArm(Word):
+    """Which arm one crosses, by the way of the one whom it meets (the ego, if nobody is named)."""
+
+    ENTRY = (
+        "entry",
+        "the arm by which the one whom it meets comes to the junction",
+        "`exit`; a number of an arm (`entries`)",
+        "crosses the road that the ego comes from, before it turns",
+    )
+    EXIT = (
+        "exit",
+        "the arm by which the one whom it meets leaves the junction",
+        "`entry`; a number of an arm (`entries`)",
+        "crosses the road into which the ego turns",
+    )
+
+
 class BodySide(Word):
     """A side of a vehicle's body."""
 
@@ -228,7 +245,7 @@ class Approach(Word):
     )
     ADJACENT = (
         "adjacent",
-        "in a lane beside the reference's, same direction; with `left` or `right`: on that side",
+        "in a lane beside the reference's, same way, level or not; with `left` or `right`: there",
         "`left`, `right` alone, which are other roads",
         "the car in the next lane",
     )

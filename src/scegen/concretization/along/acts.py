@@ -23,7 +23,8 @@ def all_acts(
 ) -> list[Act]:
     """The acts of those along the road; implied ones come after those that are said."""
     said = [a for a in logical.acts or functional.acts if a.participant in runners]
-    acts = [act for act in said if act.kind in _ALONG]
+    acts = [_on_a_plain_road(act) for act in said]
+    acts = [act for act in acts if act.kind in _ALONG]
     for hazard in dangers(functional, logical):
         acts += _implied(functional, hazard, runners, acts)
     for drive in logical.drives:
@@ -32,6 +33,11 @@ def all_acts(
 
 
 _ALONG = _SLOWS | _ASIDE | {ActKind.ACCELERATE, ActKind.SET_OFF}
+
+
+def _on_a_plain_road(act: Act) -> Act:
+    """Where there is no junction, one who turns swerves."""
+    return act.model_copy(update={"kind": ActKind.SWERVE}) if act.kind is ActKind.TURN else act
 
 
 def does(acts: list[Act], name: str, kinds: frozenset[ActKind]) -> bool:

@@ -13,8 +13,9 @@ from scegen.concretization.along.casting import cast
 from scegen.concretization.along.crossing import Walk, cross
 from scegen.concretization.along.lanes import choose_lanes
 from scegen.concretization.along.parked import park, shift_to_pass, strips_m
+from scegen.concretization.along.passing import apart_m
 from scegen.concretization.along.reactions import contacts, react
-from scegen.concretization.along.runner import Runner, gap_m, in_line
+from scegen.concretization.along.runner import Runner, gap_m
 from scegen.concretization.along.sideways import come_back, offset_all, overtake
 from scegen.concretization.along.story import Story, contact_wanted
 from scegen.concretization.along.ties import tie_up
@@ -47,7 +48,7 @@ from scegen.road import build_network
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.road.geometry import Pose
 from scegen.road.model import RoadNetwork
-from scegen.scenario.acts import Act
+from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.concrete import Change, ConcreteParticipant, ConcreteScenario, RoadParameters
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import HAZARDS
@@ -74,8 +75,11 @@ def tells_along(functional: FunctionalScenario, logical: LogicalScenario) -> boo
     ego = logical.assignment(functional.ego.id)
     if not isinstance(ego, Drive):
         return False
+    backing = {a.participant for a in functional.acts if a.kind is ActKind.REVERSE}
     return not any(
-        d.reverses is not None or d.turn is Maneuver.U_TURN or d.entry == d.exit
+        (d.reverses is not None and d.participant not in backing)
+        or d.turn is Maneuver.U_TURN
+        or d.entry == d.exit
         for d in logical.drives
     )
 
@@ -188,6 +192,7 @@ def _lay(story: Story, waiting: list[Act]) -> list[Walk]:
         come_back(story)
         touching = react(story)
         walks = cross(story, strips_m(story))
+        touching += react(story)
         unwanted = [p for p in touching if not contact_wanted(story, *p)]
         unwanted += [
             (a, b) for a, b, _ in contacts(story)
@@ -215,9 +220,9 @@ def _nearest_s(first: Runner, second: Runner, until_s: float) -> float:
     best, when = 1e9, 0.0
     for n in range(int(until_s / 0.1)):
         time_s = n * 0.1
-        gap = gap_m(first, second, time_s)
-        if gap <= 0 and in_line(first, second, time_s, LANE_WIDTH_M):
+        if apart_m(first, second, time_s) <= 0:
             return time_s
+        gap = gap_m(first, second, time_s)
         if gap < best - 0.05:
             best, when = gap, time_s
     return when

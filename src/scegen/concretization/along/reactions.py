@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from scegen.concretization.along.passing import apart_m
 from scegen.concretization.along.runner import Runner, Step, gap_m, in_line
 from scegen.concretization.along.story import Story, contact_wanted
 from scegen.concretization.limits import HARD_BRAKING_MPS2, LATE_BRAKING_MPS2
@@ -65,13 +66,15 @@ def _contact_s(first: Runner, second: Runner) -> float | None:
     steps = int(_LATEST_S / _STEP_S)
     for n in range(steps):
         time_s = n * _STEP_S
-        if gap_m(first, second, time_s) <= 0 and in_line(first, second, time_s, LANE_WIDTH_M):
+        if apart_m(first, second, time_s) <= 0:
             return time_s
     return None
 
 
 def _who_runs_in(first: Runner, second: Runner, time_s: float) -> tuple[str, str]:
     """Who is behind, as the two drove until then."""
+    if first.backs or second.backs:
+        return (first.id, second.id) if first.backs else (second.id, first.id)
     before = max(0.0, time_s - 1.0)
     ahead = (first.x_m(before) - second.x_m(before)) * second.sign > 0
     return (second.id, first.id) if ahead else (first.id, second.id)
@@ -81,7 +84,7 @@ def _brake_for(story: Story, who: Runner, other: Runner) -> bool:
     """Add the latest braking that keeps them apart; whether there is one."""
     own = next(
         (s for s in who.steps if s.act is not None and s.target_mps < who.speed_mps
-         and not s.timed and story.act(s.act).when is None), None
+         and not s.timed and story.is_loose(story.act(s.act))), None
     )  # fmt: skip
     hard = any(
         h.kind in _BRAKES and who.id in h.by for h in story.hazards

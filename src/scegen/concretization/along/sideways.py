@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 
+from scegen.concretization.along.passing import apart_m, just_missed_s
 from scegen.concretization.along.runner import NEVER_S, Move, Runner, gap_m
 from scegen.concretization.along.spacing import level
 from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank, contact_wanted
@@ -13,6 +14,7 @@ from scegen.concretization.limits import LANE_CHANGE_S
 from scegen.errors import MotionInfeasibleError
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import Act
+from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.spacings import CONTACT, Measure, Spacing
 from scegen.scenario.vocabulary import HazardKind, Side
 
@@ -20,7 +22,7 @@ _CLEAR_M = 6.0
 _NEAR_M = 0.3
 """How near one passes who goes round another."""
 _ROUNDS = 20
-_JUST_BACK_S, _LONG_BACK_S = 0.3, 2.5
+_LONG_BACK_S = 2.5
 _LOOK_S, _LONGEST_S = 0.05, 60.0
 _BACK_BEFORE_S = 0.7
 
@@ -112,7 +114,6 @@ def overtake(story: Story) -> None:
                 where=act.participant,
                 hint="Let another vehicle be ahead of it, or let it drive straight on.",
             )
-    _meet_after(story)
 
 
 def _stray(story: Story, act: Act, runner: Runner) -> None:
@@ -136,18 +137,20 @@ def _meet_after(story: Story) -> None:
     Those whose place the text gives stay where they are.
     """
     said = {n for s in story.functional.spacings for n in (s.participant, s.reference)}
-    for stray in list(story.runners.values()):
+    passing = [act.participant for act in story.acts if story.goes_round(act)]
+    for stray in (story.runners[name] for name in passing):
         out = [m for m in stray.moves if m.lane == 0]
         back = [m for m in stray.moves if out and m.begins_s > out[0].begins_s and m.lane > 0]
         if not back:
             continue
         for other in story.runners.values():
-            if other.forward == stray.forward or other.id in said or stray.id in said:
+            if other.forward == stray.forward or other.stands or {other.id, stray.id} & said:
                 continue
-            later = _JUST_BACK_S if _at_odds(story, stray.id, other.id) else _LONG_BACK_S
-            moment = back[0].ends_s + later
+            moment = _meeting_when_back_s(story, stray, other, out[0], back[0])
             if other is story.ego:
-                shift = level(stray, other, moment) - (stray.at_m or 0.0)
+                before = stray.at_m or 0.0
+                shift = level(stray, other, moment) - before
+                stray.at_m = before
                 for runner in story.runners.values():
                     if runner.forward == stray.forward and runner.at_m is not None:
                         runner.at_m += shift
@@ -155,8 +158,23 @@ def _meet_after(story: Story) -> None:
                 other.at_m = level(other, stray, moment)
 
 
+def _meeting_when_back_s(
+    story: Story, stray: Runner, other: Runner, out: Move, back: Move
+) -> float:
+    """When the two are level: in its lane if they are to touch, just not if it is a danger."""
+    if contact_wanted(story, stray.id, other.id):
+        return (out.ends_s + back.begins_s) / 2
+    if _at_odds(story, stray.id, other.id):
+        return just_missed_s(stray, other, back)
+    return back.ends_s + _LONG_BACK_S
+
+
 def _at_odds(story: Story, first: str, second: str) -> bool:
-    """Whether a danger is between two."""
+    """Whether a danger is between two, or a near miss."""
+    outcome = story.functional.outcome
+    near = outcome is not None and outcome.kind is OutcomeKind.NEAR_MISS
+    if near and outcome is not None and {first, second} == {*outcome.between}:
+        return True
     return any({first, second} <= {*h.by, *h.to} for h in story.hazards)
 
 
@@ -221,9 +239,7 @@ def _latest_out_s(
 
 
 def _too_near(first: Runner, second: Runner, time_s: float) -> bool:
-    apart = abs(first.y_m(time_s, LANE_WIDTH_M) - second.y_m(time_s, LANE_WIDTH_M))
-    wide = (first.body.width_m + second.body.width_m) / 2
-    return gap_m(first, second, time_s) <= _NEAR_M and apart < wide + _NEAR_M
+    return apart_m(first, second, time_s) < _NEAR_M
 
 
 def _when(true: Callable[[float], bool], from_s: float) -> float:
@@ -238,7 +254,7 @@ def _when(true: Callable[[float], bool], from_s: float) -> float:
 
 
 def come_back(story: Story) -> None:
-    """Who strays into the lane of those who come towards it is back just before they meet."""
+    """Who strays into the lane of those who come towards it is back as they meet."""
     for runner in list(story.runners.values()):
         astray = runner.moves and runner.moves[-1].lane == 0
         if not astray:
@@ -253,6 +269,7 @@ def come_back(story: Story) -> None:
         back = max(last.ends_s + 0.1, time_s - _BACK_BEFORE_S - last.lasts_s)
         lane = max(1, runner.lane)
         runner.moves.append(Move(back, last.lasts_s, lane, 0.0, last.act, last.hazard))
+    _meet_after(story)
 
 
 def _level(first: Runner, second: Runner, time_s: float) -> bool:

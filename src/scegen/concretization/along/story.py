@@ -106,13 +106,23 @@ class Story:
         waiting: list[Act] = []
         for act in self.acts:
             when = act.when
-            if (isinstance(when, WhenMeasure) and self._is_placed_otherwise(act, when)) or (
-                isinstance(when, AfterAct) and when.act not in self.begins_s
-            ):
+            placed = isinstance(when, WhenMeasure) and self._is_placed_otherwise(act, when)
+            follows = isinstance(when, AfterAct) and when.act not in self.begins_s
+            if placed or (follows and not self.is_loose(act)):
                 waiting.append(act)
             else:
                 self.perform(act, self._moment_s(act))
         return waiting
+
+    def is_loose(self, act: Act) -> bool:
+        """Whether nothing along the road says when an act begins.
+
+        What follows upon an act of one who crosses is loose, too: it answers that one.
+        """
+        when = act.when
+        if isinstance(when, AfterAct):
+            return all(other.id != when.act for other in self.acts)
+        return when is None
 
     def _is_placed_otherwise(self, act: Act, when: WhenMeasure) -> bool:
         """Whether other statements fix how far apart the two of a trigger are, step by step."""
@@ -133,7 +143,7 @@ class Story:
         when = act.when
         if isinstance(when, AfterStart):
             return when.delay_s.middle
-        if isinstance(when, AfterAct):
+        if isinstance(when, AfterAct) and not self.is_loose(act):
             known = self.ends_s if when.since == "end" else self.begins_s
             delay = when.delay_s.middle
             alone = self.act(when.act).participant == act.participant

@@ -21,6 +21,7 @@ from scegen.concretization.lane_choice import (
     choose_ring_lane,
     entry_lanes,
     lanes_in,
+    routes_of,
 )
 from scegen.concretization.limits import ABRUPT_LANE_CHANGE_S, CUT_IN_HEADWAY_S
 from scegen.concretization.marks import Mark
@@ -49,6 +50,8 @@ def _prepare(scene: Scene, hazard: Hazard) -> None:
     if scene.road.kind is not JunctionKind.ROUNDABOUT:
         return
     for draft in culprits(scene, hazard):
+        inner = min(routes_of(scene, draft), key=lambda route: route.ring_lane or 0)
+        draft.entry_lane = draft.exit_lane = inner.entry_lane
         choose_ring_lane(scene, draft, inner=True)
         draft.stops_at_line = False
 

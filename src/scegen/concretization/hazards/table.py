@@ -49,7 +49,10 @@ RULES: dict[HazardKind, Rule] = {
 
 
 def ordered_rules(hazards: tuple[Hazard, ...]) -> list[tuple[Rule, Hazard]]:
-    """The rules of some hazards, in the order of the table."""
-    kinds = list(RULES)
-    ranked = sorted(hazards, key=lambda hazard: kinds.index(hazard.kind))
-    return [(RULES[hazard.kind], hazard) for hazard in ranked]
+    """The rules of some hazards, in the order of the table.
+
+    Kinds without a rule of their own come last: their acts and ways make them, in time.
+    """
+    order = {kind: place for place, kind in enumerate(RULES)}
+    ranked = sorted(hazards, key=lambda hazard: order.get(hazard.kind, len(order)))
+    return [(RULES.get(hazard.kind, ARRIVES_TOGETHER), hazard) for hazard in ranked]

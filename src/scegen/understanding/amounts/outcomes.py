@@ -77,8 +77,9 @@ class Judge:
         if event.name == "overlook" and lemma == "miss":
             start = max(0, event.i - _BEFORE)
             return self._phrase("nearly", start, event.i) is not None
-        head_on = event.how("head_on") is not None and lemma == "meet"
-        return event.name == "collide" or head_on
+        part = isinstance(event.object, Place) and event.object.kind in {"side", "middle", "front"}
+        meets = lemma == "meet" and (event.how("head_on") is not None or part)
+        return event.name == "collide" or meets
 
     def _supposed(self, start: int, end: int) -> bool:
         """``could hit``, ``to avoid hitting``: not that it happens."""
@@ -141,7 +142,7 @@ class Judge:
         return chosen if len(chosen) == 2 else []
 
     def _where(self, ending: Ending) -> None:
-        """``the middle of the ego's front``, ``hits its rear``: on which side of the ego, and where."""
+        """``the middle of the ego's front``, ``hits its rear``: which side, and where on it."""
         i = ending.basis.i or 0
         start, end = self._text.bounds(i)
         ego = ego_of(self._context)
@@ -152,16 +153,42 @@ class Judge:
             whose = self._owner(place, i)
             flank = part is not None and part not in _OPPOSED
             hit_by = place.prep is not None and place.prep.value in {"by", "with"}
+            on = place.prep is not None and place.prep.value == "in" and place.head is not None
+            hit_by = hit_by or (on and ego is not None and self._is_hit(ego, i))
             if part is None or whose is None or (flank and not (hit_by and whose is ego)):
                 continue
             basis = Basis(place.i, place.j)
             if whose is ego and ending.struck is None:
                 ending.struck, ending.struck_basis = part, basis
                 self._middle(ending, place, start)
-            elif ending.struck is None and ego in ending.between and part is BodySide.REAR:
+            elif (
+                ending.struck is None
+                and not flank
+                and ego in ending.between
+                and part is BodySide.REAR
+            ):
                 ending.struck, ending.struck_basis = BodySide.FRONT, basis
                 if ego is not None and self._is_hit(ego, i):
                     ending.struck = None
+        self._by_the_bonnet(ending, start, end)
+
+    def _by_the_bonnet(self, ending: Ending, start: int, end: int) -> None:
+        """``by the centre of the bonnet``: a part that only the ego can mean."""
+        tokens = self._text.tokens
+        for k in range(start, end):
+            if tokens[k].low not in words()["middle"] or ending.impact is not None:
+                continue
+            after = [t.low for t in tokens[k + 1 : min(k + _REACH, end)]]
+            part = next((n for n, low in enumerate(after) if low in words()["parts"]), None)
+            owners = [
+                e
+                for m in self._text.mentions
+                if part is not None and k < m.i <= k + 1 + part
+                for e in m.entities
+            ]
+            if part is not None and after[:1] == ["of"] and all(e.ego for e in owners):
+                value = Interval(low=_HALF, high=_HALF)
+                ending.impact = Amount(value, Basis(k, k + 2 + part))
 
     def _is_hit(self, ego: Entity, i: int) -> bool:
         return any(
@@ -183,6 +210,8 @@ class Judge:
         direct = scene.event.object is place
         if direct and scene.targets:
             return scene.targets[0]
+        if own and scene.event.passive and place.prep is not None and place.prep.value == "in":
+            return scene.targets[0] if scene.targets else None  # "is hit on its right side"
         if own or not direct:
             doer = scene.actors[0] if scene.actors else None
             hit_by = scene.event.passive and place.prep is not None and place.prep.value == "by"

@@ -8,6 +8,7 @@ from scegen.understanding.chunks import Word
 from scegen.understanding.draft import Basis
 from scegen.understanding.frames import Measured, words
 from scegen.understanding.happenings import Doing, Happenings, Trigger, amount_of
+from scegen.understanding.words.quantities import quantity_at
 
 _LATER = frozenset({"later", "afterwards", "thereafter", "that"})
 
@@ -43,7 +44,15 @@ class Clock:
         start, end = self._text.bounds(number.i)
         here = [a for a in self._happenings.acts if start <= a.i < end]
         opening = max(
-            [start, *(k + 1 for k in range(start, number.i) if self._text.tokens[k].low == ",")]
+            [
+                start,
+                *(k + 1 for k in range(start, number.i) if self._text.tokens[k].low == ","),
+                *(
+                    k + 1
+                    for k in range(max(start, number.i - 2), number.i)
+                    if self._text.tokens[k].low in {"and", "then"}
+                ),
+            ]
         )
         before = [a for a in here if opening <= a.i < number.i]
         after = [a for a in here if a.i > number.i]
@@ -124,6 +133,8 @@ class Clock:
             if (not because and opening not in words()["triggers"]) or opening in {"if", "until"}:
                 continue
             start, stop = self._text.bounds(chunk.i)
+            if chunk.j >= stop or quantity_at(self._text.tokens, chunk.j) is not None:
+                continue  # "after 2 s"
             end = next((k for k in range(chunk.j, stop) if self._text.tokens[k].low == ","), stop)
             inside = [a for a in acts if chunk.j <= a.i < end]
             outside = [a for a in acts if start <= a.i < stop and a not in inside]

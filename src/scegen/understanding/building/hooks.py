@@ -24,16 +24,22 @@ def alongside(draft: Draft, ego: Entity, tokens: list[Token]) -> None:
         basis = entity.approach_basis
         if entity is ego or entity.kind not in _RIDERS or basis is None or basis.i is None:
             continue
-        side = next(iter(entity.approaches)) if len(entity.approaches) == 1 else None
+        seen = entity.approaches - {Approach.BEHIND}  # "from behind on its right"
+        side = next(iter(seen)) if len(seen) == 1 else None
         turn = _TURNS.get(side) if side is not None else None
         crosses = any(
             d.kind is HazardKind.CROSSING_CYCLIST and entity in d.by for d in draft.dangers
         )
         goes_on = entity.maneuvers <= {Maneuver.STRAIGHT} and not crosses
         words = [t.low for t in tokens[basis.i : basis.j]]
-        comes_from = words[0] == "from" or "front" in words or entity.by_heading is not None
+        from_behind = Approach.BEHIND in entity.approaches
+        comes_from = (
+            (words[0] == "from" and not from_behind)
+            or "front" in words
+            or entity.by_heading is not None
+        )
         if turn is None or ego.maneuvers != {turn} or not goes_on or comes_from:
             continue
         reason = f"beside the ego, on the {side}: it turns across its way"
-        entity.approaches = {Approach.ADJACENT, *entity.approaches}
+        entity.approaches = {Approach.ADJACENT, *seen}
         entity.approach_basis = Basis(basis.i, basis.j, reason)

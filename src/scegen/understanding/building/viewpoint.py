@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Basis, Danger, Draft, Entity, Placement
 from scegen.understanding.meaning import numbered_lanes
 from scegen.understanding.meaning.mutual import allow, face_each_other, in_file
@@ -203,6 +203,8 @@ def settle_positions(
             if own is not None and placement.reference is None:
                 approaches = _reframed(own, approaches)
             allow(entity, approaches, placement.basis)
+        elif _hidden_there(entity, reference) or _hidden_there(reference, entity):
+            continue  # "hidden behind two parked cars": no place along the road
         elif not any(r[0] is entity and r[1] is reference for r in relations):
             relations.append((entity, reference, set(approaches), placement.basis))
     in_file(relations)
@@ -223,6 +225,11 @@ def settle_positions(
     _in_file(relations)
     ego.approaches = set()
     return relations
+
+
+def _hidden_there(entity: Entity, other: Entity) -> bool:
+    """Whether one who crosses is behind one who is parked."""
+    return Maneuver.CROSS in entity.maneuvers and other.still
 
 
 def _in_file(relations: list[tuple[Entity, Entity, set[Approach], Basis]]) -> None:

@@ -40,6 +40,9 @@ def coordinate(event: Event, state: State) -> None:
         verbs = main  # "A van turns as the ego waits, then stops."
     verbs = [e for e in verbs if e.subject] or verbs
     outer = [e for e in verbs if not e.embedded]
+    relative = bool(verbs) and verbs[-1].embedded and verbs[-1].form == event.form
+    if "," in state.between and relative:
+        verbs = outer or verbs  # "a car passes the ego, which drives on, and changes lanes"
     if "," in state.between and "aux:modal" in state.between:
         verbs = outer or verbs  # "finds a spot where two cars stand, and has to change lanes"
     alike = [e for e in verbs if _shape(e) == wanted]

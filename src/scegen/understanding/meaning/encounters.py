@@ -6,6 +6,7 @@ from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.draft import Basis
 from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.meaning.standing import in_the_road
 from scegen.understanding.meaning.walking import keep_along
 
 _HIDING = frozenset({"behind", "between"})
@@ -49,6 +50,8 @@ def after_a_thing(scene: Scene, context: Context) -> None:
 
 def onto_the_road(scene: Scene, context: Context) -> None:
     """Whoever is on foot and gets onto the road or into somebody's way crosses, by any verb."""
+    if in_the_road(scene, context):
+        return
     onto = any(
         (p.value == "into" or context.tokens[p.word.i].low in _OVER)
         and isinstance(p.target, Place)

@@ -13,6 +13,7 @@ _ABRUPT = frozenset({HazardKind.CUT_IN, HazardKind.SWERVING, HazardKind.ONCOMING
 def cause(scene: Scene, context: Context) -> None:
     """A parked vehicle that makes others react stands in their way; who changes lanes cuts in."""
     _cut_in(scene, context)
+    _turn_across(scene, context)
     parked = [e for e in scene.actors if e.still]
     if parked:
         context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
@@ -29,3 +30,13 @@ def _cut_in(scene: Scene, context: Context) -> None:
     forced = [e for e in scene.targets if e.moving_vehicle]
     if by and forced and not known & {e.index for e in by} and not scene.event.passive:
         context.draft.hazard(HazardKind.CUT_IN, scene.words, by, forced)
+
+
+def _turn_across(scene: Scene, context: Context) -> None:
+    """``an oncoming truck turns left, forcing the ego to brake``: across its way."""
+    across = Maneuver(context.across)
+    by = [e for e in scene.drivers if e.maneuvers == {across} and context.oncoming(e)]
+    known = any(d.kind is HazardKind.UNPROTECTED_LEFT_TURN for d in context.draft.dangers)
+    forced = [e for e in scene.targets if e.moving_vehicle]
+    if by and forced and not known and not scene.event.passive:
+        context.draft.hazard(HazardKind.UNPROTECTED_LEFT_TURN, scene.words, by, forced)

@@ -13,6 +13,7 @@ from scegen.understanding.meaning import (
     afoot,
     breaches,
     courses,
+    crossed_arms,
     dangers,
     detours,
     encounters,
@@ -58,6 +59,7 @@ _BREACHING = frozenset(
 _ON_THE_MOVE = frozenset({"swing_wide", "pull_out", "swerve", "use", "enter", "move", "cross",
                           "lose_control", "lane_change", "merge", "overtake", "bypass", "turn",
                           "sharp_turn", "approach", "unknown"})  # fmt: skip
+_INTO_LANES = frozenset({"lane_change", "cut_in", "merge", "cut_off"})
 _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
                        "pull_out", "collide"})  # fmt: skip
@@ -138,6 +140,7 @@ class Interpreter:
         breaches.subsume(self._context)
         courses.circulate(chunks, self._scenes, self._context)
         sides_left(chunks, self._context)
+        crossed_arms.note_arms(self._scenes, self._context)
         return self._scenes
 
     def _mention(self, mention: Mention) -> None:
@@ -176,17 +179,8 @@ class Interpreter:
                 self._draft.hazard(HazardKind.TAILGATING, basis, follows)
         elif term.cat == "quantity":
             self._quantity(term, entities)
-        elif term.cat == "state" and term.value == "stationary":
-            others = [e for e in drivers if not e.ego]
-            if others:
-                self._draft.hazard(HazardKind.STOPPING, basis, others)
-            for entity in entities:
-                if not entity.ego and not entity.parked:
-                    entity.stands = entity.stands or basis
-        elif term.cat == "state" and term.value == "parked":
-            for entity in entities:
-                if not entity.ego and entity.is_vehicle and entity.sets_off < 0:
-                    entity.parked, entity.parked_basis = True, basis
+        elif term.cat == "state":
+            standing.state(term, entities, self._context)
 
     def _quantity(self, term: Term, entities: list[Entity], verb: str = "") -> None:
         quantity = term.data["quantity"]
@@ -202,24 +196,11 @@ class Interpreter:
     def _event(self, event: Event) -> None:
         scene = scene_of(event)
         courses.move_off(scene, self._context)
+        self._told_again(scene)
         event.name = recast(scene, self._context)
         self._scenes.append(scene)
         standing.stand(scene, self._context)
-        for prep in event.pps if not self._ended(event) else []:
-            if from_everywhere(prep):
-                side_roads.spread(prep, scene.actors, self._context)
-            elif self._from_behind_somebody(scene, prep):
-                self._context.ahead(
-                    scene.targets[:1], scene.actors, Basis(prep.word.i, prep.word.j)
-                )
-            elif event.name == "pass" and event.object is None and bearing.bare_side(prep):
-                continue  # "passes on the right": on which side one gets past
-            elif prep.on_mention is None or self._starts(event, prep):
-                turned = event.passive and event.name != "hide"
-                turned = turned and prep.value not in {"behind", "from"}
-                whom = scene.targets if turned else scene.actors
-                self._placer.phrase(prep, whom, event)
-                side_roads.side_road(prep, event, whom, self._context)
+        self._places(scene)
         side_roads.access(scene, self._context)
         failed = event.parent is not None and event.parent.name == "fail"
         if event.name in _ANSWERS:
@@ -233,8 +214,7 @@ class Interpreter:
         movement = MOVEMENTS.get(event.name)
         if movement is not None:
             movement(scene, self._context)
-        if not standing.in_the_road(scene, self._context):
-            encounters.onto_the_road(scene, self._context)
+        encounters.onto_the_road(scene, self._context)
         encounters.after_a_thing(scene, self._context)
         danger = dangers.DANGERS.get(event.name)
         if danger is not None and not self._overruled(scene):
@@ -242,6 +222,37 @@ class Interpreter:
         if event.name in _ON_THE_MOVE:
             dangers.oncoming_lane(scene, self._context)
         screens.from_behind(scene, self._context)
+
+    def _places(self, scene: Scene) -> None:
+        """Where the phrases of a verb put those who act, or on whom it is done."""
+        event = scene.event
+        for prep in event.pps if not self._ended(event) else []:
+            if from_everywhere(prep):
+                side_roads.spread(prep, scene.actors, self._context)
+            elif self._from_behind_somebody(scene, prep):
+                self._context.ahead(
+                    scene.targets[:1], scene.actors, Basis(prep.word.i, prep.word.j)
+                )
+            elif event.name == "pass" and event.object is None and bearing.bare_side(prep):
+                self._placer.passes_on(prep, scene.actors)
+            elif event.name in {"pass", "bypass"} and bearing.is_side(prep) and scene.targets:
+                self._placer.passed_on(prep, scene.targets)
+            elif prep.on_mention is None or self._starts(event, prep):
+                turned = event.passive and event.name != "hide"
+                turned = turned and prep.value not in {"behind", "from"}
+                whom = scene.targets if turned else scene.actors
+                self._placer.phrase(prep, whom, event)
+                side_roads.side_road(prep, event, whom, self._context)
+
+    def _told_again(self, scene: Scene) -> None:
+        """``a van merges …, at the beginning of the lane change``: what the van does."""
+        event = scene.event
+        definite = any((m.cat, m.value) == ("det", "def") for m in event.mods)
+        if not (event.nominal and definite and event.name in _INTO_LANES):
+            return
+        told = [s for s in self._scenes if s.event.name in _INTO_LANES and s.actors]
+        if told and told[-1].actors != scene.actors:
+            scene.actors = []
 
     def _of_another_clause(self, event: Event, term: Term) -> bool:
         """``crosses when the ego is 35 m away at 50 km/h``: the ego's speed."""

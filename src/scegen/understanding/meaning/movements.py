@@ -9,6 +9,7 @@ from scegen.understanding.chunks import Event, Mention, Place, Thing
 from scegen.understanding.draft import Basis
 from scegen.understanding.meaning import courses, ways
 from scegen.understanding.meaning.context import Context, Scene, span
+from scegen.understanding.meaning.crossed_arms import crossed_road
 from scegen.understanding.meaning.lane_moves import (
     apply,
     forced,
@@ -119,6 +120,7 @@ def u_turn(scene: Scene, context: Context) -> None:
 def overtake(scene: Scene, context: Context) -> None:
     """Overtaking, or passing something that stands in the lane."""
     event = scene.event
+    _whom(scene, context)
     if event.name == "bypass" and event.object is None and not event.passive:
         by = context.tokens[event.j - 1].low == "past"
         behind = any(context.placed(e, Approach.BEHIND) for e in scene.drivers)
@@ -145,6 +147,21 @@ def overtake(scene: Scene, context: Context) -> None:
     }
     if not any(e.index in stated for e in scene.actors):
         context.ahead(scene.targets, scene.actors, basis)
+
+
+def _whom(scene: Scene, context: Context) -> None:
+    """``drives behind a tractor and overtakes``: the one ahead."""
+    event = scene.event
+    if event.name != "overtake" or scene.targets or event.object is not None or event.passive:
+        return
+    leaders = [
+        p.entity
+        for p in context.draft.placements
+        if p.approaches == {Approach.AHEAD} and (p.reference in scene.actors or p.reference is None)
+    ]
+    one = [e for e in dict.fromkeys(leaders) if e.moving_vehicle and e not in scene.actors]
+    if len(one) == 1 and any(e.ego for e in scene.actors):
+        scene.targets = one
 
 
 def pull_around(scene: Scene, context: Context) -> None:
@@ -197,8 +214,10 @@ def _onto_road(event: Event) -> bool:
     """The road itself, a crosswalk or somebody's way is crossed, not a junction."""
     places = [event.object, *(p.target for p in event.pps)]
     kinds = {p.kind for p in places if isinstance(p, Place)}
-    return bool(kinds & {"road", "crosswalk", "lane", "path", "highway", "centerline"}) or (
-        not kinds and event.object is None
+    return (
+        crossed_road(event)
+        or bool(kinds & {"road", "crosswalk", "lane", "path", "highway", "centerline"})
+        or (not kinds and event.object is None)
     )
 
 

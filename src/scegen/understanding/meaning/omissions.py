@@ -21,6 +21,7 @@ _CROSSING = frozenset({HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_CYCLI
 """What concerns those who come from the front, too."""
 _NEAR = 12
 _PHRASE = 5
+_REACTING = frozenset({"brake", "react", "slow", "swerve", "avoid", "reply"})
 _LEEWAY = frozenset({"time", "chance", "room", "space", "distance", "hope"})
 _HARMLESS = frozenset({"light", "inert", "return", "move", "encounter", "try"})
 
@@ -34,13 +35,13 @@ def not_done(scene: Scene, context: Context) -> None:
     """
     event = scene.event
     basis = Basis(event.i, event.j)
-    nobody = any(m.pronoun in {"everybody", "neither", "nobody"} for m in event.subject)
-    if nobody and event.name in {"brake", "react", "slow", "swerve", "avoid", "reply"}:
-        return  # "nobody reacts": it takes its course
+    if _nobody_reacts(scene, context):
+        return
     if event.unable:
         _unable(scene, context)
     elif (
-        rule_out(scene, context)
+        _nobody_reacts(scene)
+        or rule_out(scene, context)
         or _no_distance(scene, context)
         or _overlooks(scene, context)
         or (event.name in _SEEING and breaches.breach(scene, context))
@@ -68,6 +69,15 @@ def not_done(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.OCCLUSION, basis, [])
     elif event.name not in _HARMLESS | {"collide"}:
         context.draft.note(event.i, event.j, "said not to happen; left out")
+
+
+def _nobody_reacts(scene: Scene, context: Context) -> bool:
+    """``neither brakes``, ``nobody stops`` where no rule says that they must: nothing is done."""
+    subjects = {m.pronoun for m in scene.event.subject}
+    if not subjects & {"everybody", "neither", "nobody"}:
+        return False
+    bound = _for_people(scene) or _at_signals(scene, context) or _has_to_wait(scene, context)
+    return scene.event.name in _REACTING or (scene.event.name == "stop" and not bound)
 
 
 def _late(scene: Scene) -> bool:

@@ -7,8 +7,7 @@ from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.clauses.bearing import from_the_wrong_lane
 from scegen.understanding.clauses.located import landmark
 from scegen.understanding.draft import Basis, Draft, Entity
-from scegen.understanding.meaning.standing import lane_of
-from scegen.understanding.words.quantities import after_a_measure
+from scegen.understanding.meaning.lanes_named import Lanes, within_the_lane
 from scegen.understanding.words.terms import Term
 
 _BY_DIR: dict[str, frozenset[Approach]] = {
@@ -38,9 +37,6 @@ _STEADY = frozenset(
 _PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane",
                      "path", "leg"})  # fmt: skip
 _SIDEWAYS = frozenset({"lane_change", "merge", "cut_in"})
-_SIDE_REACH = 3
-_WITHIN_LANE = frozenset({"offset", "shifted", "displaced", "further", "slightly", "off"})
-"""Words before "to the left" that keep somebody in its lane."""
 _AROUND = frozenset({"around", "round", "past"})
 _BY_WAY_OF = frozenset({"via", "through", "across", "over"})
 
@@ -113,6 +109,9 @@ def _ends_there(event: Event, prep: Prep) -> bool:
     """``swerves behind the ego``, ``sweeps left in front of the bus``: where it gets to."""
     turns = any(d.value in _SIDES for d in event.dirs)
     onto = event.name == "swerve" and any(p.value == "into" for p in event.pps)
+    afoot = isinstance(prep.target, Mention) and not any(e.is_vehicle for e in prep.target.entities)
+    if afoot and (event.name, prep.value) == ("stop", "ahead"):
+        return True  # "stops 1 m in front of her"
     return (event.name, prep.value) == ("swerve", "behind") or (
         (turns or onto) and prep.value == "ahead"
     )
@@ -122,6 +121,16 @@ def _same_way(prep: Prep) -> bool:
     """``in the same direction as the ego``."""
     place = prep.target
     return isinstance(place, Place) and place.kind == "direction" and "same" in place.dirs
+
+
+def _past_the_parked(approaches: set[Approach], entities: list[Entity]) -> bool:
+    """``1 m beside the parked cars``: they have no lane of their own."""
+    return approaches == {Approach.ADJACENT} and any(e.parked for e in entities)
+
+
+def _steadily(event: Event | None, prep: Prep) -> bool:
+    """Whether a lane that is named is the one where somebody is at first."""
+    return event is None or event.name in _STEADY or prep.value == "from"
 
 
 _FROM = {"north": "south", "south": "north", "east": "west", "west": "east"}
@@ -136,6 +145,7 @@ class Placer:
 
     def __init__(self, draft: Draft) -> None:
         self._draft = draft
+        self._lanes = Lanes(draft)
 
     def adjectives(self, mention: Mention) -> None:
         """``the oncoming car``, ``a northbound truck``."""
@@ -188,18 +198,27 @@ class Placer:
             return
         if prep.value not in {"from", "in"} and not (prep.value == "to" and event is None):
             return
-        self._drives_in(entities, target, prep, event, basis)
+        self._lanes.drives_in(entities, target, steady=_steadily(event, prep), basis=basis)
         if target.kind == "ramp" and prep.value == "from":
-            self._draft.ramp = self._draft.ramp or basis
-            for entity in entities:
-                entity.beside = entity.beside or (self._draft.kerb, basis)
-                self._draft.place(entity, None, {Approach.ADJACENT}, basis)
-            return
-        before = self._draft.tokens[prep.word.i - 1].low if prep.word.i else ""
-        if prep.value in {"to", "in"} and (
-            before in _WITHIN_LANE or after_a_measure(self._draft.tokens, prep.word.i)
-        ):
-            return  # "offset 0.5 m to the left"
+            self._from_a_ramp(entities, basis)
+        elif not within_the_lane(prep, entities, self._draft.tokens):
+            self._seen_at(prep, target, entities, event, basis)
+
+    def _from_a_ramp(self, entities: list[Entity], basis: Basis) -> None:
+        """``merges from the on-ramp``: from a lane on the side of the kerb."""
+        self._draft.ramp = self._draft.ramp or basis
+        for entity in entities:
+            entity.beside = entity.beside or (self._draft.kerb, basis)
+            self._draft.place(entity, None, {Approach.ADJACENT}, basis)
+
+    def _seen_at(
+        self,
+        prep: Prep,
+        target: Place,
+        entities: list[Entity],
+        event: Event | None,
+        basis: Basis,
+    ) -> None:
         facing = target.kind in {"direction", "side"} and "opposite" in target.dirs
         allowed = _STEADY | ({"cross", "turn"} if facing else {"cross"})
         steady = event is None or event.name in allowed
@@ -222,56 +241,19 @@ class Placer:
                 entity.opposed |= {e.index for e in entities} - {entity.index}
                 entity.approach_basis = basis
             return
+        over = [t.low for t in self._draft.tokens[target.j : target.j + 2]]
+        if prep.value == "from" and over[:1] == ["to"] and over[-1] in _SIDES:
+            basis = Basis(basis.i, target.j + 2)  # "from left to right"
         seen_by = target.beside or target.owner
         reference = seen_by.entities[0] if seen_by and seen_by.entities else None
         wrong = target.kind == "lane" and approaches == _BY_DIR["opposite"]
         for entity in entities:
             if wrong and Maneuver.OVERTAKE in entity.maneuvers:
                 continue  # who overtakes is in the oncoming lane, but does not come from there
-            self._which_lane(entity, target, reference, approaches, basis)
+            self._lanes.beside(entity, target, reference, approaches, basis)
             kerb = target.kind in {"sidewalk", "shoulder"} and prep.value == "from"
             entity.pulls_out = entity.pulls_out or kerb
             self._draft.place(entity, reference, set(approaches), basis)
-
-    def _which_lane(
-        self,
-        entity: Entity,
-        lane: Place,
-        reference: Entity | None,
-        approaches: frozenset[Approach],
-        basis: Basis,
-    ) -> None:
-        """``in the right lane``: to the right of the ego's, unless it is the ego who drives there."""
-        named = lane_of(lane) or self._side_after(lane)
-        if named is None:
-            return
-        seen = reference is None or reference.ego
-        if named in _SIDES and seen and approaches == _BY_DIR["adjacent"]:
-            entity.beside = entity.beside or (named, basis)
-
-    def _drives_in(
-        self,
-        entities: list[Entity],
-        lane: Place,
-        prep: Prep,
-        event: Event | None,
-        basis: Basis,
-    ) -> None:
-        """``drives in the middle lane``, ``cuts in from the left lane``: where it is at first."""
-        named = lane_of(lane) if "adjacent" not in lane.dirs else None
-        steady = event is None or event.name in _STEADY or prep.value == "from"
-        for entity in entities if named is not None and steady else []:
-            implied = self._draft.lanes_implied
-            reason = "one of several lanes is named"
-            self._draft.lanes_implied = implied or Basis(basis.i, basis.j, reason)
-            if entity.start_lane is None and named is not None and not entity.parked:
-                entity.start_lane = (named, basis)
-
-    def _side_after(self, lane: Place) -> str | None:
-        """``in the next lane to the left``."""
-        after = [t.low for t in self._draft.tokens[lane.j : lane.j + _SIDE_REACH]]
-        opened = len(after) == _SIDE_REACH and after[0] in {"to", "on"}
-        return after[2] if opened and "adjacent" in lane.dirs and after[2] in _SIDES else None
 
     def _on_both_sides(self, prep: Prep, side: Place, entities: list[Entity]) -> bool:
         """``two vans on either side of the bus``: abreast of it."""
@@ -305,6 +287,33 @@ class Placer:
             for other in entities[:number]:
                 self._draft.place(entity, other, elsewhere, basis)
 
+    def passes_on(self, prep: Prep, entities: list[Entity]) -> None:
+        """``a car passes on the left``: on which side one gets past, in the lane there.
+
+        Args:
+            prep: the phrase.
+            entities: who passes.
+        """
+        side = prep.target
+        named = [d for d in side.dirs if d in _SIDES] if isinstance(side, Place) else []
+        if not isinstance(side, Place) or len(named) != 1:
+            return
+        for entity in [e for e in entities if not e.ego]:
+            entity.beside = entity.beside or (named[0], Basis(prep.word.i, side.j))
+
+    def passed_on(self, prep: Prep, entities: list[Entity]) -> None:
+        """``the ego passes three parked cars on its right``: where these stand.
+
+        Args:
+            prep: the phrase.
+            entities: who is passed.
+        """
+        side = prep.target
+        sides = {_SIDES[d] for d in side.dirs if d in _SIDES} if isinstance(side, Place) else set()
+        for entity in entities if isinstance(side, Place) else []:
+            if entity.parked and len(sides) == 1:
+                self._draft.place(entity, None, set(sides), Basis(prep.word.i, side.j))
+
     def _locus(self, prep: Prep, entities: list[Entity], event: Event | None) -> None:
         target = landmark(prep.target)
         basis = Basis(prep.word.i, target.j if isinstance(target, Mention) else prep.word.j)
@@ -318,9 +327,8 @@ class Placer:
         if event is not None and event.name not in _STEADY and prep.outer != "from":
             self._behind_the_ego(prep, entities, basis)
             return
-        if event is not None and target and _ends_there(event, prep):
-            return
-        if prep.outer == "from" and isinstance(target, Mention) and event is not None:
+        out_of = prep.outer == "from" and isinstance(target, Mention)
+        if event is not None and target and (out_of or _ends_there(event, prep)):
             return
         comes = target is None and (prep.outer, prep.value) == ("from", "ahead")
         approaches = {Approach.OPPOSITE if comes else Approach(prep.value)}
@@ -329,9 +337,8 @@ class Placer:
             if not target.entities:
                 return
             reference = target.entities[0]
-        past = reference is not None and reference.parked
-        if approaches == {Approach.ADJACENT} and (past or any(e.parked for e in entities)):
-            return  # "1 m beside the parked cars": no lane of their own
+        if _past_the_parked(approaches, [*entities, *([reference] if reference else [])]):
+            return
         same = event is not None and any(_same_way(p) for p in event.pps)
         for entity in entities:
             if entity.is_vehicle or prep.value != "ahead" or same:

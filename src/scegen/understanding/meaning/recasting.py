@@ -11,9 +11,9 @@ from scegen.scenario.vocabulary import Approach, Control
 from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.meaning import numbered_lanes
 from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.meaning.verbs_of_contact import contact_or_shift
 from scegen.understanding.meaning.ways import into_lane
 
-_BEING = frozenset({"is", "are", "was", "were", "be", "been", "gets", "being"})
 _OPEN = frozenset({"dash", "breach"})
 """Verbs that say nothing without a phrase of place."""
 _MAKING = frozenset({"light", "use"})
@@ -50,8 +50,9 @@ def recast(scene: Scene, context: Context) -> str:
         return "turn"
     if event.name == "walk" and scene.drivers and _runs_it(scene, context):
         return "breach"
-    if _runs_into(scene, context):
-        return "collide"
+    told = contact_or_shift(scene, context)
+    if told is not None:
+        return told
     if _next_lane(scene, context):
         return "lane_change"
     afoot = _on_foot(scene, context)
@@ -82,26 +83,6 @@ def _next_lane(scene: Scene, context: Context) -> bool:
     if scene.event.name == "pass":
         return not scene.targets and _into_next_lane(scene.event)
     return numbered_lanes.leaves_it(scene.event, scene.drivers, context.tokens)
-
-
-def _runs_into(scene: Scene, context: Context) -> bool:
-    """``runs into the van``, ``is run into from behind``: contact."""
-    event = scene.event
-    after = context.tokens[event.j].low if event.j < len(context.tokens) else ""
-    lemma = context.tokens[event.i].forms[-1][0]
-    into = [p.target for p in event.pps if context.tokens[p.word.i].low == "into"]
-    run = event.name in {"walk", "move"} and lemma in {"run", "drive"} and scene.drivers
-    if not run or (after != "into" and not into):
-        return False
-    before = context.tokens[event.i - 1].low if event.i else ""
-    if before in _BEING and lemma == "run":
-        scene.actors, scene.targets = [], scene.actors
-        return True
-    rear = [t for t in into if isinstance(t, Place) and "rear" in t.dirs]
-    met = [t for t in into if isinstance(t, Mention) and any(e.is_vehicle for e in t.entities)]
-    met += [t for t in into if isinstance(t, Mention) and lemma == "run"]
-    scene.targets = scene.targets or [e for t in met for e in t.entities]
-    return bool(rear or met)
 
 
 def _close_behind(scene: Scene) -> bool:

@@ -5,13 +5,15 @@ from __future__ import annotations
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 from scegen.understanding.chunks import Event, Place
-from scegen.understanding.draft import Basis
+from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.words.terms import Term
 
 STANDING = frozenset({"stand", "sit", "idle", "unload", "load", "deliver", "linger", "lie"})
 """Verbs by which somebody stays where it is."""
 _HELD = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_stop", "parking",
                    "sidewalk", "shoulder"})  # fmt: skip
+_ROADSIDE = frozenset({"shoulder", "sidewalk", "parking"})
 _WAY = frozenset({"lane", "road", "highway", "middle", "path"})
 _SINCE = frozenset({"is", "are", "has", "have", "was", "were", "had", "already", "'s", "stopped"})
 _REACH = 3
@@ -30,7 +32,12 @@ def stand(scene: Scene, context: Context) -> None:
     lemma = context.tokens[event.i].forms[-1][0]
     stands = event.name in {"wait", "stop"} and lemma in STANDING
     stands = stands or (event.name == "stop" and _over(event, context))
-    if not stands or any(p.kind in _HELD for p in scene.places()):
+    if not stands:
+        return
+    if any(p.kind in _ROADSIDE for p in scene.places()):
+        for entity in [e for e in scene.actors if e.is_vehicle and not e.ego and e.sets_off < 0]:
+            entity.parked, entity.parked_basis = True, scene.words
+    if any(p.kind in _HELD for p in scene.places()):
         return
     for entity in scene.actors:
         if entity.parked:
@@ -40,6 +47,28 @@ def stand(scene: Scene, context: Context) -> None:
             entity.speed, entity.speed_basis = Interval(low=0.0, high=0.0), scene.words
         if not entity.is_vehicle and Maneuver.CROSS not in entity.maneuvers:
             context.draft.maneuver(entity, {Maneuver.STAY}, scene.words)
+
+
+def state(term: Term, entities: list[Entity], context: Context) -> None:
+    """``a stationary car``, ``a parked van``: in the lane, or beside it.
+
+    Args:
+        term: the word for the state.
+        entities: whom it describes.
+        context: the scenario in the making.
+    """
+    basis = Basis(term.i, term.j)
+    others = [e for e in entities if not e.ego]
+    if term.value == "stationary":
+        drivers = [e for e in others if e.moving_vehicle]
+        if drivers:
+            context.draft.hazard(HazardKind.STOPPING, basis, drivers)
+        for entity in others:
+            entity.stands = entity.stands or (None if entity.parked else basis)
+    elif term.value == "parked":
+        for entity in others:
+            if entity.is_vehicle and entity.sets_off < 0:
+                entity.parked, entity.parked_basis = True, basis
 
 
 def _until(event: Event, context: Context) -> bool:
@@ -75,18 +104,11 @@ def in_the_road(scene: Scene, context: Context) -> bool:
     ]
     if there and lanes and there == scene.walkers:
         basis = Basis(scene.event.i, max(scene.event.j, lanes[0].j))
+        context.draft.dangers[:] = [
+            d
+            for d in context.draft.dangers
+            if d.kind is not HazardKind.CROSSING_PEDESTRIAN or not all(e in there for e in d.by)
+        ]
         context.draft.hazard(HazardKind.STOPPING, basis, there)
         return True
     return False
-
-
-def lane_of(place: Place) -> str | None:
-    """Which lane of several a phrase names: ``left``, ``right``, ``middle``, ``fast``, ``slow``.
-
-    Args:
-        place: a lane.
-    """
-    if place.kind != "lane" or place.owner is not None:
-        return None
-    rank = place.head.data.get("rank") if place.head is not None else None
-    return rank or next((d for d in place.dirs if d in {"left", "right"}), None)

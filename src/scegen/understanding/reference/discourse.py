@@ -23,6 +23,7 @@ from scegen.understanding.words.tokens import Token
 
 _MOST = 20
 _A_PAIR = 2
+_ALONG = {"front": "ahead", "rear": "behind"}
 
 
 class Discourse:
@@ -68,6 +69,8 @@ class Discourse:
             return mention.entities
         if refers_to_nobody(mention) or self._their_own_queue(mention):
             return []
+        if self._of_a_size(mention):
+            return []
         located = any(p.word.cat == "locus" and is_pronoun(p.target) for p in mention.pps)
         if located or mention.besides:
             exclude = [*exclude, *self._roster.subject]  # "the car behind it" is not "it"
@@ -92,6 +95,12 @@ class Discourse:
         within = mention.prep is not None and mention.prep.value == "in"
         end = mention.prep is not None and mention.prep.value == "of" and bool(self._roster.groups)
         return mass and ((within and len(self._roster.subject) > 1) or end)
+
+    def _of_a_size(self, mention: Mention) -> bool:
+        """``half a vehicle's width``, ``two car lengths``: a measure, nobody."""
+        after = {t.low for t in self.tokens[mention.j : mention.j + 2]}
+        indefinite = any((m.cat, m.value) == ("det", "indef") for m in mention.mods)
+        return mention.possessor and indefinite and bool(after & {"width", "length", "widths"})
 
     def _we(self, mention: Mention) -> list[Entity]:
         """``three of us``: the ego and two more."""
@@ -120,7 +129,9 @@ class Discourse:
         of_whom = next((p.target for p in mention.pps if p.value == "of"), None)
         if reading.driver and isinstance(of_whom, Mention):
             vehicle = self.resolve(of_whom, subject=False, exclude=[])
-            out = mention.walks and not mention.drives and any(e.parked for e in vehicle)
+            still = any(m.cat == "state" for m in of_whom.mods)
+            still = still or any(e.parked for e in vehicle)
+            out = mention.walks and not mention.drives and still
             afoot = ParticipantKind.PEDESTRIAN  # "the driver of the stalled van steps out"
             return [self._roster.new(afoot, basis)] if out else vehicle
         parked = opened(reading, mention, self._draft.entities)
@@ -289,6 +300,12 @@ class Discourse:
         placed = mention.pps or mention.elsewhere or mention.narrowed or done
         restricted = reading.dirs or reading.labels or placed
         only = [e for e in self._draft.entities if e.is_vehicle]
+        own = all(p.value == "to" for p in mention.pps) and not (mention.narrowed or loci)
+        own = own and not (reading.dirs or reading.labels or reading.plural or mention.sides)
+        ego = next((e for e in only if e.ego and "speaks" not in e.named_by), None)
+        car = reading.kind is ParticipantKind.CAR and not reading.driver and mention.i > 0
+        if own and car and len(only) == 1 and ego is not None and reading.det == "def":
+            return [ego]  # "the ego reverses; a child stands behind the car"
         seen_by = mention.prep is not None and mention.prep.value == "by" and reading.driver
         if seen_by and reading.det == "def" and len(only) == 1 and not reading.labels:
             return only  # "as seen by the driver facing forward"
@@ -299,5 +316,6 @@ class Discourse:
 
 def _known_there(entity: Entity, reading: Reading) -> bool:
     """``follows a car … the lead vehicle``: who is followed is the one ahead."""
-    along = reading.dirs <= {"ahead", "behind"} and not entity.dirs
-    return along and reading.dirs <= entity.loci
+    dirs = {_ALONG.get(d, d) for d in reading.dirs}
+    along = dirs <= {"ahead", "behind"} and entity.dirs <= dirs
+    return along and dirs <= entity.loci | entity.dirs

@@ -187,9 +187,19 @@ def _cut(match: Match, tokens: list[Token], i: int) -> int | None:
     """Where a phrase ends that has a word too many; None if it has not."""
     if no_way(tokens, i, match) or (match.j > i + 1 and a_drive(tokens, i)):
         return i + 1
+    if match.only("side") and _is_beside(tokens, i, match.j):
+        return i + 1
     if then_a_side(tokens, match) or of_so_much(tokens, match):
         return match.j - 1  # "darts across from the left"
     return None
+
+
+def _is_beside(tokens: list[Token], i: int, j: int) -> bool:
+    """``a bus drives on the right of the ego``: where one is, no rule of the road."""
+    after = [t.low for t in tokens[j : j + 3]]
+    somebody = after[:1] == ["of"] and not {"road", "street", "highway"} & set(after)
+    all_do = i > 0 and tokens[i - 1].low in {"traffic", "everybody", "everyone", "one"}
+    return (tokens[i].low in {"drives", "drove"} and not all_do) or somebody
 
 
 def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | None:
