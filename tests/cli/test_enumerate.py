@@ -1,8 +1,6 @@
 """scegen enumerate: streams, narrows, chooses, draws; scegen generate narrows alike."""
 
 import json
-import os
-import pty
 import re
 import signal
 import subprocess
@@ -54,7 +52,7 @@ def test_an_interrupt_says_how_far_it_came_and_leaves_the_list_whole(form):
             "-c",
             IN_FRONT,
             *MILLION,
-            "--yes",
+            "--all",
             *(["--json"] if form == "json" else []),
         ],
         stdout=subprocess.PIPE,
@@ -105,37 +103,11 @@ def test_an_interrupt_in_the_background_is_ignored():
     assert len(done.stdout.splitlines()) == 27
 
 
-def test_millions_are_refused_where_nobody_can_be_asked(scegen):
-    done = scegen("enumerate", "--entries", "0,1,2,3,4,0,1,2,3,4,0", "--junction-arms", "5")
-    assert done.returncode == 2
-    assert "--yes" in done.stderr
-    assert "--limit" in done.stderr
-    assert done.stdout == ""
-
-
-@pytest.mark.parametrize("answer", ["y", "n"])
-def test_whoever_sits_at_a_terminal_is_asked(answer):
-    ours, theirs = pty.openpty()
-    with subprocess.Popen(
-        [sys.executable, "-c", "from scegen.cli import main; main()", *MILLION],
-        stdin=theirs,
-        stdout=subprocess.PIPE,
-        stderr=theirs,
-        text=True,
-    ) as process:
-        os.close(theirs)
-        asked = b""
-        while b"[y/N]" not in asked:
-            asked += os.read(ours, 4096)
-        os.write(ours, f"{answer}\n".encode())
-        first = process.stdout.readline()
-        if answer == "y":
-            process.kill()
-        code = process.wait(timeout=60)
-    os.close(ours)
-    assert b"1,048,576" in asked
-    assert first[:4] == ("000-" if answer == "y" else "")
-    assert (code == 2) == (answer == "n")
+def test_of_too_many_a_selection_is_listed_and_both_numbers_are_said(scegen):
+    done = scegen(*MILLION, "--limit", "30")
+    assert len(done.stdout.splitlines()) == 30
+    assert "1,048,576 scenarios of 1,048,576 assignments" in done.stderr
+    assert "Listed are 30 of 1,048,576" in done.stderr
 
 
 def test_json_is_one_document_with_its_certificate(scegen):
@@ -150,7 +122,7 @@ def test_json_is_one_document_with_its_certificate(scegen):
 def test_who_counts_as_whom_is_said(scegen):
     ten = ("enumerate", "--entries", "0,1,2,0,1,2,0,1,2,0", "--junction-arms", "3", "--limit", "1")
     told = scegen(*ten).stderr
-    assert "128 scenarios of 1024" in told
+    assert "128 scenarios of 1,024" in told
     assert "the ego car_1 is told apart as the vehicle under test" in told
     assert "car_4, car_7, car_10 at arm 0" in told
     assert "car_1, car_4, car_7, car_10 at arm 0" in scegen(*ten, "--arms", "equal").stderr

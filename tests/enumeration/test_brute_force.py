@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from scegen.enumeration import count_scenarios, enumerate_scenarios
 from scegen.errors import NoScenarioError
-from scegen.scenario.functional import FunctionalScenario, Hazard, Junction, Participant
+from scegen.scenario.functional import FunctionalScenario, Group, Hazard, Junction, Participant
 from scegen.scenario.vocabulary import FROM_BESIDE, ArmsMode, Reduction
 
 JUNCTIONS = [
@@ -49,11 +49,17 @@ def functionals(draw):
         if kind == "straight" and chosen in FROM_BESIDE:
             chosen = "tailgating"  # the brute force knows no lanes, and so no merging from beside
         hazards.append(Hazard(kind=chosen, by=(f"car_{by}",), to=(f"car_{to}",)))
+    groups = []
+    if number > 2 and draw(st.integers(0, 2)) == 0:
+        members = [p.id for p in participants[: draw(st.integers(2, number))]]
+        words = draw(st.sampled_from([("left",), ("straight", "right")]))
+        groups.append(Group(members=members, number=draw(st.integers(0, 2)), maneuvers=words))
     return FunctionalScenario(
         description="drawn",
         junction=Junction(kind=kind, arms=arms, driving_side=side),
         participants=tuple(participants),
         hazards=tuple(hazards),
+        groups=tuple(groups),
     )
 
 
@@ -77,6 +83,13 @@ def test_same_classes_of_the_same_sizes(oracle, functional, arms):
         assert (counted.total, counted.count) == (sum(sizes), len(sizes))
 
 
+def manner(drive):
+    if drive.maneuver is drive.turn:
+        return None
+    side = "" if drive.changes_to is None else f"_{drive.changes_to}"
+    return f"{drive.maneuver}{side}"
+
+
 @settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(functional=functionals())
 def test_without_reduction_exactly_the_assignments(oracle, functional):
@@ -88,10 +101,7 @@ def test_without_reduction_exactly_the_assignments(oracle, functional):
         return
     listed = enumerate_scenarios(functional, reduction=Reduction.NONE)
     found = {
-        tuple(
-            (d.entry, d.move, d.maneuver.value if d.maneuver is not d.turn else None)
-            for d in scenario.drives
-        )
+        tuple((d.entry, d.move, manner(d)) for d in scenario.drives)
         for scenario in listed.scenarios
     }
     assert found == expected

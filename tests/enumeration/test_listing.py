@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
+from math import comb
 
 import pytest
 
@@ -17,7 +18,7 @@ from scegen.enumeration import (
 from scegen.errors import InfeasibleError, InputError, NoScenarioError
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
-from scegen.scenario.vocabulary import Reduction
+from scegen.scenario.vocabulary import Maneuver, Reduction
 
 EGO = {"id": "ego", "role": "ego"}
 OPEN = ("four_way", 4, [EGO | {"maneuvers": ["left", "straight"]}, {"id": "a"}, {"id": "b"}])
@@ -42,15 +43,54 @@ def test_patterns_are_sorted(describe):
 
 
 @pytest.mark.parametrize("reduction", Reduction)
-def test_a_limit_lists_the_beginning(describe, reduction):
+def test_with_a_limit_a_selection_is_listed(describe, reduction):
     functional = describe(*OPEN)
     full = enumerate_scenarios(functional, reduction=reduction)
-    first = enumerate_scenarios(functional, reduction=reduction, limit=4)
-    assert first.scenarios == full.scenarios[:4]
-    assert not first.certificate.complete
-    assert first.certificate.count == full.certificate.count == len(full.scenarios)
+    number = len(full.scenarios) // 2
+    listed = enumerate_scenarios(functional, reduction=reduction, limit=number)
+    assert len({s.assignments for s in listed.scenarios}) == number
+    assert not listed.certificate.complete
+    assert listed.certificate.count == full.certificate.count == len(full.scenarios)
+    assert f"Listed are {number:,} of {len(full.scenarios):,}" in listed.notes[-1]
+    assert [order(s) for s in listed.scenarios] == sorted(order(s) for s in listed.scenarios)
     assert tuple(iterate_scenarios(functional, reduction=reduction)) == full.scenarios
+    assert tuple(iterate_scenarios(functional, reduction=reduction, limit=4)) == full.scenarios[:4]
     assert enumerate_scenarios(functional, reduction=reduction, limit=10_000) == full
+
+
+def test_a_selection_shows_every_way_and_every_pair_of_ways(describe):
+    """Drawn by chance from 15 billion: of ten different cars, any two in all their ways."""
+    cars = [EGO, *({"id": f"car_{i}", "speed_mps": i} for i in range(1, 10))]
+    found = enumerate_scenarios(describe("four_way", 4, cars), limit=2_000)
+    assert found.certificate.count > 10**10
+    drives = [s.drives for s in found.scenarios]
+    ways = [{(d.entry, d.move) for d in column} for column in zip(*drives, strict=True)]
+    assert all(len(way) == 12 for way in ways)
+    for one, other in ((0, 1), (3, 9)):
+        pairs = {tuple((d.entry, d.move) for d in (row[one], row[other])) for row in drives}
+        assert len(pairs) == 12 * 12
+
+
+def test_ten_cars_with_everything_open_are_counted_by_burnside(describe):
+    """The ego has three ways, up to turns; the others choose a multiset of nine among twelve."""
+    cars = [EGO, *({"id": f"car_{i}"} for i in range(9))]
+    counted = count_scenarios(describe("four_way", 4, cars))
+    assert counted.total == 12**10
+    assert counted.count == 3 * comb(12 + 9 - 1, 9)
+
+
+def test_three_of_ten_turn_left_whoever_they_are(describe):
+    names = ["ego", *(f"car_{i}" for i in range(9))]
+    cars = [EGO, *({"id": name} for name in names[1:])]
+    group = {"members": names, "number": 3, "maneuvers": ["left"]}
+    functional = describe("four_way", 4, cars, more={"groups": [group]})
+    counted = count_scenarios(functional)
+    # Each has 4 ways to turn left and 8 others.
+    assert counted.total == comb(10, 3) * 4**3 * 8**7
+    ego_does, ego_does_not = comb(4 + 1, 2) * comb(8 + 6, 7), comb(4 + 2, 3) * comb(8 + 5, 6)
+    assert counted.count == 1 * ego_does + 2 * ego_does_not
+    for scenario in enumerate_scenarios(functional, limit=40).scenarios:
+        assert sum(drive.turn is Maneuver.LEFT for drive in scenario.drives) == 3
 
 
 def test_a_limit_must_list_something():
@@ -89,10 +129,10 @@ def test_slugs(describe):
         *enumerate_scenarios(plain_crossing((0, 1, 2, 3, 4) * 2, 5), limit=50).scenarios,
     ]
     assert all(re.fullmatch(r"[a-z0-9-]{1,40}", s.slug) for s in every)
-    assert enumerate_scenarios(describe(*OPEN)).scenarios[0].slug == "0straight-1right-2right"
+    assert enumerate_scenarios(describe(*OPEN)).scenarios[0].slug == "0straight-0right-0right"
     ring = describe("roundabout", 4, [EGO | {"maneuvers": ["exit_3"]}], driving_side="left")
     assert enumerate_scenarios(ring).scenarios[0].slug == "0exit3"
-    ten = enumerate_scenarios(plain_crossing((0, 1, 2, 0, 1), 3), limit=1).scenarios[0]
+    ten = next(iterate_scenarios(plain_crossing((0, 1, 2, 0, 1), 3)))
     assert ten.slug == "moves-1x5"
 
 

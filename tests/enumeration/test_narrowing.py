@@ -219,7 +219,7 @@ def test_rules_with_several_answers_of_their_own_list_nothing_twice(rules):
         (":- enterss(V,1).", 2, "enters"),
         (":- enters(V).", 2, "2 arguments"),
         ("enters(car_1,0).", 2, "given"),
-        ("crowded(V) :- vehicle(V).", 2, "taken"),
+        ("placed(V) :- vehicle(V).", 2, "taken"),
         ("{a}.", 2, "choices"),
         ("a ; b.", 2, "choices"),
         ("#script(python) print(1) #end.", 2, "only rules"),

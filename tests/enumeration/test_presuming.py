@@ -1,4 +1,4 @@
-"""A guess about who suffers a danger gives way; what is stated does not."""
+"""What is presumed of who suffers a danger gives way; what is stated does not."""
 
 from __future__ import annotations
 
@@ -6,30 +6,19 @@ import pytest
 
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import NoScenarioError
-from scegen.scenario.functional import Evidence, FunctionalScenario
 
 EGO = {"id": "ego", "role": "ego", "maneuvers": ["straight"]}
 ONCOMING = {"id": "truck", "kind": "truck", "approaches": ["opposite"], "maneuvers": ["straight"]}
 WALKER = {"id": "child", "kind": "pedestrian", "maneuvers": ["cross"]}
 LATE = {"kind": "delayed_braking", "by": ["truck"], "to": ["ego"]}
+UNSAID = {"kind": "delayed_braking", "by": ["truck"]}
 
 
-def guessed(functional: FunctionalScenario) -> FunctionalScenario:
-    guess = Evidence(
-        field="hazards.delayed_braking.to", source="inferred", reason="the ego is taken"
-    )
-    return functional.model_copy(update={"evidence": (guess,)})
-
-
-def test_a_guess_gives_way(describe):
-    functional = guessed(describe("straight", 2, [EGO, ONCOMING, WALKER], [LATE]))
-    found = enumerate_scenarios(functional)
+def test_what_is_presumed_gives_way(describe):
+    found = enumerate_scenarios(describe("straight", 2, [EGO, ONCOMING, WALKER], [UNSAID]))
     assert found.scenarios
-    assert found.functional.hazards[0].by == ("truck",)
     assert found.functional.hazards[0].to == ()
-    told = [e.reason for e in found.functional.evidence if e.field == "hazards.delayed_braking.to"]
-    assert told == ["that truck threatens ego was a guess, and no scenario has it so: left open"]
-    assert found.notes[0].startswith("delayed_braking: that truck threatens ego was a guess")
+    assert found.notes[0].startswith("delayed_braking: whom it concerns is not said")
 
 
 def test_what_is_stated_does_not(describe):
@@ -38,45 +27,35 @@ def test_what_is_stated_does_not(describe):
         enumerate_scenarios(functional)
 
 
-def test_a_guess_that_fits_stays(describe):
-    """One who overtakes is on the side of the oncoming truck: the guess holds."""
+def test_what_is_presumed_and_fits_stays(describe):
+    """One who overtakes is on the side of the oncoming truck."""
     ego = EGO | {"maneuvers": ["overtake"]}
-    functional = guessed(describe("straight", 2, [ego, ONCOMING, WALKER], [LATE]))
-    found = enumerate_scenarios(functional)
-    assert found.functional.hazards[0].to == ("ego",)
+    found = enumerate_scenarios(describe("straight", 2, [ego, ONCOMING, WALKER], [UNSAID]))
+    assert {s.hazards[0].to for s in found.scenarios} == {("ego",)}
     assert found.notes == ()
 
 
 def test_other_contradictions_are_told_as_they_were(describe):
-    """Giving up the guess does not help here: the refusal names it as it was said."""
-    functional = guessed(
-        describe(
-            "four_way",
-            4,
-            [EGO | {"entries": [0]}, ONCOMING | {"entries": [1]}],
-            [LATE],
-        )
+    """Nobody else being presumed does not help here: the refusal is about what is said."""
+    functional = describe(
+        "four_way", 4, [EGO | {"entries": [0]}, ONCOMING | {"entries": [1]}], [UNSAID]
     )
     with pytest.raises(NoScenarioError) as refused:
         enumerate_scenarios(functional)
-    assert "to not said" not in str(refused.value)
+    assert "truck comes from opposite" in str(refused.value)
 
 
-def test_a_guess_about_the_only_other_one_gives_way(describe):
+def test_the_only_other_one_is_presumed_until_nothing_fits_it(describe):
     """One who turns left is overtaken from behind; nobody comes the other way."""
     turning = {"id": "ego", "role": "ego", "maneuvers": ["left"]}
     car = {"id": "car", "approaches": ["behind"], "maneuvers": ["overtake"]}
-    left = {"kind": "unprotected_left_turn", "by": ["ego"], "to": ["car"]}
-    functional = describe("four_way", 4, [turning, car], [left])
+    left = {"kind": "unprotected_left_turn", "by": ["ego"]}
+    named = describe("four_way", 4, [turning, car], [left | {"to": ["car"]}])
     with pytest.raises(NoScenarioError):
-        enumerate_scenarios(functional)
-    guess = Evidence(
-        field="hazards.unprotected_left_turn.to", source="inferred", reason="the only other"
-    )
-    found = enumerate_scenarios(functional.model_copy(update={"evidence": (guess,)}))
+        enumerate_scenarios(named)
+    found = enumerate_scenarios(describe("four_way", 4, [turning, car], [left]))
     assert found.functional.hazards[0].to == ()
-    again = enumerate_scenarios(found.functional)
-    assert again.scenarios == found.scenarios
+    assert {s.hazards[0].to for s in found.scenarios} == {("car",)}
 
 
 def test_straight_on_at_a_y_is_the_way_that_bends_least(describe):

@@ -107,12 +107,13 @@ def test_one_behind_keeps_its_distance(describe):
 
 def test_who_changes_lane_lets_the_other_pass(describe):
     car = {"id": "car", "approaches": ["ahead"], "maneuvers": ["lane_change"], "entries": [0]}
-    functional = describe("straight", 2, [EGO, car])
+    act = {"id": "change", "participant": "car", "kind": "change_lane", "side": "left"}
+    functional = describe("straight", 2, [EGO, car], more={"acts": [act]})
     assert told(functional) == [("ego", "car", "car", "lane_change")]
 
 
 def test_side_by_side_neither_waits(describe):
-    car = {"id": "car", "approaches": ["adjacent"], "maneuvers": ["straight"]}
+    car = {"id": "car", "approaches": ["adjacent", "left"], "maneuvers": ["straight"]}
     assert told(describe("straight", 2, [EGO, car], lanes=[2, 2])) == [("ego", "car", None, None)]
 
 

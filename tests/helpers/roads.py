@@ -142,9 +142,7 @@ SCENARIOS: dict[str, FunctionalScenario] = {
         [ego(70), one("lead", "car", AHEAD, speed=70)],
         acts=[
             act("taps", "lead", "brake", rate_mps2=2.0, target_speed_mps=kmh(50)),
-            act(
-                "halts", "lead", "stop", rate_mps2=5.0, when=after("taps", 2.0, since="end")
-            ),
+            act("halts", "lead", "stop", rate_mps2=5.0, when=after("taps", 2.0, since="end")),
         ],
         spacings=[apart("ego", "lead", "headway_s", 2.0, "taps")],
         outcome=ends("avoided"),

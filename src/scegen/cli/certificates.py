@@ -63,8 +63,8 @@ def tell_claim(
 
 
 def _counts(certificate: Certificate) -> str:
-    matching = "" if certificate.matching is None else f"{certificate.matching} matching of "
-    return f"{matching}{certificate.count} scenarios of {certificate.total} assignments"
+    matching = "" if certificate.matching is None else f"{certificate.matching:,} matching of "
+    return f"{matching}{certificate.count:,} scenarios of {certificate.total:,} assignments"
 
 
 def line(scenario: LogicalScenario) -> str:

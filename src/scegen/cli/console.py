@@ -31,17 +31,6 @@ def say(text: str) -> None:
     stderr.print(text, markup=False)
 
 
-def agreed(question: str) -> bool:
-    """Ask whoever sits at a terminal; no where nobody does, or answers anything but yes.
-
-    The question goes to stderr, all of it: typer's own prompt leaves a blank on stdout.
-    """
-    if not (sys.stdin.isatty() and stderr.is_terminal):
-        return False
-    stderr.print(f"{question} [y/N]:", markup=False, end=" ")
-    return sys.stdin.readline().strip().lower() in {"y", "yes"}
-
-
 def result(text: str) -> None:
     """A result, on stdout, exactly as it is."""
     sys.stdout.write(text if text.endswith("\n") else text + "\n")

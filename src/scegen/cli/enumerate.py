@@ -19,7 +19,6 @@ from scegen.cli.certificates import (
 from scegen.cli.console import result
 from scegen.cli.gallery import require_picture, write_picture
 from scegen.cli.listing import (
-    agree_to_many,
     listing_under_way,
     stream_json,
     stream_lines,
@@ -37,6 +36,10 @@ if TYPE_CHECKING:
     from scegen.scenario.logical import LogicalSet
 
 
+MOST_COMPARED = 200_000
+"""Of more scenarios than this, only a selection is looked at to rank, sample or cover."""
+
+
 def enumerate_(
     source: Annotated[
         str | None, typer.Argument(metavar="FUNCTIONAL|TEXT", help="functional.yaml or a text.")
@@ -48,7 +51,10 @@ def enumerate_(
         ArmsMode, typer.Option(help="Whether all arms count alike.")
     ] = ArmsMode.DISTINCT,
     count_only: Annotated[bool, typer.Option("--count-only", help="Count, do not list.")] = False,
-    limit: Annotated[int | None, typer.Option(min=1, help="List at most so many.")] = None,
+    limit: Annotated[
+        int, typer.Option(min=1, help="Of more than so many, list a selection that covers them.")
+    ] = 2000,
+    every: Annotated[bool, typer.Option("--all", help="List all, however many.")] = False,
     where: WhereOption = None,
     rules: RulesOption = None,
     rank: Annotated[bool, typer.Option("--rank", help="Richest in conflicts first.")] = False,
@@ -70,22 +76,20 @@ def enumerate_(
     gallery: Annotated[
         Path | None, typer.Option(help="Draw the scenarios to this file, .svg or .png.")
     ] = None,
-    yes: Annotated[
-        bool, typer.Option("--yes", "-y", help="List millions without being asked.")
-    ] = False,
     json: JsonFlag = False,
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write logical.json to this file.")
     ] = None,
 ) -> None:
     """List, count or choose among all logical scenarios of a functional one."""
-    from scegen.enumeration import count_scenarios, open_listing
+    from scegen.enumeration import LIST_LIMIT, count_scenarios, open_listing
 
     if sample is not None and cover:
         raise InputError("--sample and --cover both choose: use one of them")
     if gallery is not None:
         require_picture(gallery, "--gallery")
     functional = _counted_cars(source, entries, junction_arms)
+    narrows = rank or cover or sample is not None
     if count_only and where is None and rules is None:
         certificate = count_scenarios(functional, reduction=reduction, arms=arms)
         tell_count(certificate, reduction, arms, as_json=json)
@@ -94,11 +98,12 @@ def enumerate_(
         functional,
         reduction=reduction,
         arms=arms,
-        limit=None if rank or sample or cover else limit,
+        limit=None if every or narrows else limit,
         where=where,
         rules=rules,
     )
-    agree_to_many(listing, yes=yes)
+    if narrows and not every and listing.expected > MOST_COMPARED:
+        listing.limit = LIST_LIMIT
     if count_only:
         with listing_under_way(listing) as scenarios:
             deque(scenarios, maxlen=0)
@@ -147,7 +152,7 @@ def _reached(whole: LogicalSet, logical: LogicalSet, *, narrowed: bool) -> Cover
 
 
 def _chosen(
-    logical: LogicalSet, *, rank: bool, sample: int | None, cover: bool, limit: int | None
+    logical: LogicalSet, *, rank: bool, sample: int | None, cover: bool, limit: int
 ) -> LogicalSet:
     """The set with those scenarios alone that were asked for, and a note on how."""
     from scegen.enumeration.choosing.covering import smallest_cover

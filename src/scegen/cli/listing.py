@@ -1,4 +1,4 @@
-"""Lists while they are made: asked before millions, nothing held, whole at every interruption."""
+"""Lists while they are made: nothing held, whole at every interruption."""
 
 from __future__ import annotations
 
@@ -12,30 +12,11 @@ from typing import TYPE_CHECKING
 import typer
 
 from scegen.cli.certificates import head, line, tell_claim
-from scegen.cli.console import INTERRUPTED, agreed, counting, result, say
-from scegen.errors import InputError
+from scegen.cli.console import INTERRUPTED, counting, result, say
 
 if TYPE_CHECKING:
     from scegen.enumeration import Listing
     from scegen.scenario.logical import LogicalScenario
-
-
-def agree_to_many(listing: Listing, *, yes: bool) -> None:
-    """Ask whoever sits at a terminal whether to list so many; elsewhere take ``--yes`` alone.
-
-    Raises:
-        InputError: nobody agreed.
-    """
-    if not listing.too_many:
-        return
-    many = f"{listing.expected:,} scenarios"
-    if not yes and not agreed(f"List all {many}?"):
-        raise InputError(
-            f"{many} are many to list: nothing was listed",
-            hint="Use --yes to list them all, --limit to list the first ones, or --count-only to "
-            "count them.",
-        )
-    listing.any_number = True
 
 
 @contextmanager

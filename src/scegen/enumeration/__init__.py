@@ -1,6 +1,7 @@
 """From a functional scenario to every distinct logical scenario, by answer set programming."""
 
 from scegen.enumeration.enumerate import (
+    LIST_LIMIT,
     Listing,
     count_scenarios,
     enumerate_scenarios,
@@ -8,10 +9,9 @@ from scegen.enumeration.enumerate import (
     open_listing,
 )
 from scegen.enumeration.plain import plain_crossing
-from scegen.enumeration.ruled import MAX_LISTED
 
 __all__ = [
-    "MAX_LISTED",
+    "LIST_LIMIT",
     "Listing",
     "count_scenarios",
     "enumerate_scenarios",

@@ -69,7 +69,7 @@ class Builder:
             isinstance(fact, p.OnFoot) and fact.way in ALONG for fact in problem.facts
         )
         self._one_order = all(len(problem.entries.get(v.id, ())) == 1 for v in problem.vehicles)
-        self._hazards = hazard_resolver(self._functional)
+        self._hazards = hazard_resolver(self._functional, problem.sides)
         self._acts = act_resolver(self._functional)
         self._numbers = said_numbers(self._functional)
         self._ego = members.index(self._functional.ego.id)
@@ -177,7 +177,10 @@ class Builder:
         return rows
 
     def _on_foot(self, name: str, place: Place) -> Row:
-        return Kept(lambda choice: self._sharing.other(assignment_of(name, *choice, place)))
+        def share(choice: tuple[int, str]) -> Share:
+            return self._sharing.other(assignment_of(name, *choice, place))
+
+        return Kept(share)
 
     def _standings(self, parked: Participant, entry_of: dict[str, int]) -> Row:
         assignment = standing(self._functional, parked, entry_of)

@@ -10,6 +10,7 @@ import math
 from collections import Counter, defaultdict
 from collections.abc import Hashable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import NamedTuple, TypeVar
 
 from scegen.enumeration.patterns import Row
@@ -108,8 +109,10 @@ def rows_of_placements(
         vehicles: the places of each, what it uses up there, and its row of moves.
         room: as left to them.
     """
+    anywhere = [v[0][2] for v in vehicles if _same_everywhere(v, room)]
+    others = [v for v in vehicles if not _same_everywhere(v, room)]
     states: dict[tuple[Room, tuple[Row, ...]], int] = {(room, ()): 1}
-    for places in vehicles:
+    for places in others:
         following: defaultdict[tuple[Room, tuple[Row, ...]], int] = defaultdict(int)
         if not room.arms:
             alike = Counter((0, uses, row) for _, uses, row in places)
@@ -125,8 +128,29 @@ def rows_of_placements(
     out: Counter[tuple[Row, ...]] = Counter()
     for (left, found), times in states.items():
         if not any(left.groups):
-            out[found] += times
+            ways = _fillings(tuple(sorted(left.arms)), len(anywhere))
+            out[tuple(sorted((*found, *anywhere)))] += times * ways
     return dict(+out)
+
+
+def _same_everywhere(places: Sequence[tuple[int, tuple[int, ...], Row]], room: Room) -> bool:
+    """Whether one may choose the same at every arm, whatever others do."""
+    alike = len({row for _, _, row in places}) == 1 and not any(any(u) for _, u, _ in places)
+    return alike and 0 < len(room.arms) == len(places)
+
+
+@lru_cache(maxsize=4096)
+def _fillings(arms: tuple[int, ...], vehicles: int) -> int:
+    """Ways to put vehicles, told apart, on arms that hold so many."""
+    ways = [1, *[0] * vehicles]
+    for holds in arms:
+        ways = [
+            sum(
+                ways[total - here] * math.comb(total, here) for here in range(min(holds, total) + 1)
+            )
+            for total in range(vehicles + 1)
+        ]
+    return ways[vehicles]
 
 
 def _spread(kind: Kind, room: Room) -> Iterator[tuple[Room, int]]:

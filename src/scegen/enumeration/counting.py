@@ -36,8 +36,9 @@ class Census:
     """Sums over all states.
 
     ``fixed[r]`` is the number of scenarios, up to swaps, that turning by r arms maps onto
-    themselves. ``placed`` sums the assignments of entries by the room that they leave to the unrelated,
-    the choices that they leave to the independent vehicles (one row each), and the dependent moves.
+    themselves. ``placed`` sums the assignments of entries by the room that they leave to the
+    unrelated, the choices that they leave to the independent vehicles (one row each), and the
+    dependent moves.
     """
 
     problem: Problem
@@ -93,7 +94,7 @@ class Census:
 
     @cached_property
     def loose(self) -> Counter[tuple[tuple[Row, ...], tuple[int, ...]]]:
-        """The assignments of entries by rows and dependent moves, with the unrelated; patterns follow."""
+        """The assignments of entries by rows and dependent moves, with the unrelated."""
         if self.unrelated is None:
             return Counter({(rows, tied): n for (_, rows, tied), n in self.placed.items()})
         out: Counter[tuple[tuple[Row, ...], tuple[int, ...]]] = Counter()

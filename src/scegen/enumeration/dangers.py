@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from scegen.enumeration import predicates as p
-from scegen.enumeration.presuming import Parties, outcome_pairs, parties
+from scegen.enumeration.presuming import Parties, outcome_pairs
 from scegen.enumeration.statements import Stated
 from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import FunctionalScenario
@@ -17,13 +17,17 @@ LEAVING = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.OVERTAKE})
 
 
 def say_dangers(
-    out: Stated, functional: FunctionalScenario, left_open: frozenset[int]
+    out: Stated,
+    functional: FunctionalScenario,
+    sides: Sequence[Parties],
+    left_open: frozenset[int],
 ) -> dict[int, int]:
     """State what dangers, acts and the outcome demand.
 
     Args:
         out: the statements so far.
         functional: the description, understood.
+        sides: both sides of each danger, as far as they are known.
         left_open: dangers, by their place, of which nothing is presumed.
 
     Returns:
@@ -38,10 +42,7 @@ def say_dangers(
         if LEAVING & set(row.acts):
             out.facts.append(p.LeavesLane(row_kind.value))
     presumed: dict[int, int] = {}
-    sides = []
-    for index, hazard in enumerate(functional.hazards):
-        both = parties(functional, hazard, left_open=index in left_open)
-        sides.append(both)
+    for index, (hazard, both) in enumerate(zip(functional.hazards, sides, strict=True)):
         number = out.number(f"hazard {hazard.kind} (by {_told(hazard.by, both.by)}; "
                             f"to {_told(hazard.to, both.to)})")  # fmt: skip
         _say(out, number, hazard.kind, both)

@@ -13,7 +13,9 @@ from scegen.enumeration.choosing.where import where as where_test
 from scegen.enumeration.counting import Census, census
 from scegen.enumeration.feasibility import feasible
 from scegen.enumeration.problem import Problem
+from scegen.enumeration.reading import Solution
 from scegen.enumeration.ruled import MAX_LISTED, RuledClasses, ruled_classes
+from scegen.enumeration.selection import covering, selected
 from scegen.enumeration.solving import Space, solutions
 from scegen.enumeration.symmetry import Symmetry, symmetry_of
 from scegen.enumeration.symmetry_words import symmetry_in_words
@@ -21,6 +23,9 @@ from scegen.errors import InputError
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Certificate, LogicalScenario, LogicalSet
 from scegen.scenario.vocabulary import ArmsMode, Reduction
+
+LIST_LIMIT = 2_000
+"""More scenarios than this are not listed unless all are asked for."""
 
 
 @dataclass(frozen=True)
@@ -41,21 +46,22 @@ def enumerate_scenarios(
     where: str | None = None,
     rules: Path | None = None,
 ) -> LogicalSet:
-    """All logical scenarios of a functional one, each once, in a fixed order.
+    """The logical scenarios of a functional one, each once, in a fixed order.
 
     Args:
         functional: the description, understood.
         reduction: which assignments count as one scenario.
         arms: whether the arms count alike or as built.
-        limit: list at most so many, the first in order; None lists all.
+        limit: where there are more than so many, list so many, a covering and diverse selection
+            (with ``where``, the first in order); None lists all.
         where: list only those for which this expression holds (docs/where.md).
         rules: a file of rules in ASP that every scenario keeps (docs/rules.md).
 
     Raises:
         NoScenarioError: the description contradicts itself; names what clashes.
         InfeasibleError: it asks for more than a junction holds.
-        InputError: there are too many scenarios to list or to count, or the expression or the
-            rules cannot be used.
+        InputError: there are too many scenarios to count, or the expression or the rules cannot
+            be used.
     """
     listing = open_listing(
         functional, reduction=reduction, arms=arms, limit=limit, where=where, rules=rules
@@ -74,16 +80,15 @@ class Listing:
     limit: int | None
     where: str | None
     ruled: RuledClasses | None
-    any_number: bool = False
     seen: int = 0
     listed: int = 0
     assignments: int = 0
     exhausted: bool = False
 
     @property
-    def too_many(self) -> bool:
-        """Whether there are more than are listed without a limit."""
-        return self.ruled is None and self.limit is None and self._count > MAX_LISTED
+    def selects(self) -> bool:
+        """Whether a selection stands for more than are to be listed."""
+        return self.where is None and self.limit is not None and self._count > self.limit
 
     @property
     def expected(self) -> int:
@@ -95,8 +100,7 @@ class Listing:
 
     def __iter__(self) -> Iterator[LogicalScenario]:
         keep = where_test(self.prepared.problem.functional, self.where) if self.where else None
-        cut = self.limit if keep is None else None
-        for scenario in self._every(cut):
+        for scenario in self._every():
             self.seen += 1
             self.assignments += scenario.class_size
             if keep is None or keep(scenario):
@@ -145,7 +149,14 @@ class Listing:
     def notes(self) -> tuple[str, ...]:
         """What else there is to say about the set."""
         ruled = self.ruled.notes if self.ruled else ()
-        return (*_notes(self.prepared, self.reduction), *ruled)
+        notes = (*_notes(self.prepared, self.reduction), *ruled)
+        if not self.selects:
+            return notes
+        listed = (
+            f"Listed are {self.listed:,} of {self._count:,}: a selection with as many different "
+            "ways, and pairs of ways, as so many scenarios can show."
+        )
+        return (*notes, listed)
 
     @property
     def _count(self) -> int:
@@ -157,15 +168,27 @@ class Listing:
     def _total(self) -> int:
         return self.prepared.census.total if self.ruled is None else self.ruled.total
 
-    def _every(self, limit: int | None) -> Iterator[LogicalScenario]:
-        if self.ruled is None:
-            if self.too_many and not self.any_number:
-                raise too_many_to_list(self.expected)
-            yield from _stream(self.prepared, self.reduction, limit)
-            return
+    def _every(self) -> Iterator[LogicalScenario]:
         builder = Builder(self.prepared.problem)
-        for index, (solution, size) in enumerate(self.ruled.solutions[:limit]):
+        for index, (solution, size) in enumerate(self._solutions()):
             yield builder.scenario(solution, index=index, class_size=size)
+
+    def _solutions(self) -> Iterator[tuple[Solution, int]]:
+        """What is to be built, with its class size."""
+        prepared, reduction = self.prepared, self.reduction
+        if self.ruled is not None and self.limit is not None and self.selects:
+            sizes = dict(self.ruled.solutions)
+            chosen = covering(prepared.space.problem, prepared.symmetry, list(sizes), self.limit)
+            yield from ((solution, sizes[solution]) for solution in chosen)
+        elif self.ruled is not None:
+            yield from self.ruled.solutions
+        elif self.limit is not None and self.selects:
+            for solution in selected(
+                prepared.space, prepared.symmetry, prepared.census, reduction, self.limit
+            ):
+                yield solution, prepared.census.class_size(reduction, solution)
+        else:
+            yield from _stream(prepared, reduction)
 
 
 def open_listing(
@@ -177,10 +200,7 @@ def open_listing(
     where: str | None = None,
     rules: Path | None = None,
 ) -> Listing:
-    """Everything up to the first scenario: as :func:`enumerate_scenarios`, to be streamed.
-
-    More than MAX_LISTED without a limit are listed once ``any_number`` of the listing is set.
-    """
+    """Everything up to the first scenario: as :func:`enumerate_scenarios`, to be streamed."""
     if limit is not None and limit < 1:
         raise InputError(f"a limit of {limit} lists nothing", hint="Use a limit of at least 1.")
     if where is not None:
@@ -211,9 +231,11 @@ def iterate_scenarios(
     arms: ArmsMode = ArmsMode.DISTINCT,
     limit: int | None = None,
 ) -> Iterator[LogicalScenario]:
-    """The same scenarios as a stream, for sets too large to hold."""
+    """All scenarios in order as a stream, for sets too large to hold; the first with a limit."""
     prepared = _prepare(functional, arms)
-    yield from _stream(prepared, reduction, limit)
+    builder = Builder(prepared.problem)
+    for index, (solution, size) in enumerate(_stream(prepared, reduction, limit)):
+        yield builder.scenario(solution, index=index, class_size=size)
 
 
 def count_scenarios(
@@ -232,18 +254,10 @@ def _prepare(functional: FunctionalScenario, arms: ArmsMode) -> _Prepared:
     return _Prepared(problem, space, symmetry, arms, census(space, symmetry))
 
 
-def too_many_to_list(number: int) -> InputError:
-    """The refusal to list so many that nobody asked for."""
-    return InputError(
-        f"{number:,} scenarios are too many to list (more than {MAX_LISTED:,})",
-        hint="'scegen enumerate' lists the first ones with --limit and counts with --count-only; "
-        "or say more, so that there are fewer.",
-    )
-
-
 def _stream(
-    prepared: _Prepared, reduction: Reduction, limit: int | None
-) -> Iterator[LogicalScenario]:
+    prepared: _Prepared, reduction: Reduction, limit: int | None = None
+) -> Iterator[tuple[Solution, int]]:
+    """The scenarios in order, the first ones with a limit, with their class sizes."""
     count = prepared.census.count(reduction)
     if reduction is Reduction.PATTERN and count <= MAX_LISTED:
         # Projection finds patterns out of order; they are few, so they are sorted here.
@@ -251,10 +265,8 @@ def _stream(
         found = iter(sorted(every, key=lambda solution: solution.pattern)[:limit])
     else:
         found = solutions(prepared.space, prepared.symmetry, reduction, limit=limit or 0)
-    builder = Builder(prepared.problem)
-    for index, solution in enumerate(found):
-        size = prepared.census.class_size(reduction, solution)
-        yield builder.scenario(solution, index=index, class_size=size)
+    for solution in found:
+        yield solution, prepared.census.class_size(reduction, solution)
 
 
 _METHODS = {

@@ -12,6 +12,7 @@ from clorm import Predicate
 from scegen.enumeration import answers as a
 from scegen.enumeration import predicates as p
 from scegen.enumeration.dangers import say_dangers
+from scegen.enumeration.presuming import Parties, parties
 from scegen.enumeration.programs import Part, consequences
 from scegen.enumeration.statements import ALONG_WORDS, QUEUE_LIMIT, stated
 from scegen.errors import InfeasibleError
@@ -46,7 +47,8 @@ class Problem:
     them open. ``settled`` says that every entry is known and every move open, so nothing need be
     solved. ``wanted[vehicle, entry]`` are the choices that the words allow there. ``dependent``
     are the vehicles whose moves matter to others; the moves of all others are independent.
-    ``presumed`` are the dangers, by statement, of which something is presumed.
+    ``sides`` are both sides of each danger as far as they are said or presumed, ``presumed`` the
+    dangers, by statement, of which something is presumed.
     """
 
     functional: FunctionalScenario
@@ -58,6 +60,7 @@ class Problem:
     wanted: dict[tuple[str, int], tuple[Choice, ...]]
     demands: tuple[Demand, ...]
     dependent: frozenset[str]
+    sides: tuple[Parties, ...]
     presumed: dict[int, int]
 
     @property
@@ -119,10 +122,14 @@ def build_problem(
     _check_size(functional)
     said = stated(functional)
     wordless = _wordless(functional)
+    sides = tuple(
+        parties(functional, hazard, left_open=index in left_open)
+        for index, hazard in enumerate(functional.hazards)
+    )
     presumed: dict[int, int] = {}
     derived: list[Predicate] = []
     if not wordless:
-        presumed = say_dangers(said, functional, left_open)
+        presumed = say_dangers(said, functional, sides, left_open)
         derived = consequences(
             said.facts, (Part.ARMS, Part.WORDS), (a.Wanted, a.Needs, a.TurnsLeft, a.Dependent)
         )
@@ -131,7 +138,7 @@ def build_problem(
     entries = {
         m.id: tuple(sorted(m.entries)) for m in (*vehicles, *functional.crossers) if m.entries
     }
-    _check_queues(entries, vehicles)
+    _check_queues(entries, vehicles, functional.junction.arms)
     dependent = {fact.id for fact in derived if isinstance(fact, a.Dependent)}
     related = related_among(said.facts)
     return Problem(
@@ -147,6 +154,7 @@ def build_problem(
         dependent=frozenset(
             dependent | {name for g in functional.groups for name in g.members if name in related}
         ),
+        sides=sides,
         presumed=presumed,
     )
 
@@ -240,7 +248,15 @@ def _check_size(functional: FunctionalScenario) -> None:
         )
 
 
-def _check_queues(entries: dict[str, tuple[int, ...]], vehicles: tuple[Participant, ...]) -> None:
+def _check_queues(
+    entries: dict[str, tuple[int, ...]], vehicles: tuple[Participant, ...], arms: int
+) -> None:
+    if len(vehicles) > QUEUE_LIMIT * arms:
+        raise InfeasibleError(
+            f"{len(vehicles)} vehicles enter at {arms} arms, and each road holds {QUEUE_LIMIT}",
+            where="participants",
+            hint="Describe fewer vehicles or more arms.",
+        )
     fixed = Counter(entries[v.id][0] for v in vehicles if len(entries.get(v.id, ())) == 1)
     for arm, number in sorted(fixed.items()):
         if number > QUEUE_LIMIT:

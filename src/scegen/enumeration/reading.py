@@ -99,11 +99,17 @@ class Reader:
         return self._facts[symbol]
 
 
-def read_solutions(problem: Problem, control: Control, *, limit: int = 0) -> Iterator[Solution]:
-    """The answer sets of a program as solutions, in its order; ``limit`` 0 means all."""
+def read_solutions(
+    problem: Problem, control: Control, *, limit: int = 0, assumed: Iterable[Predicate] = ()
+) -> Iterator[Solution]:
+    """The answer sets of a program as solutions, in its order; ``limit`` 0 means all.
+
+    Only those in which the assumed facts hold.
+    """
     reader = Reader(problem)
     control.configuration.solve.models = limit
+    assumptions = [(fact.symbol, True) for fact in assumed]
     # The plain handle: clorm's would wrap every model anew, and the reader does its work.
-    with control.control_.solve(yield_=True) as handle:
+    with control.control_.solve(assumptions, yield_=True) as handle:
         for model in handle:
             yield reader.solution(model.symbols(shown=True))

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from scegen.enumeration.presuming import known_by_itself
+from scegen.enumeration.presuming import Parties, known_by_itself
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.arms import arm_angles_deg, seen_from
 from scegen.scenario.functional import FunctionalScenario, Hazard
@@ -29,9 +29,9 @@ _MEETING = frozenset({ConflictKind.CROSSING, ConflictKind.MERGING})
 
 
 def hazard_resolver(
-    functional: FunctionalScenario,
+    functional: FunctionalScenario, sides: Sequence[Parties]
 ) -> Callable[[Sequence[Assignment], Sequence[Conflict]], tuple[Hazard, ...]]:
-    """What names both sides of every danger in a scenario."""
+    """What names both sides of every danger in a scenario; ``sides`` as said or presumed."""
     hazards = functional.hazards
     if all(hazard.by and hazard.to for hazard in hazards):
         return lambda _, __: hazards
@@ -40,7 +40,9 @@ def hazard_resolver(
         assignments: Sequence[Assignment], conflicts: Sequence[Conflict]
     ) -> tuple[Hazard, ...]:
         scene = _View(functional, {a.participant: a for a in assignments}, tuple(conflicts))
-        return tuple(_named(scene, hazard) for hazard in hazards)
+        return tuple(
+            _named(scene, hazard, presumed) for hazard, presumed in zip(hazards, sides, strict=True)
+        )
 
     return resolved
 
@@ -83,22 +85,32 @@ class _View:
     conflicts: tuple[Conflict, ...]
 
 
-def _named(scene: _View, hazard: Hazard) -> Hazard:
+def _named(scene: _View, hazard: Hazard, known: Parties) -> Hazard:
     if hazard.by and hazard.to:
         return hazard
     row, ego = HAZARDS[hazard.kind], scene.functional.ego.id
-    by = hazard.by or _party(scene, row.causes, hazard.to or (ego,), hazard.to)
-    to = hazard.to
-    if not to and len(by) == 2 and _meet(scene, *by) and row.takes_two:
-        by, to = by[:1], by[1:]  # "two cars merge into each other"
-    to = to or _party(scene, row.suffers, by, by)
+    by, to = hazard.by, hazard.to
+    if known.by and known.by != by:
+        by = known.by  # presumed, or one of two who merge into each other
+    by = by or _party(scene, row.causes, to or (ego,), to, ())
+    to = to or _party(scene, row.suffers, by, by, known.to)
     return hazard.model_copy(update={"by": by, "to": to})
 
 
+_IN_LINE = frozenset({Party.TAILGATED, Party.LEADER, Party.FOLLOWER, Party.BESIDE})
+
+
 def _party(
-    scene: _View, wanted: tuple[Party, ...], seen_from: tuple[str, ...], taken: tuple[str, ...]
+    scene: _View,
+    wanted: tuple[Party, ...],
+    seen_from: tuple[str, ...],
+    taken: tuple[str, ...],
+    presumed: tuple[str, ...],
 ) -> tuple[str, ...]:
+    """The first party that there is; who is presumed comes after those in line and beside."""
     for party in wanted:
+        if presumed and party not in _IN_LINE:
+            return presumed
         found = [name for name in _found(scene, party, seen_from) if name not in taken]
         if party is Party.OTHERS:
             meeting = [n for n in found if any(_meet(scene, n, other) for other in seen_from)]

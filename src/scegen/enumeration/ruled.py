@@ -22,7 +22,7 @@ from scegen.scenario.logical import Certificate
 from scegen.scenario.vocabulary import Reduction
 
 MAX_LISTED = 200_000
-"""More scenarios than this are not listed unless a limit says how many are wanted."""
+"""More assignments than this are not listed to try a user's rules on each."""
 
 
 @dataclass(frozen=True)

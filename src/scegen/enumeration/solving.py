@@ -18,6 +18,8 @@ from scegen.scenario.vocabulary import Reduction
 ABOUT_ONE = (p.Vehicle, p.Position, p.Entries, p.Entry, p.Maneuvers, p.Wants, p.WantsMove)
 """Facts about one participant that nobody else is concerned by."""
 
+_AT_RANDOM = ("--rand-freq=1", "--sign-def=rnd", "--restart-on-model", "--enum-mode=record")
+
 MOST_COMBINATIONS = 49
 """Two vehicles are shown in one atom if together they have no more choices than this."""
 
@@ -50,12 +52,17 @@ def solutions(
     yield from read_solutions(space.problem, control, limit=limit)
 
 
-def listing_program(space: Space, symmetry: Symmetry, reduction: Reduction) -> Control:
-    """The grounded program whose answer sets are the scenarios."""
+def listing_program(
+    space: Space, symmetry: Symmetry, reduction: Reduction, *, at_random: bool = False
+) -> Control:
+    """The grounded program whose answer sets are the scenarios, in order or at random."""
     problem = space.problem
     facts = [*space.facts, *(p.Decides(v.id) for v in problem.vehicles)]
-    parts = [*space.parts, Part.ORDER]
-    options = ["--heuristic=Domain"]
+    parts = [*space.parts]
+    options = list(_AT_RANDOM)
+    if not at_random:
+        parts.append(Part.ORDER)
+        options = ["--heuristic=Domain"]
     if reduction is Reduction.PATTERN:
         facts += _trade_facts(problem)
         parts.append(Part.PATTERN)
@@ -66,7 +73,9 @@ def listing_program(space: Space, symmetry: Symmetry, reduction: Reduction) -> C
         if len(symmetry.rotations) > 1:
             facts += _rotation_facts(problem, symmetry)
             parts.append(Part.ROTATIONS)
-    return grounded([*facts, *_pairs(problem)], [*parts, Part.BUNDLES], *options)
+    if not at_random:
+        facts += _pairs(problem)
+    return grounded(facts, [*parts, Part.BUNDLES], *options)
 
 
 def _pairs(problem: Problem) -> list[Predicate]:

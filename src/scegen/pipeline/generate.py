@@ -10,7 +10,7 @@ from pathlib import Path
 from scegen.checking import CHECKERS, QUICK_CHECKERS, CheckReport, check_files
 from scegen.checking.subject import FUNCTIONAL_FILE
 from scegen.criticality.raising.refusing import too_fast
-from scegen.enumeration import enumerate_scenarios
+from scegen.enumeration import LIST_LIMIT, enumerate_scenarios
 from scegen.errors import InfeasibleError, InputError, NoScenarioError
 from scegen.llm import Session
 from scegen.pipeline.attempts import make_some
@@ -96,6 +96,7 @@ def generate(
             functional,
             reduction=options.reduction,
             arms=options.arms,
+            limit=LIST_LIMIT,
             where=options.where,
             rules=options.rules,
         )

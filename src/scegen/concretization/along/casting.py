@@ -5,8 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from scegen.concretization.along.asked import allowed, dangers
-from scegen.concretization.along.runner import Runner
-from scegen.concretization.limits import CYCLING_MPS, WALKING_MPS
+from scegen.concretization.along.runner import FORTH_M, FORTH_MPS, Runner, Step
+from scegen.concretization.limits import (
+    CYCLING_MPS,
+    REVERSING_MPS,
+    REVERSING_MPS2,
+    WALKING_MPS,
+)
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.functional import FunctionalScenario, Participant
@@ -112,7 +117,9 @@ def _speeds(
         stays = isinstance(assignment, Standing) or (
             isinstance(assignment, Drive) and assignment.maneuver is Maneuver.STAY
         )
-        if stays or _sets_off(functional, runner.id):
+        if _backs(functional, runner.id):
+            _reverse(runner, said.get(runner.id))
+        elif stays or _sets_off(functional, runner.id):
             runner.speed_mps = 0.0
         elif runner.id in said:
             runner.speed_mps = said[runner.id].middle
@@ -150,6 +157,21 @@ def _sets_off(functional: FunctionalScenario, name: str) -> bool:
     """Whether the first thing that one does is to set off: it stands until then."""
     first: Act | None = next((a for a in functional.acts if a.participant == name), None)
     return first is not None and first.kind is ActKind.SET_OFF
+
+
+def _backs(functional: FunctionalScenario, name: str) -> bool:
+    """Whether the first thing that one does is to reverse."""
+    first: Act | None = next((a for a in functional.acts if a.participant == name), None)
+    return first is not None and first.kind is ActKind.REVERSE
+
+
+def _reverse(runner: Runner, said: Interval | None) -> None:
+    """Hardly forwards, then back at the speed that is said, or a usual one."""
+    speed = said.middle if said is not None else sum(REVERSING_MPS) / 2
+    runner.backs = True
+    runner.speed_mps = min(FORTH_MPS, speed)
+    begins = 1.02 * FORTH_M / runner.speed_mps
+    runner.steps = [Step(begins, speed, REVERSING_MPS2)]
 
 
 def _endangering(

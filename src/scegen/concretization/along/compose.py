@@ -47,7 +47,7 @@ from scegen.road import build_network
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.road.geometry import Pose
 from scegen.road.model import RoadNetwork
-from scegen.scenario.acts import Act
+from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.concrete import Change, ConcreteParticipant, ConcreteScenario, RoadParameters
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import HAZARDS
@@ -74,8 +74,11 @@ def tells_along(functional: FunctionalScenario, logical: LogicalScenario) -> boo
     ego = logical.assignment(functional.ego.id)
     if not isinstance(ego, Drive):
         return False
+    backing = {a.participant for a in functional.acts if a.kind is ActKind.REVERSE}
     return not any(
-        d.reverses is not None or d.turn is Maneuver.U_TURN or d.entry == d.exit
+        (d.reverses is not None and d.participant not in backing)
+        or d.turn is Maneuver.U_TURN
+        or d.entry == d.exit
         for d in logical.drives
     )
 

@@ -172,14 +172,14 @@ def _time(story: Story, walk: Walk, meets: Runner, act: Act | None, takes: float
         spacing = when.measure, when.value.middle, True
     if spacing is None:
         arrival = walk.sets_off_s + takes
-        walk.x_m = meets.x_m(arrival) + meets.sign * (meets.body.front_m + half)
+        walk.x_m = meets.x_m(arrival) + meets.towards * (meets.leading_m + half)
         return
     measure, value, as_it_sets_off = spacing
     if as_it_sets_off and not walk.timed:
         walk.sets_off_s = max(_MEETS_S - takes, 2.0)
     moment = walk.sets_off_s if as_it_sets_off else 0.0
     away = value if measure is Measure.GAP_M else value * meets.speed_at_mps(moment)
-    walk.x_m = meets.x_m(moment) + meets.sign * (meets.body.front_m + away + half)
+    walk.x_m = meets.x_m(moment) + meets.towards * (meets.leading_m + away + half)
     if not as_it_sets_off and not walk.timed:
         arrival = meets.profile.time_s(away)
         walk.sets_off_s = max(0.0, arrival - takes) if arrival < NEVER_S else _LEAST_LEAD_S
@@ -211,7 +211,7 @@ def _brake_before(story: Story, walk: Walk, meets: Runner) -> None:
     )  # fmt: skip
     target = own.target_mps if own is not None else 0.0
     meets.steps = [s for s in meets.steps if s is not own]
-    stop = walk.x_m - meets.sign * (walk.body.width_m / 2 + _STOPS_SHORT_M + meets.body.front_m)
+    stop = walk.x_m - meets.towards * (walk.body.width_m / 2 + _STOPS_SHORT_M + meets.leading_m)
     way = abs(stop - (meets.at_m or 0.0)) - meets.speed_mps**2 / (2 * rate)
     begins = meets.profile.time_s(max(way, 0.0))
     if begins >= NEVER_S:

@@ -25,6 +25,7 @@ MOST_LANES = 3
 _SAID, _LIKELY, _USUAL = 100.0, 10.0, 1.0
 _LANE, _INSIDE = 0.1, 0.01
 """What one lane more costs, and what driving one lane farther inside does."""
+_INNERMOST = frozenset({1})
 _FROM_BESIDE = frozenset(
     {HazardKind.CUT_IN, HazardKind.MERGING_CONFLICT, HazardKind.FAILURE_TO_YIELD}
 )
@@ -223,11 +224,14 @@ def _from_acts(
         if act.kind is not ActKind.CHANGE_LANE or name not in runners:
             continue
         step = outward(functional, act.side) if act.side is not None else None
-        into = act.into
-        if into is not None and into in runners and runners[into].forward == runners[name].forward:
+        into = runners.get(act.into or "")
+        if into is not None and into.forward != runners[name].forward:
+            words = f"{name} is next to the lane of {into.id}"
+            wishes += [Wish((n,), _LIKELY, _among(n, _INNERMOST), words) for n in (name, into.id)]
+        elif into is not None:
             back = None if step is None else -step
-            words = f"{name} changes into the lane of {into}"
-            wishes.append(Wish((name, into), _SAID, _beside(name, into, back), words))
+            words = f"{name} changes into the lane of {into.id}"
+            wishes.append(Wish((name, into.id), _SAID, _beside(name, into.id, back), words))
         elif step is not None:
             wishes.append(
                 Wish((name,), _LIKELY, _room(name, step), f"{name} has a lane on its {act.side}")

@@ -72,6 +72,8 @@ def _contact_s(first: Runner, second: Runner) -> float | None:
 
 def _who_runs_in(first: Runner, second: Runner, time_s: float) -> tuple[str, str]:
     """Who is behind, as the two drove until then."""
+    if first.backs or second.backs:
+        return (first.id, second.id) if first.backs else (second.id, first.id)
     before = max(0.0, time_s - 1.0)
     ahead = (first.x_m(before) - second.x_m(before)) * second.sign > 0
     return (second.id, first.id) if ahead else (first.id, second.id)

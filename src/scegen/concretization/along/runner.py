@@ -14,6 +14,9 @@ from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 
 NEVER_S = 1e6
+FORTH_M, FORTH_MPS = 0.4, 0.3
+"""One that reverses goes so far forwards first, at this speed: esmini takes a trajectory's sense
+from how it begins."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,6 +120,8 @@ class Runner:
     ``at_m`` is where its reference point starts, None while that is open; ``lane`` counts from the
     centre line outwards in its own direction (0: the oncoming lane), ``offset_m`` is to its own
     left of the lane's centre. ``box`` is that of a thing, ``keeps_left`` the side of the traffic.
+    One that ``backs`` reverses from the start on, after the ``FORTH_M`` by which players know which
+    way it faces.
     """
 
     id: str
@@ -130,6 +135,7 @@ class Runner:
     moves: list[Move] = field(default_factory=list)
     box: Body | None = None
     keeps_left: bool = False
+    backs: bool = False
 
     @property
     def body(self) -> Body:
@@ -140,6 +146,16 @@ class Runner:
     def sign(self) -> int:
         """1 in the ego's direction, -1 against it."""
         return 1 if self.forward else -1
+
+    @property
+    def towards(self) -> int:
+        """1 if it moves in the ego's direction, -1 if against it."""
+        return -self.sign if self.backs else self.sign
+
+    @property
+    def leading_m(self) -> float:
+        """From its reference point to the end of its box that comes first."""
+        return self.body.rear_m if self.backs else self.body.front_m
 
     @property
     def stands(self) -> bool:
@@ -153,7 +169,10 @@ class Runner:
 
     def x_m(self, time_s: float) -> float:
         """Where its reference point is."""
-        return (self.at_m or 0.0) + self.sign * self.profile.way_m(time_s)
+        way = self.profile.way_m(time_s)
+        if self.backs and way > FORTH_M:
+            way = 2 * FORTH_M - way
+        return (self.at_m or 0.0) + self.sign * way
 
     def ends_m(self, time_s: float) -> tuple[float, float]:
         """The rear and the front of its box along the road, the lower first."""

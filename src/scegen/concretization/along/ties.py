@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from scegen.concretization.along.runner import Runner, gap_m
+from scegen.concretization.along.runner import FORTH_M, Runner, gap_m
 from scegen.concretization.along.spacing import LENGTHWISE, Tie, level, place
 from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank
 from scegen.concretization.limits import TAILGATING_HEADWAY_S
@@ -199,6 +199,9 @@ def _usual(
     """The measure that two of one direction usually have, and when; None: side by side."""
     ahead = is_ahead(story, runner.id, other.id)
     front, back = (runner, other) if ahead else (other, runner)
+    backing = next((each for each in (front, back) if each.backs), None)
+    if backing is not None:
+        return Measure.GAP_M, backing.profile.way_m(_MEETS_S) - 2 * FORTH_M, 0.0
     comes_in = next((m for m in front.moves if m.lane == back.lane != front.lane), None)
     if comes_in is not None:
         closing = back.speed_mps - front.speed_at_mps(comes_in.begins_s)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import ceil
 
 from scegen.concretization.along.crossing import Walk
 from scegen.concretization.along.parked import Parked
-from scegen.concretization.along.runner import NEVER_S, Runner, Step
+from scegen.concretization.along.runner import FORTH_M, NEVER_S, Runner, Step
 from scegen.concretization.along.story import Story
 from scegen.motion.paths import END_MARGIN_M
 from scegen.road.defaults import LANE_WIDTH_M
@@ -28,6 +29,7 @@ from scegen.scenario.concrete import (
 )
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing, Drive, Standing
+from scegen.scenario.reversing import BacksUp
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 
 _ARM_MARGIN_M = 3.0
@@ -36,6 +38,10 @@ _LEAST_ARM_M = 40.0
 _ROUND_M = 10.0
 _STOPS_SHORT_M = 0.15
 _LEAST_MOVE_M = 2.0
+_SPARE_M = 3.0
+_MOVES_MPS = 0.1
+_EARLY_S = 0.025
+"""Half a step of the players: a trigger so much earlier fires in the step next to its moment."""
 _KINDS = {
     ParticipantKind.PEDESTRIAN: HazardKind.CROSSING_PEDESTRIAN,
     ParticipantKind.BICYCLE: HazardKind.CROSSING_CYCLIST,
@@ -50,6 +56,7 @@ class Frame:
     joint_m: float
     end_m: float
     ego_arm: int
+    lasts_s: float = 0.0
 
     def station_m(self, runner: Runner, x_m: float) -> float:
         """The place on a drive, from the outer end of its entry arm."""
@@ -92,6 +99,7 @@ def frame_of(
         joint,
         joint + ceil((end - joint) / _ROUND_M) * _ROUND_M,
         arm,
+        lasts_s,
     )
 
 
@@ -120,16 +128,22 @@ def written_runner(story: Story, frame: Frame, participant: Participant) -> Conc
     changes = _changes(frame, runner)
     last = changes[-1].lane_after if changes else runner.lane
     joint = frame.joint_m - frame.begin_m if runner.forward else frame.end_m - frame.joint_m
+    start = frame.station_m(runner, runner.at_m or 0.0)
+    reversal = None
+    if runner.backs:
+        back = runner.profile.way_m(frame.lasts_s) - FORTH_M
+        reversal = BacksUp(from_m=round(start + FORTH_M, 3), length_m=round(back + _SPARE_M, 3))
     motion = DriveMotion(
         entry=entry,
         entry_lane=runner.lane,
         exit=1 - entry,
         exit_lane=last,
-        start_m=round(frame.station_m(runner, runner.at_m or 0.0), 3),
+        start_m=round(start, 3),
         offset_m=round(runner.offset_m, 3),
         turning_starts_m=round(joint, 3),
         turning_ends_m=round(joint, 3),
         lane_changes=changes,
+        reversal=reversal,
     )
     return ConcreteParticipant(
         id=participant.id,
@@ -181,21 +195,26 @@ def _trigger(story: Story, runner: Runner, step: Step) -> Trigger:
     """What sets a step off: time if that is said, who it answers, or how far the ego has come."""
     if step.timed:
         return AtTime(time_s=round(step.begins_s, 3))
+    moment = max(step.begins_s - _EARLY_S, 0.0)
     if step.reacts_to is not None and step.reacts_to in story.runners:
         other = story.runners[step.reacts_to]
-        dx = runner.x_m(step.begins_s) - other.x_m(step.begins_s)
-        dy = runner.y_m(step.begins_s, LANE_WIDTH_M) - other.y_m(step.begins_s, LANE_WIDTH_M)
-        closing = runner.speed_at_mps(step.begins_s) > other.speed_at_mps(step.begins_s) + 0.05
+        dx = runner.x_m(moment) - other.x_m(moment)
+        dy = runner.y_m(moment, LANE_WIDTH_M) - other.y_m(moment, LANE_WIDTH_M)
+        closing = runner.speed_at_mps(moment) > other.speed_at_mps(moment) + 0.05
         participant = any(p.id == other.id for p in story.functional.participants)
         if closing and participant:
             return DistanceBelow(
                 participant=other.id, distance_m=round((dx * dx + dy * dy) ** 0.5, 3)
             )
-    for who in (story.ego, runner):
-        if who.speed_at_mps(step.begins_s) > 0.1:
-            way = who.profile.way_m(step.begins_s)
-            return Travelled(participant=who.id, distance_m=round(max(way, 0.0), 3))
-    return AtTime(time_s=round(step.begins_s, 3))
+    return _come_so_far((story.ego, runner), moment)
+
+
+def _come_so_far(whose: Sequence[Runner], moment_s: float) -> Trigger:
+    """How far the first of them who moves has come at a moment; that moment if nobody does."""
+    for who in whose:
+        if who.speed_at_mps(moment_s) > _MOVES_MPS:
+            return Travelled(participant=who.id, distance_m=round(who.profile.way_m(moment_s), 3))
+    return AtTime(time_s=round(moment_s, 3))
 
 
 def written_walk(story: Story, frame: Frame, walk: Walk, length_m: float) -> ConcreteParticipant:
@@ -205,9 +224,8 @@ def written_walk(story: Story, frame: Frame, walk: Walk, length_m: float) -> Con
     end = max(0.0, length_m - braking - _STOPS_SHORT_M)
     meets = story.runners[walk.meets]
     trigger: Trigger = AtTime(time_s=round(walk.sets_off_s, 3))
-    if not walk.timed and meets.speed_at_mps(walk.sets_off_s) > 0.1:
-        way = meets.profile.way_m(walk.sets_off_s)
-        trigger = Travelled(participant=meets.id, distance_m=round(way, 3))
+    if not walk.timed:
+        trigger = _come_so_far([meets], max(walk.sets_off_s - _EARLY_S, 0.0))
     stops = walk.stops_after_m is not None
     return ConcreteParticipant(
         id=walk.id,
@@ -250,8 +268,6 @@ def written_parked(frame: Frame, parked: Parked, participant: Participant) -> Co
     """One who is parked: its box's middle lies where the story has it."""
     standing: Standing = parked.standing
     body = BODIES[parked.kind]
-    inward = (standing.side.value == "right") == (participant.kind is not None)
-    del inward
     away = frame.from_junction_m(standing.arm, parked.x_m)
     # It heads the way of the traffic on its side; its reference point lies behind its middle.
     towards = (parked.on_left is False) == (standing.arm == frame.ego_arm)
@@ -275,6 +291,8 @@ def ends_s(story: Story, walks: list[Walk]) -> float:
         moments += [move.ends_s for move in runner.moves]
         moments += [runner.profile.settles_s(step.begins_s) for step in runner.steps]
     for walk in walks:
-        edge = walk.setback_m + story.lane_count * LANE_WIDTH_M
-        moments.append(walk.sets_off_s + walk.runs_s(edge))
+        across = walk.setback_m + 2 * story.lane_count * LANE_WIDTH_M + walk.body.length_m
+        moments.append(walk.sets_off_s + walk.runs_s(across))
+        meets = story.runners[walk.meets]
+        moments.append(meets.profile.time_s(abs(walk.x_m - meets.x_m(0.0)) + meets.body.rear_m))
     return max(moment for moment in moments if moment < NEVER_S)

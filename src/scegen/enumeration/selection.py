@@ -1,0 +1,107 @@
+"""A covering and diverse selection where there are too many scenarios to list.
+
+Assignments are drawn by the solver in random directions (the seed is fixed), one for each
+scenario. Ways that no draw has shown are asked for one by one. Of all drawn, those come first
+that show a way, or two ways of two participants together, for the first time; then those that
+show what is rarest so far.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Hashable, Iterable, Iterator
+from heapq import heappop, heapreplace
+from itertools import combinations, islice
+
+from clorm import Predicate
+
+from scegen.enumeration import answers as a
+from scegen.enumeration.counting import Census
+from scegen.enumeration.problem import Problem
+from scegen.enumeration.reading import Solution, Way, read_solutions
+from scegen.enumeration.solving import Space, listing_program, solutions
+from scegen.enumeration.symmetry import Symmetry
+from scegen.scenario.vocabulary import Reduction
+
+DRAWN = 2
+"""So many are drawn for each that is wanted; where there are no more, all are looked at."""
+
+Feature = tuple[object, ...]
+"""What somebody does, or what two do together; those who are alike are not told apart."""
+
+
+def selected(
+    space: Space, symmetry: Symmetry, census: Census, reduction: Reduction, number: int
+) -> list[Solution]:
+    """So many different scenarios, sorted as a whole listing would be."""
+    if census.count(reduction) <= DRAWN * number:
+        pool = list(solutions(space, symmetry, reduction))
+    else:
+        pool = _drawn(space, symmetry, census, reduction, DRAWN * number)
+    return covering(space.problem, symmetry, pool, number)
+
+
+def _drawn(
+    space: Space, symmetry: Symmetry, census: Census, reduction: Reduction, number: int
+) -> list[Solution]:
+    """About so many scenarios by chance, and those that show what chance did not."""
+    control = listing_program(space, symmetry, Reduction.NONE, at_random=True)
+    found: dict[Hashable, Solution] = {}
+    seen = set[Feature]()
+    for solution in islice(read_solutions(space.problem, control), number):
+        found.setdefault(census.class_key(reduction, solution), solution)
+        seen.update(zip(space.problem.names, solution.drives, strict=False))
+    for solution in _asked_for(space, symmetry, seen):
+        found.setdefault(census.class_key(reduction, solution), solution)
+    return list(found.values())
+
+
+def _asked_for(space: Space, symmetry: Symmetry, seen: set[Feature]) -> Iterator[Solution]:
+    """An assignment for each way that was never drawn, where there is one."""
+    problem = space.problem
+    control = listing_program(space, symmetry, Reduction.NONE, at_random=True)
+    for (name, entry), choices in problem.wanted.items():
+        for move, manner in choices:
+            if (name, (entry, move, manner)) not in seen:
+                asked: list[Predicate] = [a.Drive(name, entry, move, manner)]
+                yield from read_solutions(problem, control, limit=1, assumed=asked)
+
+
+def covering(
+    problem: Problem, symmetry: Symmetry, pool: list[Solution], number: int
+) -> list[Solution]:
+    """Of all in the pool those that show something new, then those that show what is rarest."""
+    kinds = {name: i for i, group in enumerate(symmetry.groups) for name in group.members}
+    features = [tuple(_features(problem, kinds, solution)) for solution in pool]
+    shown = Counter[Feature]()
+    chosen: list[Solution] = []
+    # How often the rarest feature was shown only grows, so an old value is a lower bound.
+    waiting = [(0, place) for place in range(len(pool))]
+    while waiting and len(chosen) < number:
+        before, place = waiting[0]
+        rarest = min(shown[feature] for feature in features[place])
+        if rarest > before:
+            heapreplace(waiting, (rarest, place))
+            continue
+        heappop(waiting)
+        chosen.append(pool[place])
+        shown.update(features[place])
+    return sorted(chosen, key=_order)
+
+
+def _features(problem: Problem, kinds: dict[str, int], solution: Solution) -> Iterator[Feature]:
+    ways = sorted(_ways(problem, kinds, solution))
+    yield from ways
+    yield from combinations(ways, 2)
+
+
+def _ways(
+    problem: Problem, kinds: dict[str, int], solution: Solution
+) -> Iterable[tuple[int, Way | tuple[int, str]]]:
+    ways: tuple[Way | tuple[int, str], ...] = (*solution.drives, *solution.on_foot)
+    return [(kinds[name], way) for name, way in zip(problem.names, ways, strict=True)]
+
+
+def _order(solution: Solution) -> tuple[object, ...]:
+    entries = [entry for entry, _, _ in solution.drives]
+    return entries, [way[1:] for way in solution.drives], solution.on_foot, solution.places

@@ -1,0 +1,135 @@
+"""What the pages on adding things say, done in copies of the program."""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+DOCS = ROOT / "docs"
+CHANGE = re.compile(
+    r"<!-- in (?P<file>\S+) (?P<where>after|before) (?P<anchor>.+?) -->\n"
+    r"```python\n(?P<text>.*?)```",
+    re.DOTALL,
+)
+FILE = re.compile(r"<!-- new (?P<file>\S+) -->\n```python\n(?P<text>.*?)```", re.DOTALL)
+
+
+@pytest.fixture(scope="module")
+def changed(tmp_path_factory):
+    """Makes a copy with the changes of a page, and runs Python in it."""
+
+    def change(page):
+        folder = tmp_path_factory.mktemp(page)
+        shutil.copytree(ROOT / "src", folder / "src")
+        text = (DOCS / f"{page}.md").read_text(encoding="utf-8")
+        for file in FILE.finditer(text):
+            (folder / file["file"]).write_text(file["text"], encoding="utf-8")
+        changes = list(CHANGE.finditer(text))
+        assert len(changes) == text.count("<!-- in ") > 0
+        for step in changes:
+            _change(folder / step["file"], step["where"], step["anchor"], step["text"])
+        return folder
+
+    return change
+
+
+def _change(file, where, anchor, text):
+    before = file.read_text(encoding="utf-8")
+    assert before.count(anchor) == 1, anchor
+    added = text + anchor if where == "before" else f"{anchor}\n{text.rstrip()}"
+    file.write_text(before.replace(anchor, added), encoding="utf-8")
+
+
+def run(folder, *arguments):
+    done = subprocess.run(
+        [sys.executable, *arguments],
+        cwd=folder,
+        env=os.environ | {"PYTHONPATH": str(folder / "src")},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+KNOWN = """
+from scegen.scenario.files import json_schema
+from scegen.scenario.glossary import page
+from scegen.understanding.agents.prompting import prompts
+assert "too little room beside it" in page()
+assert "too little room beside it" in str(json_schema("functional"))
+assert "too little room beside it" in prompts()["hazards"]
+"""
+
+
+def test_a_danger(changed):
+    folder = changed("add-a-hazard")
+    run(folder, "-c", KNOWN)
+    page = (DOCS / "add-a-hazard.md").read_text(encoding="utf-8")
+    (ask,) = re.findall(r"```yaml\n(.*?)```", page, re.DOTALL)
+    (folder / "ask.yaml").write_text(ask, encoding="utf-8")
+    run(folder, "-m", "scegen", "generate", "ask.yaml", "-o", "out", "--check", "none")
+    (proof,) = (folder / "out" / "scenarios").glob("*/proof.json")
+    (danger,) = json.loads(proof.read_text(encoding="utf-8"))["hazards"]
+    assert danger["kind"] == "close_passing"
+    assert danger["happened"]
+
+
+MEASURED = """
+from importlib import import_module
+from scegen.measures import MEASURES, measure_named
+from scegen.measures.evaluation import Summary
+measure = measure_named("closing_speed")
+assert measure.field in Summary._fields
+assert {m.field for m in MEASURES} <= set(Summary._fields)
+assert import_module(f"scegen.measures.{measure.defined_by}").__doc__
+"""
+
+
+def test_a_measure(changed):
+    folder = changed("add-a-measure")
+    run(folder, "-c", MEASURED)
+    tests = ROOT / "tests" / "measures" / "test_evaluation.py"
+    arguments = ("-m", "pytest", "-q", "-x", "-k", "same", "-p", "no:cacheprovider", str(tests))
+    run(folder, *arguments)
+
+
+RULE = """
+from scegen.checking.opendrive import RULES, check_opendrive
+assert [rule for rule in RULES if rule.__name__ == "check_narrow"]
+content = open(FILE, "rb").read()
+assert check_opendrive("road.xodr", content).result.findings == ()
+narrow = content.replace(b'a="3.5', b'a="1.5')
+assert narrow != content
+assert "xodr.lane_narrow" in {f.rule for f in check_opendrive("road.xodr", narrow).result.findings}
+"""
+
+
+def test_a_checker_rule(changed):
+    folder = changed("add-a-checker-rule")
+    text = "The ego follows a truck."
+    run(folder, "-m", "scegen", "generate", text, "-o", "out", "--check", "none")
+    (road,) = (folder / "out" / "scenarios").glob("*/road.xodr")
+    run(folder, "-c", f"FILE = {str(road)!r}\n{RULE}")
+
+
+NAMED = """
+import httpx2
+from scegen.llm import parse_models
+from scegen.llm.providers import build_model
+(name,) = parse_models("github:openai/gpt-4o-mini")
+model = build_model(name, url=None, key="none", http_client=httpx2.AsyncClient())
+assert model.model_name == "openai/gpt-4o-mini"
+"""
+
+
+def test_a_provider(changed):
+    pytest.importorskip("pydantic_ai")
+    run(changed("add-a-provider"), "-c", NAMED)
