@@ -27,6 +27,7 @@ from scegen.understanding.meaning import (
     screens,
     side_roads,
     standing,
+    titled,
 )
 from scegen.understanding.meaning.context import Context, Scene
 from scegen.understanding.meaning.movements import MOVEMENTS
@@ -116,7 +117,7 @@ class Interpreter:
         handled = {
             id(e.object) for e in events if e.name in {"inert", "send"} and not e.passive
         }  # "kicks a ball"
-        acting = {id(m) for e in events for m in e.subject if e.name != "hide"}
+        acting = {id(m) for e in events for m in e.subject if e.name not in {"hide", "collide"}}
         for chunk in chunks:
             if isinstance(chunk, Mention) and chunk.entities:
                 self._mention(chunk)
@@ -130,6 +131,7 @@ class Interpreter:
         rows.line_up(chunks, events, self._draft)
         for event in events:
             self._event(event)
+        titled.by_the_only_one(self._scenes, self._context)
         red_lights.on_red(chunks, events, self._context)
         out_of_turn(chunks, events, self._context)
         towards_each_other(chunks, events, self._context)
