@@ -51,6 +51,8 @@ _BY_MANNER = {
     "wrong_way": HazardKind.ONCOMING_LANE,
     "out_of_control": HazardKind.LOSS_OF_CONTROL,
 }
+_RUNNING_MPS = 8.0
+"""What nobody on foot outruns in traffic; a number above it is somebody else's."""
 _BESIDE = frozenset({"overtake", "pass", "bypass", "undertake", "collide"})
 """With these verbs a side is where one gets past or is hit, and nobody comes from there."""
 _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
@@ -191,7 +193,8 @@ class Interpreter:
         if self._numbers.measured(quantity, verb).frame.role != "speed":
             return
         for entity in entities:
-            if not entity.parked and entity.speed is None:
+            outrun = not entity.is_vehicle and quantity.value.low > _RUNNING_MPS
+            if not entity.parked and entity.speed is None and not outrun:
                 entity.speed = quantity.value
                 entity.speed_basis = Basis(term.i, term.j, quantity.note)
 
