@@ -10,6 +10,7 @@ import pytest
 
 from scegen.scenario import acts, outcome, spacings, things, vocabulary
 from scegen.scenario.files import json_schema
+from scegen.scenario.functional import Participant
 from scegen.scenario.glossary import VOCABULARY, defined, meaning_of, page
 from scegen.scenario.vocabulary import BodySide, DrivingSide, Maneuver
 
@@ -51,7 +52,7 @@ def test_a_word_is_not_its_own_neighbour(words):
 
 def test_neighbours_are_words_or_fields():
     known = {str(word) for word in _WORDS} | {"outcome.impact_percent", "Approach.right"}
-    known |= {"Approach.left"}
+    known |= {"Approach.left", *Participant.model_fields}
     for word in _WORDS:
         assert set(meaning_of(word).is_not.split("`")[1::2]) <= known, word
 

@@ -38,7 +38,7 @@ class Measure(Word):
         "ttc_s",
         "that gap by the difference of speeds, s",
         "`headway_s`",
-        "a time to collision of 4 s; is 3 s away",
+        "a time to collision of 4 s; is 3 s away; 2 s before contact",
     )
     LATERAL_GAP_M = (
         "lateral_gap_m",
@@ -50,7 +50,7 @@ class Measure(Word):
         "lateral_offset_m",
         "offset of its centre from the reference's line, m, positive to the reference's left",
         "`lateral_gap_m`",
-        "0.5 m left of the ego's centre line",
+        "0.5 m left of the ego's line, or of the middle of the lane",
     )
     OVERLAP_PERCENT = (
         "overlap_percent",

@@ -245,7 +245,7 @@ class Approach(Word):
     )
     ADJACENT = (
         "adjacent",
-        "in a lane beside the reference's, same direction; with `left` or `right`: on that side",
+        "in a lane beside the reference's, same way, level or not; with `left` or `right`: there",
         "`left`, `right` alone, which are other roads",
         "the car in the next lane",
     )

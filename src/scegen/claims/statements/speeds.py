@@ -14,6 +14,7 @@ from scegen.claims.moments import (
     GAINING,
     SLOWING,
     act_begins,
+    at,
     first,
     speed_runs,
 )
@@ -80,7 +81,7 @@ def _until(told: Told, person: Participant) -> str:
 
 def _walks(crossing: Crossing, wanted: Interval, view: View) -> Judged:
     """The pace between the kerbs: the greatest speed there, which is held in their middle."""
-    arm = arms_of(view.concrete.road)[crossing.arm]
+    arm = arms_of(view)[crossing.arm]
     _, offset = arm.place(boxes(view, crossing.participant))
     on = (offset > arm.edges_m[0]) & (offset < arm.edges_m[1])
     speed = np.where(on, view.speed_mps(crossing.participant), 0.0)
@@ -95,12 +96,10 @@ def _holds(told: Told, person: Participant, wanted: Interval, view: View) -> Jud
     until = np.maximum(until, round(_FIRST_S / view.dt_s))
     inside = np.arange(view.steps) <= until[:, None]
     speed = view.speed_mps(person.id)
-    low = np.where(inside, speed, np.inf).min(axis=1)
-    high = np.where(inside, speed, -np.inf).max(axis=1)
-    margin = np.minimum(within(low, wanted, SPEED_MPS), within(high, wanted, SPEED_MPS))
-    worst = np.where(within(low, wanted, 0.0) < within(high, wanted, 0.0), low, high)
-    when = np.where(inside & (speed == worst[:, None]), 1, 0).argmax(axis=1) * view.dt_s
-    return Judged(margin * KPH, worst * KPH, when)
+    off = np.where(inside, np.abs(speed - wanted.middle), -1.0)
+    step = off.argmax(axis=1)
+    worst = at(speed, step)
+    return Judged(within(worst, wanted, SPEED_MPS) * KPH, worst * KPH, view.time_of(step))
 
 
 def _held_until(told: Told, person: Participant, view: View) -> Ints:
@@ -167,7 +166,7 @@ def _before_turn(told: Told, name: str, view: View) -> Ints:
     drive = told.drive(name)
     if drive is None:
         return np.full(view.count, view.steps)
-    arm = arms_of(view.concrete.road)[drive.entry]
+    arm = arms_of(view)[drive.entry]
     along, _ = arm.place(boxes(view, name))
     speed = view.speed_mps(name)[:, :1]
     room: Floats = speed**2 / (2.0 * _COMFORT_MPS2) + _BEFORE_TURN_M
