@@ -79,7 +79,7 @@ def test_it_is_what_the_sentence_is_about():
 
 def test_nouns_after_a_comma_do_not_say_what_the_subject_is():
     told = does("I was in the left lane, a van on my right, a bus behind me.")
-    assert told["van_1"][0] == {"adjacent"}
+    assert told["van_1"][0] == {"adjacent", "right"}
     assert told["bus_1"][0] == {"behind"}
     assert read("I was in the left lane, a bus behind me.").participants[0].kind.value == "car"
 

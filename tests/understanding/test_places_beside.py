@@ -26,7 +26,8 @@ def ego(text):
 def test_a_lane_beside_somebody_is_no_turn(text):
     scenario = read(text)
     assert scenario.junction.kind is JunctionKind.STRAIGHT
-    assert others(text) == [{Approach.ADJACENT}]
+    side = Approach.LEFT if "left" in text else Approach.RIGHT
+    assert others(text) == [{Approach.ADJACENT, side}]
 
 
 def test_an_overtaken_vehicle_comes_the_same_way():

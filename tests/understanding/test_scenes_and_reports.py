@@ -56,7 +56,7 @@ def test_where_others_come_from(text, expected):
         ("Two cars and a van reach a junction. All vehicles turn left.", 2),
         ("Vehicle 1 was parked on the left. Vehicle 2 hit the parked vehicle.", 1),
         ("The ego passes a parked van as the vehicle behind the ego pulls out to overtake.", 2),
-        ("The ego yields to oncoming traffic. A taxi following it fails to stop.", 3),
+        ("The ego yields to oncoming traffic. A taxi following it fails to stop.", 2),
         ("A car comes from the left, another from the right as the ego goes straight. "
          "The one from the left turns right.", 2),
     ],

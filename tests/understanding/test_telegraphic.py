@@ -302,7 +302,8 @@ def test_further_dangers(text, kind):
     ],
 )  # fmt: skip
 def test_who_is_where(text, kind, side):
-    assert where(text, kind) == {side}
+    beside = {Approach.RIGHT} if side is Approach.ADJACENT else set()
+    assert where(text, kind) == {side} | beside
 
 
 def test_two_lanes_are_changed_and_traffic_is_the_scene():

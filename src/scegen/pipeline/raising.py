@@ -101,7 +101,7 @@ def proof_summary(proof: Proof | None) -> dict[str, object]:
         "claims": {
             "asked": len(proof.claims),
             "hold": len(proof.claims) - len(proof.missed),
-            "missed": [claim.model_dump(mode="json") for claim in proof.missed],
+            "statements": [claim.model_dump(mode="json") for claim in proof.claims],
         },
         "danger": {
             "target": proof.target,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
-from scegen.scenario.vocabulary import ParticipantKind
+from scegen.scenario.vocabulary import CrossedArm, ParticipantKind
 from scegen.understanding.words.terms import Term
 
 
@@ -115,10 +115,14 @@ class Mention(NounPhrase):
 
 @dataclass(slots=True, eq=False)
 class Place(NounPhrase):
-    """A place: a lane, a side, a junction, a sign; ``beside`` whom it lies, if that is said."""
+    """A place: a lane, a side, a junction, a sign; ``beside`` whom it lies, if that is said.
+
+    ``arm``: for who drives there, the road by which it comes to the junction or leaves it.
+    """
 
     kind: str = "side"
     beside: Mention | None = None
+    arm: CrossedArm | None = None
 
 
 @dataclass(slots=True, eq=False)

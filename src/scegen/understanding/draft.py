@@ -7,7 +7,13 @@ from typing import Any
 
 from scegen.errors import InfeasibleError
 from scegen.scenario.model import Interval
-from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import (
+    Approach,
+    CrossedArm,
+    HazardKind,
+    Maneuver,
+    ParticipantKind,
+)
 from scegen.understanding.words.tokens import Token
 
 MAX_PARTICIPANTS = 60
@@ -41,6 +47,9 @@ class Entity:
     beside: tuple[str, Basis] | None = None
     """On which side the lane lies in which it drives beside the ego."""
     circulates: Basis | None = None
+    crosses: tuple[CrossedArm, Basis] | None = None
+    course: tuple[bool, Basis] | None = None
+    """Whether it walks as the ego drove before it turned (else against that)."""
     start_lane: tuple[str, Basis] | None = None
     """The lane in which it is said to drive: ``left``, ``middle``, ``right``."""
     sets_off: int = -1

@@ -115,5 +115,5 @@ class Happenings:
     spacings: list[Apart] = field(default_factory=list)
     items: list[Item] = field(default_factory=list)
     ending: Ending | None = None
-    further: list[tuple[str, Entity, Basis]] = field(default_factory=list)
-    """Words that say again what a field of a participant holds."""
+    further: list[tuple[str, Entity | Doing, Basis]] = field(default_factory=list)
+    """Words that say again what a field of a participant or an act holds."""

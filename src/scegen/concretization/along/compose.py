@@ -13,8 +13,9 @@ from scegen.concretization.along.casting import cast
 from scegen.concretization.along.crossing import Walk, cross
 from scegen.concretization.along.lanes import choose_lanes
 from scegen.concretization.along.parked import park, shift_to_pass, strips_m
+from scegen.concretization.along.passing import apart_m
 from scegen.concretization.along.reactions import contacts, react
-from scegen.concretization.along.runner import Runner, gap_m, in_line
+from scegen.concretization.along.runner import Runner, gap_m
 from scegen.concretization.along.sideways import come_back, offset_all, overtake
 from scegen.concretization.along.story import Story, contact_wanted
 from scegen.concretization.along.ties import tie_up
@@ -191,6 +192,7 @@ def _lay(story: Story, waiting: list[Act]) -> list[Walk]:
         come_back(story)
         touching = react(story)
         walks = cross(story, strips_m(story))
+        touching += react(story)
         unwanted = [p for p in touching if not contact_wanted(story, *p)]
         unwanted += [
             (a, b) for a, b, _ in contacts(story)
@@ -218,9 +220,9 @@ def _nearest_s(first: Runner, second: Runner, until_s: float) -> float:
     best, when = 1e9, 0.0
     for n in range(int(until_s / 0.1)):
         time_s = n * 0.1
-        gap = gap_m(first, second, time_s)
-        if gap <= 0 and in_line(first, second, time_s, LANE_WIDTH_M):
+        if apart_m(first, second, time_s) <= 0:
             return time_s
+        gap = gap_m(first, second, time_s)
         if gap < best - 0.05:
             best, when = gap, time_s
     return when

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from scegen.concretization.along.asked import allowed
+from scegen.concretization.along.reactions import REACTION_S
 from scegen.concretization.along.runner import NEVER_S, Runner, Step
 from scegen.concretization.along.sideways import edge_y_m
 from scegen.concretization.along.spacing import LENGTHWISE
@@ -29,6 +30,7 @@ _LEAST_LEAD_S = 1.0
 _ABREAST_M = 1.2
 _STOPS_SHORT_M = 0.8
 _STAYS_M = 0.3
+_LOOK_S, _LATEST_S = 0.05, 40.0
 _BRAKES = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING, HazardKind.STOPPING})
 
 
@@ -61,6 +63,12 @@ class Walk:
     def runs_s(self, way_m: float) -> float:
         """How long it takes from setting off until so much way is behind it."""
         return way_m / self.speed_mps + self.speed_mps / (2 * self.rate_mps2)
+
+    def way_m(self, time_s: float) -> float:
+        """How far it has come."""
+        since, gains = max(0.0, time_s - self.sets_off_s), self.speed_mps / self.rate_mps2
+        way = self.speed_mps * (since - gains / 2)
+        return way if since > gains else self.rate_mps2 * since**2 / 2
 
     @property
     def rate_mps2(self) -> float:
@@ -105,7 +113,8 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], number: in
     walk.x_m += _ABREAST_M * ((number + 1) // 2) * (1 if number % 2 else -1)
     if _stops(story, walk.id):
         walk.stops_after_m = setback + abs(meets.y_m(0.0, LANE_WIDTH_M) - edge) + _STAYS_M
-    _brake_before(story, walk, meets)
+    for runner in (meets, *(r for r in story.runners.values() if r is not meets and not r.stands)):
+        _brake_before(story, walk, runner)
     return walk
 
 
@@ -200,23 +209,48 @@ def _spacing(
 
 
 def _brake_before(story: Story, walk: Walk, meets: Runner) -> None:
-    """Who is said to brake for somebody stops short of its line, unless the two are to touch."""
-    if contact_wanted(story, walk.id, meets.id) or not _brakes(story, meets.id):
+    """Who is said to brake for somebody, or would hit it, stops short of its line.
+
+    Not where the two are to touch. Who is not said to brake does so as a driver who sees it step
+    out.
+    """
+    if contact_wanted(story, walk.id, meets.id):
         return
+    said = meets.id == walk.meets and _brakes(story, meets.id)
     own = next((s for s in meets.steps if s.target_mps < meets.speed_mps and not s.timed), None)
-    if own is not None and own.reacts_to is not None:
+    if (own is not None and (not said or own.reacts_to is not None)) or not (
+        said or _touches(walk, meets, story)
+    ):
         return
-    rate = own.rate_mps2 if own is not None else min(
-        HARD_BRAKING_MPS2[0], meets.body.max_deceleration_mps2, 0.95 * story.grip_mps2
-    )  # fmt: skip
+    most = min(meets.body.max_deceleration_mps2, 0.95 * story.grip_mps2)
+    rate = own.rate_mps2 if own is not None else min(HARD_BRAKING_MPS2[0], most)
     target = own.target_mps if own is not None else 0.0
     meets.steps = [s for s in meets.steps if s is not own]
     stop = walk.x_m - meets.towards * (walk.body.width_m / 2 + _STOPS_SHORT_M + meets.leading_m)
-    way = abs(stop - (meets.at_m or 0.0)) - meets.speed_mps**2 / (2 * rate)
-    begins = meets.profile.time_s(max(way, 0.0))
+    room = abs(stop - (meets.at_m or 0.0))
+    if not said:
+        seen = room - meets.profile.way_m(walk.sets_off_s + REACTION_S)
+        rate = min(max(rate, meets.speed_mps**2 / (2 * max(seen, 0.1))), most)
+    begins = meets.profile.time_s(max(room - meets.speed_mps**2 / (2 * rate), 0.0))
     if begins >= NEVER_S:
         return
     hazard = next((h.kind for h in story.hazards if h.kind in _BRAKES and meets.id in h.by),
                   None)  # fmt: skip
     act = own.act if own is not None else None
-    meets.steps.append(Step(begins, target, rate, act, hazard))
+    answers = None if said else walk.id
+    meets.steps.append(Step(begins, target, rate, act, hazard, reacts_to=answers))
+
+
+def _touches(walk: Walk, meets: Runner, story: Story) -> bool:
+    """Whether one who drives on as it does hits the one who crosses."""
+    into = -1 if walk.from_left else 1
+    begins = edge_y_m(story, left=walk.from_left) - into * walk.setback_m
+    wide = (meets.body.width_m + walk.body.length_m) / 2
+    near = (meets.body.length_m + walk.body.width_m) / 2
+    for n in range(int(_LATEST_S / _LOOK_S)):
+        time_s = n * _LOOK_S
+        y = begins + into * (walk.way_m(time_s) + walk.body.centre_ahead_m)
+        level = abs(sum(meets.ends_m(time_s)) / 2 - walk.x_m) < near
+        if level and abs(y - meets.y_m(time_s, LANE_WIDTH_M)) < wide:
+            return True
+    return False

@@ -136,6 +136,9 @@ class Runner:
     box: Body | None = None
     keeps_left: bool = False
     backs: bool = False
+    _told: tuple[tuple[float, tuple[Step, ...]], Profile] | None = field(
+        default=None, init=False, repr=False, compare=False
+    )
 
     @property
     def body(self) -> Body:
@@ -165,7 +168,10 @@ class Runner:
     @property
     def profile(self) -> Profile:
         """Its way over time."""
-        return Profile(self.speed_mps, tuple(self.steps))
+        key = (self.speed_mps, tuple(self.steps))
+        if self._told is None or self._told[0] != key:
+            self._told = key, Profile(*key)
+        return self._told[1]
 
     def x_m(self, time_s: float) -> float:
         """Where its reference point is."""

@@ -191,7 +191,7 @@ class Story:
         """Add an act's steps and moves to who does it."""
         runner = self.runners[act.participant]
         self.begins_s[act.id] = begins_s
-        if self.goes_round(act):
+        if self.goes_round(act) or self.comes_back(act):
             self.ends_s[act.id] = begins_s  # its moves follow from the places
             return
         if act.kind in {ActKind.CHANGE_LANE, ActKind.SWERVE}:
@@ -203,12 +203,25 @@ class Story:
         runner.steps.append(step)
         self.ends_s[act.id] = runner.profile.settles_s(begins_s)
 
+    def comes_back(self, act: Act) -> bool:
+        """Whether a change of lane is how one who overtakes comes back."""
+        earlier = self.acts[: self.acts.index(act)]
+        overtakes = any(
+            a.participant == act.participant and a.kind is ActKind.OVERTAKE for a in earlier
+        )
+        return act.kind is ActKind.CHANGE_LANE and overtakes
+
     def goes_round(self, act: Act) -> bool:
         """Whether an act leads out of the lane, past somebody, and back.
 
         One that changes lanes where there is no other of its direction does so round somebody.
         """
         if act.kind is ActKind.OVERTAKE:
+            return True
+        if self.comes_back(act):
+            return False
+        passing = {n for h in self.hazards if h.kind is HazardKind.OVERTAKING for n in h.by}
+        if act.kind is ActKind.CHANGE_LANE and act.participant in passing:
             return True
         said = (act.side, act.into, act.lateral_m)
         alone = self.lane_count == 1 and self.hazard_of(act) is None

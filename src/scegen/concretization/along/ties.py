@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from scegen.concretization.along.runner import FORTH_M, Runner, gap_m
+from scegen.concretization.along.passing import JUST_M, just_missed_s, place_just_missed
+from scegen.concretization.along.runner import FORTH_M, Move, Runner, gap_m
 from scegen.concretization.along.spacing import LENGTHWISE, Tie, level, place
 from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank
 from scegen.concretization.limits import TAILGATING_HEADWAY_S
@@ -25,6 +26,8 @@ _REVEALED_S = 2.5
 _MEETS_S = 6.5
 _SLOWER_MPS = 0.5
 _LEAST_QUEUE_M = 2.0
+_STOPS_BEFORE_M = 1.0
+_AT_REST_S = 60.0
 
 
 def tie_up(story: Story, *, wider: float = 1.0) -> None:
@@ -108,12 +111,12 @@ def is_ahead(story: Story, who: str, other: str) -> bool:
     return who != story.ego.id
 
 
-def _urgency(story: Story, name: str, order: dict[str, int]) -> tuple[int, int, int]:
-    """Whom to place first: the ego's lane, nearest to it in line."""
+def _urgency(story: Story, name: str, order: dict[str, int]) -> tuple[bool, bool, bool, int]:
+    """Whom to place first: the ego's lane, nearest to it in line; things come last."""
     runner, ego = story.runners[name], story.ego
     same_way = runner.forward == ego.forward
     away = abs(order[name] - order[ego.id])
-    return (not same_way, runner.lane != ego.lane, away)
+    return (runner.box is not None, not same_way, runner.lane != ego.lane, away)
 
 
 def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float) -> None:
@@ -121,7 +124,12 @@ def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float
     other = story.runners[_reference(story, name, order)]
     if runner.forward != other.forward:
         # Level at a moment: then and there they meet.
-        runner.at_m = level(runner, other, _meets_s(runner))
+        runner.at_m = level(runner, other, _meets_s(runner, other))
+        return
+    front, back = (runner, other) if is_ahead(story, name, other.id) else (other, runner)
+    move = _just_misses(story, front, back)
+    if move is not None:
+        place_just_missed(runner, front, back, move, JUST_M * wider)
         return
     kind = _usual(story, runner, other, wider)
     if kind is None:
@@ -133,6 +141,16 @@ def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float
     runner.at_m = place(
         Tie(name, other.id, measure, value, time_s, ahead, said=False), runner, other
     )
+
+
+def _just_misses(story: Story, front: Runner, back: Runner) -> Move | None:
+    """The move by which one goes round another that stands in its lane, as late as it can.
+
+    That is the ego, and whoever does so for a thing; others reveal who stands there in time.
+    """
+    near = front.stands and (front.box is not None or back is story.ego)
+    away = back.moves[0] if back.moves and back.moves[0].lane != back.lane else None
+    return away if near and front.lane == back.lane else None
 
 
 def _queue_up(story: Story, runner: Runner) -> None:
@@ -151,10 +169,16 @@ def _queue_up(story: Story, runner: Runner) -> None:
         runner.at_m = place(tie, runner, taken[0])
 
 
-def _meets_s(runner: Runner) -> float:
-    """When one who comes towards the ego is met: as its own act has brought it there."""
-    moves = [m.ends_s + 0.4 for m in runner.moves]
-    return max([_MEETS_S, *moves])
+def _meets_s(runner: Runner, other: Runner) -> float:
+    """When one who comes towards the ego is met: as its own act has brought it there.
+
+    One that leaves the other's line again is met just then, with a little room.
+    """
+    if not runner.moves:
+        return _MEETS_S
+    if runner.lane_at(_AT_REST_S) > 0 and any(m.lane == 0 for m in runner.moves):
+        return just_missed_s(runner, other, runner.moves[-1])
+    return max([_MEETS_S, *(m.ends_s + 0.4 for m in runner.moves)])
 
 
 def _level_s(runner: Runner, other: Runner) -> float:
@@ -165,6 +189,9 @@ def _level_s(runner: Runner, other: Runner) -> float:
 def _reference(story: Story, name: str, order: dict[str, int]) -> str:
     """To whom a place is told: who is concerned by its danger, the next in its line, the ego."""
     known = {n for n, r in story.runners.items() if r.at_m is not None}
+    for thing in story.things:
+        if thing.id == name and thing.in_way_of in known:
+            return thing.in_way_of
     for hazard in story.hazards:
         if name in hazard.by:
             found = [n for n in hazard.to if n in known]
@@ -217,6 +244,8 @@ def _usual(
     if slows is not None and back.speed_mps > 0:
         return Measure.HEADWAY_S, _headway_s(story, front, back, wider), slows.begins_s
     moving_away = back.moves[0] if back.moves else None
+    if front.stands and back.speed_mps > 0 and back.speed_at_mps(_AT_REST_S) == 0.0:
+        return Measure.GAP_M, _STOPS_BEFORE_M, _AT_REST_S
     if front.speed_mps < back.speed_mps - _SLOWER_MPS:
         if moving_away is not None and moving_away.lane != front.lane:
             return Measure.TTC_S, _REVEALED_S * wider, moving_away.begins_s

@@ -17,7 +17,6 @@ from scegen.scenario.things import ThingKind
 from scegen.scenario.vocabulary import (
     Approach,
     Control,
-    CrossedArm,
     HazardKind,
     JunctionKind,
     Maneuver,
@@ -42,7 +41,6 @@ _DEFINED: dict[str, Iterable[StrEnum]] = {
     "controls": Control,
     "participant_kinds": ParticipantKind,
     "approaches": Approach,
-    "crossed_arms": CrossedArm,
     "maneuvers": [word for word in Maneuver if word not in _EXITS[1:]],
     "hazard_kinds": HazardKind,
     "acts": ActKind,

@@ -15,6 +15,7 @@ from scegen.understanding.meaning.context import Context, Scene
 _SIDES = {"left": Side.LEFT, "right": Side.RIGHT}
 _OTHER = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT}
 _BEGINNING = frozenset({"start", "begin", "commence", "set"})
+_PASSING = frozenset({"overtake", "bypass", "pass", "undertake"})
 _WISHING = frozenset({"want", "intend", "plan", "hope", "wish", "aim"})
 _PREVENTED = frozenset({"fail", "avoid", "prevent", "delay", "encounter"})
 _SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
@@ -81,7 +82,8 @@ def _changes_lane(entity: Entity, event: Event) -> bool:
     """Whether it is this verb that says that somebody changes lanes."""
     basis = entity.maneuver_basis
     moved = Maneuver.LANE_CHANGE in entity.maneuvers
-    return moved and basis is not None and basis.i == event.i
+    told = basis is not None and (basis.i == event.i or basis.j == event.j)
+    return moved and told and event.name not in _PASSING
 
 
 def _kind(kind: ActKind, entity: Entity, event: Event, text: Sentences) -> ActKind | None:
@@ -147,11 +149,30 @@ def _aside(doing: Doing, scene: Scene, context: Context) -> None:
         if named and doing.side is None and place is not None:
             doing.side, doing.side_basis = _OTHER[_SIDES[named[0]]], Basis(place.i, place.j)
     _into(doing, scene, context)
+    _homewards(doing, context)
     homeward = doing.into is None or doing.into.ego
     if homeward and doing.kind is ActKind.CHANGE_LANE and doing.side is None and entity.beside:
         side, words = entity.beside
         doing.side = _OTHER[_SIDES[side]] if side in _SIDES else None
         doing.side_basis = Basis(words.i, words.j, "into the lane beside its own")
+
+
+def _homewards(doing: Doing, context: Context) -> None:
+    """Who comes from the front goes over the middle; who has overtaken comes back."""
+    entity, words = doing.entity, doing.basis
+    across = Side(context.across)
+    ego = next((e for e in context.draft.entities if e.ego), None)
+    if doing.kind is ActKind.CHANGE_LANE and context.oncoming(entity):
+        doing.into, doing.into_basis = doing.into or ego, doing.into_basis or words
+        if doing.side is None:
+            doing.side = across
+            reason = "who comes from the front crosses the middle of the road"
+            doing.side_basis = Basis(words.i, words.j, reason)
+    back = doing.into is not None and doing.into.ego and Maneuver.OVERTAKE in entity.maneuvers
+    if back and doing.side is None and entity.beside is None:
+        doing.side = _OTHER[across]
+        reason = "who has overtaken comes back to its lane"
+        doing.side_basis = Basis(words.i, words.j, reason)
 
 
 def _into(doing: Doing, scene: Scene, context: Context) -> None:
@@ -161,9 +182,10 @@ def _into(doing: Doing, scene: Scene, context: Context) -> None:
     goals = [event.object, *(p.target for p in event.pps if p.value in {"into", "to", "for"})]
     lanes = [g for g in goals if isinstance(g, Place) and g.kind in {"lane", "path"}]
     owners = [e for g in lanes if g.owner is not None for e in g.owner.entities]
+    out = "out" in {t.low for t in context.tokens[event.i : event.j]}  # "cuts out in front of"
     ahead = [
         e
-        for p in event.pps
+        for p in ([] if out else event.pps)
         if p.word.cat == "locus" and p.value == "ahead" and isinstance(p.target, Mention)
         for e in p.target.entities
     ]

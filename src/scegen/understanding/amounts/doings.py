@@ -49,11 +49,15 @@ class Filler:
         name, kinds = FIELDS[role]
         doing = self._act(number, kinds, name)
         if doing is None and role == "duration":
-            return self._before_the_next(number)
-        if doing is None:
-            doing = self._made(number, role)
-        if doing is None:
-            return False
+            doing = self._said_of_it(number)
+            if doing is None:
+                return self._before_the_next(number)
+        doing = doing or self._made(number, role)
+        return doing is not None and self._give(doing, number, name)
+
+    def _give(self, doing: Doing, number: Measured, name: str) -> bool:
+        """Gives a number to a field of an act."""
+        role = number.frame.role
         plain = role.startswith("lateral") or role in {"duration", "distance"}
         amount = exactly(number) if plain else amount_of(number)
         if role == "rate" and doing.kind is ActKind.STOP:
@@ -64,16 +68,15 @@ class Filler:
             if changed is None:
                 return False
             amount = changed
-        if role == "lateral_move" and name in doing.amounts:
-            doing = self._further(doing)
         if role == "lateral_move":
+            doing = self._further(doing) if name in doing.amounts else doing
             self._side(doing, number)
         for same in self._alike(doing):
             if name in same.amounts and same.amounts[name].value != amount.value:
                 return False
             same.amounts.setdefault(name, amount)
             if same.amounts[name] is not amount:
-                self._happenings.further.append((f"{name}", same.entity, amount.basis))
+                self._happenings.further.append((name, same, amount.basis))
         return True
 
     def _alike(self, doing: Doing) -> list[Doing]:
@@ -107,6 +110,13 @@ class Filler:
         same = [a for a in earlier if not spoken or a.entity in self._text.subject_before(number.i)]
         return same[-1] if same and (not here) else None
 
+    def _said_of_it(self, number: Measured) -> Doing | None:
+        """``the manoeuvre lasts 4 s``: what was told last, if nobody is named."""
+        start, _ = self._text.bounds(number.i)
+        named = any(m.entities for m in self._text.mentions if start <= m.i < number.i)
+        before = [a for a in self._happenings.acts if a.i < start and a.always]
+        return before[-1] if before and not named else None
+
     def _named_by(self, scene: Scene, acts: list[Doing]) -> list[Doing]:
         """``the lane change takes 5 s``: of the act that a noun names."""
         noun = scene.event if scene.event.nominal else scene.event.parent
@@ -122,6 +132,9 @@ class Filler:
         accelerates = any(w in number.around.before for w in ("accelerat", "start", "sets off"))
         kind = ActKind.ACCELERATE if role == "rate" and accelerates else kind
         doing = Doing(kind, who[0], amount_of(number).basis, number.i)
+        _, end = self._text.bounds(number.i)
+        if kind is ActKind.BRAKE and self._text.says("standstill", number.i, end) is not None:
+            doing.amounts["target_speed_mps"] = Amount(_still(), doing.basis)
         self._happenings.acts.append(doing)
         self._happenings.acts.sort(key=lambda a: a.i)
         return doing

@@ -142,7 +142,7 @@ class Judge:
         return chosen if len(chosen) == 2 else []
 
     def _where(self, ending: Ending) -> None:
-        """``the middle of the ego's front``, ``hits its rear``: on which side of the ego, and where."""
+        """``the middle of the ego's front``, ``hits its rear``: which side, and where on it."""
         i = ending.basis.i or 0
         start, end = self._text.bounds(i)
         ego = ego_of(self._context)

@@ -56,7 +56,7 @@ class Spacer:
         after = self._text.phrase_after(number.j)
         if after is not None and isinstance(after[1], Place) and after[1].kind in _JUNCTION:
             return False  # so far from the junction: between no two
-        if self._where_it_stops(number):
+        if self._where_it_stops(number) or self._until(number):
             return False
         if measure is Measure.GAP_M and self._to_a_thing(number):
             return True
@@ -64,6 +64,9 @@ class Spacer:
         if pair is None:
             return False
         entity, reference = pair
+        past = self._verb(number) in {"pass", "bypass"} and (entity.parked or reference.parked)
+        if measure is Measure.GAP_M and past:
+            measure = Measure.LATERAL_GAP_M
         sideways = number.around.after.startswith(
             (" away ", " apart ", " from ", " between ", " off ")
         )
@@ -140,6 +143,19 @@ class Spacer:
             )
             draft.place(entity, None, {Approach.AHEAD}, basis)
 
+    def _until(self, number: Measured) -> bool:
+        """``drifts until only 0.3 m remain``: how far apart they end up."""
+        clause = self._text.subordinate(number.i)
+        if clause is None or clause[2] not in {"until", "till"}:
+            return False
+        return not any(
+            a.i >= clause[1] for a in self._happenings.acts if a.i < clause[1] + _SIDE_REACH
+        )
+
+    def _verb(self, number: Measured) -> str:
+        scene = self._text.scene_at(number.i, number.j)
+        return scene.event.name if scene is not None else ""
+
     def _where_it_stops(self, number: Measured) -> bool:
         """``stops 1 m before the pedestrian``: how far apart they end up."""
         scene = self._text.scene_at(number.i, number.j)
@@ -184,9 +200,16 @@ class Spacer:
         subject = text.subject_before(number.i)
         if isinstance(noun, Mention) and noun.pronoun is not None and named == subject:
             named = []  # "and the ego, 15 m behind it": not behind itself
-        if number.frame.role in {"overlap", "headway", "ttc"} or not (named or located):
-            if scene is not None and scene.actors and scene.targets:
-                return scene.actors[0], scene.targets[0]
+        bracketed = self._bracketed(number)
+        if bracketed is not None and subject and bracketed not in subject:
+            return subject[0], bracketed
+        if noun is None and located:
+            behind = self._named_in_front(number)
+            if behind is not None and subject and behind not in subject:
+                return behind, subject[0]
+        by_verb = number.frame.role in {"overlap", "headway", "ttc"} or not (named or located)
+        if by_verb and scene is not None and scene.actors and scene.targets:
+            return scene.actors[0], scene.targets[0]
         subject = [e for e in subject if e not in named]
         if not subject and scene is not None:
             subject = [e for e in scene.actors if e not in named]
@@ -198,6 +221,30 @@ class Spacer:
             return None
         other = counterpart(first, self._context, near)
         return (first, other) if other is not None and other is not first else None
+
+    def _bracketed(self, number: Measured) -> Entity | None:
+        """``in front of a stationary target (TTC 3 s)``: to whom it is."""
+        tokens = self._text.tokens
+        opening = next(
+            (k for k in range(number.i - 1, max(-1, number.i - 4), -1) if tokens[k].low == "("),
+            None,
+        )
+        if opening is None:
+            return None
+        before = [m for m in self._text.mentions if m.j == opening and m.entities]
+        first: Entity | None = before[0].entities[0] if before else None
+        return first
+
+    def _named_in_front(self, number: Measured) -> Entity | None:
+        """``changes lanes in front of a car, 20 m behind``: the car is behind."""
+        if not number.around.after.startswith(" behind "):
+            return None
+        start, _ = self._text.bounds(number.i)
+        before = [m for m in self._text.mentions if start <= m.i < number.i and m.entities]
+        last = before[-1] if before else None
+        ahead = last is not None and last.prep is not None and last.prep.value == "ahead"
+        first: Entity | None = last.entities[0] if last is not None and ahead else None
+        return first
 
     def _signed(self, number: Measured) -> Amount:
         """To the left is positive, to the right negative; the left where no side is said."""
@@ -266,8 +313,9 @@ class Spacer:
         stands = any(e.stands is not None or e.parked for e in (entity, reference))
         if unequal or stands or not (entity.is_vehicle and reference.is_vehicle):
             return START
+        leader = in_file(entity, reference, self._context)[1]
         later = [a for a in acts if a.kind in _ANSWERING and a.always]
-        return later[0] if later and not later[0].entity.ego else START
+        return later[0] if later and later[0].entity is leader else START
 
     def _in_trigger(self, doing: Doing, start: int, end: int, i: int) -> bool:
         """``… is 150 m away when the ego pulls out``: at that moment."""
@@ -285,6 +333,8 @@ class Spacer:
         start, end = text.bounds(number.i)
         clause = text.subordinate(number.i)
         opened = clause is not None and clause[2] in words()["triggers"]
+        if opened and self._until(number):
+            return False
         after = text.phrase_after(number.j)
         noun = after[1] if after is not None else None
         word = (
@@ -296,6 +346,8 @@ class Spacer:
         if not (opened or junction or before):
             return False
         doing = self._main(clause if opened else None, number, start, end)
+        if doing is None and opened:
+            doing = self._starts_crossing(start, number.i)
         if doing is None or (before and not opened and doing.kind is ActKind.STOP):
             return False
         if doing.when is not None:
@@ -326,6 +378,18 @@ class Spacer:
         doing.when = Trigger("measure", amount_of(number).basis, amount_of(number))
         doing.when.measure, doing.when.entity, doing.when.reference = measure, entity, reference
         return True
+
+    def _starts_crossing(self, start: int, i: int) -> Doing | None:
+        """``followed by a child when the ego is 18 m away``: when it crosses."""
+        for mention in (m for m in self._text.mentions if start <= m.i < i):
+            crossers = [e for e in mention.entities if Maneuver.CROSS in e.maneuvers]
+            if crossers:
+                basis = crossers[0].maneuver_basis or Basis(mention.i, mention.j)
+                doing = Doing(ActKind.CROSS, crossers[0], basis, mention.i, always=False)
+                self._happenings.acts.append(doing)
+                self._happenings.acts.sort(key=lambda a: a.i)
+                return doing
+        return None
 
     def _acts_inside(self, clause: tuple[int, int, str], number: Measured, subject: Entity) -> bool:
         acts = self._happenings.acts
@@ -370,5 +434,6 @@ class Spacer:
         free = [m for m in inside if m.prep is None and not m.possessor]
         chosen = free[-1] if free else inside[-1] if inside else None
         if chosen is not None:
-            return chosen.entities[0]
+            first: Entity = chosen.entities[0]
+            return first
         return doing.entity

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
+from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding.amounts.acting import acts_in
 from scegen.understanding.amounts.doings import FIELDS, Filler
@@ -45,7 +46,7 @@ def read_amounts(
     for number in held:
         if not _speed(number, text, context, found):
             _note(number, context)
-    _joined(text, context)
+    _joined(text)
     _alike(text, context)
     _followed(text, context)
     found.items = items_in(text, context)
@@ -69,6 +70,7 @@ def read_amounts(
         if not done:
             _note(number, context)
     clock.order()
+    _kept_apart(found, context)
     found.acts = _kept(found)
     _gently(found, context)
     return found
@@ -122,8 +124,10 @@ def _speed(number: Measured, text: Sentences, context: Context, found: Happening
     quantity = number.quantity
     change = _from_to(number, text, found)
     taken = [e for e in context.draft.entities if _at(e.speed_basis, span)]
+    for entity in [e for e in taken if e.stands is not None and not e.ego and e.sets_off < 0]:
+        entity.speed = entity.speed_basis = None  # "all at 70 km/h": not the stationary one
     if change is not None:
-        for entity in [change.entity] if not taken else taken:
+        for entity in taken or [change.entity]:
             entity.speed, entity.speed_basis = quantity.parts[0], Basis(*span)
         return True
     if taken:
@@ -171,7 +175,7 @@ def _whose(number: Measured, text: Sentences, context: Context) -> list[Entity]:
     before = {t.low for t in tokens[max(start, number.i - 3) : number.i]}
     if before & {*words()["each"]}:
         named = [e for m in text.mentions if start <= m.i < number.i for e in m.entities]
-        pair = list(dict.fromkeys([e for e in reversed(named) if not e.parked]))
+        pair = list(dict.fromkeys([e for e in reversed(named) if not e.still]))
         ego = ego_of(context)
         pair += [ego] if ego is not None and ego not in pair and len(pair) < _PAIR else []
         return pair if "all" in before or "each" in before else pair[:_PAIR]
@@ -222,7 +226,7 @@ def _alike(text: Sentences, context: Context) -> None:
                     entity.speed_basis = Basis(k, k + len(wanted), "as fast as the other")
 
 
-def _joined(text: Sentences, context: Context) -> None:
+def _joined(text: Sentences) -> None:
     """``ego and lead at 80 km/h``: both, where the text gives the first no other speed."""
     for mention in text.mentions:
         own = [m for m in mention.mods if m.cat == "quantity" and m.value == "speed"]
@@ -251,6 +255,27 @@ def _followed(text: Sentences, context: Context) -> None:
         other.speed = known[0].speed
         basis = known[0].speed_basis or scene.words
         other.speed_basis = Basis(basis.i, basis.j, "who follows drives as fast as the other")
+
+
+def _kept_apart(found: Happenings, context: Context) -> None:
+    """``3 s behind the lead at 120 km/h; the lead brakes``: until then one is as fast."""
+    slow = [e for d in context.draft.dangers if d.kind is HazardKind.SLOW_DRIVING for e in d.by]
+    for apart in found.spacings:
+        pair = [apart.entity, apart.reference]
+        if apart.measure not in {Measure.GAP_M, Measure.HEADWAY_S} or not isinstance(
+            apart.at, Doing
+        ):
+            continue
+        if apart.at.kind not in {ActKind.BRAKE, ActKind.STOP}:
+            continue
+        known = [e for e in pair if isinstance(e, Entity) and e.speed is not None]
+        other = next((e for e in pair if isinstance(e, Entity) and e.speed is None), None)
+        if len(known) != 1 or other is None or other.still or other in slow or not other.is_vehicle:
+            continue
+        basis = known[0].speed_basis or apart.amount.basis
+        other.speed = known[0].speed
+        reason = "until it brakes, the distance is kept"
+        other.speed_basis = Basis(basis.i, basis.j, reason)
 
 
 def _relative(number: Measured, text: Sentences, context: Context) -> bool:

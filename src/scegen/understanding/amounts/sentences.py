@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing, Word
 from scegen.understanding.draft import Entity
 from scegen.understanding.frames import words
 from scegen.understanding.meaning.context import Scene
@@ -114,10 +114,9 @@ class Sentences:
                 return []
             if isinstance(chunk, Mention):
                 return [] if chunk.possessor else list(chunk.entities)
-            copula = isinstance(chunk, Word) and (
-                chunk.cat in {"aux", "manner", "unknown"} or chunk.value in {"(", ","}
-            )
-            if not copula or chunk.value == ",":
+            if not isinstance(chunk, Word):
+                return []
+            if chunk.cat not in {"aux", "manner", "unknown"} and chunk.value not in {"(", ":"}:
                 return []
         return []
 
@@ -144,7 +143,7 @@ class Sentences:
             return list(last.actors)
         return list((free or named)[-1].entities) if (free or named) else []
 
-    def phrase_after(self, j: int) -> tuple[Prep | Word, NounPhrase | None] | None:
+    def phrase_after(self, j: int) -> tuple[Word, NounPhrase | None] | None:
         """A phrase of place right after a number: "ahead of the ego", "from the junction".
 
         Args:
@@ -158,6 +157,10 @@ class Sentences:
         word = self.chunks[k] if k < len(self.chunks) else None
         if not isinstance(word, Word):
             return None
+        before = word.cat == "sub" and self.low(word.i, word.j).strip() == "before"
+        before = before or self.tokens[word.i].low in {"short", "away", "distant"}
+        if word.cat not in {"locus", "prep"} and not before:
+            return word, None
         for chunk in self.chunks[k + 1 : k + 5]:
             if isinstance(chunk, Mention | Place | Thing):
                 return word, chunk

@@ -133,7 +133,7 @@ class Clock:
             if (not because and opening not in words()["triggers"]) or opening in {"if", "until"}:
                 continue
             start, stop = self._text.bounds(chunk.i)
-            if quantity_at(self._text.tokens, chunk.j) is not None:
+            if chunk.j >= stop or quantity_at(self._text.tokens, chunk.j) is not None:
                 continue  # "after 2 s"
             end = next((k for k in range(chunk.j, stop) if self._text.tokens[k].low == ","), stop)
             inside = [a for a in acts if chunk.j <= a.i < end]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from scegen.scenario.functional import (
     FunctionalScenario,
     Hazard,
@@ -10,7 +12,7 @@ from scegen.scenario.functional import (
     Relation,
     Unsupported,
 )
-from scegen.scenario.vocabulary import Approach, JunctionKind, Role
+from scegen.scenario.vocabulary import Approach, CrossedArm, JunctionKind, Maneuver, Role
 from scegen.understanding.building.happening import Writer
 from scegen.understanding.building.hooks import alongside
 from scegen.understanding.building.in_lane import (
@@ -32,6 +34,7 @@ from scegen.understanding.building.unsaid import maneuvers_of
 from scegen.understanding.building.viewpoint import choose_ego, settle_positions, suffers
 from scegen.understanding.draft import Basis, Danger, Draft, Entity
 from scegen.understanding.happenings import Happenings
+from scegen.understanding.meaning.crossed_arms import settle_arms
 from scegen.understanding.road.junctions import JunctionReading
 from scegen.understanding.road.surroundings import Surroundings
 from scegen.understanding.words.tokens import Token
@@ -67,6 +70,7 @@ class Builder:
         ego, ego_basis = choose_ego(self._draft)
         for entity in self._draft.entities:
             entity.ego = entity is ego  # "the cops we are": several are called so, one is it
+        settle_arms(self._draft, ego)
         relations = settle_positions(self._draft, ego)
         junction = self._layout.build()
         onto_the_road(self._draft, junction.driving_side)
@@ -132,6 +136,7 @@ class Builder:
         maneuvers = maneuvers_of(entity, junction, self._draft)
         entries = frozenset(a for a in entity.entries if a < junction.arms)
         lanes, circulating = lanes_of(entity, junction, self._draft), circulates(entity, junction)
+        crosses, crosses_basis = self._crosses(entity, maneuvers, junction)
         for name, value, basis in (
             ("parked", entity.parked, entity.parked_basis),
             ("approaches", entity.approaches, entity.approach_basis),
@@ -139,6 +144,7 @@ class Builder:
             ("entries", entries, entity.entry_basis),
             ("lanes", lanes, entity.start_lane[1] if entity.start_lane is not None else None),
             ("circulating", circulating, entity.circulates),
+            ("crosses", crosses, crosses_basis),
             ("speed_mps", entity.speed, entity.speed_basis),
         ):
             if value:
@@ -155,8 +161,16 @@ class Builder:
             entries=entries,
             lanes=lanes,
             circulating=circulating,
+            crosses=crosses,
             speed_mps=entity.speed,
         )
+
+    def _crosses(
+        self, entity: Entity, maneuvers: Collection[Maneuver], junction: Junction
+    ) -> tuple[CrossedArm | None, Basis | None]:
+        """Which arm it crosses; on a road without a junction there is but one."""
+        there = Maneuver.CROSS in maneuvers and junction.kind is not JunctionKind.STRAIGHT
+        return entity.crosses if there and entity.crosses is not None else (None, None)
 
     def _seen_at(self, entity: Entity) -> set[Approach]:
         """Where it comes from, with the side of the lane beside."""

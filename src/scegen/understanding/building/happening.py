@@ -30,8 +30,9 @@ class Writer:
 
     def acts(self) -> tuple[Act, ...]:
         """All acts in the order of the text."""
-        for name, entity, basis in self._happenings.further:
-            self._proofs.add(f"participants.{entity.name}.{name}", basis)
+        for name, whose, basis in self._happenings.further:
+            group = "acts" if isinstance(whose, Doing) else "participants"
+            self._proofs.add(f"{group}.{whose.name}.{name}", basis)
         return tuple(self._act(doing) for doing in self._happenings.acts)
 
     def _act(self, doing: Doing) -> Act:
@@ -78,7 +79,7 @@ class Writer:
 
     def spacings(self) -> tuple[Spacing, ...]:
         """All spacings in the order of the text."""
-        found = []
+        found: list[Spacing] = []
         for apart in self._happenings.spacings:
             reference = apart.reference or self._ego
             if reference is apart.entity:

@@ -33,6 +33,9 @@ def settle_along(draft: Draft, ego: Entity) -> None:
             entity.approach_basis = Basis(basis.i, basis.j, "who stands in the lane is ahead")
         along = {Approach.AHEAD, Approach.OPPOSITE}
         walks = entity.kind is ParticipantKind.PEDESTRIAN
+        sides = entity.approaches & {Approach.LEFT, Approach.RIGHT}
+        if walks and Maneuver.CROSS in entity.maneuvers and sides:
+            entity.approaches = sides  # "behind it, from the right": from where it comes
         along |= {Approach.BEHIND} if entity.maneuvers == {Maneuver.STAY} else set()
         keeps = entity.maneuvers in ({Maneuver.STRAIGHT}, {Maneuver.STAY})
         if walks and keeps and entity.approaches & along:

@@ -71,8 +71,8 @@ def abreast(draft: Draft, ego: Entity) -> None:
         if rides and draft.tokens[basis.i or 0].low == "from":
             continue  # a cyclist comes from the right: off the pavement
         reason = "on a straight road, who is at one's side drives in the next lane"
-        side = next(iter(entity.approaches)).value
-        entity.beside = entity.beside or (side, Basis(basis.i, basis.j, reason))
+        named = next(iter(entity.approaches)).value
+        entity.beside = entity.beside or (named, Basis(basis.i, basis.j, reason))
         entity.approaches = {Approach.ADJACENT}
         entity.approach_basis = Basis(basis.i, basis.j, reason)
 

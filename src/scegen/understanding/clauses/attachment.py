@@ -78,6 +78,14 @@ def attach(prep: Prep, state: State) -> None:
     if left and verb is not None and verb.name == "leave" and verb.object is prep.on_mention:
         verb.name = "overtake" if prep.on_mention is not None else verb.name
         return  # "leaves the slow lorry behind"
+    measured = _measured(prep, state)
+    if measured is not None:
+        measured.pps.append(prep)
+        return
+    holders = [m for m in (prep.on_mention, state.candidate) if m is not None]
+    if any(_names_it_again(prep.target, m) for m in holders):
+        state.fronted.append(prep)
+        return
     head = _head_of(prep, state)
     whom = prep.on_mention
     if whom is not None and _landmark(whom) and prep.value == "from" and state.events:
@@ -93,6 +101,26 @@ def attach(prep: Prep, state: State) -> None:
         state.events[-1].pps.append(prep)
     elif prep.on_mention is None and state.candidate is not None:
         state.candidate.pps.append(prep)
+
+
+def _measured(prep: Prep, state: State) -> Mention | None:
+    """``the ego, 15 m behind it``: of whom the length is told right before."""
+    lengths = (
+        m
+        for m in state.mentions
+        if any((x.cat, x.value, x.j) == ("quantity", "length", prep.word.i) for x in m.mods)
+    )
+    return next(lengths, None) if prep.word.cat == "locus" else None
+
+
+def _names_it_again(target: object, mention: Mention) -> bool:
+    """``a pedestrian and, behind the pedestrian, a bus``: the bus is behind."""
+    if not isinstance(target, Mention) or target.head is None or mention.head is None:
+        return False
+    definite = any((m.cat, m.value) == ("det", "def") for m in target.mods)
+    first = any((m.cat, m.value) == ("det", "indef") for m in mention.mods)
+    alike = [h.value for h in target.heads] == [h.value for h in mention.heads]
+    return definite and first and alike and len(target.mods) == 1
 
 
 def _landmark(mention: Mention) -> bool:

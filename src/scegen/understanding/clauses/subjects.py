@@ -233,6 +233,7 @@ def _inherit_mood(event: Event, state: State) -> None:
 
 def _main_in_sentence(state: State) -> list[Mention]:
     finite = [e for e in state.events if e.finite and e.subject]
+    finite = [e for e in finite if not e.embedded] or finite  # "hits a man who walks, killing …"
     if finite:
         return finite[-1].subject
     return next((e.subject for e in reversed(state.events) if e.subject), [])

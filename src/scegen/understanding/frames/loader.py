@@ -8,7 +8,7 @@ from importlib.resources import files
 from typing import Any
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.files import parse
+from scegen.scenario.parsing import parse
 
 
 @dataclass(frozen=True, slots=True)

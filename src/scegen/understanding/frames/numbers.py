@@ -1,4 +1,4 @@
-"""What each number of a text is: a speed, a gap, a rate …"""
+"""What each number of a text is: a speed, a gap, a rate."""
 
 from __future__ import annotations
 

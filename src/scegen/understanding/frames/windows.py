@@ -15,7 +15,8 @@ _CLOSE = frozenset({"to", "by", "for", "in", "over", "at", "with", "after", "wit
 _FILLERS = frozenset({"a", "an", "the", "about", "around", "only", "just", "some", "roughly",
                       "approximately", "constant", "steady", "speed", "of", "exactly", "approx",
                       "up", "further", "another", "clear", "well", "almost", "nearly", "than",
-                      "less", "more", "under", "over", "below", "above", "least", "most"})  # fmt: skip
+                      "less", "more", "under", "over", "below", "above", "least", "most",
+                      })  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)

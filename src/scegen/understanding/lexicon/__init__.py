@@ -7,6 +7,7 @@ from scegen.understanding.lexicon.loader import (
     load,
     load_languages,
     load_spelling,
+    load_ways,
 )
 
-__all__ = ["Entry", "Lexicon", "Spelling", "load", "load_languages", "load_spelling"]
+__all__ = ["Entry", "Lexicon", "Spelling", "load", "load_languages", "load_spelling", "load_ways"]

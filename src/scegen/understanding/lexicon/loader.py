@@ -103,6 +103,12 @@ def load_languages() -> dict[str, frozenset[str]]:
     return {name: frozenset(words) for name, words in _read("languages").items()}
 
 
+@lru_cache(maxsize=1)
+def load_ways() -> dict[str, frozenset[str]]:
+    """Named lists of words that tell a road, or a way over it, by how somebody drives."""
+    return {name: frozenset(words) for name, words in _read("ways").items()}
+
+
 @dataclass(frozen=True, slots=True)
 class Spelling:
     """Words in which slips are mended, and words that only look like slips of them."""

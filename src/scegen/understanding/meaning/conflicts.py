@@ -95,6 +95,8 @@ def lane_change(scene: Scene, context: Context) -> None:
     lane = into_lane(scene.event)
     owners = _owners(lane, scene, context)
     in_front = [p for p in scene.event.pps if p.word.cat == "locus" and p.value == "ahead"]
+    words = {t.low for t in context.tokens[scene.event.i : scene.event.j]}
+    in_front = [] if "out" in words else in_front  # "cuts out in front of a stopped car"
     own_will = not scene.reaction and not all(e.ego for e in scene.drivers)
     if lane is not None and any(against(e, lane) for e in scene.drivers):
         return  # into the oncoming lane
@@ -107,6 +109,9 @@ def lane_change(scene: Scene, context: Context) -> None:
     if oncoming and context.tokens[scene.event.i].forms[-1][0] == "leave":
         context.draft.hazard(HazardKind.ONCOMING_LANE, scene.words, scene.drivers)
         return  # "an oncoming van leaves its lane"
+    leaves = lane is not None and all(context.placed(e, Approach.AHEAD) for e in scene.drivers)
+    if sudden is not None and leaves and not owners:
+        return  # the one ahead leaves the lane at the last moment
     if sudden is not None and not scene.reaction:
         context.draft.hazard(
             HazardKind.CUT_IN, sudden, scene.drivers, _owners(lane, scene, context)
@@ -139,6 +144,10 @@ def _owners(lane: Place | None, scene: Scene, context: Context) -> list[Entity]:
     possessed = any(m.cat == "possessive" for m in lane.mods)
     kept = any(m.value == "same" for m in lane.mods)
     others = [e for e in context.draft.entities if e.moving_vehicle and e not in scene.actors]
+    named = [d for d in lane.dirs if d in _ACROSS]
+    there = [e for e in others if e.ego and e.start_lane and e.start_lane[0] in named]
+    if there and lane.kind == "lane":
+        return there  # "the ego in the right lane …, a car changes to the right lane"
     its = [e for e in others if e.ego or (lane.kind == "path" and len(others) == 1)]
     return its if possessed and not kept else []
 

@@ -42,9 +42,9 @@ def circulate(chunks: list[Chunk], scenes: list[Scene], context: Context) -> Non
 def _inside(prep: Prep, context: Context) -> bool:
     """``in the roundabout``, not "at" or "into" it."""
     place = prep.target
-    ring = isinstance(place, Place) and place.kind == "junction"
-    ring = ring and place is not None and place.head is not None
-    named = ring and place is not None and place.head.data.get("kind") == "roundabout"
+    if not isinstance(place, Place) or place.kind != "junction" or place.head is None:
+        return False
+    named = place.head.data.get("kind") == "roundabout"
     return named and context.tokens[prep.word.i].low in {"in", "inside", "on", "within", "round"}
 
 

@@ -13,6 +13,7 @@ from scegen.understanding.meaning import (
     afoot,
     breaches,
     courses,
+    crossed_arms,
     dangers,
     detours,
     encounters,
@@ -139,6 +140,7 @@ class Interpreter:
         breaches.subsume(self._context)
         courses.circulate(chunks, self._scenes, self._context)
         sides_left(chunks, self._context)
+        crossed_arms.note_arms(self._scenes, self._context)
         return self._scenes
 
     def _mention(self, mention: Mention) -> None:
@@ -198,21 +200,7 @@ class Interpreter:
         event.name = recast(scene, self._context)
         self._scenes.append(scene)
         standing.stand(scene, self._context)
-        for prep in event.pps if not self._ended(event) else []:
-            if from_everywhere(prep):
-                side_roads.spread(prep, scene.actors, self._context)
-            elif self._from_behind_somebody(scene, prep):
-                self._context.ahead(
-                    scene.targets[:1], scene.actors, Basis(prep.word.i, prep.word.j)
-                )
-            elif event.name == "pass" and event.object is None and bearing.bare_side(prep):
-                continue  # "passes on the right": on which side one gets past
-            elif prep.on_mention is None or self._starts(event, prep):
-                turned = event.passive and event.name != "hide"
-                turned = turned and prep.value not in {"behind", "from"}
-                whom = scene.targets if turned else scene.actors
-                self._placer.phrase(prep, whom, event)
-                side_roads.side_road(prep, event, whom, self._context)
+        self._places(scene)
         side_roads.access(scene, self._context)
         failed = event.parent is not None and event.parent.name == "fail"
         if event.name in _ANSWERS:
@@ -234,6 +222,27 @@ class Interpreter:
         if event.name in _ON_THE_MOVE:
             dangers.oncoming_lane(scene, self._context)
         screens.from_behind(scene, self._context)
+
+    def _places(self, scene: Scene) -> None:
+        """Where the phrases of a verb put those who act, or on whom it is done."""
+        event = scene.event
+        for prep in event.pps if not self._ended(event) else []:
+            if from_everywhere(prep):
+                side_roads.spread(prep, scene.actors, self._context)
+            elif self._from_behind_somebody(scene, prep):
+                self._context.ahead(
+                    scene.targets[:1], scene.actors, Basis(prep.word.i, prep.word.j)
+                )
+            elif event.name == "pass" and event.object is None and bearing.bare_side(prep):
+                self._placer.passes_on(prep, scene.actors)
+            elif event.name in {"pass", "bypass"} and bearing.is_side(prep) and scene.targets:
+                self._placer.passed_on(prep, scene.targets)
+            elif prep.on_mention is None or self._starts(event, prep):
+                turned = event.passive and event.name != "hide"
+                turned = turned and prep.value not in {"behind", "from"}
+                whom = scene.targets if turned else scene.actors
+                self._placer.phrase(prep, whom, event)
+                side_roads.side_road(prep, event, whom, self._context)
 
     def _told_again(self, scene: Scene) -> None:
         """``a van merges …, at the beginning of the lane change``: what the van does."""

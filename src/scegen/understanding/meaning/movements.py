@@ -9,6 +9,7 @@ from scegen.understanding.chunks import Event, Mention, Place, Thing
 from scegen.understanding.draft import Basis
 from scegen.understanding.meaning import courses, ways
 from scegen.understanding.meaning.context import Context, Scene, span
+from scegen.understanding.meaning.crossed_arms import crossed_road
 from scegen.understanding.meaning.lane_moves import (
     apply,
     forced,
@@ -213,8 +214,10 @@ def _onto_road(event: Event) -> bool:
     """The road itself, a crosswalk or somebody's way is crossed, not a junction."""
     places = [event.object, *(p.target for p in event.pps)]
     kinds = {p.kind for p in places if isinstance(p, Place)}
-    return bool(kinds & {"road", "crosswalk", "lane", "path", "highway", "centerline"}) or (
-        not kinds and event.object is None
+    return (
+        crossed_road(event)
+        or bool(kinds & {"road", "crosswalk", "lane", "path", "highway", "centerline"})
+        or (not kinds and event.object is None)
     )
 
 

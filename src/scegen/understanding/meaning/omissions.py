@@ -21,6 +21,7 @@ _CROSSING = frozenset({HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_CYCLI
 """What concerns those who come from the front, too."""
 _NEAR = 12
 _PHRASE = 5
+_REACTING = frozenset({"brake", "react", "slow", "swerve", "avoid", "reply"})
 _LEEWAY = frozenset({"time", "chance", "room", "space", "distance", "hope"})
 _HARMLESS = frozenset({"light", "inert", "return", "move", "encounter", "try"})
 
@@ -34,7 +35,7 @@ def not_done(scene: Scene, context: Context) -> None:
     """
     event = scene.event
     basis = Basis(event.i, event.j)
-    if _nobody_reacts(scene):
+    if _nobody_reacts(scene, context):
         return
     if event.unable:
         _unable(scene, context)
@@ -69,11 +70,13 @@ def not_done(scene: Scene, context: Context) -> None:
         context.draft.note(event.i, event.j, "said not to happen; left out")
 
 
-def _nobody_reacts(scene: Scene) -> bool:
-    """``neither brakes``, ``nobody reacts``: it takes its course."""
+def _nobody_reacts(scene: Scene, context: Context) -> bool:
+    """``neither brakes``, ``nobody stops`` where no rule says that they must: nothing is done."""
     subjects = {m.pronoun for m in scene.event.subject}
-    reacts = scene.event.name in {"brake", "react", "slow", "swerve", "avoid"}
-    return reacts and bool(subjects & {"everybody", "neither", "nobody"})
+    if not subjects & {"everybody", "neither", "nobody"}:
+        return False
+    bound = _for_people(scene) or _at_signals(scene, context) or _has_to_wait(scene, context)
+    return scene.event.name in _REACTING or (scene.event.name == "stop" and not bound)
 
 
 def _late(scene: Scene) -> bool:

@@ -109,6 +109,9 @@ def _ends_there(event: Event, prep: Prep) -> bool:
     """``swerves behind the ego``, ``sweeps left in front of the bus``: where it gets to."""
     turns = any(d.value in _SIDES for d in event.dirs)
     onto = event.name == "swerve" and any(p.value == "into" for p in event.pps)
+    afoot = isinstance(prep.target, Mention) and not any(e.is_vehicle for e in prep.target.entities)
+    if afoot and (event.name, prep.value) == ("stop", "ahead"):
+        return True  # "stops 1 m in front of her"
     return (event.name, prep.value) == ("swerve", "behind") or (
         (turns or onto) and prep.value == "ahead"
     )
@@ -118,6 +121,11 @@ def _same_way(prep: Prep) -> bool:
     """``in the same direction as the ego``."""
     place = prep.target
     return isinstance(place, Place) and place.kind == "direction" and "same" in place.dirs
+
+
+def _past_the_parked(approaches: set[Approach], entities: list[Entity]) -> bool:
+    """``1 m beside the parked cars``: they have no lane of their own."""
+    return approaches == {Approach.ADJACENT} and any(e.parked for e in entities)
 
 
 def _steadily(event: Event | None, prep: Prep) -> bool:
@@ -233,6 +241,9 @@ class Placer:
                 entity.opposed |= {e.index for e in entities} - {entity.index}
                 entity.approach_basis = basis
             return
+        over = [t.low for t in self._draft.tokens[target.j : target.j + 2]]
+        if prep.value == "from" and over[:1] == ["to"] and over[-1] in _SIDES:
+            basis = Basis(basis.i, target.j + 2)  # "from left to right"
         seen_by = target.beside or target.owner
         reference = seen_by.entities[0] if seen_by and seen_by.entities else None
         wrong = target.kind == "lane" and approaches == _BY_DIR["opposite"]
@@ -276,6 +287,33 @@ class Placer:
             for other in entities[:number]:
                 self._draft.place(entity, other, elsewhere, basis)
 
+    def passes_on(self, prep: Prep, entities: list[Entity]) -> None:
+        """``a car passes on the left``: on which side one gets past, in the lane there.
+
+        Args:
+            prep: the phrase.
+            entities: who passes.
+        """
+        side = prep.target
+        named = [d for d in side.dirs if d in _SIDES] if isinstance(side, Place) else []
+        if not isinstance(side, Place) or len(named) != 1:
+            return
+        for entity in [e for e in entities if not e.ego]:
+            entity.beside = entity.beside or (named[0], Basis(prep.word.i, side.j))
+
+    def passed_on(self, prep: Prep, entities: list[Entity]) -> None:
+        """``the ego passes three parked cars on its right``: where these stand.
+
+        Args:
+            prep: the phrase.
+            entities: who is passed.
+        """
+        side = prep.target
+        sides = {_SIDES[d] for d in side.dirs if d in _SIDES} if isinstance(side, Place) else set()
+        for entity in entities if isinstance(side, Place) else []:
+            if entity.parked and len(sides) == 1:
+                self._draft.place(entity, None, set(sides), Basis(prep.word.i, side.j))
+
     def _locus(self, prep: Prep, entities: list[Entity], event: Event | None) -> None:
         target = landmark(prep.target)
         basis = Basis(prep.word.i, target.j if isinstance(target, Mention) else prep.word.j)
@@ -289,9 +327,8 @@ class Placer:
         if event is not None and event.name not in _STEADY and prep.outer != "from":
             self._behind_the_ego(prep, entities, basis)
             return
-        if event is not None and target and _ends_there(event, prep):
-            return
-        if prep.outer == "from" and isinstance(target, Mention) and event is not None:
+        out_of = prep.outer == "from" and isinstance(target, Mention)
+        if event is not None and target and (out_of or _ends_there(event, prep)):
             return
         comes = target is None and (prep.outer, prep.value) == ("from", "ahead")
         approaches = {Approach.OPPOSITE if comes else Approach(prep.value)}
@@ -300,9 +337,8 @@ class Placer:
             if not target.entities:
                 return
             reference = target.entities[0]
-        past = reference is not None and reference.parked
-        if approaches == {Approach.ADJACENT} and (past or any(e.parked for e in entities)):
-            return  # "1 m beside the parked cars": no lane of their own
+        if _past_the_parked(approaches, [*entities, *([reference] if reference else [])]):
+            return
         same = event is not None and any(_same_way(p) for p in event.pps)
         for entity in entities:
             if entity.is_vehicle or prep.value != "ahead" or same:

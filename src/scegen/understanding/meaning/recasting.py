@@ -11,7 +11,7 @@ from scegen.scenario.vocabulary import Approach, Control
 from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.meaning import numbered_lanes
 from scegen.understanding.meaning.context import Context, Scene
-from scegen.understanding.meaning.verbs_of_contact import runs_into, within_its_lane
+from scegen.understanding.meaning.verbs_of_contact import contact_or_shift
 from scegen.understanding.meaning.ways import into_lane
 
 _OPEN = frozenset({"dash", "breach"})
@@ -50,10 +50,9 @@ def recast(scene: Scene, context: Context) -> str:
         return "turn"
     if event.name == "walk" and scene.drivers and _runs_it(scene, context):
         return "breach"
-    if runs_into(scene, context):
-        return "collide"
-    if within_its_lane(scene, context):
-        return "swerve"
+    told = contact_or_shift(scene, context)
+    if told is not None:
+        return told
     if _next_lane(scene, context):
         return "lane_change"
     afoot = _on_foot(scene, context)

@@ -19,7 +19,7 @@ def sides_left(chunks: list[Chunk], context: Context) -> None:
     """
     lateral = set(_SIDES.values())
     placed = {p.entity.index for p in context.draft.placements if p.approaches & lateral}
-    used = [(p.basis.i, p.basis.j) for p in context.draft.placements]
+    used = [(p.basis.i, p.basis.j) for p in context.draft.placements if not p.entity.ego]
     crossers = [
         e
         for e in context.draft.entities

@@ -13,6 +13,7 @@ STANDING = frozenset({"stand", "sit", "idle", "unload", "load", "deliver", "ling
 """Verbs by which somebody stays where it is."""
 _HELD = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_stop", "parking",
                    "sidewalk", "shoulder"})  # fmt: skip
+_ROADSIDE = frozenset({"shoulder", "sidewalk", "parking"})
 _WAY = frozenset({"lane", "road", "highway", "middle", "path"})
 _SINCE = frozenset({"is", "are", "has", "have", "was", "were", "had", "already", "'s", "stopped"})
 _REACH = 3
@@ -31,7 +32,12 @@ def stand(scene: Scene, context: Context) -> None:
     lemma = context.tokens[event.i].forms[-1][0]
     stands = event.name in {"wait", "stop"} and lemma in STANDING
     stands = stands or (event.name == "stop" and _over(event, context))
-    if not stands or any(p.kind in _HELD for p in scene.places()):
+    if not stands:
+        return
+    if any(p.kind in _ROADSIDE for p in scene.places()):
+        for entity in [e for e in scene.actors if e.is_vehicle and not e.ego and e.sets_off < 0]:
+            entity.parked, entity.parked_basis = True, scene.words
+    if any(p.kind in _HELD for p in scene.places()):
         return
     for entity in scene.actors:
         if entity.parked:
@@ -98,6 +104,11 @@ def in_the_road(scene: Scene, context: Context) -> bool:
     ]
     if there and lanes and there == scene.walkers:
         basis = Basis(scene.event.i, max(scene.event.j, lanes[0].j))
+        context.draft.dangers[:] = [
+            d
+            for d in context.draft.dangers
+            if d.kind is not HazardKind.CROSSING_PEDESTRIAN or not all(e in there for e in d.by)
+        ]
         context.draft.hazard(HazardKind.STOPPING, basis, there)
         return True
     return False

@@ -9,13 +9,20 @@ _SHIFTING = frozenset({"move", "shift", "steer", "drift", "wander", "sway", "edg
 _BEING = frozenset({"is", "are", "was", "were", "be", "been", "gets", "being"})
 
 
-def within_its_lane(scene: Scene, context: Context) -> bool:
-    """``moves within its lane, 0.5 m to the right``: to the side, without leaving it.
+def contact_or_shift(scene: Scene, context: Context) -> str | None:
+    """What a verb of motion is that ends at somebody, or within one's lane.
 
     Args:
         scene: what happens.
         context: the scenario in the making.
     """
+    if _runs_into(scene, context):
+        return "collide"
+    return "swerve" if _within_its_lane(scene, context) else None
+
+
+def _within_its_lane(scene: Scene, context: Context) -> bool:
+    """``moves within its lane, 0.5 m to the right``: to the side, without leaving it."""
     event = scene.event
     shifts = event.name == "move" and context.tokens[event.i].forms[-1][0] in _SHIFTING
     inside = [p for p in event.pps if context.tokens[p.word.i].low in {"within", "inside"}]
@@ -23,13 +30,8 @@ def within_its_lane(scene: Scene, context: Context) -> bool:
     return shifts and lane and bool(scene.drivers)
 
 
-def runs_into(scene: Scene, context: Context) -> bool:
-    """``runs into the van``, ``is run into from behind``: contact.
-
-    Args:
-        scene: what happens.
-        context: the scenario in the making.
-    """
+def _runs_into(scene: Scene, context: Context) -> bool:
+    """``runs into the van``, ``is run into from behind``: contact."""
     event = scene.event
     after = context.tokens[event.j].low if event.j < len(context.tokens) else ""
     lemma = context.tokens[event.i].forms[-1][0]

@@ -12,9 +12,11 @@ _ACROSS = frozenset({"over", "across", "into", "onto"})
 _REACH = 24
 _TOWARDS = ("towards", "toward", "opposite direction", "against", "facing", "oncoming",
             "other direction")  # fmt: skip
-_WITH = ("same direction", "direction of traffic", "direction of travel", "away from",
-         "with traffic", "'s direction", "direction of the ego", "same way", "ahead", "in front", "with the traffic", "direction as",
-         "with its back", "with his back", "with her back")  # fmt: skip
+_WITH = (
+    "same direction", "direction of traffic", "direction of travel", "away from", "with traffic",
+    "'s direction", "direction of the ego", "same way", "ahead", "in front", "with the traffic",
+    "direction as", "with its back", "with his back", "with her back",
+)  # fmt: skip
 _WAYS = frozenset({"road", "highway", "side", "shoulder", "lane", "centerline", "middle",
                    "bike_lane"})  # fmt: skip
 

@@ -28,7 +28,7 @@ def spell_out(chunks: list[Chunk]) -> list[Chunk]:
     Args:
         chunks: the chunks of the text.
     """
-    chunks = _told_by_nobody(_after_headings(_cast(_from_titles(chunks))))
+    chunks = _told_by_nobody(_after_headings(_cast(_from_titles(_in_lanes(chunks)))))
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Event) and not chunk.nominal and _named_doing(chunks, k):
             chunk.nominal = True
@@ -117,6 +117,23 @@ def _from_titles(chunks: list[Chunk]) -> list[Chunk]:
         found.append(chunk)
         if _ends(chunk):
             begin = k + 1
+    return found
+
+
+def _in_lanes(chunks: list[Chunk]) -> list[Chunk]:
+    """``ego 100 km/h, right lane``: in that lane."""
+    found: list[Chunk] = []
+    for k, chunk in enumerate(chunks):
+        before, after = _at(chunks, k - 1), _at(chunks, k + 1)
+        bare = isinstance(before, Word) and (before.cat == "quantity" or before.value == ",")
+        who = isinstance(before, Mention) and any(m.cat == "quantity" for m in before.mods)
+        ends = after is None or (isinstance(after, Word) and after.cat in {"punct", "conj"})
+        lane = chunk if isinstance(chunk, Place) and chunk.kind == "lane" else None
+        plain = lane is not None and all(m.cat == "dir" for m in lane.mods)
+        sided = lane is not None and bool({"left", "right"} & set(lane.dirs))
+        if plain and sided and ends and (bare or who):
+            found.append(Word(Term("prep", "in", chunk.i, chunk.i)))
+        found.append(chunk)
     return found
 
 

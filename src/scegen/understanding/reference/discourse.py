@@ -69,6 +69,8 @@ class Discourse:
             return mention.entities
         if refers_to_nobody(mention) or self._their_own_queue(mention):
             return []
+        if self._of_a_size(mention):
+            return []
         located = any(p.word.cat == "locus" and is_pronoun(p.target) for p in mention.pps)
         if located or mention.besides:
             exclude = [*exclude, *self._roster.subject]  # "the car behind it" is not "it"
@@ -93,6 +95,12 @@ class Discourse:
         within = mention.prep is not None and mention.prep.value == "in"
         end = mention.prep is not None and mention.prep.value == "of" and bool(self._roster.groups)
         return mass and ((within and len(self._roster.subject) > 1) or end)
+
+    def _of_a_size(self, mention: Mention) -> bool:
+        """``half a vehicle's width``, ``two car lengths``: a measure, nobody."""
+        after = {t.low for t in self.tokens[mention.j : mention.j + 2]}
+        indefinite = any((m.cat, m.value) == ("det", "indef") for m in mention.mods)
+        return mention.possessor and indefinite and bool(after & {"width", "length", "widths"})
 
     def _we(self, mention: Mention) -> list[Entity]:
         """``three of us``: the ego and two more."""
@@ -121,7 +129,9 @@ class Discourse:
         of_whom = next((p.target for p in mention.pps if p.value == "of"), None)
         if reading.driver and isinstance(of_whom, Mention):
             vehicle = self.resolve(of_whom, subject=False, exclude=[])
-            out = mention.walks and not mention.drives and any(e.parked for e in vehicle)
+            still = any(m.cat == "state" for m in of_whom.mods)
+            still = still or any(e.parked for e in vehicle)
+            out = mention.walks and not mention.drives and still
             afoot = ParticipantKind.PEDESTRIAN  # "the driver of the stalled van steps out"
             return [self._roster.new(afoot, basis)] if out else vehicle
         parked = opened(reading, mention, self._draft.entities)

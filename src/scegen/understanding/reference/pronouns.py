@@ -49,10 +49,8 @@ class Pronouns:
             return self._new_driver(mention)
         if which == "neither" and self.tokens[mention.i].low == "none":
             return everybody(mention, self.draft)
-        if which == "both" and len(self.draft.entities) == 1:
-            self._with_the_ego(basis)
         if which in {"they", "both", "all", "neither"}:
-            return self.roster.together(exclude)
+            return self._together(mention, exclude)
         if which == "other":
             rest = self.roster.claim(1, exclude) or self.roster.rest(exclude)
             if len(self.roster.subject) > 1 and not rest:
@@ -69,12 +67,14 @@ class Pronouns:
             return self.roster.further(exclude, basis)
         return self._counted(mention, exclude, basis)
 
-    def _with_the_ego(self, basis: Basis) -> None:
-        """``the lead car slows down; both drive 100 km/h``: it and the ego."""
-        if not self.draft.entities[0].ego:
-            ego = self.roster.new(ParticipantKind.CAR, basis)
+    def _together(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
+        """``they``; ``the lead car slows down; both drive 100 km/h``: it and the ego."""
+        one = len(self.draft.entities) == 1 and not self.draft.entities[0].ego
+        if mention.pronoun == "both" and one:
+            ego = self.roster.new(ParticipantKind.CAR, Basis(mention.i, mention.j))
             ego.ego = ego.claimed = True
             ego.named_by.add("ego")
+        return self.roster.together(exclude)
 
     def _single(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         if mention.landmark and mention.pronoun == "it" and self.roster.landmark:

@@ -180,7 +180,8 @@ class Roster:
 
     def _of_two(self, group: Group, mention: Mention) -> bool:
         """``two cars drive in one lane, the ego behind the other``: one of the two."""
-        pair = len(group.members) == 2 == len(group.free) and not (group.vague or group.specific)
+        pair = len(group.members) == 2 == len(group.free) and not group.vague
+        pair = pair and all(e.kind is ParticipantKind.CAR for e in group.members)
         after = [t.low for t in self.tokens[mention.j : mention.j + _REST]]
         return pair and any(a == "the" and b == "other" for a, b in pairwise(after))
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.terms import Match, longest_match
 from scegen.understanding.words.tokens import Token
 
@@ -37,7 +38,8 @@ def _needs_no_article(noun: Match, tokens: list[Token], j: int) -> bool:
     if tokens[j].kind == "label" or any("me" in e.data or "speaks" in e.data for e in noun.entries):
         return True
     after = tokens[noun.j] if noun.j < len(tokens) else None
-    named = after is not None and (after.kind == "number" or _letter(after))
+    numbered = after is not None and after.kind == "number" and quantity_at(tokens, noun.j) is None
+    named = after is not None and (numbered or _letter(after))
     return named and noun.form == "base"
 
 

@@ -111,7 +111,8 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         part = match.has("dir") and match.get("dir").value == "rear" and before != "manner"
         return match.get("dir") if part else match.get(*_NOUNS), False  # "hit the back of it"
     if match.has("dir") and match.form == "base" and not _second_verb(match, tokens, previous):
-        return match.get("dir"), False
+        across = match.get("dir").value == "lateral" and not noun_follows(tokens, match.j)
+        return (verb if across else match.get("dir")), False  # "they … cross in front of it"
     return verb, False
 
 

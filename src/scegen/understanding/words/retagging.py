@@ -102,6 +102,14 @@ def _has_done(tokens: list[Token], term: Term) -> bool:
     return done in _DONE and after in _AFTER
 
 
+def _governed(terms: list[Term]) -> bool:
+    """``from the ego's left at the bend``: what a preposition governs has no verb of its own."""
+    k = len(terms) - 1
+    while k >= 0 and terms[k].cat in {"actor", "det", "label", "possessive", "pronoun"}:
+        k -= 1
+    return k >= 0 and terms[k].cat == "prep"
+
+
 def _near_or_far(term: Term, tokens: list[Token]) -> Term:
     """``the far kerb``: the side across the road."""
     value = _NEAR_OR_FAR.get(tokens[term.i].low) if term.j - term.i == 1 else None
@@ -111,7 +119,7 @@ def _near_or_far(term: Term, tokens: list[Token]) -> Term:
 
 def _shortened(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     """``someone's left a van there``, ``the ego, who's forced to brake``: has, is."""
-    if _has_done(tokens, term):
+    if _has_done(tokens, term) and not _governed(terms):
         return replace(term, cat="aux", value="have")
     word = tokens[terms[-1].i].low if terms else ""
     short = word in {"it", "he", "she", "there", "here", "what", "that"}

@@ -198,7 +198,8 @@ def _is_beside(tokens: list[Token], i: int, j: int) -> bool:
     """``a bus drives on the right of the ego``: where one is, no rule of the road."""
     after = [t.low for t in tokens[j : j + 3]]
     somebody = after[:1] == ["of"] and not {"road", "street", "highway"} & set(after)
-    return tokens[i].low in {"drives", "drove"} or somebody
+    all_do = i > 0 and tokens[i - 1].low in {"traffic", "everybody", "everyone", "one"}
+    return (tokens[i].low in {"drives", "drove"} and not all_do) or somebody
 
 
 def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | None:
