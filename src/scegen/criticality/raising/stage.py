@@ -66,8 +66,8 @@ class Stage:
         self._choose_pair(target, pairs)
         self.target = self._with_headway(target)
         said = functional or described_by(concrete)
-        contact_asked = target.contact is not False
-        self.claims = claims_of(said, concrete.logical, contact_asked=contact_asked)
+        touching = self.pair if target.contact is not False else ()
+        self.claims = claims_of(said, concrete.logical, touching=touching)
         self.given_up: frozenset[str] = frozenset()
         self.untargeted = False
 
