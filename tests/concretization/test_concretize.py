@@ -15,7 +15,7 @@ from scegen.road import build_network, plan_road
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion, Travelled
 from scegen.scenario.parameters import ParameterRange
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import HazardKind, JunctionKind
 
 LIMIT_MPS = 50 / 3.6
 
@@ -75,6 +75,9 @@ def test_everybody_enters_and_leaves_by_its_arms(made):
         span = path.spans[0]
         assert span.road == network.arm_roads[drive.entry]
         exits = [s for s in path.spans if s.road == network.arm_roads[drive.exit]]
+        assert exits, "its way leads out by its arm"
+        if concrete.road.kind is JunctionKind.STRAIGHT:
+            continue  # it ends after its climax, wherever everybody is
         assert trace.s_m[-1] > exits[-1].start_m
         assert trace.speed_mps[-1] > 0, "drives on where the scenario ends"
     assert concrete.duration_s <= 60.0
@@ -187,7 +190,7 @@ def test_who_goes_round_a_blocked_lane_does_not_touch_it(cases):
     concrete = concretize(*cases["blocked_lane"])
     assert [c.lane_after for c in concrete.ego.motion.lane_changes] == [0, 1]
     _, traces = run(concrete)
-    assert gap_m(traces, "ego", "parked_0") > 0.5
+    assert 0.3 < gap_m(traces, "ego", "parked_0") < 0.8
 
 
 def test_an_overtaker_ends_in_front(cases):
@@ -292,7 +295,7 @@ def test_who_drives_slowly_holds_up_the_ego(scenario):
 
 
 def test_on_a_plain_road_one_merges_from_the_lane_beside(scenario):
-    drives = [{"entry": 0, "move": 1, "beside": "ego"}, {"entry": 0, "move": 1}]
+    drives = [{"entry": 0, "move": 1}, {"entry": 0, "move": 1, "beside": "ego"}]
     concrete = concretize(
         *scenario("straight", 2, drives, [("merging_conflict", ["car_1"], ["ego"])])
     )

@@ -10,8 +10,8 @@ from scegen.concretization import concretize
 from scegen.motion import build_paths, simulate
 from scegen.report.encounter import box_corners, thing_corners
 from scegen.road import build_network
-from scegen.scenario.functional import Evidence
-from scegen.scenario.vocabulary import DrivingSide, EvidenceSource, HazardKind
+from scegen.scenario.things import Thing
+from scegen.scenario.vocabulary import DrivingSide, HazardKind
 
 SIDES = tuple(DrivingSide)
 AHEAD = [("obstacle", (), ())]
@@ -21,11 +21,10 @@ def drive(entry, move, **more):
     return {"entry": entry, "move": move, **more}
 
 
-def made(case, words=None, **more):
+def made(case, thing=None, **more):
     functional, logical = case
-    if words:
-        said = Evidence(field="hazards.obstacle", source=EvidenceSource.STATED, text=words)
-        functional = functional.model_copy(update={"evidence": (said,)})
+    if thing:
+        functional = functional.model_copy(update={"objects": (Thing.model_validate(thing),)})
     concrete = concretize(functional, logical, **more)
     paths = build_paths(concrete, build_network(concrete.road))
     return concrete, paths, simulate(concrete, paths, dt_s=0.02)
@@ -58,9 +57,10 @@ def test_one_alone_with_it_stops_short_and_stays(scenario, side, kind, arms):
     assert concrete.ego.speed_program[-1].hazard is HazardKind.OBSTACLE
 
 
-def test_it_is_what_the_words_say_and_a_plain_box_where_they_do_not(scenario):
+def test_it_is_the_thing_that_is_said_and_a_plain_box_where_none_is(scenario):
     case = scenario("straight", 2, [drive(0, 1)], AHEAD)
-    (crate,) = made(case, "a wooden crate")[0].objects
+    said = {"id": "crate_1", "kind": "box", "in_way_of": "ego", "called": "a wooden crate"}
+    (crate,) = made(case, said)[0].objects
     (plain,) = made(case)[0].objects
     assert (crate.id, crate.category, crate.blueprint) == (
         "crate_1",
@@ -87,7 +87,8 @@ def test_who_leaves_the_lane_leaves_it_because_of_the_thing(scenario, kind):
         [drive(1, 1), drive(0, 1)],
         [("obstacle", (), ()), (kind, ("car_1",), ("ego",))],
     )
-    concrete, _, traces = made(case, "roadworks")
+    said = {"id": "cone_1", "kind": "cone", "in_way_of": "car_1"}
+    concrete, _, traces = made(case, said)
     (thing,) = concrete.objects
     hazard = next(h for h in concrete.hazards if h.kind is HazardKind.OBSTACLE)
     assert hazard.to == ("car_1",)
@@ -141,10 +142,11 @@ def test_one_who_brakes_first_comes_to_rest_before_going_round(scenario):
     assert nearest_m(traces, "ego", concrete.objects[0]) > 0.3
 
 
-def test_a_parked_vehicle_is_what_is_meant_unless_the_words_name_a_thing(scenario):
+def test_a_parked_vehicle_is_what_is_meant_unless_a_thing_is_said(scenario):
     case = scenario("straight", 2, [drive(0, 1)], AHEAD, standings=[(0, "right", False)])
     assert made(case)[0].objects == ()
-    (ball,) = made(case, "a ball")[0].objects
+    said = {"id": "ball_1", "kind": "obstacle", "in_way_of": "ego", "called": "ball"}
+    (ball,) = made(case, said)[0].objects
     assert ball.what == "ball"
 
 

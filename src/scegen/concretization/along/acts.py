@@ -26,6 +26,8 @@ def all_acts(
     acts = [_on_a_plain_road(act) for act in said]
     acts = [act for act in acts if act.kind in _ALONG]
     for hazard in dangers(functional, logical):
+        if hazard.kind is HazardKind.OVERTAKING:
+            acts = _passing_first(hazard, runners, acts)
         acts += _implied(functional, hazard, runners, acts)
     for drive in logical.drives:
         acts += _manoeuvre(drive, runners, acts)
@@ -33,6 +35,18 @@ def all_acts(
 
 
 _ALONG = _SLOWS | _ASIDE | {ActKind.ACCELERATE, ActKind.SET_OFF}
+
+
+def _passing_first(hazard: Hazard, runners: Mapping[str, Runner], acts: list[Act]) -> list[Act]:
+    """Who comes in front of the one it overtakes has passed it before."""
+    for n, act in enumerate(acts):
+        back = act.kind is ActKind.CHANGE_LANE and act.participant in hazard.by
+        passed = act.into in hazard.to and act.into in runners
+        if back and passed and not does(acts, act.participant, frozenset({ActKind.OVERTAKE})):
+            name = f"pass_of_{act.participant}"[:40]
+            before = Act(id=name, participant=act.participant, kind=ActKind.OVERTAKE, into=act.into)
+            return [*acts[:n], before, *acts[n:]]
+    return acts
 
 
 def _on_a_plain_road(act: Act) -> Act:

@@ -67,7 +67,7 @@ def choose_lanes(
         MotionInfeasibleError: what is said of lanes cannot all be had.
     """
     wishes = [
-        *_from_words(functional, logical, runners),
+        *_from_words(functional, logical, runners, acts),
         *_from_acts(functional, runners, acts),
         *_from_hazards(functional, logical, runners),
         *_usual(functional, logical, runners),
@@ -139,11 +139,15 @@ def _among(name: str, allowed: frozenset[int]) -> Met:
 
 
 def _from_words(
-    functional: FunctionalScenario, logical: LogicalScenario, runners: Mapping[str, Runner]
+    functional: FunctionalScenario,
+    logical: LogicalScenario,
+    runners: Mapping[str, Runner],
+    acts: Sequence[Act],
 ) -> list[Wish]:
     """Lanes, sides, lines and lateral distances that are said."""
     wishes: list[Wish] = []
     aside = _lanes_aside(functional, runners)
+    passing = {act.participant for act in acts if act.kind is ActKind.OVERTAKE}
     for (a, b), step in aside.items():
         wishes.append(Wish((a, b), _SAID, _beside(a, b, step), f"{a} is {step} lanes from {b}"))
     for name, runner in runners.items():
@@ -157,7 +161,7 @@ def _from_words(
         assignment = logical.assignment(name)
         seen = {r: words for r, words in _seen_from(functional, name) if r in runners}
         beside = assignment.beside if isinstance(assignment, InLine) else None
-        if beside is not None and beside in runners:
+        if beside is not None and beside in runners and name not in passing:
             seen[beside] = seen.get(beside, frozenset()) | {Approach.ADJACENT}
         for reference, words_of in seen.items():
             if (name, reference) in aside or (reference, name) in aside:
@@ -219,9 +223,10 @@ def _from_acts(
 ) -> list[Wish]:
     """Who changes lanes needs one there: the one of the person into whose lane it comes."""
     wishes: list[Wish] = []
+    passing = {act.participant for act in acts if act.kind is ActKind.OVERTAKE}
     for act in acts:
         name = act.participant
-        if act.kind is not ActKind.CHANGE_LANE or name not in runners:
+        if act.kind is not ActKind.CHANGE_LANE or name not in runners or name in passing:
             continue
         step = outward(functional, act.side) if act.side is not None else None
         into = runners.get(act.into or "")

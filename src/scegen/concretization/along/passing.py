@@ -44,7 +44,7 @@ def _box(runner: Runner, time_s: float) -> tuple[float, float, float, float]:
     )
     speed = runner.speed_at_mps(time_s)
     sin = aside / (2 * _DELTA_S) / speed if speed > _NEVER_MPS else 0.0
-    sin = max(-0.9, min(0.9, sin))
+    sin = max(-0.9, min(0.9, -sin if runner.backs else sin))
     cos = runner.sign * sqrt(1.0 - sin * sin)
     ahead = runner.body.centre_ahead_m
     return runner.x_m(time_s) + ahead * cos, y + ahead * sin, cos, sin

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from scegen.concretization.along.passing import apart_m
 from scegen.concretization.along.runner import Runner, Step, gap_m, in_line
@@ -17,6 +18,8 @@ _CLOSEST_M = 0.65
 """How near one who may not touch the other comes: a near miss."""
 _LATEST_S = 40.0
 _STEP_S = 0.05
+_TOO_LATE_S = 0.8
+"""Who brakes for one it is to hit all the same begins so long before."""
 _ROUNDS = 24
 _BRAKES = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING})
 _HARDER = (1.0, 1.2, 1.4)
@@ -28,6 +31,8 @@ def react(story: Story) -> list[tuple[str, str]]:
     Those nearest to the danger first, so that those behind them answer what they do.
     """
     touching: list[tuple[str, str]] = []
+    for runner in story.runners.values():
+        _set_aside_loose(story, runner)
     for _ in range(len(story.runners)):
         found = _first_contact(story, touching)
         if found is None:
@@ -80,33 +85,60 @@ def _who_runs_in(first: Runner, second: Runner, time_s: float) -> tuple[str, str
     return (second.id, first.id) if ahead else (first.id, second.id)
 
 
-def _brake_for(story: Story, who: Runner, other: Runner) -> bool:
+def _loose_step(story: Story, who: Runner) -> Step | None:
+    """The braking of an act of which nothing says when it begins: the answer to who is ahead."""
+    for step in who.steps:
+        slows = step.act is not None and step.target_mps < who.speed_mps and not step.timed
+        if slows and story.is_loose(story.act(step.act or "")):
+            return step
+    return None
+
+
+def _set_aside_loose(story: Story, who: Runner) -> None:
+    """Let who would run into somebody ahead without it brake for that one, not just sometime."""
+    step = _loose_step(story, who)
+    if step is None:
+        return
+    kept = who.steps
+    who.steps = [s for s in kept if s is not step]
+    for other in story.runners.values():
+        contact = None if other is who else _contact_s(who, other)
+        if contact is None or _who_runs_in(who, other, contact)[0] != who.id:
+            continue
+        if contact_wanted(story, who.id, other.id):
+            late = max(step.begins_s, contact - _TOO_LATE_S)
+            who.steps = [*who.steps, replace(step, begins_s=late, reacts_to=other.id)]
+        elif _brake_for(story, who, other, step):
+            return
+        break
+    if step not in who.steps and not any(s.act == step.act for s in who.steps):
+        who.steps = kept
+
+
+def _brake_for(story: Story, who: Runner, other: Runner, loose: Step | None = None) -> bool:
     """Add the latest braking that keeps them apart; whether there is one."""
-    own = next(
-        (s for s in who.steps if s.act is not None and s.target_mps < who.speed_mps
-         and not s.timed and story.is_loose(story.act(s.act))), None
-    )  # fmt: skip
-    hard = any(
-        h.kind in _BRAKES and who.id in h.by for h in story.hazards
-    )  # fmt: skip
+    own = loose or _loose_step(story, who)
+    kinds = [h.kind for h in story.hazards if h.kind in _BRAKES and who.id in h.by]
+    thing = HazardKind.OBSTACLE if other.box is not None else None
+    hazard = next(iter(kinds), thing)
+    rest = [s for s in who.steps if s is not own]
+    before = who.steps
+    for rate in _rates_mps2(story, who, own, hard=bool(kinds)):
+        found = _latest_s(who, other, rest, rate, _sees_s(other) + REACTION_S, own)
+        if found is not None:
+            who.steps = [*rest, _braking(found, rate, other, own, hazard)]
+            return True
+    who.steps = before
+    return False
+
+
+def _rates_mps2(story: Story, who: Runner, own: Step | None, *, hard: bool) -> list[float]:
+    """How hard it may brake, the usual first; as the text says, if it does."""
+    if own is not None and story.act(own.act or "").rate_mps2 is not None:
+        return [own.rate_mps2]
     usual = HARD_BRAKING_MPS2[0] if hard else LATE_BRAKING_MPS2
     most = min(who.body.max_deceleration_mps2, 0.95 * story.grip_mps2)
-    sees_s = _sees_s(other) + REACTION_S
-    rest = [s for s in who.steps if s is not own]
-    steps_before = who.steps
-    kinds = (h.kind for h in story.hazards if h.kind in _BRAKES and who.id in h.by)
-    hazard = next(kinds, HazardKind.OBSTACLE if other.box is not None else None)
-    if own is not None and story.act(own.act or "").rate_mps2 is not None:
-        rates = [own.rate_mps2]
-    else:
-        rates = sorted({min(usual * harder, most) for harder in (*_HARDER, 9.0)})
-    for rate in rates:
-        found = _latest_s(story, who, other, rest, rate, sees_s, own)
-        if found is not None:
-            who.steps = [*rest, _braking(story, found, rate, other, own, hazard)]
-            return True
-    who.steps = steps_before
-    return False
+    return sorted({min(usual * harder, most) for harder in (*_HARDER, 9.0)})
 
 
 def _sees_s(other: Runner) -> float:
@@ -117,11 +149,9 @@ def _sees_s(other: Runner) -> float:
 
 
 def _braking(
-    story: Story, begins_s: float, rate: float, other: Runner, own: Step | None,
-    hazard: HazardKind | None,
-) -> Step:  # fmt: skip
+    begins_s: float, rate: float, other: Runner, own: Step | None, hazard: HazardKind | None
+) -> Step:
     """Down to the other's last speed, or to the one that the text gives."""
-    del story
     slowest = min([other.speed_mps, *(s.target_mps for s in other.steps)])
     slowest = slowest if other.speed_mps > 0.0 else 0.0
     if own is not None:
@@ -131,13 +161,17 @@ def _braking(
 
 
 def _latest_s(
-    story: Story, who: Runner, other: Runner, rest: list[Step], rate: float, earliest_s: float,
+    who: Runner,
+    other: Runner,
+    rest: list[Step],
+    rate: float,
+    earliest_s: float,
     own: Step | None,
-) -> float | None:  # fmt: skip
+) -> float | None:
     """The latest moment at which braking so hard still leaves a little room; None if none does."""
 
     def near(begins_s: float) -> float:
-        step = _braking(story, begins_s, rate, other, own, None)
+        step = _braking(begins_s, rate, other, own, None)
         who.steps = [*rest, step]
         return _least_gap_m(who, other)
 

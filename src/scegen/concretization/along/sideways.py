@@ -6,25 +6,27 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 
-from scegen.concretization.along.passing import apart_m, just_missed_s
-from scegen.concretization.along.runner import NEVER_S, Move, Runner, gap_m
+from scegen.concretization.along.passing import JUST_M, apart_m, just_missed_s
+from scegen.concretization.along.runner import NEVER_S, Move, Runner, Step, gap_m
 from scegen.concretization.along.spacing import level
 from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank, contact_wanted
-from scegen.concretization.limits import LANE_CHANGE_S
+from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, LANE_CHANGE_S
 from scegen.errors import MotionInfeasibleError
 from scegen.road.defaults import LANE_WIDTH_M
-from scegen.scenario.acts import Act
+from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.spacings import CONTACT, Measure, Spacing
 from scegen.scenario.vocabulary import HazardKind, Side
 
 _CLEAR_M = 6.0
-_NEAR_M = 0.3
-"""How near one passes who goes round another."""
 _ROUNDS = 20
 _LONG_BACK_S = 2.5
 _LOOK_S, _LONGEST_S = 0.05, 60.0
-_BACK_BEFORE_S = 0.7
+_CLEAR_BEFORE_S, _CLEAR_AFTER = 0.9, 0.6
+"""Who strays has left the way of who comes so long before they are level: after this share of its
+change back."""
+_FASTER_MPS = 6.0
+"""By so much who overtakes one of its own speed speeds up."""
 
 
 def edge_y_m(story: Story, *, left: bool) -> float:
@@ -40,7 +42,7 @@ def offset_all(story: Story) -> None:
             mover, fixed = (who, other) if who != story.ego.id else (other, who)
             turned = mover != who
             left = _left_m(story, spacing, story.runners[who], story.runners[other])
-            if left is not None:
+            if left is not None and not _in_passing(story, spacing):
                 later = spacing.at == CONTACT or spacing.at in story.begins_s
                 aside = -left if turned else left
                 _put_aside(story.runners[mover], story.runners[fixed], aside, in_the_end=later)
@@ -53,6 +55,13 @@ def offset_all(story: Story) -> None:
         if runner is not None and runner is not ego:
             left = (0.5 - outcome.impact_percent.middle / 100) * ego.body.width_m
             _put_aside(runner, ego, left, in_the_end=True)
+
+
+def _in_passing(story: Story, spacing: Spacing) -> bool:
+    """Whether a lateral gap is the one with which somebody passes the other."""
+    passing = {act.participant for act in story.acts if story.goes_round(act)}
+    pair = {spacing.participant, spacing.reference}
+    return spacing.measure is Measure.LATERAL_GAP_M and bool(passing & pair)
 
 
 def _left_m(story: Story, spacing: Spacing, who: Runner, other: Runner) -> float | None:
@@ -104,9 +113,7 @@ def overtake(story: Story) -> None:
         slow = passed_by(story, act)
         if slow is not None:
             _pass(story, act, story.runners[act.participant], slow)
-        elif any(
-            r.forward != story.runners[act.participant].forward for r in story.runners.values()
-        ):
+        elif act.kind is ActKind.CHANGE_LANE or story.hazard_of(act) is not None:
             _stray(story, act, story.runners[act.participant])
         elif not _drives_past(story):
             raise MotionInfeasibleError(
@@ -131,14 +138,14 @@ def _drives_past(story: Story) -> bool:
     return any(s.participant not in story.runners for s in story.logical.standings)
 
 
-def _meet_after(story: Story) -> None:
+def _meet_after(story: Story, strays: set[str]) -> None:
     """Who comes towards one in its lane meets it when it is back: just then, if that is a danger.
 
     Those whose place the text gives stay where they are.
     """
     said = {n for s in story.functional.spacings for n in (s.participant, s.reference)}
-    passing = [act.participant for act in story.acts if story.goes_round(act)]
-    for stray in (story.runners[name] for name in passing):
+    strays |= {act.participant for act in story.acts if story.goes_round(act)}
+    for stray in (r for r in story.runners.values() if r.id in strays):
         out = [m for m in stray.moves if m.lane == 0]
         back = [m for m in stray.moves if out and m.begins_s > out[0].begins_s and m.lane > 0]
         if not back:
@@ -203,34 +210,77 @@ def passed_by(story: Story, act: Act) -> Runner | None:
 
 
 def _pass(story: Story, act: Act, fast: Runner, slow: Runner) -> None:
-    out_lane = max(0, fast.lane - 1) if fast.lane > 1 else 0
-    if fast.lane == 1 and story.lane_count > 1 and slow.lane == 1:
-        out_lane = 2
-    lasts = LANE_CHANGE_S
+    """Out as late as it can, past the other, and back so far ahead of it as is said, or usual."""
+    hazard, lasts = story.hazard_of(act), LANE_CHANGE_S
+    out_lane, offset = _beside_lane(story, fast, slow)
     begins = max(FIRST_ACT_S / 2, story.begins_s[act.id] - FIRST_ACT_S)
-    begins = _latest_out_s(fast, slow, out_lane, lasts, begins)
+    if fast.speed_mps - slow.speed_mps < _FASTER_MPS / 2:
+        top = min(slow.speed_mps + _FASTER_MPS, fast.body.top_speed_mps)
+        begins = story.begins_s[act.id]
+        fast.steps.append(Step(begins + lasts, top, COMFORTABLE_ACCELERATION_MPS2, act.id))
+    if not any(spacing.at == act.id for spacing in story.functional.spacings):
+        begins = _latest_out_s(fast, slow, (out_lane, offset), lasts, begins)
+    back = _return_of(story, act, fast, slow)
+    clear_m = _CLEAR_M if back is None else _gap_at(story, back)
     clear = _when(
-        lambda t: (fast.x_m(t) - slow.x_m(t)) * fast.sign > 0 and gap_m(fast, slow, t) >= _CLEAR_M,
+        lambda t: (fast.x_m(t) - slow.x_m(t)) * fast.sign > 0 and gap_m(fast, slow, t) >= clear_m,
         begins + lasts,
     )
-    hazard = story.hazard_of(act)
-    fast.moves += [
-        Move(begins, lasts, out_lane, 0.0, act.id, hazard),
-        Move(clear, lasts, fast.lane, 0.0, act.id, hazard),
+    home = back.id if back is not None else act.id
+    fast.moves = [
+        Move(begins, lasts, out_lane, offset, act.id, hazard),
+        Move(clear, lasts, fast.lane, 0.0, home, hazard),
     ]
-    story.ends_s[act.id] = clear + lasts
+    story.ends_s[act.id] = clear if back is not None else clear + lasts
+    if back is not None:
+        story.begins_s[back.id], story.ends_s[back.id] = clear, clear + lasts
+
+
+def _beside_lane(story: Story, fast: Runner, slow: Runner) -> tuple[int, float]:
+    """The lane in which one passes, and how far left of its middle.
+
+    As far beside the other as the text says; else in the next lane.
+    """
+    for spacing in story.functional.spacings:
+        pair = {spacing.participant, spacing.reference}
+        if spacing.measure is Measure.LATERAL_GAP_M and pair == {fast.id, slow.id}:
+            apart = spacing.value.middle + (fast.body.width_m + slow.body.width_m) / 2
+            kerb = -1 if not fast.keeps_left else 1
+            wanted = slow.y_m(0.0, LANE_WIDTH_M) - kerb * fast.sign * apart
+            return fast.lane, fast.sign * (wanted - fast.y_m(0.0, LANE_WIDTH_M)) + fast.offset_m
+    if fast.lane == 1 and story.lane_count > 1 and slow.lane == 1:
+        return 2, 0.0
+    return max(0, fast.lane - 1), 0.0
+
+
+def _return_of(story: Story, act: Act, fast: Runner, slow: Runner) -> Act | None:
+    """The act by which one who overtakes comes back in front of the other, if the text has one."""
+    later = story.acts[story.acts.index(act) + 1 :]
+    for other in later:
+        own = other.participant == fast.id and other.kind is ActKind.CHANGE_LANE
+        if own and other.into in {None, slow.id}:
+            return other
+    return None
+
+
+def _gap_at(story: Story, act: Act) -> float:
+    """How far ahead it is when an act begins, if that is said."""
+    for spacing in story.functional.spacings:
+        if spacing.at == act.id and spacing.measure is Measure.GAP_M:
+            return spacing.value.middle
+    return _CLEAR_M
 
 
 def _latest_out_s(
-    fast: Runner, slow: Runner, lane: int, lasts_s: float, earliest_s: float
+    fast: Runner, slow: Runner, place: tuple[int, float], lasts_s: float, earliest_s: float
 ) -> float:
     """The latest moment to pull out at which one still gets past close by, without touching."""
-    reaches = _when(lambda t: gap_m(fast, slow, t) <= _NEAR_M, earliest_s)
+    reaches = _when(lambda t: gap_m(fast, slow, t) <= JUST_M, earliest_s)
     kept = list(fast.moves)
     low, high = earliest_s, max(reaches, earliest_s)
     for _ in range(_ROUNDS):
         middle = (low + high) / 2
-        fast.moves = [*kept, Move(middle, lasts_s, lane)]
+        fast.moves = [*kept, Move(middle, lasts_s, *place)]
         times = [middle + _LOOK_S * n for n in range(int((lasts_s + 4.0) / _LOOK_S))]
         touches = any(_too_near(fast, slow, t) for t in times)
         low, high = (low, middle) if touches else (middle, high)
@@ -239,7 +289,7 @@ def _latest_out_s(
 
 
 def _too_near(first: Runner, second: Runner, time_s: float) -> bool:
-    return apart_m(first, second, time_s) < _NEAR_M
+    return apart_m(first, second, time_s) < JUST_M
 
 
 def _when(true: Callable[[float], bool], from_s: float) -> float:
@@ -255,6 +305,7 @@ def _when(true: Callable[[float], bool], from_s: float) -> float:
 
 def come_back(story: Story) -> None:
     """Who strays into the lane of those who come towards it is back as they meet."""
+    strays: set[str] = set()
     for runner in list(story.runners.values()):
         astray = runner.moves and runner.moves[-1].lane == 0
         if not astray:
@@ -266,10 +317,11 @@ def come_back(story: Story) -> None:
         name, time_s = meets
         if contact_wanted(story, runner.id, name):
             continue
-        back = max(last.ends_s + 0.1, time_s - _BACK_BEFORE_S - last.lasts_s)
+        back = max(last.ends_s + 0.1, time_s - _CLEAR_BEFORE_S - _CLEAR_AFTER * last.lasts_s)
         lane = max(1, runner.lane)
         runner.moves.append(Move(back, last.lasts_s, lane, 0.0, last.act, last.hazard))
-    _meet_after(story)
+        strays.add(runner.id)
+    _meet_after(story, strays)
 
 
 def _level(first: Runner, second: Runner, time_s: float) -> bool:

@@ -101,14 +101,23 @@ def is_ahead(story: Story, who: str, other: str) -> bool:
             act.participant == name and act.into == reference
             and act.kind is ActKind.CHANGE_LANE for act in story.acts
         )  # fmt: skip
-        if comes_in:
+        if comes_in or _moves_before(story.runners[name], story.runners[reference]):
             return sign
     if first.stands != second.stands:
         return first.stands
     order = by_rank(story.logical, story.runners)
     if order[who] != order[other]:
         return order[who] < order[other]
-    return who != story.ego.id
+    if story.ego.id in {who, other}:
+        return who != story.ego.id
+    names = list(story.runners)
+    return names.index(who) < names.index(other)
+
+
+def _moves_before(first: Runner, second: Runner) -> bool:
+    """Whether one comes over into the lane of another that stays in its own."""
+    comes = any(m.lane == second.lane != first.lane for m in first.moves)
+    return comes and not second.moves
 
 
 def _urgency(story: Story, name: str, order: dict[str, int]) -> tuple[bool, bool, bool, int]:
@@ -188,7 +197,8 @@ def _level_s(runner: Runner, other: Runner) -> float:
 
 def _reference(story: Story, name: str, order: dict[str, int]) -> str:
     """To whom a place is told: who is concerned by its danger, the next in its line, the ego."""
-    known = {n for n, r in story.runners.items() if r.at_m is not None}
+    known = [n for n, r in story.runners.items() if r.at_m is not None]
+    names = list(story.runners)
     for thing in story.things:
         if thing.id == name and thing.in_way_of in known:
             return thing.in_way_of
@@ -203,7 +213,8 @@ def _reference(story: Story, name: str, order: dict[str, int]) -> str:
         if story.runners[n].lane == runner.lane and story.runners[n].forward == runner.forward
     ]  # fmt: skip
     if line:
-        return min(line, key=lambda n: abs(order[n] - order[name]))
+        here = names.index(name)
+        return min(line, key=lambda n: (abs(order[n] - order[name]), abs(names.index(n) - here)))
     return story.functional.ego.id
 
 

@@ -9,7 +9,6 @@ import numpy as np
 
 from scegen.claims import claims_of, described_by
 from scegen.claims.hazards.judging import number
-from scegen.claims.hazards.roles import culprits
 from scegen.claims.hazards.scenes import Pair, judged_pairs, scene_of
 from scegen.claims.near_miss import HEADWAY
 from scegen.claims.view import view_of
@@ -118,7 +117,7 @@ class Stage:
         self._look_at_touching(view.summary.contact_s[0], view.scene.pairs)
         involved = {*self.pair}
         for hazard in self.concrete.hazards:
-            involved |= {*culprits(self.concrete, hazard), *hazard.to}
+            involved |= {*hazard.by, *hazard.to}
         space = build_space(
             self.full,
             self.ways,

@@ -150,7 +150,7 @@ class Layout:
             return (around.lanes,) * arms, doubled, around.lanes_basis
         if ring and around.two_lane is not None:
             return (2,) * arms, 2, around.two_lane
-        passing = self._draft.passing_implied
+        passing, on_highway = self._draft.passing_implied, None
         if implied is None and passing is not None:
             if not ring and self._against_oncoming():
                 reason = "who overtakes uses the oncoming lane"
@@ -158,9 +158,9 @@ class Layout:
             implied = Basis(passing.i, passing.j, "overtaking needs a second lane")
         if implied is None and around.highway is not None:
             reason = "highways have two lanes per direction unless said otherwise"
-            implied = Basis(around.highway.i, around.highway.j, reason)
-        if implied is None:
-            return (), None, None
+            on_highway = implied = Basis(around.highway.i, around.highway.j, reason)
+        if implied is None or (implied is not on_highway and not ring):
+            return (), None, None  # as many as it takes
         return (2,) * arms, (2 if ring else None), implied
 
     def _against_oncoming(self) -> bool:

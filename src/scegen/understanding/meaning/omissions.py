@@ -40,8 +40,7 @@ def not_done(scene: Scene, context: Context) -> None:
     if event.unable:
         _unable(scene, context)
     elif (
-        _nobody_reacts(scene)
-        or rule_out(scene, context)
+        rule_out(scene, context)
         or _no_distance(scene, context)
         or _overlooks(scene, context)
         or (event.name in _SEEING and breaches.breach(scene, context))
