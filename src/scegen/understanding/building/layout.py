@@ -150,7 +150,7 @@ class Layout:
             return (around.lanes,) * arms, doubled, around.lanes_basis
         if ring and around.two_lane is not None:
             return (2,) * arms, 2, around.two_lane
-        passing, on_highway = self._draft.passing_implied, None
+        passing = self._draft.passing_implied
         if implied is None and passing is not None:
             if not ring and self._against_oncoming():
                 reason = "who overtakes uses the oncoming lane"
@@ -158,8 +158,9 @@ class Layout:
             implied = Basis(passing.i, passing.j, "overtaking needs a second lane")
         if implied is None and around.highway is not None:
             reason = "highways have two lanes per direction unless said otherwise"
-            on_highway = implied = Basis(around.highway.i, around.highway.j, reason)
-        if implied is None or (implied is not on_highway and not ring):
+            implied = Basis(around.highway.i, around.highway.j, reason)
+        named = any(e.start_lane is not None for e in self._draft.entities)
+        if implied is None or not (ring or named or around.highway is not None):
             return (), None, None  # as many as it takes
         return (2,) * arms, (2 if ring else None), implied
 
