@@ -83,6 +83,8 @@ def _arm_clause(chunks: list[Chunk], k: int, tokens: list[Token]) -> tuple[int, 
     event, m = clause
     while isinstance(after := _at(chunks, m), Word) and after.cat in {"dir", "manner"}:
         m += 1
+    if not opener and isinstance(after, Place):
+        return None  # "with 5 exits the ego takes the second exit": the verb has its own object
     lemma, stranded = _lemma(event, tokens), _text(after, tokens)
     preposed = isinstance(after, Word) and after.cat == "prep" and not opener
     preposed = preposed and not isinstance(_at(chunks, m + 1), Mention | Place | Event)
