@@ -35,9 +35,7 @@ def standing(
         arm = min(parked.entries)
     kerb = Side(functional.junction.driving_side.value)
     said = parked.approaches & {Approach.LEFT, Approach.RIGHT}
-    hides = any(
-        h.kind is HazardKind.OCCLUSION and parked.id in h.by for h in functional.hazards
-    )
+    hides = any(h.kind is HazardKind.OCCLUSION and parked.id in h.by for h in functional.hazards)
     if len(said) == 1:
         side = Side(next(iter(said)).value)
     else:
