@@ -104,7 +104,7 @@ def test_behind_in_the_next_lane_is_in_the_next_lane():
 def test_nobody_comes_in_from_a_lane_that_is_not_there():
     people = [EGO, who("x", "car", (), ["straight"])]
     functional = told("straight", people, [("merging_conflict", "x", "ego")], lanes=1)
-    with pytest.raises(MotionInfeasibleError, match="1 lane.*x changes into the lane of ego"):
+    with pytest.raises(MotionInfeasibleError, match=r"1 lane.*x changes into the lane of ego"):
         first(functional)
 
 

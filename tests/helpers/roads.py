@@ -1,4 +1,4 @@
-"""Scenarios on a plain road, told by hand: every act, measure, moment and outcome in one of them."""
+"""Scenarios on a plain road, told by hand: every act, measure, moment and outcome in one."""
 
 from __future__ import annotations
 

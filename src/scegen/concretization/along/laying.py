@@ -1,0 +1,83 @@
+"""Everybody's places: laid backwards from the moments that the text fixes."""
+
+from __future__ import annotations
+
+from math import inf
+
+from scegen.concretization.along.crossing import Walk, cross
+from scegen.concretization.along.moments import perform_waiting, time_what_is_known
+from scegen.concretization.along.parked import shift_to_pass, strips_m
+from scegen.concretization.along.passing import apart_m
+from scegen.concretization.along.reactions import contacts, react
+from scegen.concretization.along.runner import Runner, gap_m
+from scegen.concretization.along.sideways import come_back, offset_all, overtake
+from scegen.concretization.along.story import Story, contact_wanted
+from scegen.concretization.along.ties import tie_up
+from scegen.errors import MotionInfeasibleError
+
+_WIDER = (1.0, 1.3, 1.7, 2.2, 3.0)
+_LATER_S = 8.0
+_LOOK_S, _NEARER_M = 0.1, 0.05
+
+
+def lay(story: Story) -> list[Walk]:
+    """Moments, then places, then what follows from places; returns those who go across.
+
+    What is usual is widened until nobody is hit.
+
+    Raises:
+        MotionInfeasibleError: an act never comes about, or there is nobody to overtake.
+    """
+    waiting = time_what_is_known(story)
+    kept = {name: (list(r.steps), list(r.moves), r.offset_m) for name, r in story.runners.items()}
+    begins, ends = dict(story.begins_s), dict(story.ends_s)
+    walks: list[Walk] = []
+    for wider in _WIDER:
+        for name, (steps, moves, offset) in kept.items():
+            runner = story.runners[name]
+            runner.steps, runner.moves, runner.offset_m = list(steps), list(moves), offset
+        story.begins_s, story.ends_s = dict(begins), dict(ends)
+        offset_all(story)
+        shift_to_pass(story)
+        tie_up(story, wider=wider)
+        never = perform_waiting(story, waiting)
+        if never:
+            act = never[0]
+            raise MotionInfeasibleError(
+                f"what sets its act '{act.id}' off never comes about",
+                where=act.participant,
+                hint="Change the value of its trigger, or the speeds or distances of the two.",
+            )
+        overtake(story)
+        come_back(story)
+        touching = react(story)
+        walks = cross(story, strips_m(story))
+        touching += react(story)
+        unwanted = [p for p in touching if not contact_wanted(story, *p)]
+        unwanted += [
+            (a, b) for a, b, _ in contacts(story)
+            if not contact_wanted(story, a, b) and (a, b) not in unwanted
+        ]  # fmt: skip
+        if not unwanted:
+            break
+    return walks
+
+
+def closest_s(story: Story, at_least_s: float) -> float:
+    """When the last of those who come near the ego is nearest to it, or touches it."""
+    others = (r for r in story.runners.values() if r is not story.ego)
+    latest = max((_nearest_s(story.ego, r, at_least_s + _LATER_S) for r in others), default=0.0)
+    return max(latest, at_least_s)
+
+
+def _nearest_s(first: Runner, second: Runner, until_s: float) -> float:
+    """When two are nearest along the road; the contact, if they touch."""
+    best, when = inf, 0.0
+    for n in range(int(until_s / _LOOK_S)):
+        time_s = n * _LOOK_S
+        if apart_m(first, second, time_s) <= 0:
+            return time_s
+        gap = gap_m(first, second, time_s)
+        if gap < best - _NEARER_M:
+            best, when = gap, time_s
+    return when

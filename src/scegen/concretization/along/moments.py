@@ -1,0 +1,94 @@
+"""When everything happens: every act gets its moment."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from scegen.concretization.along.performing import perform
+from scegen.concretization.along.runner import NEVER_S
+from scegen.concretization.along.spacing import LENGTHWISE, measured
+from scegen.concretization.along.story import FIRST_ACT_S, Story
+from scegen.scenario.acts import Act, AfterAct, AfterStart, WhenMeasure
+from scegen.scenario.spacings import CONTACT
+
+_HOLDS_S = 1.5
+"""Between two acts of one participant, where nothing is said: long enough to see the speed held."""
+_LATE_S, _LOOK_S = 60.0, 0.02
+
+
+def time_what_is_known(story: Story) -> list[Act]:
+    """Give every act its moment that needs nobody's place; returns those that need one."""
+    waiting: list[Act] = []
+    for act in story.acts:
+        when = act.when
+        placed = isinstance(when, WhenMeasure) and _is_placed_otherwise(story, act, when)
+        follows = isinstance(when, AfterAct) and when.act not in story.begins_s
+        if placed or (follows and not story.is_loose(act)):
+            waiting.append(act)
+        else:
+            perform(story, act, _moment_s(story, act))
+    return waiting
+
+
+def _is_placed_otherwise(story: Story, act: Act, when: WhenMeasure) -> bool:
+    """Whether other statements fix how far apart the two of a trigger are, step by step."""
+    pairs = [
+        {s.participant, s.reference}
+        for s in story.functional.spacings
+        if s.measure in LENGTHWISE and s.at != CONTACT
+    ]
+    earlier = (a.when for a in story.acts[: story.acts.index(act)])
+    pairs += [{w.participant, w.reference} for w in earlier if isinstance(w, WhenMeasure)]
+    reached = {when.participant}
+    for _ in pairs:
+        reached |= {name for pair in pairs if pair & reached for name in pair}
+    return when.reference in reached
+
+
+def _moment_s(story: Story, act: Act) -> float:
+    when = act.when
+    if isinstance(when, AfterStart):
+        return when.delay_s.middle
+    if isinstance(when, AfterAct) and not story.is_loose(act):
+        known = story.ends_s if when.since == "end" else story.begins_s
+        delay = when.delay_s.middle
+        alone = story.act(when.act).participant == act.participant
+        if alone and delay == 0.0 and when.since == "end":
+            delay = _HOLDS_S  # "and then": what it has reached is held for a moment
+        return known[when.act] + delay
+    own = [story.ends_s[a.id] for a in story.acts if a.participant == act.participant
+           and a.id in story.ends_s]  # fmt: skip
+    if own:
+        return max(own) + _HOLDS_S
+    return FIRST_ACT_S
+
+
+def perform_waiting(story: Story, waiting: Sequence[Act]) -> list[Act]:
+    """Acts that wait for a measure, now that places are known; those that never come."""
+    never: list[Act] = []
+    for act in waiting:
+        when = act.when
+        if isinstance(when, WhenMeasure):
+            moment = _when_measured_s(story, when)
+        elif isinstance(when, AfterAct) and when.act not in story.begins_s:
+            moment = NEVER_S
+        else:
+            moment = _moment_s(story, act)
+        if moment < NEVER_S:
+            perform(story, act, moment)
+        else:
+            never.append(act)
+    return never
+
+
+def _when_measured_s(story: Story, when: WhenMeasure) -> float:
+    """The first moment at which the measure has come down to its value."""
+    if not {when.participant, when.reference} <= story.runners.keys():
+        return NEVER_S
+    first, second = story.runners[when.participant], story.runners[when.reference]
+    steps = int(_LATE_S / _LOOK_S)
+    for n in range(steps):
+        time_s = n * _LOOK_S
+        if measured(when.measure, first, second, time_s) <= when.value.middle:
+            return time_s
+    return NEVER_S

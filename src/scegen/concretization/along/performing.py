@@ -1,0 +1,167 @@
+"""What acts do: they become steps of speed and moves to the side, in time."""
+
+from __future__ import annotations
+
+from math import pi
+
+from scegen.concretization.along.asked import outward
+from scegen.concretization.along.runner import Move, Runner, Step
+from scegen.concretization.along.story import Story
+from scegen.concretization.limits import (
+    ABRUPT_LANE_CHANGE_S,
+    COMFORTABLE_ACCELERATION_MPS2,
+    HARD_BRAKING_MPS2,
+    LANE_CHANGE_S,
+    STOPPING_MPS2,
+    SUDDEN_ACCELERATION_MPS2,
+)
+from scegen.road.defaults import LANE_WIDTH_M
+from scegen.scenario.acts import Act, ActKind, AfterStart
+from scegen.scenario.vocabulary import HazardKind, Side
+
+_GAINS_MPS = 8.0
+_ABRUPT = frozenset({HazardKind.CUT_IN, HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL})
+
+
+def perform(story: Story, act: Act, begins_s: float) -> None:
+    """Add an act's steps and moves to who does it."""
+    runner = story.runners[act.participant]
+    story.begins_s[act.id] = begins_s
+    if story.goes_round(act) or story.comes_back(act):
+        story.ends_s[act.id] = begins_s  # its moves follow from the places
+        return
+    if act.kind in {ActKind.CHANGE_LANE, ActKind.SWERVE}:
+        moves = _sideways(story, act, runner, begins_s)
+        runner.moves += moves
+        story.ends_s[act.id] = moves[-1].ends_s
+        return
+    step = _step(story, act, runner, begins_s)
+    runner.steps.append(step)
+    story.ends_s[act.id] = runner.profile.settles_s(begins_s)
+
+
+def _step(story: Story, act: Act, runner: Runner, begins_s: float) -> Step:
+    before = runner.speed_at_mps(begins_s)
+    hazard = story.hazard_of(act)
+    gains = act.kind in {ActKind.ACCELERATE, ActKind.SET_OFF}
+    rate = act.rate_mps2.middle if act.rate_mps2 else None
+    target = _target_mps(story, act, runner, before, rate)
+    if rate is None and act.duration_s is not None and abs(target - before) > 0.1:
+        rate = abs(target - before) / max(act.duration_s.middle, 0.1)
+    if rate is None and act.distance_m is not None and abs(target - before) > 0.1:
+        rate = abs(target**2 - before**2) / (2 * max(act.distance_m.middle, 0.1))
+    if rate is None:
+        usual = _usual_rate_mps2(act.kind, hazard)
+        body = runner.body.max_acceleration_mps2 if gains else runner.body.max_deceleration_mps2
+        rate = min(usual, body, 0.95 * story.grip_mps2)
+    timed = isinstance(act.when, AfterStart)
+    return Step(begins_s, target, rate, act.id, hazard, timed=timed)
+
+
+def _target_mps(story: Story, act: Act, runner: Runner, before: float, rate: float | None) -> float:
+    if act.target_speed_mps is not None:
+        return act.target_speed_mps.middle
+    if act.duration_s is not None and rate is not None:
+        change = rate * act.duration_s.middle
+        gains = act.kind is ActKind.ACCELERATE
+        return max(0.0, before + (change if gains else -change))
+    if act.kind is ActKind.ACCELERATE:
+        return min(before + _GAINS_MPS, runner.body.top_speed_mps)
+    if act.kind is ActKind.SET_OFF:
+        said = story.functional.participant(runner.id).speed_mps
+        if said is not None and said.high > 0:
+            return said.middle
+        return min(story.limit_mps, story.ego.speed_mps or story.limit_mps)
+    return 0.0
+
+
+def _sideways(story: Story, act: Act, runner: Runner, begins_s: float) -> list[Move]:
+    """A change of lane, or out and back within it."""
+    hazard = story.hazard_of(act)
+    now = runner.lane_at(begins_s)
+    if act.kind is ActKind.SWERVE or act.lateral_m is not None:
+        return _swerve(story, act, runner, begins_s, hazard)
+    lane = _lane_after(story, act, runner, now)
+    width = abs(lane - now) * LANE_WIDTH_M or LANE_WIDTH_M
+    usual = ABRUPT_LANE_CHANGE_S if hazard in _ABRUPT else LANE_CHANGE_S
+    lasts = _lasting_s(act, width, usual)
+    return [Move(begins_s, lasts, lane, 0.0, act.id, hazard)]
+
+
+def _swerve(
+    story: Story, act: Act, runner: Runner, begins_s: float, hazard: HazardKind | None
+) -> list[Move]:
+    lane = runner.lane_at(begins_s)
+    side = act.side or _free_side(story, runner, lane)
+    if act.lateral_m is None:
+        aside = max(0, lane + outward(story.functional, side))
+        if aside > story.lane_count:
+            side = Side.LEFT if side is Side.RIGHT else Side.RIGHT
+            aside = max(0, lane + outward(story.functional, side))
+        lasts = _lasting_s(act, LANE_WIDTH_M, ABRUPT_LANE_CHANGE_S)
+        out = Move(begins_s, lasts, aside, 0.0, act.id, hazard)
+        return [out, Move(out.ends_s + 0.1, lasts, lane, 0.0, act.id, hazard)]
+    width = act.lateral_m.middle
+    offset = width if side is Side.LEFT else -width
+    lasts = _lasting_s(act, width, LANE_CHANGE_S)
+    start = runner.moves[-1].offset_m if runner.moves else runner.offset_m
+    out = Move(begins_s, lasts, lane, start + offset, act.id, hazard)
+    if act.kind is not ActKind.SWERVE:
+        return [_in_lane(story, out)]
+    return [out, Move(out.ends_s + 0.1, lasts, lane, start, act.id, hazard)]
+
+
+def _in_lane(story: Story, move: Move) -> Move:
+    """The same place across the road, told from the lane that it lies in."""
+    right = -round(move.offset_m / LANE_WIDTH_M)
+    step = right * outward(story.functional, Side.RIGHT)
+    lane = move.lane + step
+    if not step or not 0 <= lane <= story.lane_count:
+        return move
+    offset = move.offset_m + right * LANE_WIDTH_M
+    return Move(move.begins_s, move.lasts_s, lane, offset, move.act, move.hazard)
+
+
+def _lane_after(story: Story, act: Act, runner: Runner, now: int) -> int:
+    into = story.runners.get(act.into or "")
+    if into is not None:
+        if into.forward != runner.forward:
+            return 0
+        if abs(into.lane - now) == 1:
+            return into.lane
+    side = act.side or _free_side(story, runner, now)
+    lane = now + outward(story.functional, side)
+    return max(0, min(lane, story.lane_count))
+
+
+def _free_side(story: Story, runner: Runner, now: int) -> Side:
+    """Towards whom it endangers; else towards the centre line, if there is a lane."""
+    kerb = Side(story.functional.junction.driving_side.value)
+    centre = Side.LEFT if kerb is Side.RIGHT else Side.RIGHT
+    for hazard in story.hazards:
+        for name in hazard.to if runner.id in hazard.by else ():
+            other = story.runners.get(name)
+            if other is not None and other.forward == runner.forward and other.lane != now:
+                return kerb if other.lane > now else centre
+            if other is not None and other.forward != runner.forward:
+                return centre
+    return centre if now > 1 or now == story.lane_count else kerb
+
+
+def _lasting_s(act: Act, width_m: float, usual_s: float) -> float:
+    """How long a move to the side takes: a cosine's greatest speed is pi/2 of its mean."""
+    if act.duration_s is not None:
+        return max(act.duration_s.middle, 0.2)
+    if act.lateral_mps is not None:
+        return width_m * pi / 2 / max(act.lateral_mps.middle, 0.1)
+    return usual_s
+
+
+def _usual_rate_mps2(kind: ActKind, hazard: HazardKind | None) -> float:
+    if hazard is HazardKind.HARD_BRAKING:
+        return HARD_BRAKING_MPS2[0]
+    if hazard is HazardKind.SUDDEN_ACCELERATION:
+        return SUDDEN_ACCELERATION_MPS2[0]
+    if kind in {ActKind.BRAKE, ActKind.STOP}:
+        return STOPPING_MPS2
+    return COMFORTABLE_ACCELERATION_MPS2

@@ -1,0 +1,89 @@
+"""What is said of distances along the road holds exactly once places are given."""
+
+from __future__ import annotations
+
+import pytest
+from roads import AHEAD, BEHIND, LEFT_LANE, SCENARIOS, ego, one, road
+from told import act, apart
+
+from scegen.concretization.along.laying import lay
+from scegen.concretization.along.moments import time_what_is_known
+from scegen.concretization.along.runner import gap_m
+from scegen.concretization.along.spacing import LENGTHWISE, measured
+from scegen.concretization.along.telling import story_of
+from scegen.concretization.along.ties import tie_up
+from scegen.enumeration import enumerate_scenarios
+from scegen.scenario.acts import WhenMeasure
+from scegen.scenario.spacings import CONTACT, START
+
+
+def story(functional):
+    return story_of(functional, enumerate_scenarios(functional).scenarios[0])
+
+
+@pytest.mark.parametrize("name", sorted(SCENARIOS))
+def test_every_distance_along_the_road_holds_when_it_is_said_to(name):
+    told = story(SCENARIOS[name])
+    lay(told)
+    runners = told.runners
+    said = [
+        (s.measure, s.participant, s.reference, s.value.middle, s.at)
+        for s in told.functional.spacings
+        if s.at != CONTACT
+    ]
+    for done in told.functional.acts:
+        when = done.when
+        if isinstance(when, WhenMeasure):
+            said.append(
+                (when.measure, when.participant, when.reference, when.value.middle, done.id)
+            )
+    for measure, who, other, value, moment in said:
+        if measure not in LENGTHWISE or not {who, other} <= runners.keys():
+            continue
+        time_s = 0.0 if moment == START else told.begins_s[moment]
+        found = measured(measure, runners[who], runners[other], time_s)
+        assert found == pytest.approx(value, rel=0.02), (measure, who, other)
+
+
+def test_distances_in_a_chain_hold_one_after_the_other():
+    told = story(
+        road(
+            [
+                ego(80),
+                one("near", "car", AHEAD, speed=80),
+                one("far", "truck", AHEAD, speed=80),
+                one("tail", "van", BEHIND, speed=80),
+            ],
+            spacings=[
+                apart("far", "near", "gap_m", 40.0),
+                apart("ego", "near", "headway_s", 1.5),
+                apart("tail", "ego", "gap_m", 12.0),
+            ],
+            relations=[{"participant": "far", "reference": "near", "approaches": ["ahead"]}],
+        )
+    )
+    time_what_is_known(told)
+    tie_up(told)
+    at = told.runners
+    assert at["tail"].at_m < at["ego"].at_m < at["near"].at_m < at["far"].at_m
+    assert gap_m(at["far"], at["near"], 0.0) == pytest.approx(40.0)
+    assert gap_m(at["tail"], at["ego"], 0.0) == pytest.approx(12.0)
+    assert gap_m(at["ego"], at["near"], 0.0) == pytest.approx(1.5 * 80 / 3.6)
+
+
+@pytest.mark.parametrize("wider", [1.0, 2.0])
+def test_what_is_usual_is_stretched_and_what_is_said_is_not(wider):
+    people = [ego(60), one("near", "car", AHEAD, speed=60), one("tail", "car", BEHIND, speed=60)]
+    told = story(road(people, spacings=[apart("ego", "near", "gap_m", 25.0)]))
+    tie_up(told, wider=wider)
+    assert gap_m(told.ego, told.runners["near"], 0.0) == pytest.approx(25.0)
+    tail = gap_m(told.ego, told.runners["tail"], 0.0)
+    assert tail == pytest.approx(wider * 1.8 * 60 / 3.6)
+
+
+def test_who_comes_over_is_ahead_of_the_one_into_whose_lane_it_comes():
+    people = [ego(80, []), one("fast", "car", LEFT_LANE, speed=100)]
+    told = story(road(people, acts=[act("changes", "ego", "change_lane", side="left")]))
+    lay(told)
+    moment = told.begins_s["changes"]
+    assert told.ego.x_m(moment) > told.runners["fast"].x_m(moment)
