@@ -1,87 +1,11 @@
 """Concrete scenarios with one thing changed: claims, which know only what was said, notice."""
 
 import pytest
-from saying import made, missed, person, said
+from saying import made, missed
+from sayings import BRAKES, CROSSES, CUTS_IN, EVERY, HIDES, STANDS, WALKS
 
 from scegen.scenario.concrete import ConcreteParticipant, SpeedPhase, Travelled
 from scegen.scenario.vocabulary import Control, ParticipantKind, Side, Weather
-
-BRAKES = said(
-    "straight",
-    person("ego", speed=50),
-    person("car", speed=50, approaches=["ahead"]),
-    acts=[
-        {
-            "id": "brake",
-            "participant": "car",
-            "kind": "brake",
-            "rate_mps2": 5,
-            "target_speed_mps": 2,
-        }
-    ],
-    spacings=[
-        {"participant": "car", "reference": "ego", "measure": "gap_m", "value": 20, "at": "brake"}
-    ],
-    hazards=[{"kind": "hard_braking", "by": ["car"], "to": ["ego"]}],
-    environment={"weather": "rain"},
-)
-CUTS_IN = said(
-    "straight",
-    person("ego", speed=90),
-    person("van", "van", speed=70, approaches=["adjacent", "right"], maneuvers=["lane_change"]),
-    junction={"lanes": [2, 2]},
-    acts=[
-        {"id": "cut", "participant": "van", "kind": "change_lane", "side": "left", "into": "ego"}
-    ],
-    spacings=[
-        {"participant": "van", "reference": "ego", "measure": "gap_m", "value": 15, "at": "cut"}
-    ],
-    hazards=[{"kind": "cut_in", "by": ["van"], "to": ["ego"]}],
-)
-CROSSES = said(
-    "four_way",
-    person("ego", speed=30, maneuvers=["straight"]),
-    person("car", speed=50, approaches=["left"], maneuvers=["straight"]),
-    junction={"control": "yield"},
-)
-WALKS = said(
-    "straight",
-    person("ego", speed=40, maneuvers=["straight"]),
-    person("walker", "pedestrian", speed=5, approaches=["right"], maneuvers=["cross"]),
-    hazards=[{"kind": "crossing_pedestrian", "by": ["walker"], "to": ["ego"]}],
-    outcome={
-        "kind": "collision",
-        "between": ["ego", "walker"],
-        "impact_percent": 50,
-        "struck": "front",
-    },
-)
-STANDS = said(
-    "straight",
-    person("ego", speed=40),
-    person("car", approaches=["ahead"], maneuvers=["stay"]),
-    outcome={"kind": "collision", "between": ["ego", "car"]},
-    spacings=[
-        {
-            "participant": "car",
-            "reference": "ego",
-            "measure": "overlap_percent",
-            "value": 100,
-            "at": "contact",
-        }
-    ],
-)
-HIDES = said(
-    "straight",
-    person("ego", speed=40, maneuvers=["straight"]),
-    person("child", "pedestrian", approaches=["right"], maneuvers=["cross"]),
-    person("van", "van", parked=True, approaches=["right"]),
-    hazards=[
-        {"kind": "crossing_pedestrian", "by": ["child"], "to": ["ego"]},
-        {"kind": "occlusion", "by": ["van"], "to": ["ego"]},
-    ],
-)
-EVERY = [BRAKES, CUTS_IN, CROSSES, WALKS, STANDS, HIDES]
 
 
 def changed(concrete, name, motion=None, **fields):

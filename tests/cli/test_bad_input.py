@@ -39,6 +39,23 @@ def test_texts_that_cannot_be_used(scegen, tmp_path, text, words):
     assert not out.exists()
 
 
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("Zwei Autos treffen sich an einer Kreuzung, und eines nimmt die Vorfahrt.", "German"),
+        ("Le véhicule freine brusquement devant un piéton qui traverse la rue.", "French"),
+        ("Un camión frena bruscamente delante del coche en la autopista.", "Spanish"),
+        ("一辆汽车在十字路口左转，挡住了一名骑自行车的人。", "Latin letters"),
+    ],
+)
+@pytest.mark.parametrize("command", ["generate", "understand", "enumerate"])
+def test_texts_in_another_language(scegen, tmp_path, command, text, words):
+    done = scegen(command, text, *READING[command])
+    assert_refused(done, words)
+    assert "only English is read" in done.stderr
+    assert not list(tmp_path.iterdir())
+
+
 def test_a_missing_file_is_named(scegen, tmp_path):
     assert_refused(scegen("generate", "nowhere.yaml", "-o", "out"), "nowhere.yaml: there is no")
 

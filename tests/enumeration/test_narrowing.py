@@ -6,8 +6,9 @@ from itertools import product
 
 import pytest
 
-from scegen.enumeration import MAX_LISTED, enumerate_scenarios, plain_crossing
+from scegen.enumeration import enumerate_scenarios, plain_crossing
 from scegen.enumeration.choosing.where import where
+from scegen.enumeration.ruled import MAX_LISTED
 from scegen.errors import InputError, NoScenarioError
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import ConflictKind

@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 
 from scegen.enumeration import count_scenarios, enumerate_scenarios, plain_crossing
-from scegen.errors import InputError
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 
 TABLE = [
@@ -47,11 +46,16 @@ def test_listed(entries, arms, reduction, count):
     assert len(seen) == count
 
 
-def test_a_million_is_refused_with_the_total():
-    with pytest.raises(InputError, match=r"1,048,576.*\n.*--limit.*--count-only"):
-        enumerate_scenarios(
-            plain_crossing((0, 1, 2, 3, 4) * 2, 5), reduction=Reduction.NONE, arms=ArmsMode.EQUAL
-        )
+def test_of_a_million_a_selection_is_listed_with_the_total():
+    listed = enumerate_scenarios(
+        plain_crossing((0, 1, 2, 3, 4) * 2, 5),
+        reduction=Reduction.NONE,
+        arms=ArmsMode.EQUAL,
+        limit=200,
+    )
+    assert len(listed.scenarios) == 200
+    assert listed.certificate.count == 1_048_576
+    assert "Listed are 200 of 1,048,576" in listed.notes[-1]
 
 
 def test_counts_do_not_list():

@@ -1,13 +1,13 @@
-"""Vehicles that nothing ties to others are counted by the room on the arms, not one by one."""
+"""Vehicles that nothing ties to others are counted at once, not one by one."""
 
 from __future__ import annotations
 
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from scegen.enumeration.rooms import Kind, placements
 
 from scegen.enumeration import count_scenarios, counting, enumerate_scenarios
+from scegen.enumeration.capacity import Kind, Room, Slot, placements
 from scegen.errors import InputError, NoScenarioError
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.vocabulary import ArmsMode, Reduction
@@ -57,7 +57,7 @@ def test_the_solver_counts_the_same_one_by_one(functional, reduction, arms):
     except NoScenarioError:
         assume(False)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(counting, "loners_of", lambda _: frozenset())
+        patch.setattr(counting, "unrelated_of", lambda _: frozenset())
         assert count_scenarios(functional, reduction=reduction, arms=arms) == counted
 
 
@@ -85,7 +85,7 @@ def test_twenty_cars_all_different_are_counted_at_once(describe, reduction):
 
 
 def test_more_fillings_than_can_be_told_apart_are_refused(monkeypatch):
-    monkeypatch.setattr("scegen.enumeration.rooms.MAX_ROOMS", 10)
-    kinds = [Kind(2, 1, tuple((place, 1 + place) for place in range(4)), limited=False)] * 3
+    monkeypatch.setattr("scegen.enumeration.capacity.MAX_STATES", 10)
+    kinds = [Kind(2, 1, tuple(Slot(place, (), 1 + place) for place in range(4)))] * 3
     with pytest.raises(InputError, match="ways to fill"):
-        placements(kinds, ((9, 9),) * 4)
+        placements(kinds, Room((9,) * 4, ()))

@@ -12,7 +12,6 @@ from scegen.checking.results import CheckResult, Finding, Severity, error, not_r
 from scegen.claims import View, claims_of, prove, view_of
 from scegen.claims.hazards.scenes import judged_pairs, scene_of
 from scegen.claims.ways import paths_of, ways_of
-from scegen.criticality.target import parse_target
 from scegen.errors import ScegenError
 from scegen.motion.batch.arrays import COS, SIN, SPEED, BatchTraces, S, X, Y, empty_traces
 from scegen.motion.friction import friction_of
@@ -29,7 +28,7 @@ def check_said(
     scenario: Path,
     concrete: ConcreteScenario,
     functional: FunctionalScenario,
-    target: str | None = None,
+    touching: tuple[str, ...] = (),
 ) -> CheckResult:
     """Play a scenario, in esmini or else in our own simulation, and judge every statement.
 
@@ -37,7 +36,7 @@ def check_said(
         scenario: the file to play.
         concrete: its numbers, for bodies and ways.
         functional: what the description says.
-        target: what a search was asked for; a contact may be wanted that nobody described.
+        touching: two of whom a contact was asked for that nobody described.
     """
     missing = {p.id for p in functional.participants} - {p.id for p in concrete.participants}
     if missing:
@@ -48,8 +47,7 @@ def check_said(
         view = recorded_view(concrete, read_recording(recorded.csv))
     except (ScegenError, RecordingError) as problem:
         return not_run(CHECKER, str(problem))
-    asked = target is not None and parse_target(target).contact is not False
-    proofs = prove(claims_of(functional, concrete.logical, contact_asked=asked), view)
+    proofs = prove(claims_of(functional, concrete.logical, touching=touching), view)
     findings = []
     for claim in proofs:
         if not claim.holds:

@@ -8,6 +8,7 @@ from pathlib import Path
 from pydantic import ValidationError
 
 from scegen.checking.documents import BrokenXmlError, parse_document, read_bytes
+from scegen.criticality.target import parse_target
 from scegen.errors import InputError
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import load
@@ -38,7 +39,7 @@ class File:
 class Subject:
     """A road, a scenario, or both, and what they were made from, as far as it is there.
 
-    ``target`` is what a search was asked for.
+    ``touching`` are two of whom a contact was asked for.
     """
 
     place: Path
@@ -46,7 +47,7 @@ class Subject:
     scenario: File | None
     concrete: ConcreteScenario | None
     functional: FunctionalScenario | None = None
-    target: str | None = None
+    touching: tuple[str, ...] = ()
 
     @property
     def files(self) -> tuple[File, ...]:
@@ -91,16 +92,17 @@ def read_folder(folder: Path) -> Subject:
         scenario=_read(folder / SCENARIO_FILE),
         concrete=load(concrete, ConcreteScenario) if concrete.is_file() else None,
         functional=load(functional, FunctionalScenario) if functional.is_file() else None,
-        target=_target(proof) if proof.is_file() else None,
+        touching=_touching(proof) if proof.is_file() else (),
     )
 
 
-def _target(proof: Path) -> str:
-    """What a search was asked for."""
+def _touching(file: Path) -> tuple[str, ...]:
+    """Whom a search was asked to bring into contact, or was allowed to."""
     try:
-        return Proof.model_validate_json(read_bytes(proof)).target
+        proof = Proof.model_validate_json(read_bytes(file))
     except ValidationError as problem:
-        raise InputError("is no proof of a search", where=str(proof)) from problem
+        raise InputError("is no proof of a search", where=str(file)) from problem
+    return proof.pair if parse_target(proof.target).contact is not False else ()
 
 
 def _single(path: Path) -> Subject:

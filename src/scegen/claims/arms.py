@@ -9,6 +9,7 @@ from math import cos, sin
 import numpy as np
 
 from scegen.claims.boxes import Boxes
+from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats
 from scegen.road import build_network
 from scegen.scenario.concrete import RoadParameters
@@ -48,9 +49,13 @@ class Arm:
         return side * (number - 0.5) * self.lane_width_m
 
 
+def arms_of(view: View) -> tuple[Arm, ...]:
+    """The arms of the road that a view is on."""
+    return view.once("arms", lambda: _built(view.concrete.road))
+
+
 @lru_cache(maxsize=64)
-def arms_of(road: RoadParameters) -> tuple[Arm, ...]:
-    """The arms of a road as built."""
+def _built(road: RoadParameters) -> tuple[Arm, ...]:
     network = build_network(road, name="claims")
     inward = -1 if road.driving_side is DrivingSide.RIGHT else 1
     made = []

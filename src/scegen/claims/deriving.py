@@ -45,17 +45,21 @@ STATEMENTS: tuple[Callable[[Told], Iterator[Claim]], ...] = (
 
 
 def claims_of(
-    functional: FunctionalScenario, logical: LogicalScenario, *, contact_asked: bool = False
+    functional: FunctionalScenario,
+    logical: LogicalScenario,
+    *,
+    touching: tuple[str, ...] = (),
 ) -> tuple[Claim, ...]:
     """What must be seen when one of a description's scenarios runs.
 
     Args:
         functional: what the description says.
         logical: one of its scenarios: who enters and leaves where.
-        contact_asked: the ego is to touch somebody, whatever the description says.
+        touching: two who are to touch, whatever the description says.
     """
-    if contact_asked and (functional.outcome is None or functional.outcome.kind is not COLLISION):
-        functional = functional.model_copy(update={"outcome": Outcome(kind=COLLISION)})
+    if touching and (functional.outcome is None or functional.outcome.kind is not COLLISION):
+        asked = Outcome(kind=COLLISION, between=touching)
+        functional = functional.model_copy(update={"outcome": asked})
     told = Told(functional, logical)
     return tuple(
         replace(claim, words=told.words(claim.field))

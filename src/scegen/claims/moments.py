@@ -5,19 +5,17 @@ Whoever reads a recording sees it the same way: nothing here knows what was plan
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import NamedTuple
-
 import numpy as np
 
 from scegen.claims.arms import Arm, arms_of
 from scegen.claims.boxes import boxes
+from scegen.claims.runs import Run, greatest_runs
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import COS, SIN, SPEED, Bools, Floats, Ints
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
-from scegen.scenario.vocabulary import Side
+from scegen.scenario.vocabulary import HazardKind, Side
 
 CHANGES_MPS2 = 0.3
 """Speed that changes faster than this is braking or accelerating."""
@@ -30,22 +28,6 @@ ASIDE_MPS = 0.05
 SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
 GAINING = frozenset({ActKind.ACCELERATE, ActKind.SET_OFF})
 SIDEWAYS = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.OVERTAKE})
-
-
-class Run(NamedTuple):
-    """A time over which speed falls or grows without a break: where it begins and ends, in steps.
-
-    ``change_mps`` is what it adds up to, 0 where there is none (c,).
-    """
-
-    begin: Ints
-    end: Ints
-    change_mps: Floats
-
-    @property
-    def happens(self) -> Bools:
-        """Where there is one."""
-        return self.change_mps > 0.0
 
 
 def first(flags: Bools) -> Ints:
@@ -65,40 +47,10 @@ def speed_runs(view: View, name: str, sense: int, count: int = 1) -> list[Run]:
 
 
 def _runs(view: View, name: str, sense: int, count: int) -> list[Run]:
-    change = sense * np.diff(view.speed_mps(name), axis=1)
-    flags = change > CHANGES_MPS2 * view.dt_s
+    least = CHANGES_MPS2 * view.dt_s
     # A body that is taken off its feet where its way ends does not brake.
-    flags &= change < 3.0 * view.body(name).max_deceleration_mps2 * view.dt_s + 1.0
-    found = []
-    for _ in range(count):
-        run = _greatest(change, flags)
-        found.append(run)
-        steps = np.arange(flags.shape[1])
-        flags = flags & ~((steps >= run.begin[:, None]) & (steps < run.end[:, None]))
-    times = [np.where(run.happens, run.begin, flags.shape[1] + 1) for run in found]
-    order = np.argsort(times, axis=0)
-    return [_chosen(found, np.asarray(number)) for number in order]
-
-
-def _chosen(runs: Sequence[Run], number: Ints) -> Run:
-    """In each candidate the run of that number."""
-    rows = np.arange(len(number))
-    begins = np.array([run.begin for run in runs], dtype=np.int64)
-    ends = np.array([run.end for run in runs], dtype=np.int64)
-    changes = np.array([run.change_mps for run in runs])
-    return Run(begins[number, rows], ends[number, rows], changes[number, rows])
-
-
-def _greatest(change: Floats, flags: Bools) -> Run:
-    """The run of flagged steps over which most changes."""
-    steps = np.arange(flags.shape[1])
-    total = np.cumsum(np.where(flags, change, 0.0), axis=1)
-    so_far = total - np.maximum.accumulate(np.where(flags, 0.0, total), axis=1)
-    last = so_far.argmax(axis=1)
-    since = np.maximum.accumulate(np.where(flags, -1, steps), axis=1)
-    rows = np.arange(len(change))
-    begin, amount = since[rows, last] + 1, so_far[rows, last]
-    return Run(begin, np.where(amount > 0.0, last + 1, begin), amount)
+    most = 3.0 * view.body(name).max_deceleration_mps2 * view.dt_s + 1.0
+    return greatest_runs(view.speed_mps(name), sense, least, most, count)
 
 
 def lateral_m(view: View, name: str, drive: Drive | None) -> Floats:
@@ -115,7 +67,7 @@ def _lateral(view: View, name: str, drive: Drive | None) -> Floats:
     cos, sin = box.cos[:, :1], box.sin[:, :1]
     if drive is None:
         return (box.y - y0) * cos - (box.x - x0) * sin
-    arms = arms_of(view.concrete.road)
+    arms = arms_of(view)
     entry, leaving = arms[drive.entry], arms[drive.exit]
     along, offset = entry.place(box)
     facing = np.where(entry.facing(box)[:, :1] < 0.0, -1.0, 1.0)
@@ -143,19 +95,30 @@ def sideways_begin(
         for a in functional.acts[: functional.acts.index(act)]
         if a.participant == act.participant and a.kind in SIDEWAYS
     ]
-    begins = leaves_lane(view, act.participant, drive)
-    if not earlier:
-        return begins
-    before = sideways_begin(view, functional, drive, earlier[-1])
+    before = leaves_lane(view, act.participant, drive)
+    if not earlier and not _comes_back_by(functional, act):
+        return before
+    if earlier:
+        before = sideways_begin(view, functional, drive, earlier[-1])
     moved = lateral_m(view, act.participant, drive)
     speed = np.diff(moved, axis=1, append=moved[:, -1:]) / view.dt_s
-    sense = _sense(act) or -_sense(earlier[-1])
+    sense = _sense(act) or (-_sense(earlier[-1]) if earlier else 0.0)
     there = np.abs(speed) if sense == 0.0 else sense * speed
     steps = np.arange(view.steps)
     goes = first((np.abs(speed) > ASIDE_MPS) & (steps >= before[:, None]))
     # Between two moves to one side it rests for a moment.
     rests = (there <= ASIDE_MPS) & (steps > goes[:, None])
     return first(np.maximum.accumulate(rests, axis=1) & (there > ASIDE_MPS))
+
+
+def _comes_back_by(functional: FunctionalScenario, act: Act) -> bool:
+    """Whether one who overtakes comes back by it, before the one it has passed."""
+    return any(
+        hazard.kind is HazardKind.OVERTAKING
+        and act.participant in hazard.by
+        and act.into in hazard.to
+        for hazard in functional.hazards
+    )
 
 
 def _sense(act: Act) -> float:
@@ -209,7 +172,11 @@ def act_run(view: View, functional: FunctionalScenario, act: Act) -> Run:
     chosen = runs[0]
     for run in runs[1 : number + 1]:
         # Two acts that follow on without a break are one run: both are then that one.
-        chosen = _chosen((chosen, run), np.asarray(run.happens, dtype=np.int64))
+        chosen = Run(
+            np.where(run.happens, run.begin, chosen.begin),
+            np.where(run.happens, run.end, chosen.end),
+            np.where(run.happens, run.change_mps, chosen.change_mps),
+        )
     return chosen
 
 
@@ -234,7 +201,7 @@ def _begins(view: View, functional: FunctionalScenario, logical: LogicalScenario
     crossing = next((c for c in logical.crossings if c.participant == name), None)
     if crossing is None:
         return sets_off(view, name)
-    return steps_out(view, name, arms_of(view.concrete.road)[crossing.arm])
+    return steps_out(view, name, arms_of(view)[crossing.arm])
 
 
 def drive_of(logical: LogicalScenario, name: str) -> Drive | None:

@@ -67,11 +67,15 @@ class Told:
         return between <= {first, second} if len(between) > 1 else bool(between & {first, second})
 
     def words(self, field: str) -> str | None:
-        """The words that a field rests on, or those behind the field above it."""
+        """The words that a field rests on, or those behind the field above it.
+
+        What a whole (an act, an outcome) rests on is what its kind rests on.
+        """
         said = {e.field: e.text for e in self.functional.evidence if e.text is not None}
         while field:
-            if field in said:
-                return said[field]
+            for name in (field, f"{field}.kind"):
+                if name in said:
+                    return said[name]
             field = field.rpartition(".")[0]
         return None
 

@@ -81,7 +81,10 @@ class View:
 
     def body(self, name: str) -> Body:
         """The body of a participant or a thing."""
-        return self.concrete.entities[self.index[name]].body
+        number, people = self.index[name], self.concrete.participants
+        if number < len(people):
+            return people[number].body
+        return self.concrete.objects[number - len(people)].body
 
     def row(self, name: str, row: int) -> Floats:
         """A row of a participant's track (see ``BatchTraces``)."""

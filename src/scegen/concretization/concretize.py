@@ -7,6 +7,7 @@ from math import ceil
 import numpy as np
 
 from scegen.concretization.abreast import place_abreast
+from scegen.concretization.along.asked import dangers
 from scegen.concretization.along.compose import compose_along, tells_along
 from scegen.concretization.assemble import assemble
 from scegen.concretization.clock import schedule
@@ -69,6 +70,7 @@ def concretize(
     """
     if tells_along(functional, logical):
         return compose_along(functional, logical, seed=seed, road=road)
+    functional = functional.model_copy(update={"hazards": dangers(functional, logical)})
     try:
         return _on_long_enough_arms(functional, logical, seed, road, obstacles=True)
     except MotionInfeasibleError:

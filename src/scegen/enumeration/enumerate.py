@@ -25,7 +25,9 @@ from scegen.scenario.logical import Certificate, LogicalScenario, LogicalSet
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 
 LIST_LIMIT = 2_000
-"""More scenarios than this are not listed unless all are asked for."""
+"""More scenarios than this are not listed unless more are asked for."""
+MOST_SELECTED = 20_000
+"""Whoever wants more than this of even more gets the first ones."""
 
 
 @dataclass(frozen=True)
@@ -53,7 +55,7 @@ def enumerate_scenarios(
         reduction: which assignments count as one scenario.
         arms: whether the arms count alike or as built.
         limit: where there are more than so many, list so many, a covering and diverse selection
-            (with ``where``, the first in order); None lists all.
+            (with ``where``, or of more than 20,000, the first in order); None lists all.
         where: list only those for which this expression holds (docs/where.md).
         rules: a file of rules in ASP that every scenario keeps (docs/rules.md).
 
@@ -88,7 +90,13 @@ class Listing:
     @property
     def selects(self) -> bool:
         """Whether a selection stands for more than are to be listed."""
-        return self.where is None and self.limit is not None and self._count > self.limit
+        limit = self.limit
+        return (
+            self.where is None
+            and limit is not None
+            and limit < self._count
+            and (limit <= MOST_SELECTED)
+        )
 
     @property
     def expected(self) -> int:
@@ -181,14 +189,14 @@ class Listing:
             chosen = covering(prepared.space.problem, prepared.symmetry, list(sizes), self.limit)
             yield from ((solution, sizes[solution]) for solution in chosen)
         elif self.ruled is not None:
-            yield from self.ruled.solutions
+            yield from self.ruled.solutions[: self.limit if self.where is None else None]
         elif self.limit is not None and self.selects:
             for solution in selected(
                 prepared.space, prepared.symmetry, prepared.census, reduction, self.limit
             ):
                 yield solution, prepared.census.class_size(reduction, solution)
         else:
-            yield from _stream(prepared, reduction)
+            yield from _stream(prepared, reduction, self.limit if self.where is None else None)
 
 
 def open_listing(

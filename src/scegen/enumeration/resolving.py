@@ -6,10 +6,11 @@ decided; what follows reads it in the logical scenario.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Container, Sequence
 from dataclasses import dataclass
 
 from scegen.enumeration.presuming import Parties, known_by_itself
+from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.arms import arm_angles_deg, seen_from
 from scegen.scenario.functional import FunctionalScenario, Hazard
@@ -23,6 +24,7 @@ from scegen.scenario.logical import (
     Standing,
     Walking,
 )
+from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, Maneuver
 
 _MEETING = frozenset({ConflictKind.CROSSING, ConflictKind.MERGING})
@@ -58,20 +60,27 @@ def act_resolver(
             first.setdefault(act.participant, index)
     if not first:
         return lambda _: acts
+    far = {
+        (spacing.participant, spacing.reference)
+        for spacing in functional.spacings
+        if spacing.measure is Measure.LATERAL_OFFSET_M
+        and abs(spacing.value.middle) > 1.5 * LANE_WIDTH_M
+    }  # more than a lane between them: a change of lane does not lead into that one's
 
     def resolved(assignments: Sequence[Assignment]) -> tuple[Act, ...]:
         out = list(acts)
         for drive in assignments:
             index = first.get(drive.participant)
             if index is not None and isinstance(drive, Drive):
-                out[index] = _with_side(acts[index], drive)
+                out[index] = _with_side(acts[index], drive, far)
         return tuple(out)
 
     return resolved
 
 
-def _with_side(act: Act, drive: Drive) -> Act:
+def _with_side(act: Act, drive: Drive, far: Container[tuple[str, str | None]]) -> Act:
     over = drive.beside_on is not None and drive.changes_to not in {None, drive.beside_on}
+    over = over and (act.participant, drive.beside) not in far
     into = act.into or (drive.beside if over else None)
     return act.model_copy(update={"side": act.side or drive.changes_to, "into": into})
 

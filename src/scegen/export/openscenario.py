@@ -85,7 +85,7 @@ def _scenario(
 ) -> xosc.Scenario:
     VersionBase().setVersion(minor=minor)
     return xosc.Scenario(
-        header_description(concrete.name, concrete.description),
+        header_description(concrete.name),
         "ML-SceGen",
         xosc.ParameterDeclarations(),
         entities(concrete, external_ego=external),

@@ -17,10 +17,11 @@ def xml_text(text: str, longest: int = LONGEST_TEXT) -> str:
     return line if len(line) <= longest else line[: longest - 1].rstrip() + "…"
 
 
-def header_description(name: str, description: str) -> str:
+def header_description(name: str) -> str:
     """The text of the file header.
 
     It starts with a fixed word because the start of this text has side effects:
     scenario_runner mirrors the scenario if it reads ``CARLA:``, and ``$`` names a parameter.
+    What somebody said lies in the other files: players must not depend on it.
     """
-    return f"Scenario {name}: {xml_text(description)}".rstrip(" :")
+    return f"Scenario {name}"

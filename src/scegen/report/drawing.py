@@ -181,7 +181,7 @@ def _label(axes: Axes, text: str, middle: Array, *, above: bool, bold: bool) -> 
 def _draw_scale(axes: Axes) -> None:
     """A bar of a round length in the lower left corner."""
     (x0, x1), (y0, y1) = axes.get_xlim(), axes.get_ylim()
-    length = next(n for n in (5, 10, 20, 50, 100, 200, 500) if n > (x1 - x0) / 14)
+    length = next((n for n in (5, 10, 20, 50, 100, 200, 500) if n > (x1 - x0) / 14), 1000)
     x, y = x0 + (x1 - x0) * 0.02, y0 + (y1 - y0) * 0.04
     axes.plot([x, x + length], [y, y], color=TEXT, linewidth=2.2, solid_capstyle="butt", zorder=6)
     axes.annotate(

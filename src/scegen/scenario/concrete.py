@@ -267,7 +267,7 @@ class ConcreteScenario(FrozenModel):
 
     level: Literal["concrete"] = "concrete"
     name: str = Field(pattern=r"^[A-Za-z0-9_-]+$", max_length=100)
-    description: str
+    description: str = ""
     seed: int = Field(ge=0)
     logical: LogicalScenario
     road: RoadParameters

@@ -206,7 +206,7 @@ class FunctionalScenario(FrozenModel):
     """A description, understood. Exactly one participant is the ego."""
 
     level: Literal["functional"] = "functional"
-    description: str
+    description: str = ""
     junction: Junction
     participants: tuple[Participant, ...] = Field(min_length=1)
     relations: tuple[Relation, ...] = ()

@@ -44,8 +44,8 @@ class InLine(FrozenModel):
 
     ``rank`` orders those of one arm, 0 = foremost, the first at the junction; it is shared by
     those side by side. Who is said to be ahead or behind is in the same lane. ``lane`` is counted
-    from 1 at the centre line outwards, None where the text does not limit it. ``beside`` names the one
-    next to whom it is, in the next lane, and ``beside_on`` the side of that one on which.
+    from 1 at the centre line outwards, None where the text does not limit it. ``beside`` names the
+    one next to whom it is, in the next lane, and ``beside_on`` the side of that one on which.
     """
 
     participant: Identifier

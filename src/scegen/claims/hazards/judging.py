@@ -12,11 +12,9 @@ from math import isfinite
 import numpy as np
 
 from scegen.claims.hazards.predicate import NEVER, Part
-from scegen.claims.hazards.roles import culprits, victims
 from scegen.claims.hazards.table import PREDICATES
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats
-from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import Hazard
 from scegen.scenario.proof import HazardProof, PartProof
 from scegen.scenario.vocabulary import HazardKind
@@ -35,12 +33,16 @@ class Couple:
     relative: Floats
 
 
-def hazard_pairs(concrete: ConcreteScenario, hazard: Hazard) -> list[tuple[str, str]]:
+def hazard_pairs(hazard: Hazard) -> list[tuple[str, str]]:
     """(cause, sufferer) whom a predicate looks at; alone, both are the same."""
-    predicate = PREDICATES[hazard.kind]
-    if not predicate.pairwise:
-        return [(by, by) for by in culprits(concrete, hazard)]
-    return [(b, v) for b in culprits(concrete, hazard) for v in victims(concrete, hazard, b)]
+    if not PREDICATES[hazard.kind].pairwise:
+        return [(by, by) for by in hazard.by]
+    return both_sides(hazard)
+
+
+def both_sides(hazard: Hazard) -> list[tuple[str, str]]:
+    """Everybody who causes it with everybody else who suffers it."""
+    return [(by, to) for by in hazard.by for to in hazard.to if by != to]
 
 
 def relative_margins(view: View, hazard: Hazard) -> Floats:
@@ -127,7 +129,7 @@ def number(value: float) -> float | None:
 def _couples(view: View, hazard: Hazard) -> Iterator[list[Couple]]:
     """By cause, the couples with every sufferer."""
     groups: dict[str, list[Couple]] = {}
-    for by, to in hazard_pairs(view.concrete, hazard):
+    for by, to in hazard_pairs(hazard):
         parts = PREDICATES[hazard.kind].test(view, by, to)
         relative = np.min([part.relative for part in parts], axis=0)
         groups.setdefault(by, []).append(Couple(by, to, parts, relative))

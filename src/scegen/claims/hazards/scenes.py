@@ -21,7 +21,7 @@ def judged_pairs(concrete: ConcreteScenario) -> list[Pair]:
     """Pairs whose measures a predicate asks for."""
     pairs = []
     for hazard in concrete.hazards:
-        pairs += [(b, v) for b, v in hazard_pairs(concrete, hazard) if b != v]
+        pairs += [(b, v) for b, v in hazard_pairs(hazard) if b != v]
     return list(dict.fromkeys(pairs))
 
 
@@ -32,7 +32,7 @@ def occlusions(concrete: ConcreteScenario) -> list[tuple[str, str, str]]:
         (observer, target, occluder)
         for hazard in concrete.hazards
         if hazard.kind is HazardKind.OCCLUSION
-        for occluder, observer in hazard_pairs(concrete, hazard)
+        for occluder, observer in hazard_pairs(hazard)
         for target in movers
         if target not in {observer, occluder}
     ]

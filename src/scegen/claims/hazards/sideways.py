@@ -10,14 +10,15 @@ from scegen.claims.hazards.driving import braking_part
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
 from scegen.claims.view import View
 from scegen.claims.ways import Sideways
-from scegen.motion.batch.arrays import COS, HEADING, SIN, Floats, X, Y
+from scegen.motion.batch.arrays import COS, SIN, Floats, X, Y
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.vocabulary import HazardKind
 
 _AFTER_S = 1.5
 _BESIDE_M = 6.0
-_SAME_WAY_RAD = 0.4
+_SAME_WAY = 0.92
+"""Cosine between two headings: 0.4 rad."""
 _MUCH = 1e9
 
 
@@ -103,9 +104,8 @@ def overtaking(view: View, by: str, to: str) -> list[Part]:
     dx, dy = view.row(by, X) - view.row(to, X), view.row(by, Y) - view.row(to, Y)
     cos, sin = view.row(to, COS), view.row(to, SIN)
     ahead, aside = dx * cos + dy * sin, np.abs(dy * cos - dx * sin)
-    turn = view.row(by, HEADING) - view.row(to, HEADING)
-    turn = np.abs((turn + np.pi) % (2 * np.pi) - np.pi)
-    together = (aside < _BESIDE_M) & (turn < _SAME_WAY_RAD)
+    same_way = view.row(by, COS) * cos + view.row(by, SIN) * sin
+    together = (aside < _BESIDE_M) & (same_way > _SAME_WAY)
     own, other = (BODIES[view.ways[n].participant.kind] for n in (by, to))
     behind = np.where(together, -ahead - own.front_m - other.rear_m, -_MUCH)
     before = np.where(together, ahead - own.rear_m - other.front_m, -_MUCH)

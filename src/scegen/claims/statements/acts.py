@@ -9,7 +9,7 @@ import numpy as np
 
 from scegen.claims import tolerances
 from scegen.claims.arms import arms_of
-from scegen.claims.boxes import boxes, seen
+from scegen.claims.boxes import boxes, offset
 from scegen.claims.claim import Claim, ClaimKind, Judged, Test, within
 from scegen.claims.moments import (
     ASIDE_MPS,
@@ -21,6 +21,7 @@ from scegen.claims.moments import (
     at,
     first,
     lateral_m,
+    sideways_begin,
 )
 from scegen.claims.statements.maneuvers import LANE_M
 from scegen.claims.statements.spacings import measure_at
@@ -209,7 +210,11 @@ def _lateral(told: Told, act: Act, view: View) -> Floats:
 
 
 def _aside(told: Told, act: Act, far: float, view: View) -> Judged:
+    """How far it comes to that side from where the act begins."""
     moved = _lateral(told, act, view)
+    begins = sideways_begin(view, told.functional, told.drive(act.participant), act)
+    later = np.arange(view.steps) >= begins[:, None]
+    moved = np.where(later, moved - at(moved, begins)[:, None], 0.0)
     step = moved.argmax(axis=1)
     most = at(moved, step)
     return Judged(most - far, most, view.time_of(step))
@@ -236,7 +241,7 @@ def _fast_aside(told: Told, act: Act, view: View) -> Judged:
 def _into(told: Told, act: Act, view: View) -> Judged:
     """After it has begun to move sideways, its centre comes into the other's lane."""
     step = _begins(told, act, view)
-    away = np.abs(seen(boxes(view, act.into or told.ego), boxes(view, act.participant)).y)
+    away = np.abs(offset(boxes(view, act.into or told.ego), boxes(view, act.participant))[1])
     away = np.where(np.arange(view.steps) >= step[:, None], away, np.inf)
     nearest = away.min(axis=1)
     return Judged(tolerances.SAME_LANE_M - nearest, nearest, away.argmin(axis=1) * view.dt_s)
@@ -319,7 +324,7 @@ def _at_measure(told: Told, act: Act, when: WhenMeasure, view: View) -> Judged:
 
 
 def _before(told: Told, act: Act, when: BeforeJunction, drive: Drive, view: View) -> Judged:
-    arm = arms_of(view.concrete.road)[drive.entry]
+    arm = arms_of(view)[drive.entry]
     box = boxes(view, act.participant)
     step = _begins(told, act, view)
     left = arm.length_m - at(arm.place(box)[0], step) - box.half_length

@@ -7,7 +7,7 @@ from functools import partial
 
 import numpy as np
 
-from scegen.claims.boxes import Boxes, box_at, boxes, course, seen
+from scegen.claims.boxes import Boxes, box_at, course, seen
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged
 from scegen.claims.told import Told, either, plain
 from scegen.claims.tolerances import SAME_LANE_M
@@ -142,9 +142,8 @@ def _comes(
 def _crosses(view: View, name: str, reference: str, word: Approach) -> Floats:
     """For one who crosses: by its course where the two come nearest."""
     frame = box_at(view, reference, view.step_of(view.of_pair("closest_s", name, reference)))
-    box = boxes(view, name)
-    rows = np.arange(view.count)
-    dx, dy = box.x[rows, -1] - box.x[:, 0], box.y[rows, -1] - box.y[:, 0]
+    begin, end = box_at(view, name, 0), box_at(view, name, view.steps - 1)
+    dx, dy = end.x - begin.x, end.y - begin.y
     turned = np.degrees(
         np.arctan2(dy * frame.cos - dx * frame.sin, dx * frame.cos + dy * frame.sin)
     )

@@ -9,7 +9,7 @@ from itertools import combinations
 import numpy as np
 
 from scegen.claims.arms import arms_of, off_lane_m
-from scegen.claims.boxes import box_at, course, seen
+from scegen.claims.boxes import box_at, same_way, seen
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, always
 from scegen.claims.told import Told, either
 from scegen.claims.tolerances import SAME_LANE_M, STANDS_MPS
@@ -99,7 +99,7 @@ def _off_its_side(told: Told, drive: Drive) -> bool:
 
 def _comes_in(drive: Drive, off_its_side: bool, view: View) -> Judged:
     """On its arm at the start, heading in, on the side of the traffic that comes in."""
-    arm = arms_of(view.concrete.road)[drive.entry]
+    arm = arms_of(view)[drive.entry]
     box = box_at(view, drive.participant, 0)
     along, offset = arm.place(box)
     # Out of the strip for parking, it starts beside the lanes; a lane's width is let pass.
@@ -132,7 +132,7 @@ def _goes_out(told: Told, drive: Drive, view: View) -> Judged:
     One that is still on a road without a junction goes the right way.
     """
     name = drive.participant
-    arms = arms_of(view.concrete.road)
+    arms = arms_of(view)
     entry, leaving = arms[drive.entry], arms[drive.exit]
     last = view.last_step
     box = box_at(view, name, last)
@@ -169,7 +169,7 @@ def _touched(told: Told, view: View, name: str) -> Bools:
 
 
 def _lane(drive: Drive, lanes: tuple[int, ...], view: View) -> Judged:
-    arm = arms_of(view.concrete.road)[drive.entry]
+    arm = arms_of(view)[drive.entry]
     box = box_at(view, drive.participant, 0)
     off = off_lane_m(arm, box, lanes, inwards=True)
     return Judged(arm.lane_width_m / 2 - off, off, np.zeros(view.count))
@@ -210,13 +210,13 @@ def _in_lane_beside(name: str, other: str, view: View) -> Judged:
     frame, box = box_at(view, other, 0), box_at(view, name, 0)
     aside = np.abs(seen(frame, box).y)
     inside = np.minimum(aside - _ASIDE_M[0], _ASIDE_M[1] - aside)
-    margin = np.where(np.cos(course(frame, box)) > _SAME_WAY, inside, -NEVER)
+    margin = np.where(same_way(frame, box) > _SAME_WAY, inside, -NEVER)
     return Judged(margin, aside, np.zeros(view.count))
 
 
 def _start_side(name: str, arm_number: int, side: Side, view: View) -> Judged:
     """On its side of the arm's centre line, seen by traffic that comes in."""
-    arms = arms_of(view.concrete.road)
+    arms = arms_of(view)
     if arm_number >= len(arms):
         return always(view, holds=False)
     along, offset = arms[arm_number].place(box_at(view, name, 0))

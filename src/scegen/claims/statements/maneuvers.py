@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 
 from scegen.claims.arms import arms_of
-from scegen.claims.boxes import boxes, course, seen
+from scegen.claims.boxes import boxes, same_way, seen
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test
 from scegen.claims.moments import at, lateral_m
 from scegen.claims.told import KPH, Told
@@ -97,7 +97,7 @@ def _turns(drive: Drive, view: View) -> Judged:
         margin = np.abs(turned) - _BACK_DEG
     else:
         margin = (turned if drive.turn is Maneuver.LEFT else -turned) - _TURNS_DEG
-    arm = arms_of(view.concrete.road)[drive.entry]
+    arm = arms_of(view)[drive.entry]
     along, _ = arm.place(boxes(view, name))
     waits = (at(along, last) <= arm.length_m) & (np.abs(turned) < _TURNS_DEG)
     waits &= at(view.speed_mps(name), last) < STANDS_MPS
@@ -128,7 +128,7 @@ def passes(view: View, name: str, other: str) -> tuple[Floats, Floats]:
     """By how much somebody comes from wholly behind another to wholly ahead, and when (c,)."""
     own, frame = boxes(view, name), boxes(view, other)
     place = seen(frame, own)
-    beside = (np.abs(place.y) < _BESIDE_M) & (np.cos(course(frame, own)) > _SAME_WAY)
+    beside = (np.abs(place.y) < _BESIDE_M) & (same_way(frame, own) > _SAME_WAY)
     behind = np.where(beside, -frame.half_length - place.front, -NEVER)
     before = np.where(beside, place.rear - frame.half_length, -NEVER)
     passed = np.minimum(np.maximum.accumulate(behind, axis=1), before)
@@ -138,7 +138,7 @@ def passes(view: View, name: str, other: str) -> tuple[Floats, Floats]:
 
 def _crosses(told: Told, crossing: Crossing, view: View) -> Judged:
     """Beyond the far kerb in the end, unless it has been hit as is said."""
-    arm = arms_of(view.concrete.road)[crossing.arm]
+    arm = arms_of(view)[crossing.arm]
     _, offset = arm.place(boxes(view, crossing.participant))
     last = view.last_step
     end = at(offset, last)

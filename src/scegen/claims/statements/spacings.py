@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 
 from scegen.claims import tolerances
-from scegen.claims.boxes import Boxes, Free, box_at, boxes, contact, free, gap_m, seen
+from scegen.claims.boxes import Boxes, Free, box_at, boxes, contact, free, gap_m, same_way, seen
 from scegen.claims.claim import Claim, ClaimKind, Judged, within
 from scegen.claims.moments import act_begins, at
 from scegen.claims.told import Told, amount, plain
@@ -99,7 +99,7 @@ def measure_at(
     gap = gap_m(frame, box)
     if measure is Measure.GAP_M:
         return gap
-    along = frame.cos * box.cos + frame.sin * box.sin
+    along = same_way(frame, box)
     follows = (seen(frame, box).x > 0.0) | (along < 0.0)
     speed, others = (at(view.speed_mps(name), step) for name in (own, other))
     if measure is Measure.HEADWAY_S:

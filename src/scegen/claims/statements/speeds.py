@@ -14,6 +14,7 @@ from scegen.claims.moments import (
     GAINING,
     SLOWING,
     act_begins,
+    at,
     first,
     speed_runs,
 )
@@ -21,19 +22,25 @@ from scegen.claims.told import KPH, Told, plain, speed_words
 from scegen.claims.tolerances import SPEED_MPS
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats, Ints
+from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Participant
+from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.logical import Crossing
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind, Maneuver
 
+_CHANGES_BY = {
+    ActKind.BRAKE: -1,
+    ActKind.STOP: -1,
+    ActKind.REVERSE: -1,
+    ActKind.ACCELERATE: 1,
+}
 SPEED_CHANGES: dict[HazardKind, int] = {
-    HazardKind.HARD_BRAKING: -1,
-    HazardKind.DELAYED_BRAKING: -1,
-    HazardKind.STOPPING: -1,
-    HazardKind.LOSS_OF_CONTROL: -1,
-    HazardKind.REVERSING: -1,
-    HazardKind.SUDDEN_ACCELERATION: 1,
+    kind: _CHANGES_BY[act]
+    for kind, row in HAZARDS.items()
+    for act in row.acts
+    if act in _CHANGES_BY
 }
 """Dangers that whoever causes them makes by slowing down or speeding up."""
 _COMFORT_MPS2 = 1.5
@@ -80,7 +87,7 @@ def _until(told: Told, person: Participant) -> str:
 
 def _walks(crossing: Crossing, wanted: Interval, view: View) -> Judged:
     """The pace between the kerbs: the greatest speed there, which is held in their middle."""
-    arm = arms_of(view.concrete.road)[crossing.arm]
+    arm = arms_of(view)[crossing.arm]
     _, offset = arm.place(boxes(view, crossing.participant))
     on = (offset > arm.edges_m[0]) & (offset < arm.edges_m[1])
     speed = np.where(on, view.speed_mps(crossing.participant), 0.0)
@@ -95,12 +102,10 @@ def _holds(told: Told, person: Participant, wanted: Interval, view: View) -> Jud
     until = np.maximum(until, round(_FIRST_S / view.dt_s))
     inside = np.arange(view.steps) <= until[:, None]
     speed = view.speed_mps(person.id)
-    low = np.where(inside, speed, np.inf).min(axis=1)
-    high = np.where(inside, speed, -np.inf).max(axis=1)
-    margin = np.minimum(within(low, wanted, SPEED_MPS), within(high, wanted, SPEED_MPS))
-    worst = np.where(within(low, wanted, 0.0) < within(high, wanted, 0.0), low, high)
-    when = np.where(inside & (speed == worst[:, None]), 1, 0).argmax(axis=1) * view.dt_s
-    return Judged(margin * KPH, worst * KPH, when)
+    off = np.where(inside, np.abs(speed - wanted.middle), -1.0)
+    step = off.argmax(axis=1)
+    worst = at(speed, step)
+    return Judged(within(worst, wanted, SPEED_MPS) * KPH, worst * KPH, view.time_of(step))
 
 
 def _held_until(told: Told, person: Participant, view: View) -> Ints:
@@ -167,7 +172,7 @@ def _before_turn(told: Told, name: str, view: View) -> Ints:
     drive = told.drive(name)
     if drive is None:
         return np.full(view.count, view.steps)
-    arm = arms_of(view.concrete.road)[drive.entry]
+    arm = arms_of(view)[drive.entry]
     along, _ = arm.place(boxes(view, name))
     speed = view.speed_mps(name)[:, :1]
     room: Floats = speed**2 / (2.0 * _COMFORT_MPS2) + _BEFORE_TURN_M

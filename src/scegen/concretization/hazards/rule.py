@@ -34,41 +34,14 @@ class Rule:
     meets: bool = True
 
 
-_BRAKING = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING, HazardKind.STOPPING})
-
-
 def culprits(scene: Scene, hazard: Hazard) -> list[DriveDraft]:
-    """The drives that cause a hazard.
-
-    Where nobody is named: who brakes is the one that another tailgates, else the ego; any other
-    danger comes from the first vehicle that does not suffer it.
-    """
-    if hazard.by:
-        return [scene.drives[name] for name in hazard.by if name in scene.drives]
-    sufferers = [name for name in hazard.to if name in scene.drives]
-    if hazard.kind in _BRAKING:
-        followed = [
-            scene.drives[name]
-            for other in scene.functional.hazards
-            if other.kind is HazardKind.TAILGATING
-            for name in other.to
-            if name in scene.drives
-        ]
-        return [d for d in (*followed, scene.ego) if d.id not in sufferers][:1]
-    free = [d for d in scene.drives.values() if d is not scene.ego and d.id not in sufferers]
-    return free[:1] or ([scene.ego] if scene.ego.id not in sufferers else [])
+    """The drives that cause a hazard."""
+    return [scene.drives[name] for name in hazard.by if name in scene.drives]
 
 
 def victims(scene: Scene, hazard: Hazard, culprit: DriveDraft) -> list[DriveDraft]:
-    """The drives that suffer it; where nobody is named, the ego, or the others if it is the ego's.
-
-    Where named sufferers do not drive (a pedestrian), there is none.
-    """
-    if hazard.to:
-        return [scene.drives[n] for n in hazard.to if n in scene.drives and n != culprit.id]
-    if culprit is not scene.ego:
-        return [scene.ego]
-    return [d for d in scene.drives.values() if d is not culprit]
+    """The drives that suffer it; none where those who do are on foot."""
+    return [scene.drives[n] for n in hazard.to if n in scene.drives and n != culprit.id]
 
 
 def pairs(scene: Scene, hazard: Hazard) -> list[tuple[DriveDraft, DriveDraft]]:

@@ -35,6 +35,7 @@ def question(situation: Situation) -> str:
     """Everything about one situation."""
     first, second = situation.pair
     found = situation.explore()
+    lines = (_parameter(p, found.reaches[p.name]) for p in situation.parameters)
     now = [f"{n} {value:.3g} {unit}" for n, value, unit in situation.measures if value is not None]
     return "\n".join(
         [
@@ -54,8 +55,8 @@ def question(situation: Situation) -> str:
                 ],
             ),
             _listing(
-                "The parameters",
-                [_parameter(p, found.reaches[p.name]) for p in situation.parameters],
+                "The parameters that may change",
+                list(filter(None, lines)),
             ),
         ]
     )
@@ -103,9 +104,11 @@ def _statement(said: Said) -> str:
     return f"{said.statement}: does not hold, by {-said.margin:.2f} {said.unit}"
 
 
-def _parameter(parameter: Parameter, reach: Reach) -> str:
-    """Its range is rounded inwards, so that a value at a bound is inside."""
+def _parameter(parameter: Parameter, reach: Reach) -> str | None:
+    """Its range, rounded inwards, so that a value at a bound is inside; None where none is left."""
     low, high = ceil(reach.low * 1000) / 1000, floor(reach.high * 1000) / 1000
+    if low >= high:
+        return None
     stops = f" (beyond: {'; '.join(reach.stops)})" if reach.stops else ""
     sooner = ""
     if reach.sooner_s is not None and abs(reach.sooner_s) >= _NO_TIME_S:

@@ -9,11 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from scegen.claims.hazards.roles import culprits
 from scegen.criticality.proposals.parameters import Parameter
 from scegen.criticality.proposals.proposal import Check, Encounter, Proposal, Proposed, Situation
 from scegen.criticality.target import Target
-from scegen.scenario.functional import Hazard
 from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.vocabulary import HazardKind
 
@@ -47,8 +45,7 @@ def _strengthened(situation: Situation) -> Iterator[Proposal]:
         if proof.happened or more_of is None:
             continue
         quantity, sign = more_of
-        hazard = Hazard(kind=proof.kind, by=proof.by, to=proof.to)
-        for who in culprits(situation.concrete, hazard):
+        for who in proof.by:
             parameter = _of_hazard(situation, who, proof.kind, quantity)
             if parameter is None:
                 continue

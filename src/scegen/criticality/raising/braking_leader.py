@@ -13,7 +13,6 @@ from math import sqrt
 
 import numpy as np
 
-from scegen.claims.hazards.roles import culprits
 from scegen.claims.hazards.scenes import Pair
 from scegen.claims.hazards.table import PREDICATES
 from scegen.claims.view import View
@@ -76,7 +75,7 @@ def braking_leaders(
         name
         for hazard in concrete.hazards
         if hazard.kind in PREDICATES and PREDICATES[hazard.kind].conflict
-        for name in culprits(concrete, hazard)
+        for name in hazard.by
     }
     free = [p for p in pairs if set(p) <= set(drives) and not set(p) & named]
     if not free:

@@ -82,7 +82,7 @@ def raise_criticality(
     rng = np.random.Generator(np.random.PCG64(seed))
     reason = too_fast(functional) or stage.blocked or too_slow(concrete, stage.pair)
     if reason is not None:
-        return _without_target(stage, None, before, rng, reason)
+        return Raised(concrete, stage.proof(before, before, 1, reason))
     found: list[tuple[ConcreteScenario, Proof]] = []
     if stage.stands(before):
         bound = stage.bound(before)
@@ -142,22 +142,19 @@ def _by_braking(
 
 def _without_target(
     stage: Stage,
-    problem: Problem | None,
+    problem: Problem,
     before: Evidence,
     rng: np.random.Generator,
     reason: str | None,
 ) -> Raised:
     """What holds every claim that can be held, where the target cannot be reached."""
-    if stage.pair and not before.holds(stage.given_up):
-        problem = problem or stage.problem()
+    if not before.holds(stage.given_up):
         problem.untargeted = stage.untargeted = True
-        give_up(stage, problem, out_of_reach(problem, before, rng))
         made, _ = _solve(stage, problem, rng, None)
         if made is not None:
             proof = stage.proof(before, made.evidence, problem.evaluations, reason)
             return Raised(made.evidence.concrete, proof)
-    evaluations = problem.evaluations if problem is not None else 1
-    return Raised(stage.concrete, stage.proof(before, before, evaluations, reason))
+    return Raised(stage.concrete, stage.proof(before, before, problem.evaluations, reason))
 
 
 def _fill(

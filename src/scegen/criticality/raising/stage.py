@@ -9,7 +9,6 @@ import numpy as np
 
 from scegen.claims import claims_of, described_by
 from scegen.claims.hazards.judging import number
-from scegen.claims.hazards.roles import culprits
 from scegen.claims.hazards.scenes import Pair, judged_pairs, scene_of
 from scegen.claims.near_miss import HEADWAY
 from scegen.claims.view import view_of
@@ -66,8 +65,8 @@ class Stage:
         self._choose_pair(target, pairs)
         self.target = self._with_headway(target)
         said = functional or described_by(concrete)
-        contact_asked = target.contact is not False
-        self.claims = claims_of(said, concrete.logical, contact_asked=contact_asked)
+        touching = self.pair if target.contact is not False else ()
+        self.claims = claims_of(said, concrete.logical, touching=touching)
         self.given_up: frozenset[str] = frozenset()
         self.untargeted = False
 
@@ -118,7 +117,7 @@ class Stage:
         self._look_at_touching(view.summary.contact_s[0], view.scene.pairs)
         involved = {*self.pair}
         for hazard in self.concrete.hazards:
-            involved |= {*culprits(self.concrete, hazard), *hazard.to}
+            involved |= {*hazard.by, *hazard.to}
         space = build_space(
             self.full,
             self.ways,

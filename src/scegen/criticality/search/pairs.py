@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from itertools import combinations
 
-from scegen.claims.hazards.judging import hazard_pairs
-from scegen.claims.hazards.roles import victims
+from scegen.claims.hazards.judging import both_sides
 from scegen.claims.hazards.scenes import Pair
 from scegen.claims.hazards.table import PREDICATES
 from scegen.measures.scene import Scene
@@ -30,10 +29,7 @@ def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
     ):
         if not PREDICATES[hazard.kind].conflict:
             continue
-        pairs = [
-            (b, v) for b, _ in hazard_pairs(concrete, hazard) for v in victims(concrete, hazard, b)
-        ]
-        found += sorted(dict.fromkeys(pairs), key=lambda pair: ego not in pair)
+        found += sorted(both_sides(hazard), key=lambda pair: ego not in pair)
     moving = [pair for pair in found if not things & {*pair}]
     found = [*moving, *(pair for pair in found if pair not in moving and ego in pair)]
     conflicts = [c for c in concrete.logical.conflicts if c.kind is not ConflictKind.NONE]

@@ -46,6 +46,9 @@ AFTER_S = 1.0
 LATERAL_ROOM = 1.03
 _NEVER = 3.0
 _SAME = 1e-6
+_ELSEWHERE = frozenset({ClaimKind.CONTACT, ClaimKind.BODY, ClaimKind.ROAD})
+"""Claims that other demands stand for, the bounds of the variables, or what never changes; the
+proof looks at them too."""
 _STRANGE = 0.02
 _SPREAD = 0.12
 
@@ -137,11 +140,11 @@ class Problem:
         return Outcome(missing, strangeness, made, duration, margins)
 
     def _margins(self, view: View) -> dict[str, Floats]:
-        """Of every claim that is a demand; contacts are one of their own."""
+        """Of every claim that is a demand here."""
         return {
             claim.id: claim.judge(view).margin
             for claim in self.claims
-            if claim.kind is not ClaimKind.CONTACT and claim.id not in self.given_up
+            if claim.kind not in _ELSEWHERE and claim.id not in self.given_up
         }
 
     def _claim_missing(self, claim: Claim, margin: Floats) -> Floats:

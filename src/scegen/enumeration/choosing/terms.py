@@ -14,9 +14,11 @@ from scegen.scenario.logical import (
     ConflictKind,
     Crossing,
     Drive,
+    InLine,
     LogicalScenario,
     Reverses,
     Standing,
+    Walking,
 )
 from scegen.scenario.vocabulary import Maneuver, ParticipantKind, Role, Side
 
@@ -70,9 +72,18 @@ def attributes(kinds: dict[str, str], roles: dict[str, str]) -> dict[str, Attrib
         "reverses": Attribute(
             _words(*Reverses), lambda a: _word(a.reverses if isinstance(a, Drive) else None)
         ),
-        "beside": Attribute(_words(*kinds), lambda a: a.beside if isinstance(a, Drive) else None),
+        "beside": Attribute(_words(*kinds), lambda a: a.beside if isinstance(a, InLine) else None),
+        "lane": Attribute(NUMBER, lambda a: a.lane if isinstance(a, InLine) else None),
+        "beside_on": Attribute(
+            sides, lambda a: _word(a.beside_on if isinstance(a, InLine) else None)
+        ),
+        "changes_to": Attribute(
+            sides, lambda a: _word(a.changes_to if isinstance(a, Drive) else None)
+        ),
         "start": Attribute(sides, lambda a: _word(a.start if isinstance(a, Crossing) else None)),
-        "side": Attribute(sides, lambda a: _word(a.side if isinstance(a, Standing) else None)),
+        "side": Attribute(
+            sides, lambda a: _word(a.side if isinstance(a, Standing | Walking) else None)
+        ),
         "kind": Attribute(_words(*ParticipantKind), lambda a: kinds[a.participant]),
         "role": Attribute(_words(*Role), lambda a: roles[a.participant]),
     }
@@ -85,7 +96,10 @@ def _turn(assignment: Assignment) -> Maneuver | None:
 def _maneuver(assignment: Assignment) -> Maneuver | None:
     if isinstance(assignment, Drive):
         return assignment.maneuver
-    return Maneuver.CROSS if isinstance(assignment, Crossing) else None
+    others = {
+        "crossing": Maneuver.CROSS, "standing": Maneuver.STAY, "walking": Maneuver.STRAIGHT
+    }  # fmt: skip
+    return others[assignment.type]
 
 
 def _word(word: str | None) -> str | None:

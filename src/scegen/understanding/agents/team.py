@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Awaitable, Callable, Iterable
+from collections.abc import Awaitable, Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
@@ -69,7 +69,7 @@ class Team:
         review_fault: Fault | None = None
         for _ in range(self._line.limits.review_rounds):
             draft = assemble(self._description, parts)
-            objections, review_fault = await self._objections(draft)
+            objections, review_fault = await self._objections(draft, raised)
             if not objections:
                 break
             raised += objections
@@ -116,11 +116,16 @@ class Team:
         )
         return Parts(road, participants, hazards, acts)
 
-    async def _objections(self, draft: Draft) -> tuple[tuple[Objection, ...], Fault | None]:
-        """Of the types, of the checks, and only then of the reviewer, who costs money."""
+    async def _objections(
+        self, draft: Draft, raised: Sequence[Objection]
+    ) -> tuple[tuple[Objection, ...], Fault | None]:
+        """Of the types, of the checks, and only then of the reviewer, who costs money.
+
+        A check objects once: what is answered the same again stands.
+        """
         if draft.scenario is None:
             return draft.objections, None
-        found = self._checks(draft.scenario)
+        found = tuple(o for o in self._checks(draft.scenario) if o not in raised)
         if found:
             return found, None
         question = review_question(draft.scenario)

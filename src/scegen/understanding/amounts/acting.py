@@ -150,11 +150,23 @@ def _aside(doing: Doing, scene: Scene, context: Context) -> None:
             doing.side, doing.side_basis = _OTHER[_SIDES[named[0]]], Basis(place.i, place.j)
     _into(doing, scene, context)
     _homewards(doing, context)
+    if context.draft.ramp is not None and entity.beside and doing.kind is ActKind.CHANGE_LANE:
+        doing.side = _OTHER[Side(entity.beside[0])]  # "into the right lane", off the ramp
     homeward = doing.into is None or doing.into.ego
-    if homeward and doing.kind is ActKind.CHANGE_LANE and doing.side is None and entity.beside:
-        side, words = entity.beside
+    beside = entity.beside or _comes_from(entity, context)
+    if homeward and doing.kind is ActKind.CHANGE_LANE and doing.side is None and beside:
+        side, words = beside
         doing.side = _OTHER[_SIDES[side]] if side in _SIDES else None
         doing.side_basis = Basis(words.i, words.j, "into the lane beside its own")
+
+
+def _comes_from(entity: Entity, context: Context) -> tuple[str, Basis] | None:
+    """``target from the left``: along a road, from the lane on that side."""
+    for placement in context.draft.placements:
+        side = next(iter(placement.approaches)).value if len(placement.approaches) == 1 else ""
+        if placement.entity is entity and side in _SIDES and not context.junction.crossing:
+            return side, placement.basis
+    return None
 
 
 def _homewards(doing: Doing, context: Context) -> None:

@@ -422,7 +422,10 @@ class Spacer:
         begin, stop, _ = clause
         inside = [a for a in acts if start <= a.i < end and not begin <= a.i < stop]
         before = [a for a in inside if a.i < begin]
-        return before[-1] if before else next((a for a in inside if a.i >= stop), None)
+        after = [a for a in inside if a.i >= stop]
+        if not (before or after) and begin == start:  # no comma: "when it is 20 m away it brakes"
+            after = [a for a in acts if number.i < a.i < end]
+        return before[-1] if before else next(iter(after), None)
 
     def _subject(
         self, number: Measured, clause: tuple[int, int, str] | None, doing: Doing

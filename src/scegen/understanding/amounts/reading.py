@@ -22,6 +22,7 @@ from scegen.understanding.meaning.context import Context, Scene
 from scegen.understanding.words.quantities import Quantity
 
 _PAIR = 2
+_RUNNING_MPS = 8.0
 _HARD_MPS2 = 3.5
 """Below this nobody calls braking hard (UN R152: 5 m/s² in an emergency)."""
 
@@ -133,6 +134,7 @@ def _speed(number: Measured, text: Sentences, context: Context, found: Happening
     if taken:
         return True
     whose = _whose(number, text, context)
+    whose = [e for e in whose if e.is_vehicle or quantity.value.low <= _RUNNING_MPS]
     ego = ego_of(context)
     if not whose and ego is not None and ego.speed is None:
         whose = [ego]

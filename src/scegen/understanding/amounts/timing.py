@@ -142,5 +142,7 @@ class Clock:
             main = front[-1:] or [a for a in outside if a.i >= end][:1]
             if not inside or not main or main[0].when is not None:
                 continue
+            if opening == "when" and not main[0].always:
+                continue  # "passes a bus when a child runs out": what goes on meanwhile
             since = "begin" if because or opening in words()["while_begun"] else "end"
             main[0].when = Trigger("after", Basis(chunk.i, chunk.j), act=inside[0], since=since)

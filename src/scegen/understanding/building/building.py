@@ -19,6 +19,7 @@ from scegen.understanding.building.in_lane import (
     beside_of,
     circulates,
     lanes_of,
+    past_people,
     settle_along,
 )
 from scegen.understanding.building.layout import Layout
@@ -31,7 +32,7 @@ from scegen.understanding.building.open_road import (
 )
 from scegen.understanding.building.proving import Proofs
 from scegen.understanding.building.unsaid import maneuvers_of
-from scegen.understanding.building.viewpoint import choose_ego, settle_positions, suffers
+from scegen.understanding.building.viewpoint import choose_ego, settle_positions
 from scegen.understanding.draft import Basis, Danger, Draft, Entity
 from scegen.understanding.happenings import Happenings
 from scegen.understanding.meaning.crossed_arms import settle_arms
@@ -80,6 +81,7 @@ class Builder:
             both_change_lanes(self._draft, ego)
             from_the_strip(self._draft, ego)
             settle_along(self._draft, ego)
+            relations = past_people(relations)
         else:
             alongside(self._draft, ego, self._draft.tokens)
         self._name(ego)
@@ -92,7 +94,7 @@ class Builder:
         )
         for number, relation in enumerate(relations):
             self._proofs.add(f"relations.{number}", relation[3])
-        hazards = tuple(self._hazard(d, ego) for d in self._draft.dangers)
+        hazards = tuple(self._hazard(d) for d in self._draft.dangers)
         for name, basis in self._around.bases.items():
             self._proofs.add(f"environment.{name}", basis)
         writer = Writer(self._happenings, ego, self._proofs)
@@ -192,14 +194,10 @@ class Builder:
         ]
         return [b for b in dict.fromkeys(found) if b != entity.approach_basis]
 
-    def _hazard(self, danger: Danger, ego: Entity) -> Hazard:
+    def _hazard(self, danger: Danger) -> Hazard:
         to = [e for e in danger.to if e not in danger.by]
         field = f"hazards.{danger.kind.value}"
         self._proofs.add(field, danger.basis)
-        if not to and (danger.by or danger.items):
-            to, reason = suffers(self._draft, danger, ego)
-            if to:
-                self._proofs.add(f"{field}.to", Basis(reason=reason))
         return Hazard(
             kind=danger.kind,
             by=tuple(e.name for e in (*danger.by, *danger.items)),

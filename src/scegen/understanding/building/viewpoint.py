@@ -145,34 +145,6 @@ def facing_entry(danger: Danger, candidates: list[Entity]) -> Entity | None:
     return next((e for e in candidates if e.entries == opposite and e not in danger.by), None)
 
 
-def suffers(draft: Draft, danger: Danger, ego: Entity) -> tuple[list[Entity], str]:
-    """Whom a hazard threatens where the text does not say, and why.
-
-    Args:
-        draft: the scenario in the making.
-        danger: a hazard with a cause.
-        ego: the ego.
-    """
-    others = [e for e in draft.entities if e.moving_vehicle and e not in danger.by]
-    facing = facing_entry(danger, others)
-    if facing is not None:
-        return [facing], "it comes towards the one that turns left"
-    if any(e.entries for e in danger.by):
-        return [], ""
-    if ego not in danger.by:
-        return [ego], "the text does not say whom it threatens; the ego is taken"
-    if danger.kind is HazardKind.HARD_BRAKING and all(
-        _placed(draft, e, Approach.AHEAD) for e in others
-    ):
-        return [], ""  # who is ahead does not suffer it
-    afoot = [e for e in draft.entities if not e.is_vehicle]
-    if danger.kind is HazardKind.REVERSING and not others and len(afoot) == 1:
-        return afoot, "the text does not say whom it threatens; this is the only other one"
-    if len(others) == 1:
-        return others, "the text does not say whom it threatens; this is the only other vehicle"
-    return [], ""
-
-
 def relative_to(ego: str, other: str) -> set[Approach]:
     """Where one comes from, by the compass headings of both; empty for the same heading.
 

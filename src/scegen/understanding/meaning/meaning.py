@@ -27,6 +27,7 @@ from scegen.understanding.meaning import (
     screens,
     side_roads,
     standing,
+    titled,
 )
 from scegen.understanding.meaning.context import Context, Scene
 from scegen.understanding.meaning.movements import MOVEMENTS
@@ -50,6 +51,8 @@ _BY_MANNER = {
     "wrong_way": HazardKind.ONCOMING_LANE,
     "out_of_control": HazardKind.LOSS_OF_CONTROL,
 }
+_RUNNING_MPS = 8.0
+"""What nobody on foot outruns in traffic; a number above it is somebody else's."""
 _BESIDE = frozenset({"overtake", "pass", "bypass", "undertake", "collide"})
 """With these verbs a side is where one gets past or is hit, and nobody comes from there."""
 _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
@@ -116,7 +119,7 @@ class Interpreter:
         handled = {
             id(e.object) for e in events if e.name in {"inert", "send"} and not e.passive
         }  # "kicks a ball"
-        acting = {id(m) for e in events for m in e.subject if e.name != "hide"}
+        acting = {id(m) for e in events for m in e.subject if e.name not in {"hide", "collide"}}
         for chunk in chunks:
             if isinstance(chunk, Mention) and chunk.entities:
                 self._mention(chunk)
@@ -130,6 +133,7 @@ class Interpreter:
         rows.line_up(chunks, events, self._draft)
         for event in events:
             self._event(event)
+        titled.by_the_only_one(self._scenes, self._context)
         red_lights.on_red(chunks, events, self._context)
         out_of_turn(chunks, events, self._context)
         towards_each_other(chunks, events, self._context)
@@ -140,7 +144,7 @@ class Interpreter:
         breaches.subsume(self._context)
         courses.circulate(chunks, self._scenes, self._context)
         sides_left(chunks, self._context)
-        crossed_arms.note_arms(self._scenes, self._context)
+        crossed_arms.note_arms(chunks, self._scenes, self._context)
         return self._scenes
 
     def _mention(self, mention: Mention) -> None:
@@ -189,7 +193,8 @@ class Interpreter:
         if self._numbers.measured(quantity, verb).frame.role != "speed":
             return
         for entity in entities:
-            if not entity.parked and entity.speed is None:
+            outrun = not entity.is_vehicle and quantity.value.low > _RUNNING_MPS
+            if not entity.parked and entity.speed is None and not outrun:
                 entity.speed = quantity.value
                 entity.speed_basis = Basis(term.i, term.j, quantity.note)
 

@@ -310,9 +310,10 @@ class Placer:
         """
         side = prep.target
         sides = {_SIDES[d] for d in side.dirs if d in _SIDES} if isinstance(side, Place) else set()
-        for entity in entities if isinstance(side, Place) else []:
-            if entity.parked and len(sides) == 1:
-                self._draft.place(entity, None, set(sides), Basis(prep.word.i, side.j))
+        if not isinstance(side, Place) or len(sides) != 1:
+            return
+        for entity in [e for e in entities if e.parked]:
+            self._draft.place(entity, None, set(sides), Basis(prep.word.i, side.j))
 
     def _locus(self, prep: Prep, entities: list[Entity], event: Event | None) -> None:
         target = landmark(prep.target)

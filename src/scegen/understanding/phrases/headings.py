@@ -45,6 +45,8 @@ def _of_one(title: list[Chunk], rest: list[Chunk]) -> bool:
     who = title[0] if title and (len(title) == 1 or _goes_on(title, rest)) else None
     if not isinstance(who, Mention) or not who.heads or not rest or isinstance(rest[0], Mention):
         return False
+    if isinstance(rest[0], Word) and rest[0].cat == "quantity":
+        return True  # "Lead car: 100 km/h, ego …"
     for before, chunk in pairwise(rest):
         if isinstance(chunk, Event) or (isinstance(chunk, Word) and chunk.value in BOUNDARIES):
             return True

@@ -241,6 +241,11 @@ class Discourse:
             if all(self._roster.compatible(e, reading) for e in group.members):
                 return list(group.members)
         fitting = [e for e in self._draft.entities if self._roster.compatible(e, reading)]
+        pair = mention.mod("num") is None or reading.count == _A_PAIR
+        if reading.det == "def" and pair and len(fitting) == 1 and not fitting[0].ego:
+            moving = not (reading.dirs or reading.parked or fitting[0].parked)
+            if moving and not any(e.ego for e in self._draft.entities):
+                return [*fitting, self.observer(mention.i, mention.j)]  # "between the vehicles"
         if reading.det == "bare" and not reading.vague:
             counted = len(fitting) == reading.count
             return fitting if counted and not any("speaks" in e.named_by for e in fitting) else []

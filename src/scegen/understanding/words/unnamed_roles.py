@@ -73,7 +73,20 @@ def _alone(tokens: list[Token], j: int) -> bool:
     """``the lead brakes``, ``lead at 50 km/h``, ``ego 20 m behind the lead``: the vehicle."""
     if j >= len(tokens) or tokens[j].kind in {"number", "punct"}:
         return True
-    return _acts(tokens, j) or tokens[j].low in {"at", "is", "with", "by", "and", "in", "'s", "to"}
+    return _acts(tokens, j) or tokens[j].low in {
+        "at",
+        "is",
+        "with",
+        "by",
+        "and",
+        "in",
+        "'s",
+        "to",
+        "speed",
+        "deceleration",
+        "acceleration",
+        "velocity",
+    }
 
 
 def _acts(tokens: list[Token], j: int) -> bool:
