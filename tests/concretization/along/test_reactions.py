@@ -1,4 +1,4 @@
-"""Who comes up behind somebody brakes as late as leaves a little room, and no sooner than it can."""
+"""Who comes up behind somebody brakes as late as leaves a little room, and not before it can."""
 
 from __future__ import annotations
 

@@ -6,11 +6,12 @@ from math import inf
 
 from scegen.concretization.along.crossing import Walk, cross
 from scegen.concretization.along.moments import perform_waiting, time_what_is_known
+from scegen.concretization.along.overtaking import come_back, overtake
 from scegen.concretization.along.parked import shift_to_pass, strips_m
 from scegen.concretization.along.passing import apart_m
 from scegen.concretization.along.reactions import contacts, react
 from scegen.concretization.along.runner import Runner, gap_m
-from scegen.concretization.along.sideways import come_back, offset_all, overtake
+from scegen.concretization.along.sideways import offset_all
 from scegen.concretization.along.story import Story, contact_wanted
 from scegen.concretization.along.ties import tie_up
 from scegen.errors import MotionInfeasibleError

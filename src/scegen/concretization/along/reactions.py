@@ -131,9 +131,10 @@ def _brake_for(story: Story, who: Runner, other: Runner, loose: Step | None = No
         found = _latest_s(who, other, rest, rate, sees_s, own)
         if found is not None:
             begins = floor(found / _STEP_S + _ROUNDING) * _STEP_S
+            enough = rate
             if len(rates) > 1:
-                rate = _just_enough(who, other, rest, begins, rate, own)
-            who.steps = [*rest, _braking(begins, rate, other, own, hazard)]
+                enough = _just_enough(who, other, rest, begins, rate, own)
+            who.steps = [*rest, _braking(begins, enough, other, own, hazard)]
             return True
     who.steps = before
     return False

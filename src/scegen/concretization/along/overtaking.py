@@ -1,0 +1,267 @@
+"""How one passes another, and how one that strays among the oncoming gets back."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+
+from scegen.concretization.along.passing import JUST_M, apart_m, just_missed_s
+from scegen.concretization.along.runner import Move, Runner, Step, gap_m
+from scegen.concretization.along.spacing import level
+from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank, contact_wanted
+from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, LANE_CHANGE_S
+from scegen.errors import MotionInfeasibleError
+from scegen.road.defaults import LANE_WIDTH_M
+from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.outcome import OutcomeKind
+from scegen.scenario.spacings import Measure
+from scegen.scenario.vocabulary import HazardKind
+
+_CLEAR_M = 6.0
+_ROUNDS = 20
+_LONG_BACK_S = 2.5
+_LOOK_S, _LONGEST_S = 0.05, 60.0
+_CLEAR_BEFORE_S, _CLEAR_AFTER = 0.9, 0.6
+"""Who strays has left the way of who comes so long before they are level: after this share of its
+change back."""
+_FASTER_MPS = 6.0
+"""By so much who overtakes one of its own speed speeds up."""
+
+
+def overtake(story: Story) -> None:
+    """Out, past, and back in: the moves of those who go round somebody, once places are known.
+
+    Raises:
+        MotionInfeasibleError: nobody is there whom one could overtake.
+    """
+    for act in story.acts:
+        if not story.goes_round(act):
+            continue
+        slow = passed_by(story, act)
+        if slow is not None:
+            _pass(story, act, story.runners[act.participant], slow)
+        elif act.kind is ActKind.CHANGE_LANE or story.hazard_of(act) is not None:
+            _stray(story, act, story.runners[act.participant])
+        elif not _drives_past(story):
+            raise MotionInfeasibleError(
+                "nobody is ahead of it whom it could overtake",
+                where=act.participant,
+                hint="Let another vehicle be ahead of it, or let it drive straight on.",
+            )
+
+
+def _stray(story: Story, act: Act, runner: Runner) -> None:
+    """Into the oncoming lane and back, where there is nobody to overtake: just for the oncoming."""
+    begins = story.begins_s[act.id]
+    hazard = story.hazard_of(act)
+    out = Move(begins, LANE_CHANGE_S, 0, 0.0, act.id, hazard)
+    back = Move(out.ends_s + 1.0, LANE_CHANGE_S, max(1, runner.lane), 0.0, act.id, hazard)
+    runner.moves += [out, back]
+    story.ends_s[act.id] = back.ends_s
+
+
+def _drives_past(story: Story) -> bool:
+    """Past one who is parked beside the lanes leads no change of lane."""
+    return any(s.participant not in story.runners for s in story.logical.standings)
+
+
+def _meet_after(story: Story, strays: set[str]) -> None:
+    """Who comes towards one in its lane meets it when it is back: just then, if that is a danger.
+
+    Those whose place the text gives stay where they are.
+    """
+    said = {n for s in story.functional.spacings for n in (s.participant, s.reference)}
+    strays |= {act.participant for act in story.acts if story.goes_round(act)}
+    for stray in (r for r in story.runners.values() if r.id in strays):
+        out = [m for m in stray.moves if m.lane == 0]
+        back = [m for m in stray.moves if out and m.begins_s > out[0].begins_s and m.lane > 0]
+        if not back:
+            continue
+        for other in story.runners.values():
+            if other.forward == stray.forward or other.stands or {other.id, stray.id} & said:
+                continue
+            moment = _meeting_when_back_s(story, stray, other, out[0], back[0])
+            if other is story.ego:
+                before = stray.at_m or 0.0
+                shift = level(stray, other, moment) - before
+                stray.at_m = before
+                for runner in story.runners.values():
+                    if runner.forward == stray.forward and runner.at_m is not None:
+                        runner.at_m += shift
+            else:
+                other.at_m = level(other, stray, moment)
+
+
+def _meeting_when_back_s(
+    story: Story, stray: Runner, other: Runner, out: Move, back: Move
+) -> float:
+    """When the two are level: in its lane if they are to touch, just not if it is a danger."""
+    if contact_wanted(story, stray.id, other.id):
+        return (out.ends_s + back.begins_s) / 2
+    if _at_odds(story, stray.id, other.id):
+        return just_missed_s(stray, other, back)
+    return back.ends_s + _LONG_BACK_S
+
+
+def _at_odds(story: Story, first: str, second: str) -> bool:
+    """Whether a danger is between two, or a near miss."""
+    outcome = story.functional.outcome
+    near = outcome is not None and outcome.kind is OutcomeKind.NEAR_MISS
+    if near and outcome is not None and {first, second} == {*outcome.between}:
+        return True
+    return any({first, second} <= {*h.by, *h.to} for h in story.hazards)
+
+
+def passed_by(story: Story, act: Act) -> Runner | None:
+    """Who is overtaken: who is named, whom the danger is to, else the next ahead in line."""
+    own = story.runners[act.participant]
+    named = [act.into] if act.into else []
+    named += [
+        name
+        for hazard in story.hazards
+        if hazard.kind is HazardKind.OVERTAKING and own.id in hazard.by
+        for name in hazard.to
+    ]
+    order = by_rank(story.logical, story.runners)
+    line = [
+        name
+        for name, other in story.runners.items()
+        if other.forward == own.forward and (other.stands or order[name] < order[own.id])
+    ]
+    named += sorted(line, key=lambda name: -order[name])
+    for name in named:
+        other = story.runners.get(name)
+        if other is not None and other.forward == own.forward and other is not own:
+            return other
+    return None
+
+
+def _pass(story: Story, act: Act, fast: Runner, slow: Runner) -> None:
+    """Out as late as it can, past the other, and back so far ahead of it as is said, or usual."""
+    hazard, lasts = story.hazard_of(act), LANE_CHANGE_S
+    out_lane, offset = _beside_lane(story, fast, slow)
+    begins = max(FIRST_ACT_S / 2, story.begins_s[act.id] - FIRST_ACT_S)
+    if fast.speed_mps - slow.speed_mps < _FASTER_MPS / 2:
+        top = min(slow.speed_mps + _FASTER_MPS, fast.body.top_speed_mps)
+        begins = story.begins_s[act.id]
+        fast.steps.append(Step(begins + lasts, top, COMFORTABLE_ACCELERATION_MPS2, act.id))
+    if not any(spacing.at == act.id for spacing in story.functional.spacings):
+        begins = _latest_out_s(fast, slow, (out_lane, offset), lasts, begins)
+    back = _return_of(story, act, fast, slow)
+    clear_m = _CLEAR_M if back is None else _gap_at(story, back)
+    clear = _when(
+        lambda t: (fast.x_m(t) - slow.x_m(t)) * fast.sign > 0 and gap_m(fast, slow, t) >= clear_m,
+        begins + lasts,
+    )
+    home = back.id if back is not None else act.id
+    fast.moves = [
+        Move(begins, lasts, out_lane, offset, act.id, hazard),
+        Move(clear, lasts, fast.lane, 0.0, home, hazard),
+    ]
+    story.ends_s[act.id] = clear if back is not None else clear + lasts
+    if back is not None:
+        story.begins_s[back.id], story.ends_s[back.id] = clear, clear + lasts
+
+
+def _beside_lane(story: Story, fast: Runner, slow: Runner) -> tuple[int, float]:
+    """The lane in which one passes, and how far left of its middle.
+
+    As far beside the other as the text says; else in the next lane.
+    """
+    for spacing in story.functional.spacings:
+        pair = {spacing.participant, spacing.reference}
+        if spacing.measure is Measure.LATERAL_GAP_M and pair == {fast.id, slow.id}:
+            apart = spacing.value.middle + (fast.body.width_m + slow.body.width_m) / 2
+            kerb = -1 if not fast.keeps_left else 1
+            wanted = slow.y_m(0.0, LANE_WIDTH_M) - kerb * fast.sign * apart
+            return fast.lane, fast.sign * (wanted - fast.y_m(0.0, LANE_WIDTH_M)) + fast.offset_m
+    if fast.lane == 1 and story.lane_count > 1 and slow.lane == 1:
+        return 2, 0.0
+    return max(0, fast.lane - 1), 0.0
+
+
+def _return_of(story: Story, act: Act, fast: Runner, slow: Runner) -> Act | None:
+    """The act by which one who overtakes comes back in front of the other, if the text has one."""
+    later = story.acts[story.acts.index(act) + 1 :]
+    for other in later:
+        own = other.participant == fast.id and other.kind is ActKind.CHANGE_LANE
+        if own and other.into in {None, slow.id}:
+            return other
+    return None
+
+
+def _gap_at(story: Story, act: Act) -> float:
+    """How far ahead it is when an act begins, if that is said."""
+    for spacing in story.functional.spacings:
+        if spacing.at == act.id and spacing.measure is Measure.GAP_M:
+            return spacing.value.middle
+    return _CLEAR_M
+
+
+def _latest_out_s(
+    fast: Runner, slow: Runner, place: tuple[int, float], lasts_s: float, earliest_s: float
+) -> float:
+    """The latest moment to pull out at which one still gets past close by, without touching."""
+    reaches = _when(lambda t: gap_m(fast, slow, t) <= JUST_M, earliest_s)
+    kept = list(fast.moves)
+    low, high = earliest_s, max(reaches, earliest_s)
+    for _ in range(_ROUNDS):
+        middle = (low + high) / 2
+        fast.moves = [*kept, Move(middle, lasts_s, *place)]
+        times = [middle + _LOOK_S * n for n in range(int((lasts_s + 4.0) / _LOOK_S))]
+        touches = any(_too_near(fast, slow, t) for t in times)
+        low, high = (low, middle) if touches else (middle, high)
+    fast.moves = kept
+    return low
+
+
+def _too_near(first: Runner, second: Runner, time_s: float) -> bool:
+    return apart_m(first, second, time_s) < JUST_M
+
+
+def _when(true: Callable[[float], bool], from_s: float) -> float:
+    """The first moment at which something holds, from another one on; that one if never."""
+    n = 0
+    while n * _LOOK_S < _LONGEST_S:
+        time_s = from_s + n * _LOOK_S
+        if true(time_s):
+            return time_s
+        n += 1
+    return from_s
+
+
+def come_back(story: Story) -> None:
+    """Who strays into the lane of those who come towards it is back as they meet."""
+    strays: set[str] = set()
+    for runner in list(story.runners.values()):
+        astray = runner.moves and runner.moves[-1].lane == 0
+        if not astray:
+            continue
+        last = runner.moves[-1]
+        meets = _meeting_s(story, runner, last.begins_s)
+        if meets is None:
+            continue
+        name, time_s = meets
+        if contact_wanted(story, runner.id, name):
+            continue
+        back = max(last.ends_s + 0.1, time_s - _CLEAR_BEFORE_S - _CLEAR_AFTER * last.lasts_s)
+        lane = max(1, runner.lane)
+        runner.moves.append(Move(back, last.lasts_s, lane, 0.0, last.act, last.hazard))
+        strays.add(runner.id)
+    _meet_after(story, strays)
+
+
+def _level(first: Runner, second: Runner, time_s: float) -> bool:
+    return gap_m(first, second, time_s) <= 0
+
+
+def _meeting_s(story: Story, runner: Runner, from_s: float) -> tuple[str, float] | None:
+    """Whom one meets first that comes towards it, and when they are level."""
+    found: list[tuple[float, str]] = []
+    for other in story.runners.values():
+        if other.forward == runner.forward:
+            continue
+        level = _when(partial(_level, runner, other), from_s)
+        if gap_m(runner, other, level) <= 0:
+            found.append((level, other.id))
+    return (min(found)[1], min(found)[0]) if found else None
