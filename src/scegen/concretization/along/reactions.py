@@ -195,7 +195,9 @@ def _latest_s(
         who.steps = [*rest, step]
         return _least_gap_m(who, other)
 
-    low, high = earliest_s, _LATEST_S
+    # Braking before one speeds up by an act of one's own would be undone by it.
+    gains = (s.begins_s for s in rest if s.target_mps > who.speed_mps)
+    low, high = max(earliest_s, *gains, 0.0), _LATEST_S
     if near(low) < _CLOSEST_M / 2:
         return None
     for _ in range(_ROUNDS):
