@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 DEMO_TEXT := A vehicle tailgating another car at a four-way stop, leading to a sudden braking event as a pedestrian steps into the crosswalk.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test lint types layers asam interop benchmark bench glossary lock clean
+.PHONY: help demo quick test lint types layers asam interop benchmark bench glossary lock clean
 
 help: ## what there is to make
 	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## /  \1\t/' | expand -t 14
@@ -28,6 +28,16 @@ asam: $(VENV)/asam/.installed ## install the ASAM checkers in an environment of 
 demo: $(VENV)/.installed ## from a sentence to simulator files, in ./demo
 	@$(MAKE) --no-print-directory asam || echo "going on without the ASAM checkers" >&2
 	$(BIN)/scegen generate "$(DEMO_TEXT)" -o demo --count 2 --check full --force
+
+# What a change breaks first, package by package from the left: no search, no player, no model.
+QUICK := tests/test_layout.py tests/test_units.py tests/scenario tests/road \
+  tests/understanding --ignore=tests/understanding/agents \
+  tests/enumeration/test_reference_table.py tests/motion/test_paths.py tests/motion/test_simulation.py \
+  tests/measures tests/claims/test_hazard_predicates.py tests/export/test_opendrive.py \
+  tests/export/test_openscenario.py tests/checking/test_opendrive.py tests/cli/test_layout.py
+
+quick: $(VENV)/.installed ## the most telling tests, in less than a minute
+	$(BIN)/python -m pytest -n 2 -m "not interop and not asam and not esmini" $(QUICK)
 
 test: $(VENV)/asam/.installed ## all tests
 	$(BIN)/python -m pytest -n 2 -m "not interop"

@@ -32,7 +32,7 @@ MEASURED = {
     "stands": (STANDS, {"overlap_percent": "spacing.0", "ego_speed_kph": "speed.ego"}),
 }
 FACTS = {
-    "brakes": (BRAKES, {"approach": "ahead", "contact": False, "other_speed_kph": 50}),
+    "brakes": (BRAKES, {"approach": "ahead", "contact": False, "other_turn": "straight"}),
     "crosses": (CROSSES, {"approach": "left", "contact": False, "ego_turn": "straight"}),
     "walks": (WALKS, {"crosses_from": "right", "contact": True, "ego_struck": "front"}),
     "stands": (STANDS, {"approach": "ahead", "contact": True, "other_speed_kph": 0}),

@@ -73,12 +73,10 @@ def test_a_cover_covers_and_nothing_smaller_does(functional):
     cover = smallest_cover(every, functional)
     assert cover.proved
     assert not coverage(functional, every, cover.scenarios).missing
-    wanted = frozenset().union(*(meetings(functional, s) for s in every))
+    met = [meetings(functional, s) for s in every]
+    wanted = frozenset().union(*met)
     size = len(cover.scenarios) - 1
-    assert not any(
-        wanted <= frozenset().union(*(meetings(functional, s) for s in fewer))
-        for fewer in combinations(every, size)
-    )
+    assert not any(wanted <= frozenset().union(*fewer) for fewer in combinations(met, size))
 
 
 def test_a_search_cut_short_covers_but_claims_no_proof(monkeypatch):

@@ -153,6 +153,33 @@ def test_parked_before_the_one_who_suffers(describe):
     assert {s.assignment("parked").arm for s in found} == {1}
 
 
+@pytest.mark.parametrize(("kind", "arms"), [("straight", 2), ("four_way", 4)])
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_who_hides_somebody_is_on_its_side(describe, kind, arms, side):
+    van = {"id": "van", "kind": "van", "parked": True}
+    functional = describe(
+        kind,
+        arms,
+        [EGO, PED | {"approaches": [side], "entries": [0]}, van],
+        [{"kind": "occlusion", "by": ["van"], "to": ["ego"]}],
+    )
+    found = enumerate_scenarios(functional).scenarios
+    assert {s.assignment("van").side for s in found} == {Side(side)}
+
+
+def test_on_a_plain_road_also_by_the_far_end(describe):
+    van = {"id": "van", "kind": "van", "parked": True}
+    functional = describe(
+        "straight",
+        2,
+        [EGO, PED | {"approaches": ["left"]}, van],
+        [{"kind": "occlusion", "by": ["van"], "to": ["ego"]}],
+    )
+    found = enumerate_scenarios(functional, reduction=Reduction.NONE).scenarios
+    assert {s.assignment("ped").arm for s in found} == {0, 1}
+    assert {s.assignment("van").side for s in found} == {Side.LEFT}
+
+
 @pytest.mark.parametrize(("entries", "arm"), [([1, 2], 1), ([1, 3], 3)])
 def test_parked_on_an_arm_said(describe, entries, arm):
     """On the arm of the one whom it hinders if that is allowed, else on the first allowed."""

@@ -267,3 +267,12 @@ def test_plain_crossing(arms, kind):
 def test_plain_crossing_refuses(entries, arms):
     with pytest.raises(InputError):
         plain_crossing(entries, arms)
+
+
+def test_on_a_motorway_nobody_crawls(describe):
+    """Cruising traffic keeps near the limit; a truck no faster than its device lets it."""
+    people = [EGO, {"id": "truck", "kind": "truck"}]
+    functional = describe("straight", 2, people, speed_limit_mps=130 / 3.6)
+    found = parameters(functional)
+    assert found["ego.speed_mps"] == (28.889, 32.5, 36.111)
+    assert found["truck.speed_mps"] == (20, 22.5, 25)

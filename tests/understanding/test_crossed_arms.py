@@ -25,6 +25,8 @@ def walker(text):
         ("The ego turns left. A cyclist crosses the exit from the left at 15 km/h.", "exit"),
         ("The ego turns left. An adult crosses the road that the ego comes from.", "entry"),
         ("The ego turns right. A child crosses the road it is leaving, from the left.", "entry"),
+        ("The ego turns left. A cyclist crosses the road it is about to enter.", "exit"),
+        ("The ego turns left and hits a man on the crosswalk of the road it turns into.", "exit"),
         ("The ego turns right. A child crosses the road from the left.", None),
     ],
 )
@@ -81,3 +83,12 @@ def test_a_clause_that_says_who_turns_where_is_still_read():
 def test_nobody_stops_is_no_breach_without_a_rule():
     _, scenario = walker("The ego turns left and hits a man crossing its exit. Nobody stops.")
     assert [h.kind for h in scenario.hazards] == [HazardKind.CROSSING_PEDESTRIAN]
+
+
+def test_who_crosses_the_road_of_another_meets_that_one():
+    found, scenario = walker(
+        "The ego follows a truck. The truck turns right and brakes for a pedestrian who crosses the "
+        "road that the truck turns into."
+    )
+    assert found.crosses is CrossedArm.EXIT
+    assert [h.to for h in scenario.hazards] == [("truck_1",)]

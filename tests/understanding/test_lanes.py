@@ -36,5 +36,14 @@ def test_overtaking_in_view_of_oncoming_traffic_uses_its_lane(text):
     assert read(text).junction.lanes == (1, 1)
 
 
-def test_overtaking_alone_takes_a_second_lane():
-    assert read("A car overtakes the ego on the left.").junction.lanes == (2, 2)
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A car overtakes the ego on the left.",
+        "A van beside the ego cuts in.",
+        "A motorcycle rides level with the ego, 7 m to its right.",
+        "The ego changes lanes on a country road.",
+    ],
+)
+def test_lanes_that_nobody_counts_are_open(text):
+    assert read(text).junction.lanes == ()

@@ -116,7 +116,8 @@ def test_somebody_on_foot_alone_gets_an_ego():
     assert scenario.ego.kind is ParticipantKind.CAR
     role = next(e for e in scenario.evidence if e.field == "participants.ego.role")
     assert role.source is EvidenceSource.INFERRED
-    assert hazards(scenario) == {HazardKind.CROSSING_PEDESTRIAN: (("pedestrian_1",), ("ego",))}
+    (hazard,) = scenario.hazards
+    assert (hazard.kind, hazard.by) == (HazardKind.CROSSING_PEDESTRIAN, ("pedestrian_1",))
 
 
 def test_parked_cars_hide_and_stay():

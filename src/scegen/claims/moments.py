@@ -15,7 +15,7 @@ from scegen.motion.batch.arrays import COS, SIN, SPEED, Bools, Floats, Ints
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
-from scegen.scenario.vocabulary import Side
+from scegen.scenario.vocabulary import HazardKind, Side
 
 CHANGES_MPS2 = 0.3
 """Speed that changes faster than this is braking or accelerating."""
@@ -95,19 +95,30 @@ def sideways_begin(
         for a in functional.acts[: functional.acts.index(act)]
         if a.participant == act.participant and a.kind in SIDEWAYS
     ]
-    begins = leaves_lane(view, act.participant, drive)
-    if not earlier:
-        return begins
-    before = sideways_begin(view, functional, drive, earlier[-1])
+    before = leaves_lane(view, act.participant, drive)
+    if not earlier and not _comes_back_by(functional, act):
+        return before
+    if earlier:
+        before = sideways_begin(view, functional, drive, earlier[-1])
     moved = lateral_m(view, act.participant, drive)
     speed = np.diff(moved, axis=1, append=moved[:, -1:]) / view.dt_s
-    sense = _sense(act) or -_sense(earlier[-1])
+    sense = _sense(act) or (-_sense(earlier[-1]) if earlier else 0.0)
     there = np.abs(speed) if sense == 0.0 else sense * speed
     steps = np.arange(view.steps)
     goes = first((np.abs(speed) > ASIDE_MPS) & (steps >= before[:, None]))
     # Between two moves to one side it rests for a moment.
     rests = (there <= ASIDE_MPS) & (steps > goes[:, None])
     return first(np.maximum.accumulate(rests, axis=1) & (there > ASIDE_MPS))
+
+
+def _comes_back_by(functional: FunctionalScenario, act: Act) -> bool:
+    """Whether one who overtakes comes back by it, before the one it has passed."""
+    return any(
+        hazard.kind is HazardKind.OVERTAKING
+        and act.participant in hazard.by
+        and act.into in hazard.to
+        for hazard in functional.hazards
+    )
 
 
 def _sense(act: Act) -> float:

@@ -11,9 +11,10 @@ from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.control import has_crosswalk
 from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.hazards import FROM_BESIDE
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.speed_limits import implied_limit_mps
-from scegen.scenario.vocabulary import FROM_BESIDE, HazardKind, JunctionKind, Maneuver
+from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
 
 FIRST_ARM_M = 100.0
 LONGEST_ARM_M = 1500.0

@@ -7,7 +7,7 @@ from typing import Any
 
 from scegen.enumeration import predicates as p
 from scegen.enumeration.arrival import lanes_of, queues
-from scegen.enumeration.on_foot import ALONG, Place, assignment_of
+from scegen.enumeration.on_foot import ALONG, CROSSINGS, Place, assignment_of
 from scegen.enumeration.parking import standing
 from scegen.enumeration.partial import PartialScenario
 from scegen.enumeration.problem import Problem
@@ -65,9 +65,10 @@ class Builder:
         # The last place holds the None of those who are parked.
         self._arrange = itemgetter(*(listed.get(name, -1) for name in members), -1)
         self._part_at = self._best_parting()
-        self._in_lanes = any(
+        # Who walks or stands along an arm has a rank; who crosses is hidden by who is parked there.
+        self._by_ways = any(
             isinstance(fact, p.OnFoot) and fact.way in ALONG for fact in problem.facts
-        )
+        ) or any(member.parked for member in self._functional.participants)
         self._one_order = all(len(problem.entries.get(v.id, ())) == 1 for v in problem.vehicles)
         self._hazards = hazard_resolver(self._functional, problem.sides)
         self._acts = act_resolver(self._functional)
@@ -145,7 +146,7 @@ class Builder:
     def _order(self, solution: Solution) -> _Order:
         """The order in which the vehicles arrive, which entries and places decide."""
         entries = () if self._one_order else tuple([entry for entry, _, _ in solution.drives])
-        key = entries, solution.places, solution.on_foot if self._in_lanes else ()
+        key = entries, solution.places, solution.on_foot if self._by_ways else ()
         found = self._orders.get(key)
         if found is None:
             if len(self._orders) >= MOST_ORDERS:
@@ -164,6 +165,7 @@ class Builder:
         slots = {vehicle.id: slot for slot, vehicle in enumerate(problem.vehicles)}
         entry_of = {name: solution.drives[slot][0] for name, slot in slots.items()}
         crossers = {crosser.id for crosser in problem.crossers}
+        crossed = [(arm, CROSSINGS[way]) for arm, way in solution.on_foot if way in CROSSINGS]
         rows: list[Row] = []
         for member in self._functional.participants:
             name = member.id
@@ -173,7 +175,7 @@ class Builder:
             elif name in crossers:
                 rows.append(self._on_foot(name, place))
             else:
-                rows.append(self._standings(member, entry_of))
+                rows.append(self._standings(member, entry_of, crossed))
         return rows
 
     def _on_foot(self, name: str, place: Place) -> Row:
@@ -182,8 +184,10 @@ class Builder:
 
         return Kept(share)
 
-    def _standings(self, parked: Participant, entry_of: dict[str, int]) -> Row:
-        assignment = standing(self._functional, parked, entry_of)
+    def _standings(
+        self, parked: Participant, entry_of: dict[str, int], crossed: list[tuple[int, Side]]
+    ) -> Row:
+        assignment = standing(self._functional, parked, entry_of, crossed)
         return Kept(lambda _: self._sharing.other(assignment))
 
     def _slug(self, pattern: tuple[int, ...], front: PartialScenario, back: PartialScenario) -> str:

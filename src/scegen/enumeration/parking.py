@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.logical import Standing
-from scegen.scenario.vocabulary import Approach, HazardKind, Side
+from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Side
 
 BLOCKING = frozenset({HazardKind.OBSTACLE, HazardKind.STOPPING})
 """Hazards by which a parked vehicle stands in the travelled lane."""
@@ -14,20 +14,47 @@ HIDING = BLOCKING | {HazardKind.OCCLUSION}
 
 
 def standing(
-    functional: FunctionalScenario, parked: Participant, entry_of: Mapping[str, int]
+    functional: FunctionalScenario,
+    parked: Participant,
+    entry_of: Mapping[str, int],
+    crossed: Collection[tuple[int, Side]] = (),
 ) -> Standing:
-    """A parked vehicle stands on the arm where the one whom it hinders enters."""
+    """A parked vehicle stands on the arm where the one whom it hinders enters.
+
+    Where its side is not said, one that hides somebody is on that one's side of the road.
+
+    Args:
+        functional: the description, understood.
+        parked: one of its parked vehicles.
+        entry_of: the arms at which the others enter.
+        crossed: the arms that are crossed, and from which side.
+    """
     hindered = (*_hindered_by(functional, parked.id), functional.ego.id)
     arm = next(entry_of[name] for name in hindered if name in entry_of)
     if parked.entries and arm not in parked.entries:
         arm = min(parked.entries)
     kerb = Side(functional.junction.driving_side.value)
     said = parked.approaches & {Approach.LEFT, Approach.RIGHT}
-    side = Side(next(iter(said)).value) if len(said) == 1 else kerb
+    hides = any(h.kind is HazardKind.OCCLUSION and parked.id in h.by for h in functional.hazards)
+    if len(said) == 1:
+        side = Side(next(iter(said)).value)
+    else:
+        hidden = _sides(functional, arm, crossed) if hides else set()
+        side = hidden.pop() if len(hidden) == 1 else kerb
     blocks = not parked.pulls_out and any(
         h.kind in BLOCKING and parked.id in h.by for h in functional.hazards
     )
     return Standing(participant=parked.id, arm=arm, side=side, in_lane=blocks)
+
+
+def _sides(
+    functional: FunctionalScenario, arm: int, crossed: Collection[tuple[int, Side]]
+) -> set[Side]:
+    """From where they come who cross the road of an arm, seen by who enters there."""
+    plain_road = functional.junction.kind is JunctionKind.STRAIGHT
+    other = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT}
+    found = {side for there, side in crossed if there == arm}
+    return found | {other[side] for there, side in crossed if plain_road and there != arm}
 
 
 def _hindered_by(functional: FunctionalScenario, name: str) -> list[str]:

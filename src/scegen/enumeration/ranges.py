@@ -60,8 +60,10 @@ def _speed(functional: FunctionalScenario, participant: Participant) -> Range:
     own = {hazard.kind for hazard in functional.hazards if participant.id in hazard.by}
     if kind in KIND_SPEED_MPS and not (kind in FAST_FOR_KIND_MPS and HazardKind.SPEEDING in own):
         return KIND_SPEED_MPS[kind]
-    open_road = functional.junction.kind is JunctionKind.STRAIGHT
-    share = CRUISING_SHARE if open_road else USUAL_SHARE
+    # Who overtakes passes somebody who is slower than the traffic may be.
+    passing = any(Maneuver.OVERTAKE in p.maneuvers for p in functional.participants)
+    cruising = functional.junction.kind is JunctionKind.STRAIGHT and not passing
+    share = CRUISING_SHARE if cruising else USUAL_SHARE
     for hazard in functional.hazards:
         own_share = HAZARDS[hazard.kind].speed_share
         if own_share is not None and participant.id in hazard.by:

@@ -117,6 +117,8 @@ def _value(functional: FunctionalScenario, field: str) -> str:
     for part in field.split("."):
         if isinstance(here, dict):
             here = here.get(part)
+        elif isinstance(here, list) and part.isdigit():
+            here = here[int(part)] if int(part) < len(here) else None
         elif isinstance(here, list):
             named = [
                 x for x in here if isinstance(x, dict) and part in {x.get("id"), x.get("kind")}

@@ -433,3 +433,5 @@ HAZARDS: dict[HazardKind, HazardRow] = {
     ),
 }
 """Every kind has its row."""
+FROM_BESIDE = frozenset(kind for kind, row in HAZARDS.items() if Case.PLAIN_ROAD in row.needs)
+"""On a road without a junction, these come from the lane beside, as a cut-in does."""

@@ -362,10 +362,6 @@ class HazardKind(StrEnum):
     LOSS_OF_CONTROL = "loss_of_control"
 
 
-FROM_BESIDE = frozenset({HazardKind.MERGING_CONFLICT, HazardKind.FAILURE_TO_YIELD})
-"""On a road without a junction, these come from the lane beside, as a cut-in does."""
-
-
 class Weather(Word):
     """Sky and precipitation."""
 

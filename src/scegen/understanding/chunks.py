@@ -117,12 +117,13 @@ class Mention(NounPhrase):
 class Place(NounPhrase):
     """A place: a lane, a side, a junction, a sign; ``beside`` whom it lies, if that is said.
 
-    ``arm``: for who drives there, the road by which it comes to the junction or leaves it.
+    ``arm``: for its ``user``, the road by which that one comes to the junction or leaves it.
     """
 
     kind: str = "side"
     beside: Mention | None = None
     arm: CrossedArm | None = None
+    user: Mention | None = None
 
 
 @dataclass(slots=True, eq=False)

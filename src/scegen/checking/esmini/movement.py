@@ -21,6 +21,7 @@ from scegen.scenario.concrete import (
     StandingMotion,
 )
 from scegen.scenario.reversing import BacksOut
+from scegen.scenario.vocabulary import ParticipantKind
 
 JUMP_M = 0.05
 """How much farther than its speed allows an entity may move in one step."""
@@ -133,7 +134,9 @@ def _way(
     movement: Movement, participant: ConcreteParticipant, network: Network, arms: dict[int, Arm]
 ) -> Iterator[Finding]:
     motion = participant.motion
-    if isinstance(motion, DriveMotion):
+    if isinstance(motion, DriveMotion) and not network.junctions:
+        yield from _on_the_road(movement, participant, network)
+    elif isinstance(motion, DriveMotion):
         first = _lanes(network, movement, 0, arms[motion.entry])
         inward = {*arms[motion.entry].inward, *arms[motion.entry].strips}
         if not isinstance(motion.reversal, BacksOut) and not first & inward:
@@ -154,6 +157,22 @@ def _way(
         if away > JUMP_M:
             message = f"should stand but moves {away:.2f} m"
             yield error("esmini.standing", participant.id, message)
+
+
+def _on_the_road(
+    movement: Movement, participant: ConcreteParticipant, network: Network
+) -> Iterator[Finding]:
+    """On a road without a junction nobody has to leave; whoever drives stays on a lane."""
+    motion = participant.motion
+    walks = participant.kind is ParticipantKind.PEDESTRIAN
+    if walks or (isinstance(motion, DriveMotion) and isinstance(motion.reversal, BacksOut)):
+        return
+    for step, rule in ((0, "esmini.entry"), (-1, "esmini.exit_arm")):
+        under = lanes_at(network, movement.point[[step]])[0]
+        if not under:
+            point = movement.point[step]
+            message = f"is at ({point.real:.1f}, {point.imag:.1f}), off every lane of the road"
+            yield error(rule, participant.id, message)
 
 
 def _stopped(movement: Movement, participant: ConcreteParticipant) -> bool:

@@ -21,6 +21,7 @@ from scegen.claims.moments import (
     at,
     first,
     lateral_m,
+    sideways_begin,
 )
 from scegen.claims.statements.maneuvers import LANE_M
 from scegen.claims.statements.spacings import measure_at
@@ -209,7 +210,11 @@ def _lateral(told: Told, act: Act, view: View) -> Floats:
 
 
 def _aside(told: Told, act: Act, far: float, view: View) -> Judged:
+    """How far it comes to that side from where the act begins."""
     moved = _lateral(told, act, view)
+    begins = sideways_begin(view, told.functional, told.drive(act.participant), act)
+    later = np.arange(view.steps) >= begins[:, None]
+    moved = np.where(later, moved - at(moved, begins)[:, None], 0.0)
     step = moved.argmax(axis=1)
     most = at(moved, step)
     return Judged(most - far, most, view.time_of(step))

@@ -22,19 +22,25 @@ from scegen.claims.told import KPH, Told, plain, speed_words
 from scegen.claims.tolerances import SPEED_MPS
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats, Ints
+from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Participant
+from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.logical import Crossing
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind, Maneuver
 
+_CHANGES_BY = {
+    ActKind.BRAKE: -1,
+    ActKind.STOP: -1,
+    ActKind.REVERSE: -1,
+    ActKind.ACCELERATE: 1,
+}
 SPEED_CHANGES: dict[HazardKind, int] = {
-    HazardKind.HARD_BRAKING: -1,
-    HazardKind.DELAYED_BRAKING: -1,
-    HazardKind.STOPPING: -1,
-    HazardKind.LOSS_OF_CONTROL: -1,
-    HazardKind.REVERSING: -1,
-    HazardKind.SUDDEN_ACCELERATION: 1,
+    kind: _CHANGES_BY[act]
+    for kind, row in HAZARDS.items()
+    for act in row.acts
+    if act in _CHANGES_BY
 }
 """Dangers that whoever causes them makes by slowing down or speeding up."""
 _COMFORT_MPS2 = 1.5

@@ -8,9 +8,9 @@ from scegen.concretization.along.asked import dangers
 from scegen.concretization.along.runner import Runner
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.functional import FunctionalScenario, Hazard
-from scegen.scenario.hazards import HAZARDS
+from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
 from scegen.scenario.logical import Drive, LogicalScenario
-from scegen.scenario.vocabulary import FROM_BESIDE, HazardKind, Maneuver
+from scegen.scenario.vocabulary import HazardKind, Maneuver
 
 _SLOWS = frozenset({ActKind.BRAKE, ActKind.STOP})
 _ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.OVERTAKE})

@@ -17,6 +17,7 @@ from scegen.errors import MotionInfeasibleError
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.hazards import FROM_BESIDE
 from scegen.scenario.logical import Assignment, Drive, InLine, LogicalScenario
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
@@ -26,9 +27,7 @@ _SAID, _LIKELY, _USUAL = 100.0, 10.0, 1.0
 _LANE, _INSIDE = 0.1, 0.01
 """What one lane more costs, and what driving one lane farther inside does."""
 _INNERMOST = frozenset({1})
-_FROM_BESIDE = frozenset(
-    {HazardKind.CUT_IN, HazardKind.MERGING_CONFLICT, HazardKind.FAILURE_TO_YIELD}
-)
+_FROM_BESIDE = FROM_BESIDE | {HazardKind.CUT_IN}
 _IN_LINE = frozenset(
     {
         HazardKind.HARD_BRAKING,

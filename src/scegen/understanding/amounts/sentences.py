@@ -164,8 +164,8 @@ class Sentences:
         for chunk in self.chunks[k + 1 : k + 5]:
             if isinstance(chunk, Mention | Place | Thing):
                 return word, chunk
-            if isinstance(chunk, Event) or chunk.value in {",", ";", "."}:
-                break
+            if isinstance(chunk, Event) or chunk.cat == "conj" or chunk.value in {",", ";", "."}:
+                break  # "80 m ahead and a car …": ahead of nobody that is named
         return word, None
 
     def named(self, noun: NounPhrase | None) -> list[Entity]:

@@ -19,6 +19,7 @@ from scegen.understanding.building.in_lane import (
     beside_of,
     circulates,
     lanes_of,
+    past_people,
     settle_along,
 )
 from scegen.understanding.building.layout import Layout
@@ -80,6 +81,7 @@ class Builder:
             both_change_lanes(self._draft, ego)
             from_the_strip(self._draft, ego)
             settle_along(self._draft, ego)
+            relations = past_people(relations)
         else:
             alongside(self._draft, ego, self._draft.tokens)
         self._name(ego)

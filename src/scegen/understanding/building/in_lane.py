@@ -99,3 +99,22 @@ def circulates(entity: Entity, junction: Junction) -> bool:
         junction: where it drives.
     """
     return junction.kind is JunctionKind.ROUNDABOUT and entity.circulates is not None
+
+
+Placed = tuple[Entity, Entity, set[Approach], Basis]
+
+
+def past_people(relations: list[Placed]) -> list[Placed]:
+    """``a man stands ahead and, behind him, a bus``: farther on, as one sees it who comes there.
+
+    Args:
+        relations: who is where, seen from whom.
+    """
+    return [
+        (entity, reference, {Approach.AHEAD}, basis)
+        if approaches == {Approach.BEHIND}
+        and not reference.is_vehicle
+        and reference.approaches == {Approach.AHEAD} == entity.approaches
+        else (entity, reference, approaches, basis)
+        for entity, reference, approaches, basis in relations
+    ]

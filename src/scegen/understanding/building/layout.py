@@ -11,6 +11,8 @@ from scegen.understanding.road.surroundings import Surroundings
 
 _ROUNDABOUT_ARMS = 4
 _MOST_LANES = 3
+_FEWEST_TO_NAME = 2
+"""There is a left and a right lane only where there are two."""
 _ALONG_LANES = frozenset({HazardKind.CUT_IN, HazardKind.OVERTAKING, HazardKind.MERGING_CONFLICT,
                           HazardKind.SWERVING, HazardKind.TAILGATING})  # fmt: skip
 
@@ -150,7 +152,7 @@ class Layout:
             return (around.lanes,) * arms, doubled, around.lanes_basis
         if ring and around.two_lane is not None:
             return (2,) * arms, 2, around.two_lane
-        passing, on_highway = self._draft.passing_implied, None
+        passing = self._draft.passing_implied
         if implied is None and passing is not None:
             if not ring and self._against_oncoming():
                 reason = "who overtakes uses the oncoming lane"
@@ -158,10 +160,12 @@ class Layout:
             implied = Basis(passing.i, passing.j, "overtaking needs a second lane")
         if implied is None and around.highway is not None:
             reason = "highways have two lanes per direction unless said otherwise"
-            on_highway = implied = Basis(around.highway.i, around.highway.j, reason)
-        if implied is None or (implied is not on_highway and not ring):
+            implied = Basis(around.highway.i, around.highway.j, reason)
+        named = [e.start_lane[0] for e in self._draft.entities if e.start_lane is not None]
+        if implied is None or not (ring or named or around.highway is not None):
             return (), None, None  # as many as it takes
-        return (2,) * arms, (2 if ring else None), implied
+        count = _MOST_LANES if "middle" in named else _FEWEST_TO_NAME
+        return (count,) * arms, (2 if ring else None), implied
 
     def _against_oncoming(self) -> bool:
         """Whether somebody overtakes on a road where others come towards them."""

@@ -2,23 +2,27 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, CrossedArm, Maneuver
-from scegen.understanding.chunks import Event, Place, Prep
+from collections.abc import Mapping
+
+from scegen.scenario.vocabulary import Approach, CrossedArm, HazardKind, Maneuver
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.meaning.context import Context, Scene
 from scegen.understanding.phrases.which_road import AGAINST, ALONG
 
 _TURNS = frozenset({"turn", "sharp_turn", "enter", "move", "merge"})
+_OVER_THE_ROAD = frozenset({HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_CYCLIST})
 _OVER = frozenset({"across", "over"})
 _INTO = {"into": CrossedArm.EXIT, "from": CrossedArm.ENTRY}
 _SIDES = {Maneuver.LEFT: Approach.LEFT, Maneuver.RIGHT: Approach.RIGHT}
 _OTHER = {Approach.LEFT: Approach.RIGHT, Approach.RIGHT: Approach.LEFT}
 
 
-def note_arms(scenes: list[Scene], context: Context) -> None:
+def note_arms(chunks: list[Chunk], scenes: list[Scene], context: Context) -> None:
     """``crosses the road that the ego turns into``, ``walks over the exit``.
 
     Args:
+        chunks: the chunks of the text.
         scenes: what happens, in the order of the text.
         context: the scenario in the making.
     """
@@ -26,24 +30,56 @@ def note_arms(scenes: list[Scene], context: Context) -> None:
     for scene in scenes:
         whom = scene.walkers + [e for e in scene.actors if context.is_cyclist(e) and not e.ego]
         for prep, place in _crossed(scene.event):
-            rides = prep is None and scene.event.name != "cross"
-            rides = rides or (prep is not None and context.tokens[prep.word.i].low not in _OVER)
-            if rides and not scene.walkers:
-                continue  # "a cyclist takes the first exit"
-            arm = place.arm or used.get(place.kind)
-            arm = CrossedArm.EXIT if arm is None and place.kind == "exit" else arm
-            if arm is None:
-                continue
-            basis = Basis(prep.word.i if prep is not None else place.i, place.j)
-            for entity in whom:
-                entity.crosses = entity.crosses or (arm, basis)
-                if context.is_cyclist(entity):
-                    context.draft.maneuver(entity, {Maneuver.CROSS}, basis)
+            if scene.walkers or _goes_over(scene.event, prep, context):
+                _note(whom, prep, place, used, context)
         term = scene.event.how(ALONG, AGAINST)
         if term is None:
             continue
         for entity in whom:
             entity.course = entity.course or (term.value == ALONG, Basis(term.i, term.j))
+    for mention in chunks:
+        if not isinstance(mention, Mention):
+            continue
+        walkers = [e for e in mention.entities if not e.is_vehicle]
+        for prep in mention.pps:
+            if isinstance(prep.target, Place) and prep.target.arm is not None:
+                _note(walkers, prep, prep.target, {}, context)
+
+
+def _goes_over(event: Event, prep: Prep | None, context: Context) -> bool:
+    """Unlike ``a cyclist takes the first exit``."""
+    if prep is None:
+        return event.name == "cross"
+    return context.tokens[prep.word.i].low in _OVER
+
+
+def _note(
+    whom: list[Entity],
+    prep: Prep | None,
+    place: Place,
+    used: Mapping[str, CrossedArm],
+    context: Context,
+) -> None:
+    arm = place.arm or used.get(place.kind)
+    arm = CrossedArm.EXIT if arm is None and place.kind == "exit" else arm
+    if arm is None:
+        return
+    basis = Basis(prep.word.i if prep is not None else place.i, place.j)
+    for entity in whom:
+        entity.crosses = entity.crosses or (arm, basis)
+        _meets(entity, place, context)
+        if context.is_cyclist(entity):
+            context.draft.maneuver(entity, {Maneuver.CROSS}, basis)
+
+
+def _meets(entity: Entity, road: Place, context: Context) -> None:
+    """``the road that the truck turns into``: who crosses it meets the truck."""
+    kinds = [h.value for h in road.user.heads] if road.user is not None else []
+    ego = any(h.data.get("ego") for h in road.user.heads) if road.user is not None else False
+    users = [e for e in context.draft.entities if e.kind.value in kinds and e.moving_vehicle]
+    for danger in context.draft.dangers if len(users) == 1 and not ego else []:
+        if danger.kind in _OVER_THE_ROAD and danger.by == [entity] and not danger.to:
+            danger.to = users
 
 
 def crossed_road(event: Event) -> bool:

@@ -144,7 +144,7 @@ class Interpreter:
         breaches.subsume(self._context)
         courses.circulate(chunks, self._scenes, self._context)
         sides_left(chunks, self._context)
-        crossed_arms.note_arms(self._scenes, self._context)
+        crossed_arms.note_arms(chunks, self._scenes, self._context)
         return self._scenes
 
     def _mention(self, mention: Mention) -> None:

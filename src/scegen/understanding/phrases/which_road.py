@@ -39,6 +39,8 @@ def name_roads(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             end, chunk.arm = clause
             told = _told_anew(chunks, k, end)
             found[begin:begin] = told
+            chunk.user = next(c for c in chunks[k + 1 : end] if isinstance(c, Mention))
+            _hand_on(found, chunk)
             found.append(chunk)
             k = end
         elif course is not None:
@@ -50,6 +52,14 @@ def name_roads(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         if isinstance(chunk, Word) and chunk.value in BOUNDARIES:
             begin = len(found)
     return _without_asides(found, tokens)
+
+
+def _hand_on(before: list[Chunk], road: Place) -> None:
+    """``the crosswalk of the road that it turns into``: on that arm."""
+    place, word = _at(before, len(before) - 2), _at(before, len(before) - 1)
+    of = isinstance(word, Word) and word.cat == "prep" and word.value in {"of", "in"}
+    if of and isinstance(place, Place) and place.kind == "crosswalk":
+        place.arm, place.user = road.arm, road.user
 
 
 def _text(chunk: Chunk | None, tokens: list[Token]) -> str:
@@ -83,6 +93,8 @@ def _arm_clause(chunks: list[Chunk], k: int, tokens: list[Token]) -> tuple[int, 
     event, m = clause
     while isinstance(after := _at(chunks, m), Word) and after.cat in {"dir", "manner"}:
         m += 1
+    if not opener and isinstance(after, Place):
+        return None  # "with 5 exits the ego takes the second exit": the verb has its own object
     lemma, stranded = _lemma(event, tokens), _text(after, tokens)
     preposed = isinstance(after, Word) and after.cat == "prep" and not opener
     preposed = preposed and not isinstance(_at(chunks, m + 1), Mention | Place | Event)
@@ -105,6 +117,9 @@ def _does(chunks: list[Chunk], m: int) -> tuple[Event, int] | None:
     while isinstance(word := _at(chunks, m), Word) and word.cat in _ON_THE_WAY:
         m += 1
     verb = _at(chunks, m)
+    if isinstance(verb, Event) and verb.name == "try" and isinstance(_at(chunks, m + 1), Event):
+        m += 1  # "is about to enter"
+        verb = _at(chunks, m)
     return (verb, m + 1) if isinstance(verb, Event) and not verb.nominal else None
 
 

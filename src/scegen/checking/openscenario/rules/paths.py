@@ -14,6 +14,9 @@ from scegen.checking.results import Finding, error
 from scegen.scenario.concrete import CrossingMotion, DriveMotion
 from scegen.scenario.reversing import BacksOut
 
+_BESIDE_M = 1.0
+"""Who keeps so far beside the middle of its lane may be above the next one."""
+
 
 def check_paths(situation: Situation) -> Iterator[Finding]:
     """``xosc.off_road``, ``xosc.exit``, ``xosc.crossing``, ``xosc.missing_trajectory``.
@@ -50,13 +53,24 @@ def _drive(
             message = f"vertex {number} ({vertex.x:.2f}, {vertex.y:.2f}) lies on no driving lane"
             yield error("xosc.off_road", name, message)
             break
+    if situation.network is not None and not situation.network.junctions and _is_aside(motion):
+        return  # off the middle of its lane: which lane is below it says nothing
     arm = situation.arms[motion.exit]
     reached = _on(under[-1], arm)
-    wanted = {lane for lane in arm.outward if abs(lane) == motion.exit_lane}
+    number = motion.exit_lane
+    wanted = {lane for lane in arm.outward if abs(lane) == number}
+    if number == 0:  # it stays in the oncoming lane
+        wanted = {lane for lane in arm.inward if abs(lane) == 1}
     if not reached & wanted:
         said = ", ".join(f"road {x.road} lane {x.lane}" for x in under[-1]) or "no lane"
         message = f"ends on {said} instead of arm {motion.exit} ({arm.place}) lane {sorted(wanted)}"
         yield error("xosc.exit", name, message)
+
+
+def _is_aside(motion: DriveMotion) -> bool:
+    """Whether a drive ends beside the middle of its lane."""
+    last = motion.lane_changes[-1].offset_m if motion.lane_changes else motion.offset_m
+    return abs(last) > _BESIDE_M
 
 
 def _comes_from_beside(motion: DriveMotion, trajectory: Trajectory) -> int:

@@ -12,6 +12,8 @@ from scegen.scenario.concrete import ConcreteParticipant, CrossingMotion, DriveM
 from scegen.scenario.reversing import BacksOut
 
 RULE = "xosc.start"
+_BESIDE_M = 1.0
+"""Who keeps so far beside the middle of its lane may be above the next one."""
 
 
 def check_starts(situation: Situation) -> Iterator[Finding]:
@@ -47,6 +49,10 @@ def _where_asked(
             return  # likewise
         number = reversal.arm
     arm = arms[number]
+    if isinstance(motion, DriveMotion) and (
+        abs(motion.offset_m) > _BESIDE_M or not motion.entry_lane
+    ):
+        return  # beside its lane, or against the traffic: its path is checked instead
     here = [lane for lane in lanes if lane.road == arm.road.id]
     if not here:
         said = ", ".join(f"road {lane.road} lane {lane.lane}" for lane in lanes) or "no lane"
