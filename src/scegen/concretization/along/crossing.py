@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import ceil
 
 from scegen.concretization.along.asked import allowed
 from scegen.concretization.along.reactions import REACTION_S
@@ -174,7 +175,7 @@ def _time(story: Story, walk: Walk, meets: Runner, act: Act | None, takes: float
     half = walk.body.width_m / 2
     when = act.when if act is not None else None
     spacing = _spacing(story, walk.id, meets.id, act)
-    walk.sets_off_s = max(_MEETS_S - takes, _LEAST_LEAD_S)
+    walk.sets_off_s = max(ceil((_MEETS_S - takes) / _LOOK_S) * _LOOK_S, _LEAST_LEAD_S)
     if isinstance(when, AfterStart):
         walk.sets_off_s, walk.timed = when.delay_s.middle, True
     elif isinstance(when, WhenMeasure):

@@ -75,7 +75,7 @@ def choose_lanes(
     counts = [said] if said else range(1, MOST_LANES + 1)
     best: tuple[float, int, dict[str, int]] | None = None
     for count in counts:
-        cost, lanes = _cheapest(list(runners), wishes, count)
+        cost, lanes = cheapest(list(runners), wishes, count)
         if best is None or cost < best[0] - 1e-9:
             best = cost, count, lanes
     if best is None:
@@ -94,7 +94,7 @@ def choose_lanes(
     return count
 
 
-def _cheapest(
+def cheapest(
     names: Sequence[str], wishes: Sequence[Wish], count: int
 ) -> tuple[float, dict[str, int]]:
     """The lanes that break the least, branch by branch; the kerb's side where all are equal."""

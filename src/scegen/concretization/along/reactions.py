@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from math import ceil, floor
 
 from scegen.concretization.along.passing import apart_m
 from scegen.concretization.along.runner import Runner, Step, gap_m, in_line
@@ -21,6 +22,7 @@ _STEP_S = 0.05
 _TOO_LATE_S = 0.8
 """Who brakes for one it is to hit all the same begins so long before."""
 _ROUNDS = 24
+_ROUNDING, _SOFTER = 1e-6, 0.8
 _BRAKES = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING})
 _HARDER = (1.0, 1.2, 1.4)
 
@@ -123,13 +125,30 @@ def _brake_for(story: Story, who: Runner, other: Runner, loose: Step | None = No
     hazard = next(iter(kinds), thing)
     rest = [s for s in who.steps if s is not own]
     before = who.steps
-    for rate in _rates_mps2(story, who, own, hard=bool(kinds)):
-        found = _latest_s(who, other, rest, rate, _sees_s(other) + REACTION_S, own)
+    rates = _rates_mps2(story, who, own, hard=bool(kinds))
+    sees_s = ceil((_sees_s(other) + REACTION_S) / _STEP_S) * _STEP_S
+    for rate in rates:
+        found = _latest_s(who, other, rest, rate, sees_s, own)
         if found is not None:
-            who.steps = [*rest, _braking(found, rate, other, own, hazard)]
+            begins = floor(found / _STEP_S + _ROUNDING) * _STEP_S
+            if len(rates) > 1:
+                rate = _just_enough(who, other, rest, begins, rate, own)
+            who.steps = [*rest, _braking(begins, rate, other, own, hazard)]
             return True
     who.steps = before
     return False
+
+
+def _just_enough(
+    who: Runner, other: Runner, rest: list[Step], begins_s: float, rate: float, own: Step | None
+) -> float:
+    """As hard as leaves the same room, for one that begins in the step of a player before."""
+    low, high = rate * _SOFTER, rate
+    for _ in range(_ROUNDS // 2):
+        middle = (low + high) / 2
+        who.steps = [*rest, _braking(begins_s, middle, other, own, None)]
+        low, high = (low, middle) if _least_gap_m(who, other) >= _CLOSEST_M else (middle, high)
+    return high
 
 
 def _rates_mps2(story: Story, who: Runner, own: Step | None, *, hard: bool) -> list[float]:

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from dataclasses import dataclass, field, replace
-from math import cos, pi, sqrt
+from math import cos, pi, sin, sqrt
 
+from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 
@@ -175,10 +176,24 @@ class Runner:
 
     def x_m(self, time_s: float) -> float:
         """Where its reference point is."""
-        way = self.profile.way_m(time_s)
+        way = self.profile.way_m(time_s) - self._detour_m(time_s)
         if self.backs and way > FORTH_M:
             way = 2 * FORTH_M - way
         return (self.at_m or 0.0) + self.sign * way
+
+    def _detour_m(self, time_s: float) -> float:
+        """How much of its way it has lost to moves aside: the arc of a cosine is longer."""
+        lost, before = 0.0, self._across_m(self.lane, self.offset_m, LANE_WIDTH_M)
+        for move in self.moves:
+            if time_s <= move.begins_s:
+                break
+            goal = self._across_m(move.lane, move.offset_m, LANE_WIDTH_M)
+            way = self.profile.way_m(move.ends_s) - self.profile.way_m(move.begins_s)
+            done = min(1.0, (time_s - move.begins_s) / move.lasts_s)
+            bend = (pi * (goal - before)) ** 2 / (8 * max(way, 1.0))
+            lost += bend * (done / 2 - sin(2 * pi * done) / (4 * pi))
+            before = goal
+        return lost
 
     def ends_m(self, time_s: float) -> tuple[float, float]:
         """The rear and the front of its box along the road, the lower first."""

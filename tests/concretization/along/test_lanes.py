@@ -1,0 +1,106 @@
+"""Lanes: the search by branches finds what trying everything finds."""
+
+from __future__ import annotations
+
+from itertools import product
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from roads import AHEAD, LEFT_LANE, RIGHT_LANE, TOWARDS, ego, one, road
+from told import act, apart
+
+from scegen.concretization.along.lanes import MOST_LANES, Wish, cheapest
+from scegen.concretization.along.telling import story_of
+from scegen.enumeration import enumerate_scenarios
+from scegen.errors import MotionInfeasibleError
+
+NAMES = ["a", "b", "c", "d"]
+
+
+def differ_by(first, second, step):
+    return Wish(
+        (first, second), 0.0, lambda lanes, _: lanes[first] - lanes[second] == step, "lanes apart"
+    )
+
+
+def within(name, lane):
+    return Wish((name,), 0.0, lambda lanes, count: lanes[name] == min(lane, count), "a lane")
+
+
+@st.composite
+def wishes(draw, names):
+    made = []
+    for _ in range(draw(st.integers(0, 6))):
+        first = draw(st.sampled_from(names))
+        others = [name for name in names if name != first]
+        if others and draw(st.booleans()):
+            wish = differ_by(first, draw(st.sampled_from(others)), draw(st.integers(-2, 2)))
+        else:
+            wish = within(first, draw(st.integers(1, 3)))
+        weight = draw(st.sampled_from([1.0, 5.0, 10.0, 100.0]))
+        made.append(Wish(wish.who, weight, wish.met, wish.words))
+    return made
+
+
+def broken(wanted, lanes, count):
+    return sum(wish.weight for wish in wanted if not wish.met(lanes, count))
+
+
+@given(st.data(), st.integers(1, 4), st.integers(1, MOST_LANES))
+def test_branches_find_the_cheapest_there_is(data, people, count):
+    names = NAMES[:people]
+    wanted = data.draw(wishes(names))
+    _, lanes = cheapest(names, wanted, count)
+    everything = (
+        dict(zip(names, choice, strict=True))
+        for choice in product(range(1, count + 1), repeat=people)
+    )
+    least = min(broken(wanted, choice, count) for choice in everything)
+    assert broken(wanted, lanes, count) == pytest.approx(least)
+
+
+def lanes_of(functional, number=0):
+    story = story_of(functional, enumerate_scenarios(functional).scenarios[number])
+    return {name: runner.lane for name, runner in story.runners.items()}, story.lane_count
+
+
+def test_where_nothing_is_said_of_lanes_one_is_built():
+    lanes, count = lanes_of(road([ego(50), one("a", "car", AHEAD), one("b", "car", TOWARDS)]))
+    assert (lanes, count) == ({"ego": 1, "a": 1, "b": 1}, 1)
+
+
+def test_as_many_are_built_as_the_sides_need():
+    people = [ego(50), one("a", "car", LEFT_LANE), one("b", "car", RIGHT_LANE)]
+    lanes, count = lanes_of(road(people))
+    assert (lanes, count) == ({"ego": 2, "a": 1, "b": 3}, 3)
+
+
+def test_sides_are_turned_where_traffic_keeps_left():
+    lanes, _ = lanes_of(road([ego(50), one("a", "car", LEFT_LANE)], side="left"))
+    assert lanes["a"] == lanes["ego"] + 1
+
+
+def test_who_changes_towards_the_oncoming_is_beside_them():
+    people = [ego(50), one("a", "car", TOWARDS)]
+    acts = [act("drifts", "a", "change_lane", side="left", into="ego")]
+    hazards = [("oncoming_lane", "a", "ego")]
+    lanes, count = lanes_of(road(people, hazards, acts=acts))
+    assert (lanes, count) == ({"ego": 1, "a": 1}, 1)
+    lanes, _ = lanes_of(road(people, hazards, acts=acts, lanes=3))
+    assert lanes["a"] == lanes["ego"] == 1
+
+
+def test_an_offset_of_two_lanes_is_two_lanes():
+    people = [ego(50), one("a", "car", [])]
+    said = [apart("a", "ego", "lateral_offset_m", 7.0)]
+    lanes, count = lanes_of(road(people, spacings=said))
+    assert count == 3
+    assert lanes["ego"] - lanes["a"] == 2
+
+
+def test_lanes_that_contradict_each_other_are_refused_by_their_words():
+    people = [ego(50), one("a", "car", LEFT_LANE), one("b", "car", RIGHT_LANE)]
+    logical = enumerate_scenarios(road(people)).scenarios[0]
+    with pytest.raises(MotionInfeasibleError, match="is in the lane beside ego"):
+        story_of(road(people, lanes=2), logical)
