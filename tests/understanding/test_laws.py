@@ -30,6 +30,7 @@ def attempt(text: str) -> FunctionalScenario | None:
         return None
 
 
+@settings(deadline=None)
 @given(st.text(max_size=300))
 def test_tokens_keep_their_place(text):
     for token in tokenize(text):
@@ -79,6 +80,7 @@ MANEUVERS = {Maneuver.LEFT: Maneuver.RIGHT, Maneuver.RIGHT: Maneuver.LEFT}
 APPROACHES = {Approach.LEFT: Approach.RIGHT, Approach.RIGHT: Approach.LEFT}
 
 
+@settings(deadline=None)
 @given(
     turn=st.sampled_from(["turns left", "makes a left turn", "is turning to the left"]),
     side=st.sampled_from(["from the left", "from the left side", "on the left front"]),

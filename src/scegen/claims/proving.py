@@ -10,13 +10,14 @@ from scegen.claims.view import View
 from scegen.scenario.proof import ClaimProof
 
 
-def prove(claims: Sequence[Claim], view: View) -> tuple[ClaimProof, ...]:
-    """How every claim holds in the first candidate of a view."""
-    return tuple(_proof(claim, view) for claim in claims)
+def prove(claims: Sequence[Claim], *views: View) -> tuple[ClaimProof, ...]:
+    """How every claim holds in the first candidate of a view; of several, where it holds least."""
+    return tuple(_proof(claim, views) for claim in claims)
 
 
-def _proof(claim: Claim, view: View) -> ClaimProof:
-    margin, measured, time_s = (float(values[0]) for values in claim.judge(view))
+def _proof(claim: Claim, views: Sequence[View]) -> ClaimProof:
+    found = [[float(values[0]) for values in claim.judge(view)] for view in views]
+    margin, measured, time_s = min(found, key=lambda judged: judged[0])
     return ClaimProof(
         id=claim.id,
         kind=claim.kind.value,

@@ -90,18 +90,14 @@ def delayed_braking(view: View, by: str, to: str) -> list[Part]:
 
 def stopping(view: View, by: str, _: str) -> list[Part]:
     """Stands in the way after having moved, until it sets off, or blocks a lane all along."""
-    way = view.ways[by]
+    way, place = view.ways[by], view.place_m(by)
     stands = view.speed_mps(by) < limits.STANDS_MPS
-    if way.path.length_m == 0.0:
-        stands = np.ones_like(stands)
-    else:
-        place = view.place_m(by)
-        if not way.sets_off:
-            all_along = stands.all(axis=1)[:, None]
-            stands &= all_along | (place > place[:, :1] + _MOVING_MPS)
-        if way.laid is not None:
-            # Waiting at the end of the road is the end of the scenario, no danger.
-            stands &= place < way.path.length_m - _AT_END_M
+    all_along = stands.all(axis=1, keepdims=True)
+    if not way.sets_off:
+        stands &= all_along | (place > place[:, :1] + _MOVING_MPS)
+    if way.laid is not None:
+        # Waiting at the end of the road is the end of the scenario, no danger.
+        stands &= all_along | (place < way.path.length_m - _AT_END_M)
     longest, begins = longest_run(stands)
     held = longest * view.dt_s
     return [at_least("standstill", held, limits.STANDS, begins * view.dt_s)]

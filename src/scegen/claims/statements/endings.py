@@ -88,7 +88,8 @@ def _goes_on(told: Told, view: View) -> Judged:
     when, before, least = _nearest(told, view)
     left = view.time_of(view.last_step) - when - GOES_ON_S
     left = np.where(np.abs(left) < view.dt_s / 2, 0.0, left)
-    steady = np.isinf(least) | (before - least < _STEADY_M) & (least > 0.0)
+    keeps = before < np.where(np.isfinite(least), least + _STEADY_M, np.inf)
+    steady = np.isinf(least) | (keeps & (least > 0.0))
     return Judged(np.where(steady, np.maximum(left, 0.0), left), left + GOES_ON_S, when)
 
 

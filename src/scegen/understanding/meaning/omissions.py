@@ -46,8 +46,6 @@ def not_done(scene: Scene, context: Context) -> None:
         or (event.name in _SEEING and breaches.breach(scene, context))
     ):
         return
-    elif event.name in _SEEING and _late(scene) and scene.drivers:
-        context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name == "yield" or (event.name in {"stop", "wait"} and _for_people(scene)):
         breaches.fail_to_yield(scene, context)
     elif event.name == "obey":
@@ -58,16 +56,22 @@ def not_done(scene: Scene, context: Context) -> None:
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name in _STOPPING and _has_to_wait(scene, context):
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers)
-    elif (event.name in _SEEING and scene.drivers and _ahead(scene, context)) or (
-        event.name in _BRAKING | {"react"}
-        and scene.drivers
-        and ((event.name != "slow" and not _oncoming(scene, context)) or _due(scene, context))
-    ):
+    elif scene.drivers and _answer_is_due(scene, context):
         context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
     elif event.name == "encounter" and any(0 < event.i - i < _NEAR for i in context.screens):
         context.draft.hazard(HazardKind.OCCLUSION, basis, [])
     elif event.name not in _HARMLESS | {"collide"}:
         context.draft.note(event.i, event.j, "said not to happen; left out")
+
+
+def _answer_is_due(scene: Scene, context: Context) -> bool:
+    """``does not see the car ahead``, ``does not brake`` for somebody who is no oncoming one."""
+    name = scene.event.name
+    if name in _SEEING:
+        return _late(scene) or _ahead(scene, context)
+    if name not in _BRAKING | {"react"}:
+        return False
+    return (name != "slow" and not _oncoming(scene, context)) or _due(scene, context)
 
 
 def _nobody_reacts(scene: Scene, context: Context) -> bool:
