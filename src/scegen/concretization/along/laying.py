@@ -8,7 +8,7 @@ from scegen.concretization.along.crossing import Walk, cross
 from scegen.concretization.along.moments import perform_waiting, time_what_is_known
 from scegen.concretization.along.overtaking import come_back, overtake
 from scegen.concretization.along.parked import shift_to_pass, strips_m
-from scegen.concretization.along.passing import apart_m
+from scegen.concretization.along.passing import apart_m, leap_s
 from scegen.concretization.along.reactions import contacts, react
 from scegen.concretization.along.runner import Runner, gap_m
 from scegen.concretization.along.sideways import offset_all
@@ -73,12 +73,12 @@ def closest_s(story: Story, at_least_s: float) -> float:
 
 def _nearest_s(first: Runner, second: Runner, until_s: float) -> float:
     """When two are nearest along the road; the contact, if they touch."""
-    best, when = inf, 0.0
-    for n in range(int(until_s / _LOOK_S)):
-        time_s = n * _LOOK_S
+    best, when, time_s = inf, 0.0, 0.0
+    while time_s < until_s:
         if apart_m(first, second, time_s) <= 0:
             return time_s
         gap = gap_m(first, second, time_s)
         if gap < best - _NEARER_M:
             best, when = gap, time_s
+        time_s += leap_s(first, second, min(gap, gap - best), _LOOK_S)
     return when

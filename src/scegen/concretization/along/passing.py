@@ -50,6 +50,12 @@ def _box(runner: Runner, time_s: float) -> tuple[float, float, float, float]:
     return runner.x_m(time_s) + ahead * cos, y + ahead * sin, cos, sin
 
 
+def leap_s(first: Runner, second: Runner, way_m: float, step_s: float) -> float:
+    """How long two need at least to come nearer by so much, in whole steps; one step at least."""
+    closing = max(first.fastest_mps + second.fastest_mps, _NEVER_MPS)
+    return max(1.0, way_m // (closing * step_s)) * step_s
+
+
 def least_apart_m(first: Runner, second: Runner, from_s: float, to_s: float) -> float:
     """How near two come within a time."""
     times = [from_s + _LOOK_S * n for n in range(int((to_s - from_s) / _LOOK_S) + 1)]

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from math import ceil, floor
 
-from scegen.concretization.along.passing import apart_m
+from scegen.concretization.along.passing import apart_m, leap_s
 from scegen.concretization.along.runner import Runner, Step, gap_m, in_line
 from scegen.concretization.along.story import Story, contact_wanted
 from scegen.concretization.limits import HARD_BRAKING_MPS2, LATE_BRAKING_MPS2
@@ -19,6 +19,7 @@ _CLOSEST_M = 0.65
 """How near one who may not touch the other comes: a near miss."""
 _LATEST_S = 40.0
 _STEP_S = 0.05
+_FAR_M = 1e3
 _TOO_LATE_S = 0.8
 """Who brakes for one it is to hit all the same begins so long before."""
 _ROUNDS = 24
@@ -70,11 +71,12 @@ def _contact_s(first: Runner, second: Runner) -> float | None:
     """When two touch first."""
     if first.stands and second.stands:
         return None
-    steps = int(_LATEST_S / _STEP_S)
-    for n in range(steps):
-        time_s = n * _STEP_S
-        if apart_m(first, second, time_s) <= 0:
+    time_s = 0.0
+    while time_s < _LATEST_S:
+        apart = apart_m(first, second, time_s)
+        if apart <= 0:
             return time_s
+        time_s += leap_s(first, second, apart, _STEP_S)
     return None
 
 
@@ -211,7 +213,10 @@ def _latest_s(
 
 def _least_gap_m(who: Runner, other: Runner) -> float:
     """The least free length between two while one is in the other's line."""
-    steps = int(_LATEST_S / _STEP_S / 2)
-    times = [2 * n * _STEP_S for n in range(steps)]
-    gaps = [gap_m(who, other, t) for t in times if in_line(who, other, t, LANE_WIDTH_M)]
-    return min(gaps, default=1e3)
+    least, time_s = _FAR_M, 0.0
+    while time_s < _LATEST_S:
+        gap = gap_m(who, other, time_s)
+        if gap < least and in_line(who, other, time_s, LANE_WIDTH_M):
+            least = gap
+        time_s += leap_s(who, other, gap - least, 2 * _STEP_S)
+    return least

@@ -7,7 +7,7 @@ line (``y``, m). Times count from the start of the scenario (s).
 from __future__ import annotations
 
 from bisect import bisect_right
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from math import cos, pi, sin, sqrt
 
 from scegen.road.defaults import LANE_WIDTH_M
@@ -167,6 +167,11 @@ class Runner:
         return self.speed_mps == 0.0 and not self.steps
 
     @property
+    def fastest_mps(self) -> float:
+        """The greatest speed that it ever has."""
+        return max([self.speed_mps, *(step.target_mps for step in self.steps)])
+
+    @property
     def profile(self) -> Profile:
         """Its way over time."""
         key = (self.speed_mps, tuple(self.steps))
@@ -226,10 +231,6 @@ class Runner:
     def _across_m(self, lane: int, offset_m: float, width_m: float) -> float:
         outward = 1 if self.keeps_left else -1
         return self.sign * (offset_m + outward * (lane - 0.5) * width_m)
-
-    def with_step(self, step: Step) -> Runner:
-        """The same with one more step."""
-        return replace(self, steps=[*self.steps, step])
 
 
 def gap_m(first: Runner, second: Runner, time_s: float) -> float:
