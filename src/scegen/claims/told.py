@@ -49,8 +49,18 @@ class Told:
 
     @property
     def hazards(self) -> tuple[Hazard, ...]:
-        """The dangers, with everybody named who causes and who suffers them where that is known."""
-        return self.logical.hazards or self.functional.hazards
+        """The dangers, with everybody named who causes and who suffers them.
+
+        What one alone causes and nobody is said to suffer, anybody else may.
+        """
+        return tuple(
+            hazard if hazard.to or len(hazard.by) != 1 else self._to_anybody(hazard)
+            for hazard in self.logical.hazards or self.functional.hazards
+        )
+
+    def _to_anybody(self, hazard: Hazard) -> Hazard:
+        others = (p.id for p in self.people if p.id not in hazard.by and not p.parked)
+        return hazard.model_copy(update={"to": tuple(others)})
 
     @property
     def collides(self) -> bool:

@@ -41,8 +41,8 @@ def hazard_pairs(hazard: Hazard) -> list[tuple[str, str]]:
 
 
 def both_sides(hazard: Hazard) -> list[tuple[str, str]]:
-    """Everybody who causes it with everybody else who suffers it."""
-    return [(by, to) for by in hazard.by for to in hazard.to if by != to]
+    """Everybody who causes it with everybody else who suffers it; several alone, one another."""
+    return [(by, to) for by in hazard.by for to in hazard.to or hazard.by if by != to]
 
 
 def relative_margins(view: View, hazard: Hazard) -> Floats:

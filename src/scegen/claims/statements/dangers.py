@@ -9,9 +9,10 @@ import numpy as np
 
 from scegen.claims.claim import Claim, ClaimKind, Judged, yes_or_no
 from scegen.claims.hazards.judging import decisive
-from scegen.claims.moments import act_begins
+from scegen.claims.moments import act_begins, speed_runs
 from scegen.claims.told import Told, plain
 from scegen.claims.view import View
+from scegen.motion.batch.arrays import Bools
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
@@ -70,7 +71,22 @@ def _as_said(told: Told, hazard: Hazard, view: View) -> Judged:
     return yes_or_no(step < never, view.time_of(step), view.time_of(step))
 
 
-def _happens(_: Told, hazard: Hazard, view: View) -> Judged:
+def _happens(told: Told, hazard: Hazard, view: View) -> Judged:
     """Margins are relative to the scale of the weakest condition."""
     margin, time_s = decisive(view, hazard)
+    if hazard.kind is HazardKind.DELAYED_BRAKING:
+        margin = np.where(_never_brakes(told, hazard, view), np.maximum(margin, 0.0), margin)
     return Judged(margin, margin, time_s)
+
+
+def _never_brakes(told: Told, hazard: Hazard, view: View) -> Bools:
+    """Whether all who cause it run into whom they are said to without braking before."""
+    never = np.ones(view.count, dtype=np.bool_)
+    for by in hazard.by:
+        struck = [to for to in hazard.to or (told.ego,) if told.may_touch(by, to)]
+        hits = [view.of_pair("contact_s", by, to) for to in struck]
+        hit = np.min([*hits, np.full(view.count, np.inf)], axis=0)
+        run = speed_runs(view, by, -1)[0]
+        brakes = run.happens & (view.time_of(run.begin) < hit)
+        never &= np.isfinite(hit) & ~brakes
+    return never

@@ -21,7 +21,7 @@ from scegen.claims.moments import (
 from scegen.claims.told import KPH, Told, plain, speed_words
 from scegen.claims.tolerances import SPEED_MPS
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import Floats, Ints
+from scegen.motion.batch.arrays import SPEED, Floats, Ints
 from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Participant
 from scegen.scenario.hazards import HAZARDS
@@ -61,6 +61,9 @@ def claims(told: Told) -> Iterator[Claim]:
         test = partial(_holds, told, person, person.speed_mps)
         until = _until(told, person)
         verb = "drives"
+        if _reverses(told, person.id):
+            test = partial(_backs, told, person.id, person.speed_mps)
+            verb, until = "goes backwards at", ""
         if crossing is not None:
             test = partial(_walks, crossing, person.speed_mps)
             verb, until = "goes over the road at", ""
@@ -83,6 +86,27 @@ def _until(told: Told, person: Participant) -> str:
     if told.collides:
         return " until the contact"
     return " until something concerns it"
+
+
+def _reverses(told: Told, name: str) -> bool:
+    """Whether it drives backwards: then its speed is said of that."""
+    drive = told.drive(name)
+    return (drive is not None and drive.reverses is not None) or any(
+        act.kind is ActKind.REVERSE for act in told.acts_of(name)
+    )
+
+
+def _backs(told: Told, name: str, wanted: Interval, view: View) -> Judged:
+    """The greatest speed backwards, up to a contact that is said."""
+    hit = np.full(view.count, np.inf)
+    for other in view.index:
+        if other != name and told.may_touch(name, other):
+            hit = np.fmin(hit, view.of_pair("contact_s", name, other))
+    before = np.arange(view.steps) * view.dt_s <= hit[:, None]
+    back = np.where(before, -view.row(name, SPEED), 0.0)
+    step = back.argmax(axis=1)
+    fastest = at(back, step)
+    return Judged(within(fastest, wanted, SPEED_MPS) * KPH, fastest * KPH, view.time_of(step))
 
 
 def _walks(crossing: Crossing, wanted: Interval, view: View) -> Judged:
