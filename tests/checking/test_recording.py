@@ -7,8 +7,8 @@ from scegen.checking import recording
 from scegen.checking.environment import esmini
 from scegen.checking.esmini.recording import read_recording
 from scegen.checking.recording import Player, record
-from scegen.enumeration import enumerate_scenarios
 from scegen.concretization import concretize
+from scegen.enumeration import enumerate_scenarios
 from scegen.pipeline.export import SCENARIO_FILE, export_scenario
 from scegen.understanding import read
 

@@ -87,8 +87,8 @@ def test_nobody_stops_is_no_breach_without_a_rule():
 
 def test_who_crosses_the_road_of_another_meets_that_one():
     found, scenario = walker(
-        "The ego follows a truck. The truck turns right and brakes for a pedestrian who crosses the "
-        "road that the truck turns into."
+        "The ego follows a truck. The truck turns right and brakes for a pedestrian who crosses "
+        "the road that the truck turns into."
     )
     assert found.crosses is CrossedArm.EXIT
     assert [h.to for h in scenario.hazards] == [("truck_1",)]

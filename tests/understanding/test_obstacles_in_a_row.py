@@ -39,8 +39,8 @@ def test_each_stands_so_far_ahead_of_the_ego(text, gaps):
 
 def test_behind_somebody_on_foot_is_farther_on():
     scenario = read(
-        "Two obstacles block the ego's lane: a standing pedestrian 60 m ahead of the ego and, behind "
-        "the pedestrian, a stationary bus 70 m ahead."
+        "Two obstacles block the ego's lane: a standing pedestrian 60 m ahead of the ego and, "
+        "behind the pedestrian, a stationary bus 70 m ahead."
     )
     (relation,) = scenario.relations
     assert (relation.participant, relation.reference) == ("bus_1", "pedestrian_1")
