@@ -23,7 +23,7 @@ def assert_refused(done, words):
         ("", "empty"),
         ("   \n ", "empty"),
         ("Preheat the oven and whisk three eggs with sugar.", "traffic"),
-        ("40 cars enter a four-way intersection from the same arm.", "40"),
+        ("40 cars enter a four-way intersection.", "at most 24"),
         ("Two cars meet at a roundabout with 1 exit.", "1 exit"),
         ("Two cars meet at a roundabout with 12 exits.", "12 exits"),
         (

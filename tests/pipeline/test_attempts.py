@@ -52,7 +52,7 @@ def test_the_first_in_which_all_holds_is_taken_and_the_rest_is_told(outcomes):
 
 def test_without_any_that_is_right_the_best_is_taken(outcomes):
     outcomes += [proof(holds=False)] * 3 + [proof(holds=True, in_band=False)]
-    outcomes += [proof(holds=False)] * (attempts.MOST_TRIED - 4)
+    outcomes += [proof(holds=False)] * (attempts.MOST_SPARE + 1 - 4)
     made = make()
     ((_, taken),) = made.proofs.items()
     assert not taken.missed

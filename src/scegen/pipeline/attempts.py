@@ -13,8 +13,8 @@ from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.proof import Proof
 
-MOST_TRIED = 8
-"""So many scenarios are tried for each that is asked for, where no number names it."""
+MOST_SPARE = 7
+"""So many more scenarios are tried than are asked for, where no number names them."""
 
 
 def make_some(
@@ -35,7 +35,7 @@ def make_some(
         InfeasibleError: none of them can be made.
     """
     wanted = len(picked) if options.pick else min(options.count, len(picked))
-    most = len(picked) if options.pick else MOST_TRIED * wanted
+    most = len(picked) if options.pick else wanted + MOST_SPARE
     tried: list[Raising] = []
     skipped: dict[str, str] = {}
     for scenario in picked:

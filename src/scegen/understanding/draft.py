@@ -16,7 +16,7 @@ from scegen.scenario.vocabulary import (
 )
 from scegen.understanding.words.tokens import Token
 
-MAX_PARTICIPANTS = 60
+MAX_PARTICIPANTS = 24
 _TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
 _OVERRIDABLE = frozenset({Maneuver.STRAIGHT})
 _ON_THE_WAY = frozenset({Maneuver.LANE_CHANGE})

@@ -18,6 +18,7 @@ _BY_DIR: dict[str, frozenset[Approach]] = {
     "adjacent": frozenset({Approach.ADJACENT}),
     "rear": frozenset({Approach.BEHIND}),
     "front": frozenset({Approach.AHEAD}),
+    "same": frozenset({Approach.AHEAD, Approach.BEHIND, Approach.ADJACENT}),
 }
 INVERSE = {
     Approach.AHEAD: Approach.BEHIND,
@@ -81,6 +82,8 @@ def _place_approaches(place: Place, prep: str) -> frozenset[Approach]:
     if place.kind == "side" and not dirs and prep == "from" and place.head is not None:
         other = any((m.cat, m.value) == ("det", "other") for m in place.mods)
         return _BY_DIR["opposite" if other else "lateral"]
+    if "same" in dirs and prep != "from":
+        return frozenset()  # "in the same direction" is the way of those on one road anyway
     return next((_BY_DIR[d] for d in dirs if d in _BY_DIR), frozenset())
 
 
@@ -247,6 +250,8 @@ class Placer:
         seen_by = target.beside or target.owner
         reference = seen_by.entities[0] if seen_by and seen_by.entities else None
         wrong = target.kind == "lane" and approaches == _BY_DIR["opposite"]
+        if "same" in target.dirs and reference is None and len(entities) > 1:
+            reference, *entities = sorted(entities, key=lambda e: not e.ego)  # as one another
         for entity in entities:
             if wrong and Maneuver.OVERTAKE in entity.maneuvers:
                 continue  # who overtakes is in the oncoming lane, but does not come from there
