@@ -97,7 +97,7 @@ def test_the_search_stops_short_of_it_or_in_it(target, contact):
     concrete = concretize(functional, enumerate_scenarios(functional).scenarios[0])
     raised = raise_criticality(functional, concrete, target=target)
     assert raised.proof.reached
-    assert raised.proof.pair == ("crate_1", "ego")
+    assert raised.proof.pair == ("box_1", "ego")
     assert (raised.proof.of("contact_time").after is not None) is contact
     assert raised.concrete.objects == concrete.objects
     assert raised.concrete.ego.speed_program[-1].target_speed_mps == 0.0

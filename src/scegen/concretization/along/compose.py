@@ -60,7 +60,8 @@ def tells_along(functional: FunctionalScenario, logical: LogicalScenario) -> boo
     if not isinstance(ego, Drive):
         return False
     backing = {a.participant for a in functional.acts if a.kind is ActKind.REVERSE}
-    return not any(
+    reversing = {n for h in functional.hazards if h.kind is HazardKind.REVERSING for n in h.by}
+    return reversing <= backing and not any(
         (d.reverses is not None and d.participant not in backing)
         or d.turn is Maneuver.U_TURN
         or d.entry == d.exit

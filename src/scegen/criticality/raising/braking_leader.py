@@ -106,7 +106,8 @@ def _follows_from(view: View, follower: str, leader: str, drives: Sequence[str])
     usable[: round(_BEGINS_S / view.dt_s)] = False
     for name in (follower, leader):
         usable &= view.speed_mps(name)[0] >= _STEADY_MPS
-        usable &= view.place_m(name)[0] < view.ways[name].goal_m
+        way = view.ways[name]  # along a plain road there is no place that one must reach
+        usable &= view.place_m(name)[0] < (way.goal_m if way.goal_m > 0 else way.path.length_m)
     for other in drives:
         if other not in {follower, leader}:
             usable &= ~(view.gap_m(follower, other)[0] < gap)
