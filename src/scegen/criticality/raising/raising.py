@@ -104,7 +104,7 @@ def raise_criticality(
     if not found:
         found = [
             (made, _with_advice(proof, advice, led=False))
-            for made, proof in _by_braking(stage, problem, before, rng)
+            for made, proof in _by_braking(stage, problem, before, rng, solutions)
         ]
     if not found:
         raised = _without_target(stage, problem, before, rng, blocked)
@@ -120,7 +120,7 @@ def _between(functional: FunctionalScenario | None, concrete: ConcreteScenario) 
 
 
 def _by_braking(
-    stage: Stage, problem: Problem, before: Evidence, rng: np.random.Generator
+    stage: Stage, problem: Problem, before: Evidence, rng: np.random.Generator, solutions: int
 ) -> list[tuple[ConcreteScenario, Proof]]:
     """What a leader that brakes makes of it, if anything."""
     found: list[tuple[ConcreteScenario, Proof]] = []
@@ -133,7 +133,7 @@ def _by_braking(
         if other.blocked is None:
             tried = other.problem()
             tried.evaluations = problem.evaluations
-            _fill(found, 1, other, tried, other.examine(stage.concrete), rng, None)
+            _fill(found, solutions, other, tried, other.examine(stage.concrete), rng, None)
             problem.evaluations = tried.evaluations
         if found:
             break
