@@ -5,7 +5,7 @@ import pytest
 from criticality_scenarios import participant
 from hazard_views import DT_S, line, steady, view, way
 
-from scegen.claims.hazards.judging import judge, relative_margins
+from scegen.claims.hazards.judging import decisive, judge
 from scegen.claims.hazards.table import PREDICATES
 from scegen.motion.model import Path
 from scegen.scenario.concrete import AtTime, CrossingMotion, SpeedPhase
@@ -18,7 +18,7 @@ EGO, OTHER = participant("ego"), participant("other")
 def happens(kind, made, by=("other",), to=("ego",)):
     hazard = Hazard(kind=HazardKind(kind), by=by, to=to)
     proof = judge(made, hazard)
-    assert proof.happened == (relative_margins(made, hazard)[0] >= 0.0)
+    assert proof.happened == (decisive(made, hazard)[0][0] >= 0.0)
     if proof.margin is not None:
         assert (proof.margin >= 0.0) == proof.happened
     assert all(part.happened for part in proof.parts) == proof.happened

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 from scegen.scenario.acts import Act
@@ -88,12 +87,6 @@ class Told:
                     return said[name]
             field = field.rpartition(".")[0]
         return None
-
-    def turners(self) -> Iterator[str]:
-        """Those whose way bends in a junction or ring, so that they have to slow down for it."""
-        for drive in self.logical.drives:
-            if drive.turn not in {"straight", "stay"}:
-                yield drive.participant
 
 
 def speed_words(wanted: Interval) -> str:

@@ -113,7 +113,6 @@ class HazardRow:
         suffers: the same for who suffers it, seen from who causes it.
         moves: along or across the lane.
         needs: what it needs of the ways of both; empty: nothing.
-        takes_two: by its nature; of just two vehicles the other one is the other side.
         breaks: the rule of the road that it breaks.
         acts: what who causes it does, where the text gives no act of it.
         speed_share: low, high and usual share of the limit that who causes it drives.
@@ -125,7 +124,6 @@ class HazardRow:
     suffers: tuple[Party, ...]
     moves: Motion
     needs: Mapping[Case, tuple[Arrangement, ...]] = field(default_factory=dict)
-    takes_two: bool = False
     breaks: RoadRule | None = None
     acts: tuple[ActKind, ...] = ()
     speed_share: tuple[float, float, float] | None = None
@@ -232,7 +230,6 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             Case.ONE_ARM: (Arrangement.TOGETHER,),
             Case.APART: (Arrangement.ONE_EXIT,),
         },
-        takes_two=True,
         acts=(ActKind.CHANGE_LANE,),
     ),
     HazardKind.SWERVING: HazardRow(
@@ -257,7 +254,6 @@ HAZARDS: dict[HazardKind, HazardRow] = {
         suffers=(Party.LEADER, *_EGO_OR_OTHERS),
         moves=Motion.ALONG,
         needs={Case.ANYWHERE: (Arrangement.BEHIND,)},
-        takes_two=True,
         breaks=RoadRule.SAFE_DISTANCE,
         more_of=("start_m", 1),
     ),
@@ -275,7 +271,6 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             Case.PLAIN_ROAD: (Arrangement.TOGETHER,),
             Case.ANYWHERE: (Arrangement.MERGE,),
         },
-        takes_two=True,
     ),
     HazardKind.OVERTAKING: HazardRow(
         Definition(
@@ -288,7 +283,6 @@ HAZARDS: dict[HazardKind, HazardRow] = {
         suffers=(Party.LEADER, *_EGO_OR_OTHERS),
         moves=Motion.ACROSS,
         needs={Case.ONE_ARM: (Arrangement.BEHIND,)},
-        takes_two=True,
         acts=(ActKind.OVERTAKE,),
     ),
     HazardKind.ONCOMING_LANE: HazardRow(
@@ -302,7 +296,6 @@ HAZARDS: dict[HazardKind, HazardRow] = {
         suffers=(Party.ONCOMING, *_EGO_OR_OTHERS),
         moves=Motion.ACROSS,
         needs={Case.ANYWHERE: (Arrangement.ONCOMING,)},
-        takes_two=True,
         breaks=RoadRule.OWN_SIDE,
         acts=(ActKind.CHANGE_LANE,),
     ),
@@ -318,7 +311,6 @@ HAZARDS: dict[HazardKind, HazardRow] = {
         suffers=(Party.ONCOMING, *_EGO_OR_OTHERS),
         moves=Motion.ACROSS,
         needs={Case.ANYWHERE: (Arrangement.FACING, Arrangement.CLASH, Arrangement.ACROSS)},
-        takes_two=True,
         acts=(ActKind.TURN,),
     ),
     HazardKind.CROSSING_PEDESTRIAN: HazardRow(
@@ -377,7 +369,6 @@ HAZARDS: dict[HazardKind, HazardRow] = {
         suffers=_EGO_OR_OTHERS,
         moves=Motion.ALONG,
         needs={Case.ANYWHERE: (Arrangement.CLASH,)},
-        takes_two=True,
         breaks=RoadRule.SIGNAL,
     ),
     HazardKind.FAILURE_TO_YIELD: HazardRow(
@@ -394,7 +385,6 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             Case.PLAIN_ROAD: (Arrangement.TOGETHER,),
             Case.ANYWHERE: (Arrangement.CLASH,),
         },
-        takes_two=True,
         breaks=RoadRule.RIGHT_OF_WAY,
     ),
     HazardKind.REVERSING: HazardRow(

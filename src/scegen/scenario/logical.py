@@ -194,11 +194,6 @@ class LogicalScenario(FrozenModel):
         """The assignments of parked vehicles, and of pedestrians who stand."""
         return tuple(a for a in self.assignments if isinstance(a, Standing))
 
-    @property
-    def walkings(self) -> tuple[Walking, ...]:
-        """The assignments of those who walk along an arm."""
-        return tuple(a for a in self.assignments if isinstance(a, Walking))
-
     def assignment(self, participant: str) -> Assignment:
         """The assignment of one participant; KeyError if it has none."""
         for candidate in self.assignments:

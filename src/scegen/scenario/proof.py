@@ -134,11 +134,6 @@ class Proof(FrozenModel):
     advice: Advice | None = None
 
     @property
-    def hazards_happened(self) -> int:
-        """How many of the dangers asked for happen."""
-        return sum(hazard.happened for hazard in self.hazards)
-
-    @property
     def missed(self) -> tuple[ClaimProof, ...]:
         """The statements that do not hold."""
         return tuple(claim for claim in self.claims if not claim.holds)

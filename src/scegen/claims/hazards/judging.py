@@ -45,19 +45,6 @@ def both_sides(hazard: Hazard) -> list[tuple[str, str]]:
     return [(by, to) for by in hazard.by for to in hazard.to or hazard.by if by != to]
 
 
-def relative_margins(view: View, hazard: Hazard) -> Floats:
-    """How far each candidate is from showing the danger; above 0 it happens (c,)."""
-    by_cause = [
-        np.max([couple.relative for couple in couples], axis=0)
-        for couples in _couples(view, hazard)
-    ]
-    if not by_cause:
-        return np.full(view.count, NEVER)
-    several = np.array(by_cause)
-    margins: Floats = several.max(axis=0) if hazard.kind in _ANY_CULPRIT else several.min(axis=0)
-    return margins
-
-
 def decisive(view: View, hazard: Hazard) -> tuple[Floats, Floats]:
     """Relative margin of a danger in each candidate, and when its weakest condition holds (c,)."""
     margins, times = [], []

@@ -21,7 +21,6 @@ from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver, Side
 
 _SAME_WAY = 0.7
 _ASIDE_M = (1.0, 8.0)
-_AS_SAID_DEG = 10.0
 _TURNS = {
     Maneuver.LEFT: "turns left",
     Maneuver.RIGHT: "turns right",
