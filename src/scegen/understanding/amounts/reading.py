@@ -78,8 +78,10 @@ def read_amounts(
 
 
 def _measured(quantity: Quantity, numbers: Numbers, text: Sentences) -> Measured:
-    scene = text.scene_at(quantity.i, quantity.j)
-    return numbers.measured(quantity, scene.event.name if scene is not None else "")
+    event = text.verb_at(quantity.i, quantity.j)
+    if event is None:
+        return numbers.measured(quantity)
+    return numbers.measured(quantity, event.name, None if event.perfect else event.i)
 
 
 def _note(number: Measured, context: Context) -> None:

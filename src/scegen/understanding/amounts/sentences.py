@@ -67,6 +67,20 @@ class Sentences:
         before = [s for s in here if s.event.i < i]
         return before[-1] if before else next(iter(here), None)
 
+    def verb_at(self, i: int, j: int) -> Event | None:
+        """What happens in the clause of a number; None where it only is somewhere.
+
+        Args:
+            i: index of the first token of the number.
+            j: index after the last one.
+        """
+        scene = self.scene_at(i, j)
+        clause = self.subordinate(i)
+        if scene is None or clause is None or any((m.i, m.j) == (i, j) for m in scene.event.mods):
+            return scene.event if scene is not None else None
+        ends = clause[2] in {"until", "till"}  # "brakes until it has 5 km/h left"
+        return scene.event if ends or clause[0] <= scene.event.i else None
+
     def subordinate(self, i: int) -> tuple[int, int, str] | None:
         """The clause that sets something off in which a token stands: begin, end, opening words."""
         start, stop = self.bounds(i)

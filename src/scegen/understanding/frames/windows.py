@@ -26,23 +26,22 @@ class Window:
     before: str
     after: str
 
-    def fits(self, frame: AmountFrame, verb: str) -> bool:
+    def fits(self, frame: AmountFrame, verbs: frozenset[str]) -> bool:
         """Whether all that a frame asks for is there.
 
         Args:
             frame: a row.
-            verb: what happens in the clause of the number.
+            verbs: what happens in the clause of the number, in the names of the frames.
         """
-        if frame.verb and verb not in frame.verb:
+        if frame.verb and not verbs & frame.verb:
             return False
         if frame.near and not any(self._near(p) for p in frame.near):
             return False
-        if not (frame.before or frame.next or frame.after):
+        if not (frame.before or frame.next):
             return True
-        return (
-            any(self.preceded(p) for p in frame.before)
-            or any(self.after.startswith(f" {p} ") for p in frame.next)
-            or any(f" {p} " in self.after for p in frame.after)
+        after = self.after.removeprefix(" of")
+        return any(self.preceded(p) for p in frame.before) or any(
+            after.startswith(f" {p} ") for p in frame.next
         )
 
     def _near(self, phrase: str) -> bool:
@@ -84,11 +83,28 @@ def _before(tokens: list[Token], i: int, ends: dict[int, int]) -> str:
     words: list[str] = []
     while k >= 0 and len(words) < _REACH:
         token = tokens[k]
+        pair = _both_ends(tokens, k)
+        if pair is not None:
+            words.insert(0, "between")
+            k = pair - 1
+            continue
         if token.kind in {"punct", "number"} or token.low in _JOINTS or k + 1 in ends:
             break
         words.insert(0, token.low)
         k -= 1
     return f" {' '.join(words)} "
+
+
+def _both_ends(tokens: list[Token], k: int) -> int | None:
+    """``between the ego and the bus``: where it begins, if an "and" joins its ends."""
+    if tokens[k].low != "and":
+        return None
+    for b in range(k - 1, max(-1, k - _REACH), -1):
+        if tokens[b].low == "between":
+            return b
+        if tokens[b].kind in {"punct", "number"} or tokens[b].low in _JOINTS:
+            break
+    return None
 
 
 def _after(tokens: list[Token], j: int) -> str:
@@ -103,25 +119,27 @@ def _after(tokens: list[Token], j: int) -> str:
         token = tokens[k]
         if token.kind in {"punct", "number"} or token.low in _JOINTS:
             break
-        words.append(token.low)
+        words += [token.low] if token.kind != "clitic" or words else []  # "2 seconds' distance"
         k += 1
     return f" {' '.join(words)} "
 
 
-def frame_of(dimension: str, value: float, around: Window, verb: str) -> AmountFrame:
+def frame_of(
+    dimension: str, value: float, around: Window, verbs: frozenset[str]
+) -> AmountFrame:
     """The first frame that fits a number.
 
     Args:
         dimension: what the number measures.
         value: how much it is, in SI units.
         around: the words around it.
-        verb: what happens in its clause; empty if nothing does.
+        verbs: what happens in its clause, in the names of the frames; empty if nothing does.
     """
     rest = AmountFrame(dimension, "other", instead="a measure that no rule could attach; left out")
     fitting = (
         f
         for f in amounts()
         if f.dimension == dimension and (f.most is None or value <= f.most)
-        if around.fits(f, verb)
+        if around.fits(f, verbs)
     )
     return next(fitting, rest)
