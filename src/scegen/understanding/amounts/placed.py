@@ -168,7 +168,7 @@ class Spacer:
             p.approaches == {Approach.ADJACENT}
             and {p.entity, p.reference or ego_of(self._context)} == {one, other}
             for p in self._context.draft.placements
-        ) and not any(a.entity in (one, other) for a in self._happenings.acts if a.kind in _LANED)
+        ) and not (one.maneuvers | other.maneuvers) & {Maneuver.LANE_CHANGE, Maneuver.OVERTAKE}
 
     def _with_place(self, amount: Amount, number: Measured) -> Amount:
         """The words of a number with those of place after it: "15 m in front of"."""
