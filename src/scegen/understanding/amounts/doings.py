@@ -194,7 +194,7 @@ class Filler:
 
     def _before_the_next(self, number: Measured) -> bool:
         """``holds it for 5 s and then slows``: how long until the next act."""
-        later = [a for a in self._happenings.acts if a.i > number.i and a.always]
+        later = [a for a in self._happenings.acts if a.i > number.i]
         who: list[Entity] = self._text.subject_before(number.i)
         own = [a for a in later if a.entity in who]
         if not own or own[0].when is not None:

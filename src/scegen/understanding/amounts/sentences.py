@@ -76,10 +76,12 @@ class Sentences:
         """
         scene = self.scene_at(i, j)
         clause = self.subordinate(i)
+        if clause is not None and clause[2] in {"until", "till"}:  # "brakes until it does 30 km/h"
+            main = self.within(self.bounds(i)[0], clause[0])
+            return main[-1].event if main else None
         if scene is None or clause is None or any((m.i, m.j) == (i, j) for m in scene.event.mods):
             return scene.event if scene is not None else None
-        ends = clause[2] in {"until", "till"}  # "brakes until it has 5 km/h left"
-        return scene.event if ends or clause[0] <= scene.event.i else None
+        return scene.event if clause[0] <= scene.event.i else None
 
     def subordinate(self, i: int) -> tuple[int, int, str] | None:
         """The clause that sets something off in which a token stands: begin, end, opening words."""

@@ -12,6 +12,8 @@ _JOINTS = frozenset({"while", "when", "which", "who", "that", "but", "and", "whe
 _CLOSE = frozenset({"to", "by", "for", "in", "over", "at", "with", "after", "within", "until",
                     "till", "from", "only", "just", "following"})  # fmt: skip
 """Words that mean something only right before the number."""
+_FURTHER = frozenset({"with", "at", "by"})
+"""Words that begin another statement after a number."""
 _FILLERS = frozenset({"a", "an", "the", "about", "around", "only", "just", "some", "roughly",
                       "approximately", "constant", "steady", "speed", "of", "exactly", "approx",
                       "up", "further", "another", "clear", "well", "almost", "nearly", "than",
@@ -73,7 +75,16 @@ def window(tokens: list[Token], i: int, j: int, ends: dict[int, int]) -> Window:
     bracketed = i > 0 and tokens[i - 1].low == "(" and i - 1 in ends
     if bracketed and j < len(tokens) and tokens[j].low == ")":
         return window(tokens, ends[i - 1], j + 1, {})  # "26.7 m (1.6 s) behind": as the first
-    return Window(_before(tokens, i, ends), _after(tokens, j))
+    aside = tokens[j : j + 1] and tokens[j].low == "," and _opens_aside(tokens, i)
+    return Window(_before(tokens, i, ends), _after(tokens, j + bool(aside)))
+
+
+def _opens_aside(tokens: list[Token], i: int) -> bool:
+    """``three lengths, roughly 50 feet, behind a car``: whether a comma stands before it."""
+    k = i - 1
+    while k >= 0 and tokens[k].low in _FILLERS:
+        k -= 1
+    return k >= 0 and tokens[k].low == ","
 
 
 def _before(tokens: list[Token], i: int, ends: dict[int, int]) -> str:
@@ -117,7 +128,7 @@ def _after(tokens: list[Token], j: int) -> str:
     words: list[str] = []
     while k < len(tokens) and len(words) < _REACH:
         token = tokens[k]
-        if token.kind in {"punct", "number"} or token.low in _JOINTS:
+        if token.kind in {"punct", "number"} or token.low in _JOINTS | _FURTHER:
             break
         words += [token.low] if token.kind != "clitic" or words else []  # "2 seconds' distance"
         k += 1
