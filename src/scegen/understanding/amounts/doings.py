@@ -11,7 +11,6 @@ from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured
 from scegen.understanding.frames import acts as frames
 from scegen.understanding.happenings import Amount, Doing, Happenings, Trigger, amount_of, exactly
-from scegen.understanding.meaning.context import Scene
 
 _ALONG = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.STOP, ActKind.SET_OFF})
 _ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE})
@@ -53,7 +52,7 @@ class Filler:
         waits = role == "duration" and event is not None and event.name in {"wait", "match"}
         if waits and self._before_the_next(number):
             return True
-        doing = self._act(number, kinds, name)
+        doing = self._act(number, kinds, name, event)
         if doing is None and role == "duration":
             doing = self._said_of_it(number)
             if doing is None:
@@ -90,18 +89,19 @@ class Filler:
         """``both brake with 6 m/s²``: each of them."""
         return [a for a in self._happenings.acts if a.i == doing.i and a.kind is doing.kind]
 
-    def _act(self, number: Measured, kinds: frozenset[ActKind], name: str) -> Doing | None:
+    def _act(
+        self, number: Measured, kinds: frozenset[ActKind], name: str, event: Event | None
+    ) -> Doing | None:
         """The act of a number: the last before it in its sentence, else the next, else the last."""
         start, end = self._text.bounds(number.i)
         fitting = [a for a in self._happenings.acts if a.kind in kinds]
         here = [a for a in fitting if start <= a.i < end]
-        scene = self._text.scene_at(number.i, number.j)
-        if number.frame.role == "duration" and scene is not None:
-            own = [a for a in here if scene.event.i in (a.i, *a.told)]
+        if number.frame.role == "duration" and event is not None:
+            own = [a for a in here if event.i in (a.i, *a.told)]
             if not own:
-                own = self._named_by(scene, fitting)
+                own = self._named_by(event, fitting)
             return own[-1] if own else None
-        if scene is not None and self._unread(scene, number, kinds):
+        if event is not None and self._unread(event, number, kinds):
             return None
         before = [a for a in here if a.i < number.i]
         free = [a for a in before if name not in a.amounts]
@@ -119,25 +119,25 @@ class Filler:
         same = [a for a in earlier if not spoken or a.entity in self._text.subject_before(number.i)]
         return same[-1] if same and (not here) else None
 
-    def _unread(self, scene: Scene, number: Measured, kinds: frozenset[ActKind]) -> bool:
+    def _unread(self, event: Event, number: Measured, kinds: frozenset[ActKind]) -> bool:
         """``pulls away at 1 m/s² and then stops``: said of a doing that is no act yet."""
-        frame = frames().get(scene.event.name)
-        known = any(scene.event.i in (a.i, *a.told) for a in self._happenings.acts)
-        own = frame is not None and frame.kind in kinds and scene.event.i < number.i
-        return own and not known and not scene.event.nominal
+        frame = frames().get(event.name)
+        known = any(event.i in (a.i, *a.told) for a in self._happenings.acts)
+        own = frame is not None and frame.kind in kinds and event.i < number.i
+        return own and not known and not event.nominal
 
     def _said_of_it(self, number: Measured) -> Doing | None:
         """``the manoeuvre lasts 4 s``: what was told last, if nobody is named."""
         start, _ = self._text.bounds(number.i)
-        commas = [k + 1 for k in range(start, number.i) if self._text.tokens[k].low == ","]
-        start = max([start, *commas])
+        marks = [k + 1 for k in range(start, number.i) if self._text.tokens[k].low in {",", "and"}]
+        start = max([start, *marks])
         named = any(m.entities for m in self._text.mentions if start <= m.i < number.i)
         before = [a for a in self._happenings.acts if a.i < start and a.always]
         return before[-1] if before and not named else None
 
-    def _named_by(self, scene: Scene, acts: list[Doing]) -> list[Doing]:
+    def _named_by(self, event: Event, acts: list[Doing]) -> list[Doing]:
         """``the lane change takes 5 s``: of the act that a noun names."""
-        noun = scene.event if scene.event.nominal else scene.event.parent
+        noun = event if event.nominal else event.parent
         frame = frames().get(noun.name) if noun is not None and noun.nominal else None
         return [a for a in acts if frame is not None and a.kind is frame.kind]
 

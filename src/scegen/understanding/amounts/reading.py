@@ -191,7 +191,9 @@ def _whose(number: Measured, text: Sentences, context: Context) -> list[Entity]:
     if inside:
         return inside
     movers = [e for e in (scene.actors if scene is not None else []) if not e.parked]
-    if movers:
+    owned = text.tokens[start].low in words()["whose"]
+    later = scene is not None and scene.event.i > number.i and owned
+    if movers and not later:
         return movers
     return text.subject_before(number.i)
 

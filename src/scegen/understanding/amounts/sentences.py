@@ -143,7 +143,7 @@ class Sentences:
             i: index of a token.
         """
         start, _ = self.bounds(i)
-        own = self.adjacent(i)
+        own = self.adjacent(i) or self._owner(start, i)
         if own:
             return own
         before = [s for s in self.within(start, i) if s.actors]
@@ -158,6 +158,21 @@ class Sentences:
         if last is not None:
             return list(last.actors)
         return list((free or named)[-1].entities) if (free or named) else []
+
+    def _owner(self, start: int, i: int) -> list[Entity]:
+        """``its speed is 50 km/h``, ``my speed``: whose the measure is that a sentence opens with."""
+        word = self.tokens[start].low
+        if word not in words()["whose"]:
+            return []
+        acting = any(s.actors or not s.event.nominal for s in self.within(start, i))
+        if acting or any(start < m.i < i for m in self.mentions):
+            return []
+        if word in {"my", "our"}:
+            return [e for m in self.mentions for e in m.entities if e.ego][:1]
+        before = [m for m in self.mentions if m.i < start and m.entities and not m.possessor]
+        opening = self.bounds(start - 2)[0] if start > 1 else start
+        said = [m for m in before if m.i >= opening and m.prep is None]
+        return list((said or before)[0 if said else -1].entities) if before else []
 
     def phrase_after(self, j: int) -> tuple[Word, NounPhrase | None] | None:
         """A phrase of place right after a number: "ahead of the ego", "from the junction".
