@@ -124,6 +124,7 @@ class Filler:
         frame = frames().get(event.name)
         known = any(event.i in (a.i, *a.told) for a in self._happenings.acts)
         own = frame is not None and frame.kind in kinds and event.i < number.i
+        own = own and event.name != "move"
         return own and not known and not event.nominal
 
     def _said_of_it(self, number: Measured) -> Doing | None:
@@ -144,10 +145,11 @@ class Filler:
     def _made(self, number: Measured, role: str, event: Event | None) -> Doing | None:
         """``lead car, deceleration 6 m/s²``: an act that only its amount tells of."""
         kind = ActKind.SWERVE if role == "lateral_move" else None
-        frame = frames().get(event.name) if event is not None else None
+        frame = frames().get(event.name) if event is not None and event.name != "move" else None
         gains = frame is not None and frame.kind in _GAINING
         if role == "rate":
-            gains = gains or any(w in number.around.before for w in ("accelerat", "start", "sets"))
+            words = f"{number.around.before}{' '.join(number.around.after.split()[:1])}"
+            gains = gains or any(w in words for w in ("accelerat", " start", " sets "))
             kind = ActKind.ACCELERATE if gains else ActKind.BRAKE
         elif role == "speed_after" and gains:
             kind = ActKind.ACCELERATE
@@ -155,6 +157,7 @@ class Filler:
         if kind is None or not who:
             return None
         doing = Doing(kind, who[0], amount_of(number).basis, number.i)
+        doing.told += [event.i] if event is not None and event.i < number.i else []
         _, end = self._text.bounds(number.i)
         if kind is ActKind.BRAKE and self._text.says("standstill", number.i, end) is not None:
             doing.amounts["target_speed_mps"] = Amount(_still(), doing.basis)

@@ -78,7 +78,8 @@ class Sentences:
         clause = self.subordinate(i)
         if clause is not None and clause[2] in {"until", "till"}:  # "brakes until it does 30 km/h"
             main = self.within(self.bounds(i)[0], clause[0])
-            return main[-1].event if main else None
+            told = [s for s in self.within(clause[0], i) if s.event.name != "move"] or main
+            return told[-1].event if told else None
         if scene is None or clause is None or any((m.i, m.j) == (i, j) for m in scene.event.mods):
             return scene.event if scene is not None else None
         return scene.event if clause[0] <= scene.event.i else None
@@ -129,10 +130,11 @@ class Sentences:
             if chunk.j <= start:
                 return []
             if isinstance(chunk, Mention):
-                return [] if chunk.possessor else list(chunk.entities)
+                owns = self.low(chunk.j, i).split() in (["'s"], ["'"])  # "the ego's 60 km/h"
+                return list(chunk.entities) if owns or not chunk.possessor else []
             if not isinstance(chunk, Word):
                 return []
-            if chunk.cat not in {"aux", "manner", "unknown"} and chunk.value not in {"(", ":"}:
+            if chunk.cat not in {"aux", "manner", "unknown", "possessive"} and chunk.value not in {"(", ":"}:
                 return []
         return []
 
