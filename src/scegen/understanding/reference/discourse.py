@@ -81,9 +81,7 @@ class Discourse:
             found = self._we(mention) or self._pronouns.resolve(mention, exclude)
         else:
             reading = read_mention(mention, self.tokens, self._arms if sides == 0 else sides)
-            one = of_both(
-                reading, loci_of(mention), self._roster.groups, self._draft.entities
-            )
+            one = of_both(reading, loci_of(mention), self._roster.groups, self._draft.entities)
             found = one or self._noun(reading, mention, exclude)
         mention.entities = list(found)
         if mention.landmark:
@@ -102,11 +100,10 @@ class Discourse:
         return mass and ((within and len(self._roster.subject) > 1) or end)
 
     def _of_a_size(self, mention: Mention) -> bool:
-        """``half a vehicle's width``, ``a speed of 20 m/s and one of 12 m/s``: a measure, nobody."""
-        of = self.tokens[mention.j : mention.j + 1]
-        if of and of[0].low == "of" and mention.j - mention.i == 1 and mention.j + 1 < len(self.tokens):
-            if quantity_at(self.tokens, mention.j + 1) is not None:
-                return True
+        """``half a vehicle's width``, ``and one of 12 m/s``: a measure, nobody."""
+        of = [t.low for t in self.tokens[mention.j : mention.j + 2]]
+        if mention.j - mention.i == 1 and len(of) > 1 and of[0] == "of":
+            return quantity_at(self.tokens, mention.j + 1) is not None
         after = {t.low for t in self.tokens[mention.j : mention.j + 2]}
         indefinite = any((m.cat, m.value) == ("det", "indef") for m in mention.mods)
         return mention.possessor and indefinite and bool(after & {"width", "length", "widths"})
