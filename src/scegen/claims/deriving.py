@@ -60,6 +60,9 @@ def claims_of(
     if touching and (functional.outcome is None or functional.outcome.kind is not COLLISION):
         asked = Outcome(kind=COLLISION, between=touching)
         functional = functional.model_copy(update={"outcome": asked})
+    if logical.acts:
+        # With the sides and lanes that the text leaves open.
+        functional = functional.model_copy(update={"acts": logical.acts})
     told = Told(functional, logical)
     return tuple(
         replace(claim, words=told.words(claim.field))

@@ -6,11 +6,12 @@ from dataclasses import dataclass
 
 from scegen.scenario.acts import Act
 from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
-from scegen.scenario.logical import Crossing, Drive, LogicalScenario, Standing
+from scegen.scenario.logical import ConflictKind, Crossing, Drive, LogicalScenario
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import OutcomeKind
 
 KPH = 3.6
+NONE = ConflictKind.NONE
 
 
 @dataclass(frozen=True)
@@ -38,10 +39,6 @@ class Told:
         """Where somebody crosses, None if it does not."""
         return next((c for c in self.logical.crossings if c.participant == name), None)
 
-    def standing(self, name: str) -> Standing | None:
-        """Where somebody stands, None if it does not."""
-        return next((s for s in self.logical.standings if s.participant == name), None)
-
     def acts_of(self, name: str) -> tuple[Act, ...]:
         """What somebody does, in order."""
         return tuple(act for act in self.functional.acts if act.participant == name)
@@ -66,6 +63,17 @@ class Told:
         """Whether it ends in a contact."""
         outcome = self.functional.outcome
         return outcome is not None and outcome.kind is OutcomeKind.COLLISION
+
+    def concerned_by(self, name: str) -> set[str]:
+        """Who endangers somebody, or whose way meets its own; not who only stands beside."""
+        pairs: list[tuple[str, ...]] = [
+            (by, to) for h in self.hazards for by in h.by for to in h.to
+        ]
+        pairs += [(c.first, c.second) for c in self.logical.conflicts if c.kind is not NONE]
+        if self.functional.outcome is not None:
+            pairs.append(self.functional.outcome.between)
+        known = {p.id for p in self.people}
+        return {other for pair in pairs if name in pair for other in pair} & known - {name}
 
     def may_touch(self, first: str, second: str) -> bool:
         """Whether a contact of two is what is said."""

@@ -11,7 +11,8 @@ from scegen.claims.arms import arms_of
 from scegen.claims.boxes import boxes, same_way, seen
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test
 from scegen.claims.moments import at, lateral_m
-from scegen.claims.told import KPH, Told
+from scegen.claims.statements.touching import touched
+from scegen.claims.told import KPH, Told, either
 from scegen.claims.tolerances import STANDS_MPS
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import HEADING, Floats
@@ -71,20 +72,26 @@ def _claim(name: str, statement: str, field: str, unit: str, test: Test) -> Clai
 def _driven(told: Told, drive: Drive, field: str) -> Iterator[Claim]:
     name = drive.participant
     if drive.maneuver is Maneuver.LANE_CHANGE:
-        yield _claim(
-            f"lane_change.{name}", f"{name} changes lane", field, "m", partial(_changes_lane, drive)
-        )
+        to = f" to the {drive.changes_to}" if drive.changes_to else ""
+        test: Test = partial(_changes_lane, drive)
+        yield _claim(f"lane_change.{name}", f"{name} changes lane{to}", field, "m", test)
     elif drive.maneuver is Maneuver.OVERTAKE:
-        yield _claim(
-            f"overtake.{name}",
-            f"{name} passes another who goes the same way",
-            field,
-            "m",
-            partial(_overtakes, told, name),
-        )
+        passed = _overtaken(told, name)
+        whom = either(passed) if passed else "another who goes the same way"
+        test = partial(_overtakes, name, passed or [p.id for p in told.people if p.id != name])
+        yield _claim(f"overtake.{name}", f"{name} passes {whom}", field, "m", test)
     if drive.turn in {Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN} and drive.reverses is None:
         does = "turns back" if drive.turn is Maneuver.U_TURN else f"turns {drive.turn}"
         yield _claim(f"turn.{name}", f"{name} {does}", field, "deg", partial(_turns, drive))
+
+
+def _overtaken(told: Told, name: str) -> list[str]:
+    """Whom somebody is said to pass, if that is said."""
+    whom = [act.into for act in told.acts_of(name) if act.kind is ActKind.OVERTAKE and act.into]
+    for hazard in told.functional.hazards:
+        if hazard.kind is HazardKind.OVERTAKING and name in hazard.by:
+            whom += hazard.to
+    return list(dict.fromkeys(whom))
 
 
 def _turns(drive: Drive, view: View) -> Judged:
@@ -105,20 +112,20 @@ def _turns(drive: Drive, view: View) -> Judged:
 
 
 def _changes_lane(drive: Drive, view: View) -> Judged:
-    aside = np.abs(lateral_m(view, drive.participant, drive))
+    aside = lateral_m(view, drive.participant, drive)
+    sense = {Side.LEFT: 1.0, Side.RIGHT: -1.0, None: 0.0}[drive.changes_to]
+    aside = sense * aside if sense else np.abs(aside)
     step = aside.argmax(axis=1)
     most = at(aside, step)
     return Judged(most - LANE_M, most, view.time_of(step))
 
 
-def _overtakes(told: Told, name: str, view: View) -> Judged:
+def _overtakes(name: str, others: list[str], view: View) -> Judged:
     """From wholly behind somebody to wholly ahead, side by side on one road."""
     best = np.full(view.count, -NEVER)
     when = np.zeros(view.count)
-    for other in told.people:
-        if other.id == name:
-            continue
-        margin, time_s = passes(view, name, other.id)
+    for other in others:
+        margin, time_s = passes(view, name, other)
         when = np.where(margin > best, time_s, when)
         best = np.maximum(best, margin)
     return Judged(best, best, when)
@@ -144,10 +151,7 @@ def _crosses(told: Told, crossing: Crossing, view: View) -> Judged:
     end = at(offset, last)
     right, left = arm.edges_m
     beyond = right - end if crossing.start is Side.LEFT else end - left
-    hit = np.zeros(view.count, dtype=np.bool_)
-    for other in view.index:
-        if other != crossing.participant and told.may_touch(other, crossing.participant):
-            hit |= ~np.isnan(view.of_pair("contact_s", other, crossing.participant))
+    hit = touched(told, view, crossing.participant)
     margin = np.where(hit & (beyond < 0.0), 0.0, beyond)
     return Judged(margin, end, view.time_of(last))
 

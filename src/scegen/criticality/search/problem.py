@@ -46,7 +46,7 @@ AFTER_S = 1.0
 LATERAL_ROOM = 1.03
 _NEVER = 3.0
 _SAME = 1e-6
-_ELSEWHERE = frozenset({ClaimKind.CONTACT, ClaimKind.BODY, ClaimKind.ROAD})
+_ELSEWHERE = frozenset({ClaimKind.CONTACT, ClaimKind.BODY, ClaimKind.ROAD, ClaimKind.CONFLICT})
 """Claims that other demands stand for, the bounds of the variables, or what never changes; the
 proof looks at them too."""
 _STRANGE = 0.02
