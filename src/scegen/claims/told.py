@@ -16,10 +16,15 @@ NONE = ConflictKind.NONE
 
 @dataclass(frozen=True)
 class Told:
-    """Both levels, and who does what in them."""
+    """Both levels, and who does what in them.
+
+    ``open_end``: where the text tells of no outcome, nobody has asked for one either, so that
+    those who meet may touch or not.
+    """
 
     functional: FunctionalScenario
     logical: LogicalScenario
+    open_end: bool = False
 
     @property
     def ego(self) -> str:
@@ -76,8 +81,10 @@ class Told:
         return {other for pair in pairs if name in pair for other in pair} & known - {name}
 
     def may_touch(self, first: str, second: str) -> bool:
-        """Whether a contact of two is what is said."""
+        """Whether a contact of two is what is said, or what nobody decided on."""
         outcome = self.functional.outcome
+        if outcome is None and self.open_end:
+            return second in self.concerned_by(first)
         if outcome is None or not self.collides:
             return False
         between = set(outcome.between) or {self.ego}

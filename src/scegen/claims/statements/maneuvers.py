@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -10,17 +11,25 @@ import numpy as np
 from scegen.claims.arms import arms_of
 from scegen.claims.boxes import boxes, same_way, seen
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test
-from scegen.claims.moments import at, lateral_m
+from scegen.claims.moments import SIDEWAYS, at, lateral_m
 from scegen.claims.statements.touching import touched
 from scegen.claims.told import KPH, Told, either
-from scegen.claims.tolerances import STANDS_MPS
+from scegen.claims.tolerances import SAME_LANE_M, STANDS_MPS
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import HEADING, Floats
 from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Participant
+from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
 from scegen.scenario.logical import Crossing, Drive
-from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind, Side
+from scegen.scenario.vocabulary import (
+    HazardKind,
+    JunctionKind,
+    Maneuver,
+    ParticipantKind,
+    Side,
+)
 
+STRAIGHT = JunctionKind.STRAIGHT
 LANE_M = 2.0
 """Who goes so far to the side has changed lane."""
 _TURNS_DEG, _BACK_DEG = 15.0, 140.0
@@ -40,6 +49,13 @@ def claims(told: Told) -> Iterator[Claim]:
             yield _stands(told, person, pulls_out=False)
         if drive is not None and person.maneuvers:
             yield from _driven(told, drive, field)
+        if drive is not None and _keeps_lane(told, drive):
+            does = f"{person.id} keeps its lane" + (
+                "" if told.functional.junction.kind is STRAIGHT else " up to the junction"
+            )
+            test = partial(_stays_in_lane, drive)
+            claim = _claim(f"lane.{person.id}", does, field, "m", test)
+            yield replace(claim, kind=ClaimKind.LANE)
         crosses = crossing is not None and Maneuver.CROSS in person.maneuvers
         if crossing is not None and crosses and not _stops(told, person.id):
             yield _claim(
@@ -49,6 +65,36 @@ def claims(told: Told) -> Iterator[Claim]:
                 "m",
                 partial(_crosses, told, crossing),
             )
+
+
+def _keeps_lane(told: Told, drive: Drive) -> bool:
+    """Whether nothing that is said lets it go sideways, nor somebody who stands in its way."""
+    name = drive.participant
+    person = told.functional.participant(name)
+    moves = drive.changes_to or drive.reverses or drive.maneuver is not drive.turn
+    if moves or drive.circulating or person.pulls_out or drive.turn is Maneuver.U_TURN:
+        return False
+    plain_road = told.functional.junction.kind is STRAIGHT
+    beside = [h for h in told.hazards if plain_road and h.kind in FROM_BESIDE]
+    beside += [h for h in told.hazards if SIDEWAYS & {*HAZARDS[h.kind].acts}]
+    beside += [h for h in told.hazards if h.kind is HazardKind.SUDDEN_TURN]
+    led_around = any(
+        h.kind in {HazardKind.OBSTACLE, HazardKind.STOPPING} and name in h.to for h in told.hazards
+    ) or any(thing.in_way_of == name for thing in told.functional.objects)
+    stands = any(p.parked or p.maneuvers == {Maneuver.STAY} for p in told.people)
+    sideways = any(act.kind in SIDEWAYS for act in told.acts_of(name))
+    return not (sideways or led_around or stands or any(name in h.by for h in beside))
+
+
+def _stays_in_lane(drive: Drive, view: View) -> Judged:
+    """How far to a side it comes on the arm by which it comes."""
+    name = drive.participant
+    along, _ = arms_of(view)[drive.entry].place(boxes(view, name))
+    aside = np.abs(lateral_m(view, name, drive))
+    aside = np.where(along <= arms_of(view)[drive.entry].straight_m, aside, 0.0)
+    step = aside.argmax(axis=1)
+    most = at(aside, step)
+    return Judged(SAME_LANE_M - most, most, view.time_of(step))
 
 
 def _stops(told: Told, name: str) -> bool:
