@@ -106,7 +106,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     if _must_be_verb(match, tokens, previous):
         return verb, False
     if names_a_measure(match, tokens, previous):
-        return match.get("inert"), False
+        return match.get("inert", "limit"), False
     if match.has(*_NOUNS) and match.form in {"base", "s"} and _noun_slot(match, tokens, previous):
         part = match.has("dir") and match.get("dir").value == "rear" and before != "manner"
         return match.get("dir") if part else match.get(*_NOUNS), False  # "hit the back of it"
