@@ -238,9 +238,7 @@ def _sights(concrete: ConcreteScenario) -> list[tuple[str, str, str]]:
     ]
 
 
-def _trace(
-    name: str, traces: Mapping[str, Trace], ways: Mapping[str, Path], times: Array
-) -> Trace:
+def _trace(name: str, traces: Mapping[str, Trace], ways: Mapping[str, Path], times: Array) -> Trace:
     """A movement; that of a thing, which stands."""
     if name in traces:
         return traces[name]

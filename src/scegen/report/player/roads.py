@@ -47,9 +47,7 @@ def road_data(concrete: ConcreteScenario, network: RoadNetwork) -> Data:
         "marks": [{"kind": kind, "points": points(line.ravel().tolist())} for kind, line in marks]
         + [{"kind": kind, "points": points(_entry_line(road).ravel().tolist())} for road in arms],
         "stripes": [points(stripe.ravel().tolist()) for stripe in shapes.stripes],
-        "signs": [
-            {"kind": _SIGNS[control], **_beside(road)} for road in arms if control in _SIGNS
-        ],
+        "signs": [{"kind": _SIGNS[control], **_beside(road)} for road in arms if control in _SIGNS],
         "lights": [
             {"states": [[0.0, state]], **_beside(road)}
             for road, state in zip(arms, _states(concrete), strict=True)

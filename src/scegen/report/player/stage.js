@@ -24,6 +24,7 @@ export class Stage {
     });
     this.element = h("div", { class: "stage" }, this.below, this.above, caption ? h("p", { class: "caption" }, caption) : null);
     this.spots = new Map();
+    this.placed = new Map();
     this.time = 0;
     this.drawn = "";
     this.listen();
@@ -157,6 +158,7 @@ export class Stage {
     wanted.sort((a, b) => b.first - a.first);
     const placed = placeLabels(wanted, this.spots, taken);
     this.spots = new Map([...placed].map(([id, { index }]) => [id, index]));
+    this.placed = placed;
     context.textBaseline = "top";
     context.lineJoin = "round";
     for (const [id, { left, top, text, anchor, far }] of placed) {
