@@ -70,7 +70,7 @@ Task = Callable[..., Any]
 """A function at the top of a module; its last argument is a :class:`Teller`."""
 
 
-@dataclass
+@dataclass(eq=False)
 class Job:
     """One piece of long work.
 

@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
+from math import inf
 from pathlib import Path
 from typing import Any
 
+from scegen.criticality.careful_driver import Outcome, Verdict
 from scegen.errors import InputError
 from scegen.pipeline.export import CONCRETE_FILE
 from scegen.pipeline.folder import SUMMARY_FILE
 from scegen.pipeline.options import Options
 from scegen.pipeline.raising import PROOF_FILE
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.files import from_data, load
+from scegen.scenario.files import from_data, load, read_text
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.parsing import parse
-from scegen.scenario.files import read_text
 from scegen.scenario.proof import Proof
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 from scegen.web.project import FUNCTIONAL_FILE
@@ -38,6 +39,17 @@ class MadeScenario:
         """Whether no check failed and everything said holds."""
         checks = self.summary.get("checks", {}).values()
         return "failed" not in checks and not (self.proof and self.proof.missed)
+
+    @property
+    def verdict(self) -> Verdict | None:
+        """What a careful driver could have done; None if nobody judged it."""
+        data = self.summary.get("verdict")
+        if not isinstance(data, dict):
+            return None
+        values = {k: tuple(v) if isinstance(v, list) else v for k, v in data.items()}
+        far = values["distance_m"]
+        values |= {"outcome": Outcome(values["outcome"]), "distance_m": inf if far is None else far}
+        return Verdict(**values)
 
 
 @dataclass(frozen=True, slots=True)

@@ -30,7 +30,7 @@ from scegen.web import tasks
 from scegen.web.jobs import Job, Jobs, JobState, Task, Trouble
 from scegen.web.made import Made
 from scegen.web.project import FUNCTIONAL_FILE, Project, changed_outside, keep
-from scegen.web.provenance import carried_over, confirmed
+from scegen.web.provenance import carried_over, confirmed, without
 
 
 @dataclass
@@ -126,6 +126,11 @@ class Work:
         self.edited = True
         self.take(new)
 
+    def forget(self, name: str) -> None:
+        """Take out a participant, an object or an act, and whatever cannot be without it."""
+        if self.functional is not None:
+            self.edit(without(self.functional.model_dump(mode="json"), name))
+
     def confirm(self, path: str) -> None:
         """What was assumed of a field is meant."""
         if self.functional is not None:
@@ -197,7 +202,7 @@ class Work:
             self.reduction,
             self.arms,
         )
-        self._changed("listing", "choice")
+        self._changed("listing", "choice", "edition")
 
     def count_as(self, reduction: Reduction, arms: ArmsMode) -> None:
         """List again, under another notion of which assignments are one scenario."""
@@ -250,6 +255,11 @@ class Work:
             if candidate.index == index:
                 return candidate
         raise InputError(f"there is no scenario {index}")
+
+    @property
+    def edition(self) -> int:
+        """A number that changes whenever the list begins anew."""
+        return self.revision["edition"]
 
     def _matching(self, scenarios: list[LogicalScenario]) -> list[int]:
         if not self.where or self.listing is None:
@@ -317,7 +327,7 @@ class Work:
     def open(self, name: str) -> None:
         """Go on with work that lies in the project, whoever made it."""
         folder = self.project.folder(name)
-        self.cancel(*self.under_way)
+        self.cancel_all()
         self.folder = folder
         self._begin("opening", self._opened, tasks.look, folder)
 
@@ -353,12 +363,26 @@ class Work:
             keep(self.folder, FUNCTIONAL_FILE, content)
             self.kept = digest(content)
 
+    @property
+    def stale(self) -> bool:
+        """Whether what was made is not what the form says now."""
+        return self.functional is not None and self.made_of != self.functional
+
     # -- jobs ---------------------------------------------------------------------------------
 
     def cancel(self, *kinds: str) -> None:
         """End work that is under way."""
         for kind in kinds:
             self.jobs.cancel(self.under_way.get(kind))
+
+    def cancel_all(self) -> None:
+        """End everything that is under way."""
+        self.cancel(*self.under_way)
+
+    @property
+    def working(self) -> bool:
+        """Whether anything is under way."""
+        return any(job.under_way for job in self.under_way.values())
 
     def busy(self, kind: str) -> bool:
         """Whether work of a kind is under way."""
