@@ -114,7 +114,9 @@ def _program(draft: DriveDraft) -> tuple[float, tuple[SpeedPhase, ...]]:
     """Initial speed and phases, rounded; reactions come where the program reaches them."""
     if draft.moves_off is not None:
         return 0.0, (_rounded(draft.moves_off),)
-    speed, phases = compile_marks(draft.id, draft.all_marks(), draft.course, draft.start_m)
+    speed, phases = compile_marks(
+        draft.id, draft.course, draft.start_s, draft.start_m, draft.triggers
+    )
     if draft.reactions:
         at = draft.reacts_at_s_m - draft.start_m
         before = [

@@ -29,6 +29,7 @@ from scegen.scenario.concrete import (
     LaneChange,
     RoadParameters,
     SpeedPhase,
+    Trigger,
 )
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import Drive, LogicalScenario
@@ -88,6 +89,7 @@ class DriveDraft:
     from_arm: int | None = None
     backs_to: str | None = None
     alone_s_m: tuple[float, float] | None = None
+    triggers: dict[str, Trigger] = field(default_factory=dict)
     laid_: LaidDrive | None = None
     course_: Timeline | None = None
 
@@ -157,6 +159,11 @@ class DriveDraft:
             lane_changes=tuple(self.lane_changes),
             reversal=self.reversal,
         )
+
+    @property
+    def start_s(self) -> float:
+        """When it starts, on the clock of its course."""
+        return 0.0 if self.backs_out else max(0.0, -self.offset_s)
 
     @property
     def backs_out(self) -> bool:

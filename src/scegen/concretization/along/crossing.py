@@ -7,7 +7,8 @@ from math import ceil
 
 from scegen.concretization.along.asked import allowed
 from scegen.concretization.along.reactions import REACTION_S
-from scegen.concretization.along.runner import NEVER_S, Runner, Step
+from scegen.concretization.along.runner import Runner, Step
+from scegen.concretization.profile import NEVER_S
 from scegen.concretization.along.sideways import edge_y_m
 from scegen.concretization.along.spacing import LENGTHWISE
 from scegen.concretization.along.story import Story, contact_wanted
