@@ -176,8 +176,13 @@ def _duration_s(scene: Scene, concrete: ConcreteScenario, paths: dict[str, Path]
     ends: dict[str, float] = {}
     for name, trace in traces.items():
         goal = _goal_m(scene, name, paths[name])
-        halts = name in scene.drives and scene.drives[name].halts_at_m is not None
-        done = np.flatnonzero(trace.speed_mps < STANDING_MPS if halts else trace.s_m >= goal)
+        stays = name in scene.drives and scene.drives[name].stays
+        rests = trace.speed_mps < STANDING_MPS
+        if stays:
+            # Who is to stand in the end has done all it does once it moves no more.
+            done = np.flatnonzero(rests & (np.cumsum(rests[::-1])[::-1] == np.arange(len(rests), 0, -1)))
+        else:
+            done = np.flatnonzero(trace.s_m >= goal)
         if not done.size:
             return None
         ends[name] = float(trace.time_s[done[0]])
