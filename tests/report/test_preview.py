@@ -13,8 +13,8 @@ from scegen.motion.paths import build_paths
 from scegen.motion.simulation import simulate
 from scegen.report.encounter import box_corners, closest_encounter
 from scegen.report.lane_shapes import road_shapes
-from scegen.report.palette import EGO
 from scegen.report.preview import preview_png
+from scegen.report.theme import LIGHT
 from scegen.road import build_network
 from scegen.road.model import LaneType
 from scegen.scenario.bodies import BODIES
@@ -99,7 +99,7 @@ def test_the_picture_is_stable_and_shows_the_ego():
     assert b"Software" not in png
     assert b"tIME" not in png
     image = np.asarray(Image.open(BytesIO(png)).convert("RGB"))
-    blue = [int(EGO[i : i + 2], 16) for i in (1, 3, 5)]
+    blue = [int(LIGHT.ego[i : i + 2], 16) for i in (1, 3, 5)]
     assert (image == blue).all(axis=2).sum() > 500
     assert image.shape[1] == 900
 

@@ -30,7 +30,7 @@ from scegen.report.drawing_parts import (
 )
 from scegen.report.encounter import Array, Encounter, thing_corners
 from scegen.report.lane_shapes import road_shapes
-from scegen.report.palette import colours
+from scegen.report.theme import LIGHT
 from scegen.report.words import hazard_words, participant_words, thing_words
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario
@@ -59,7 +59,7 @@ def draw_scenario(
     figure = Figure(figsize=(WIDTH_IN, height), dpi=_DPI, facecolor="white")
     canvas = FigureCanvasAgg(figure)
     axes = figure.add_axes((0.0, below / height, 1.0, picture / height))
-    colour = colours((p.id for p in concrete.participants), concrete.ego.id)
+    colour = LIGHT.colours((p.id for p in concrete.participants), concrete.ego.id)
     shapes = road_shapes(network)
     set_view(axes, view)
     draw_roads(axes, shapes)
