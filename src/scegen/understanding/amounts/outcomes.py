@@ -155,6 +155,8 @@ class Judge:
             hit_by = place.prep is not None and place.prep.value in {"by", "with"}
             on = place.prep is not None and place.prep.value == "in" and place.head is not None
             hit_by = hit_by or (on and ego is not None and self._is_hit(ego, i))
+            into = place.prep is not None and place.prep.value in {"in", "into"}
+            hit_by = hit_by or (into and place.owner is not None and whose is ego)
             if part is None or whose is None or (flank and not (hit_by and whose is ego)):
                 continue
             basis = Basis(place.i, place.j)
@@ -210,6 +212,8 @@ class Judge:
         direct = scene.event.object is place
         if direct and scene.targets:
             return scene.targets[0]
+        if direct and own and scene.actors and not scene.actors[0].ego:
+            return ego_of(self._context)  # "a car behind hits its rear"
         if own and scene.event.passive and place.prep is not None and place.prep.value == "in":
             return scene.targets[0] if scene.targets else None  # "is hit on its right side"
         if own or not direct:

@@ -179,6 +179,7 @@ def _whose(number: Measured, text: Sentences, context: Context) -> list[Entity]:
     before = {t.low for t in tokens[max(start, number.i - 3) : number.i]}
     if before & {*words()["each"]}:
         named = [e for m in text.mentions if start <= m.i < number.i for e in m.entities]
+        named = named or [e for m in text.mentions if m.i < number.i for e in m.entities][-_PAIR:]
         pair = list(dict.fromkeys([e for e in reversed(named) if not e.still]))
         ego = ego_of(context)
         pair += [ego] if ego is not None and ego not in pair and len(pair) < _PAIR else []

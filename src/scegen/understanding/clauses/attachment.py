@@ -236,6 +236,8 @@ def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
     if not placed and not (locus and isinstance(target, Mention | Thing)):
         return None
     m += 1
+    while isinstance(target, Place) and m < len(chunks) and chunks[m].i < target.j:
+        m += 1  # "out of the lane to its left a van …"
     owned = chunks[m] if m < len(chunks) else None
     if isinstance(target, Mention) and target.possessor and isinstance(owned, NounPhrase):
         m += 1  # "behind the ego's bumper"

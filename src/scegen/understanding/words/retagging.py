@@ -38,6 +38,10 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     term = role_alone(term, terms, tokens)
     if (term.cat, term.value, term.form) == ("verb", "approach", "s") and _counted(terms):
         term = Term("leg", "leg", term.i, term.j, "s")
+    if _gets(terms, tokens, term):
+        terms[-1] = replace(terms[-1], cat="aux", value="be", data={})
+    if term.cat == "rel" and tokens[term.i].low == "that" and terms and terms[-1].cat == "sub":
+        term = Term("pronoun", "it", term.i, term.j)  # "when that brakes"
     if _does_not(tokens, term):
         term = replace(term, cat="aux", value="do")
     if terms and measured(tokens, terms, term):
@@ -80,6 +84,13 @@ def _word_at(tokens: list[Token], j: int) -> bool:
         return False
     found = longest_match(tokens, j)
     return found is None or not found.has("prep", "conj", "aux", "sub", "locus")
+
+
+def _gets(terms: list[Term], tokens: list[Token], term: Term) -> bool:
+    """``gets cut off by a van``: is."""
+    get = bool(terms) and terms[-1].cat == "verb" and tokens[terms[-1].i].forms[-1][0] == "get"
+    by = "by" in [t.low for t in tokens[term.j : term.j + 2]]
+    return get and terms[-1].j - terms[-1].i == 1 and term.cat == "verb" and by
 
 
 def _moment(tokens: list[Token], term: Term) -> bool:
