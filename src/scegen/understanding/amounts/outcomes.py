@@ -45,8 +45,9 @@ class Judge:
             if told:
                 self._happenings.ending = told[0]
                 break
-        if self._happenings.ending is not None:
-            self._where(self._happenings.ending)
+        ending = self._happenings.ending
+        if ending is not None and ending.kind is not OutcomeKind.AVOIDED:
+            self._where(ending)
         self._overlaps()
 
     def _of_verb(self, scene: Scene) -> Ending | None:
@@ -224,8 +225,10 @@ class Judge:
 
     def _middle(self, ending: Ending, place: NounPhrase, start: int) -> None:
         """``with the middle of its front``."""
+        tokens = self._text.tokens
         for k in range(max(start, place.i - _REACH), place.i):
-            if self._text.tokens[k].low in words()["middle"]:
+            part = k + 1 == place.i or tokens[k + 1].low in {"of", "front"}
+            if part and tokens[k].low in words()["middle"]:
                 value = Interval(low=_HALF, high=_HALF)
                 ending.impact = Amount(value, Basis(k, place.j))
 

@@ -162,6 +162,10 @@ def _from_to(number: Measured, text: Sentences, found: Happenings) -> Doing | No
     first, last = quantity.parts
     kind = ActKind.BRAKE if last.low < first.low else ActKind.ACCELERATE
     here = [a for a in found.acts if start <= a.i < end and a.kind in {kind, ActKind.STOP}]
+    who = text.subject_before(number.i)
+    if not here and kind is ActKind.BRAKE and who:  # "slowing of the van from 90 to 36 km/h"
+        here = [Doing(kind, who[0], Basis(number.i, number.j), number.i)]
+        found.acts = sorted([*found.acts, *here], key=lambda a: a.i)
     if not here:
         return None
     doing = [*[a for a in here if a.i < number.i], *here][-1 if here[-1].i < number.i else 0]

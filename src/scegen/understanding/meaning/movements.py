@@ -144,7 +144,8 @@ def overtake(scene: Scene, context: Context) -> None:
     stated = {
         p.entity.index
         for p in context.draft.placements
-        if p.reference in scene.targets or (p.reference is None and scene.targets[:1] == egos)
+        if p.reference in scene.targets
+        or (p.reference is None and (egos or p.approaches != {Approach.ADJACENT}))
     }
     if not any(e.index in stated for e in scene.actors):
         context.ahead(scene.targets, scene.actors, basis)

@@ -11,7 +11,7 @@ from scegen.understanding.words.labels import named_at
 from scegen.understanding.words.lettered import name_letters
 from scegen.understanding.words.nominal import ORDINALS
 from scegen.understanding.words.numbers import number_at
-from scegen.understanding.words.paces import pace_at, speed_at
+from scegen.understanding.words.paces import bare_speed, pace_at, speed_at
 from scegen.understanding.words.particles import (
     a_drive,
     after_a_phrase,
@@ -246,7 +246,7 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     pace = pace_at(tokens, i) or speed_at(tokens, i)
     if pace is not None:
         return pace
-    quantity = quantity_at(tokens, i)
+    quantity = quantity_at(tokens, i) or bare_speed(tokens, i)
     if quantity:
         return Term("quantity", quantity.dimension, i, quantity.j, data={"quantity": quantity})
     numbered = i + 1 < len(tokens) and tokens[i + 1].kind == "number"
