@@ -115,9 +115,7 @@ class Jobs:
         self._running: set[Job] = set()
         self._lock = threading.Lock()
 
-    def start(
-        self, what: str, told: Callable[[Job], None], task: Task, *arguments: object
-    ) -> Job:
+    def start(self, what: str, told: Callable[[Job], None], task: Task, *arguments: object) -> Job:
         """Begin; the job is returned at once."""
         job = Job(what, told)
         threading.Thread(

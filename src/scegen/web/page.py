@@ -63,7 +63,9 @@ class Page:
 
     def build(self) -> None:
         """Make the elements."""
-        ui.add_head_html(f"<style>{css()}{_own('page.css')}</style><script>{_own('page.js')}</script>")
+        ui.add_head_html(
+            f"<style>{css()}{_own('page.css')}</style><script>{_own('page.js')}</script>"
+        )
         ui.context.client.on_exception(self._complain)
         with node("header", "bar"):
             node("a", "brand", "ML-SceGen", href="/", aria_label="ML-SceGen, start page")
@@ -153,5 +155,3 @@ class Page:
 
 def _own(name: str) -> str:
     return (files("scegen.web.elements") / name).read_text(encoding="utf-8")
-
-

@@ -29,4 +29,6 @@ def readme(work: Work) -> str:
 
 
 def _outcome(ok: bool) -> str:  # noqa: FBT001 - what came of one scenario
-    return "every check passed and all that was said holds" if ok else "see its checks in the report"
+    return (
+        "every check passed and all that was said holds" if ok else "see its checks in the report"
+    )

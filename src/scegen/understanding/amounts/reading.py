@@ -164,7 +164,9 @@ def _from_to(number: Measured, text: Sentences, found: Happenings) -> Doing | No
     here = [a for a in found.acts if start <= a.i < end and a.kind in {kind, ActKind.STOP}]
     who = text.subject_before(number.i)
     if not here and kind is ActKind.BRAKE and who:  # "slowing of the van from 90 to 36 km/h"
-        here = [Doing(kind, who[0], Basis(number.i, number.j), number.i)]
+        event = text.verb_at(number.i, number.j)
+        told = [event.i] if event is not None else []
+        here = [Doing(kind, who[0], Basis(number.i, number.j), number.i, told=told)]
         found.acts = sorted([*found.acts, *here], key=lambda a: a.i)
     if not here:
         return None

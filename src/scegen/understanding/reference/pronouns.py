@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention, Place
+from scegen.understanding.clauses.located import loci_of
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.reference.everybody import everybody
 from scegen.understanding.reference.roster import Roster
@@ -162,6 +163,10 @@ class Pronouns:
         named = [e for e in self.roster.recent if mention.sides & e.sides and e not in exclude]
         if named and which == "one" and mention.mods and mention.mods[0].value == "def":
             return named[-1:]  # "the one from the left"
+        definite = which == "one" and any(m.value == "def" for m in mention.mods)
+        there = [e for e in self.draft.entities if loci_of(mention) & (e.loci | e.dirs)]
+        if definite and len(there) == 1 and there[0] not in exclude:
+            return there  # "the one in front"
         claimed = self.roster.claim(count, exclude) if which != "further" else []
         if which in {"others", "further"} and not claimed:
             alike = [e.kind for e in self.roster.recent if e.is_vehicle and which == "further"]
@@ -169,7 +174,6 @@ class Pronouns:
             return [self.roster.new(kind, basis) for _ in range(min(count, _MOST))]
         if claimed or which == "count":
             return claimed
-        definite = which == "one" and any(m.value == "def" for m in mention.mods)
         if definite and not mention.sides and _placed(mention):
             others = [e for e in self.roster.recent if not e.ego and e not in exclude]
             if others:

@@ -52,7 +52,11 @@ class Opening:
                         with made:
                             node("strong", "", entry.name)
                             node("span", "", entry.description)
-                            node("span", "soft", f"{entry.scenarios} made" if entry.scenarios else "not made yet")
+                            node(
+                                "span",
+                                "soft",
+                                f"{entry.scenarios} made" if entry.scenarios else "not made yet",
+                            )
         self._dialog.open()
 
     def _open(self, name: str) -> None:
