@@ -82,6 +82,9 @@ def attach(prep: Prep, state: State) -> None:
     if measured is not None:
         measured.pps.append(prep)
         return
+    part = prep.on_mention
+    if part is not None and part.whole is not None and part.whole.j == prep.word.i:
+        prep.on_mention = part.whole  # "one of the two cars ahead": both are
     holders = [m for m in (prep.on_mention, state.candidate) if m is not None]
     if any(_names_it_again(prep.target, m) for m in holders):
         state.fronted.append(prep)

@@ -154,6 +154,9 @@ class Pronouns:
             whole = mention.whole.entities
             exclude = [*exclude, *(e for e in self.draft.entities if e not in whole)]
         count = 1
+        if which == "others" and mention.mod("num") is None:
+            opened = [g for g in self.roster.groups if 0 < len(g.free) < len(g.members)]
+            return picked(opened[-1].free) if opened else []
         if which in {"count", "others", "further"}:
             count = int(mention.mods[0].data["number"])
         coloured = {self.tokens[m.i].low for m in mention.mods if m.value == "colour"}
@@ -173,7 +176,7 @@ class Pronouns:
             kind = (alike or [ParticipantKind.CAR])[-1]
             return [self.roster.new(kind, basis) for _ in range(min(count, _MOST))]
         if claimed or which == "count":
-            return claimed
+            return picked(claimed) if which in {"one", "count"} and not mention.sides else claimed
         if definite and not mention.sides and _placed(mention):
             others = [e for e in self.roster.recent if not e.ego and e not in exclude]
             if others:
@@ -183,6 +186,17 @@ class Pronouns:
         afoot = which == "one" and kinds == {ParticipantKind.PEDESTRIAN}
         kind = ParticipantKind.PEDESTRIAN if afoot else ParticipantKind.CAR
         return [self.roster.new(kind, basis)] if new else []
+
+
+def picked(entities: list[Entity]) -> list[Entity]:
+    """Some of several alike, no matter which.
+
+    Args:
+        entities: who stands for them.
+    """
+    for entity in entities:
+        entity.some = entity.claimed = True
+    return entities
 
 
 def _placed(mention: Mention) -> bool:
