@@ -234,7 +234,7 @@ def _alike(text: Sentences, context: Context) -> None:
                 who += [other] if other is not None and other not in who else []
             known = [e for e in who if e.speed is not None]
             for entity in who if known else []:
-                if entity.speed is None and entity.is_vehicle:
+                if entity.speed is None and entity.is_vehicle and not entity.still:
                     entity.speed = known[0].speed
                     entity.speed_basis = Basis(k, k + len(wanted), "as fast as the other")
 

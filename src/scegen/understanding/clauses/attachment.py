@@ -239,8 +239,6 @@ def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
     if not placed and not (locus and isinstance(target, Mention | Thing)):
         return None
     m += 1
-    while isinstance(target, Place) and m < len(chunks) and chunks[m].i < target.j:
-        m += 1  # "out of the lane to its left a van …"
     owned = chunks[m] if m < len(chunks) else None
     if isinstance(target, Mention) and target.possessor and isinstance(owned, NounPhrase):
         m += 1  # "behind the ego's bumper"
@@ -258,7 +256,7 @@ def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
 def _side_after(chunks: list[Chunk], m: int) -> bool:
     side = chunks[m + 1] if m + 1 < len(chunks) else None
     sided = isinstance(side, Place) and side.kind in {"side", "sidewalk", "shoulder"}
-    return _is(chunks, m, "in") and sided
+    return (_is(chunks, m, "in") or _is(chunks, m, "to")) and sided
 
 
 def place_in_front(mention: Mention, state: State) -> None:

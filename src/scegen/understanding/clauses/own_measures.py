@@ -18,7 +18,7 @@ def own_measures(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
         events: its events.
         tokens: its tokens.
     """
-    holders = [*events, *(c for c in chunks if isinstance(c, Mention))]
+    holders: list[Event | Mention] = [*events, *(c for c in chunks if isinstance(c, Mention))]
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Word) or (chunk.cat, chunk.value) != ("quantity", "speed"):
             continue

@@ -221,12 +221,8 @@ class Discourse:
         included = self._roster.included(reading, mention)
         if included:
             return included
-        if reading.plural and det == "other" and mention.mod("num") is not None:
-            return self._roster.claim(reading.count, exclude, reading)
-        if reading.plural and det == "other" and self._roster.groups:
-            rest = [e for e in self._roster.groups[-1].members if e not in exclude]
-            if all(self._roster.compatible(e, reading) for e in rest):
-                return rest  # "three other cars …; one of the other cars"
+        if reading.plural and det == "other":
+            return self._other_ones(reading, mention, exclude)
         if reading.plural:
             return self._known_plural(reading, mention)
         if det == "def" and not reading.driver:
@@ -246,6 +242,17 @@ class Discourse:
             member = self._member(reading, mention, exclude)
             return member or self._roster.from_title(reading, mention)
         return self._definite(reading, mention, exclude)
+
+    def _other_ones(
+        self, reading: Reading, mention: Mention, exclude: list[Entity]
+    ) -> list[Entity]:
+        if mention.mod("num") is not None:
+            return self._roster.claim(reading.count, exclude, reading)
+        rest = [g.members for g in self._roster.groups[-1:]]
+        others = [e for e in (rest[0] if rest else []) if e not in exclude]
+        if others and all(self._roster.compatible(e, reading) for e in others):
+            return others  # "three other cars …; one of the other cars"
+        return self._known_plural(reading, mention)
 
     def _known_plural(self, reading: Reading, mention: Mention) -> list[Entity]:
         quantity = mention.mod("quant")

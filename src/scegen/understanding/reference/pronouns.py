@@ -89,7 +89,7 @@ class Pronouns:
             others = [e for e in recent if "speaks" not in e.named_by]
             recent = others or recent  # whoever tells it is no "it"
             subject = [e for e in subject if "speaks" not in e.named_by] if others else subject
-        options = subject if len(subject) == 1 else recent[-1:]
+        options = subject if len(subject) == 1 and word != "that" else recent[-1:]
         if self.tokens[mention.i].low == "it" and any(map(self._person, options)):
             order = self.roster.recent
             since = order[order.index(options[0]) + 1 :] if options[0] in order else []
