@@ -9,14 +9,14 @@ from functools import partial
 import numpy as np
 
 from scegen.claims.arms import arms_of
-from scegen.claims.boxes import boxes, same_way, seen
+from scegen.claims.boxes import boxes, passes
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test
 from scegen.claims.moments import SIDEWAYS, at, lateral_m
 from scegen.claims.statements.touching import touched
 from scegen.claims.told import KPH, Told, either
 from scegen.claims.tolerances import SAME_LANE_M, STANDS_MPS
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import HEADING, Floats
+from scegen.motion.batch.arrays import HEADING
 from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Participant
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
@@ -33,8 +33,6 @@ STRAIGHT = JunctionKind.STRAIGHT
 LANE_M = 2.0
 """Who goes so far to the side has changed lane."""
 _TURNS_DEG, _BACK_DEG = 15.0, 140.0
-_BESIDE_M = 7.0
-_SAME_WAY = 0.9
 _MOVES_M = 0.5
 
 
@@ -175,18 +173,6 @@ def _overtakes(name: str, others: list[str], view: View) -> Judged:
         when = np.where(margin > best, time_s, when)
         best = np.maximum(best, margin)
     return Judged(best, best, when)
-
-
-def passes(view: View, name: str, other: str) -> tuple[Floats, Floats]:
-    """By how much somebody comes from wholly behind another to wholly ahead, and when (c,)."""
-    own, frame = boxes(view, name), boxes(view, other)
-    place = seen(frame, own)
-    beside = (np.abs(place.y) < _BESIDE_M) & (same_way(frame, own) > _SAME_WAY)
-    behind = np.where(beside, -frame.half_length - place.front, -NEVER)
-    before = np.where(beside, place.rear - frame.half_length, -NEVER)
-    passed = np.minimum(np.maximum.accumulate(behind, axis=1), before)
-    step = passed.argmax(axis=1)
-    return at(passed, step), view.time_of(step)
 
 
 def _crosses(told: Told, crossing: Crossing, view: View) -> Judged:
