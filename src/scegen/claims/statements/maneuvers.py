@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -52,8 +51,7 @@ def claims(told: Told) -> Iterator[Claim]:
                 "" if told.functional.junction.kind is STRAIGHT else " up to the junction"
             )
             test = partial(_stays_in_lane, drive)
-            claim = _claim(f"lane.{person.id}", does, field, "m", test)
-            yield replace(claim, kind=ClaimKind.LANE)
+            yield _claim(f"lane.{person.id}", does, field, "m", test)
         crosses = crossing is not None and Maneuver.CROSS in person.maneuvers
         if crossing is not None and crosses and not _stops(told, person.id):
             yield _claim(
@@ -101,7 +99,9 @@ def _stops(told: Told, name: str) -> bool:
     return acts or any(h.kind is HazardKind.STOPPING and name in h.by for h in told.hazards)
 
 
-def _claim(name: str, statement: str, field: str, unit: str, test: Test) -> Claim:
+def _claim(
+    name: str, statement: str, field: str, unit: str, test: Test, *, fixed: bool = True
+) -> Claim:
     return Claim(
         id=f"maneuver.{name}",
         kind=ClaimKind.MANEUVER,
@@ -109,7 +109,8 @@ def _claim(name: str, statement: str, field: str, unit: str, test: Test) -> Clai
         field=field,
         unit=unit,
         test=test,
-        scale=20.0 if unit == "deg" else 2.0,
+        scale=2.0,
+        fixed=fixed,
     )
 
 
@@ -123,7 +124,8 @@ def _driven(told: Told, drive: Drive, field: str) -> Iterator[Claim]:
         passed = _overtaken(told, name)
         whom = either(passed) if passed else "another who goes the same way"
         test = partial(_overtakes, name, passed or [p.id for p in told.people if p.id != name])
-        yield _claim(f"overtake.{name}", f"{name} passes {whom}", field, "m", test)
+        does = f"{name} passes {whom}"
+        yield _claim(f"overtake.{name}", does, field, "m", test, fixed=False)
     if drive.turn in {Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN} and drive.reverses is None:
         does = "turns back" if drive.turn is Maneuver.U_TURN else f"turns {drive.turn}"
         yield _claim(f"turn.{name}", f"{name} {does}", field, "deg", partial(_turns, drive))
