@@ -46,10 +46,6 @@ AFTER_S = 1.0
 LATERAL_ROOM = 1.03
 _NEVER = 3.0
 _SAME = 1e-6
-FIXED = frozenset({ClaimKind.ROAD, ClaimKind.LANE, ClaimKind.CONFLICT, ClaimKind.BODY})
-"""Claims about what never changes in a search, or for which the bounds of its variables stand."""
-_ELSEWHERE = FIXED | {ClaimKind.CONTACT}
-"""With those for which other demands stand, these are left to the proof."""
 _STRANGE = 0.02
 _SPREAD = 0.12
 
@@ -88,7 +84,9 @@ class Outcome:
 class Problem:
     """One search: what is wanted of whom, and what it runs on.
 
-    Every claim is a demand, but those ``given_up``; the target is none if ``untargeted``. A search
+    Every claim is a demand, but those ``given_up``, those that are ``fixed`` (everybody gets to the
+    end of its way, or ``finish`` is missing) and that on contacts; the proof judges them too. The
+    target is none if ``untargeted``. A search
     that fails tells in ``never`` which claims nothing met. It stays near ``home`` (n,), or near the
     scenario as it was concretized.
     """
@@ -145,7 +143,7 @@ class Problem:
         return {
             claim.id: claim.judge(view).margin
             for claim in self.claims
-            if claim.kind not in _ELSEWHERE and claim.id not in self.given_up
+            if not (claim.fixed or claim.kind is ClaimKind.CONTACT or claim.id in self.given_up)
         }
 
     def _claim_missing(self, claim: Claim, margin: Floats) -> Floats:
