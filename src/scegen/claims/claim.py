@@ -25,6 +25,7 @@ class ClaimKind(StrEnum):
     LANE = "lane"
     ENTRY = "entry"
     EXIT = "exit"
+    CONFLICT = "conflict"
     ORDER = "order"
     BESIDE = "beside"
     MANEUVER = "maneuver"

@@ -21,6 +21,7 @@ from scegen.cli import (
     generate,
     play,
     schema,
+    serve,
     simulate,
     understand,
 )
@@ -76,6 +77,7 @@ app.command("concretize")(concretize.concretize)
 app.command("check")(check.check)
 app.command("simulate")(simulate.simulate)
 app.command("play")(play.play)
+app.command("serve")(serve.serve)
 app.command("schema")(schema.schema)
 app.command("doctor")(doctor.doctor)
 app.add_typer(benchmark.app, name="benchmark")

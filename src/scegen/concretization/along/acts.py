@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from scegen.concretization.along.asked import dangers
+from scegen.concretization.asked import dangers
 from scegen.concretization.along.runner import Runner
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.functional import FunctionalScenario, Hazard

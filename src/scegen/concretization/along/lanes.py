@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations, product
 
-from scegen.concretization.along.asked import dangers, outward
+from scegen.concretization.asked import dangers, outward
 from scegen.concretization.along.runner import Runner
 from scegen.errors import MotionInfeasibleError
 from scegen.road.defaults import LANE_WIDTH_M

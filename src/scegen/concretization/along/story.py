@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from scegen.concretization.along.asked import dangers
+from scegen.concretization.asked import dangers, hazard_of
 from scegen.concretization.along.runner import Runner
 from scegen.scenario.acts import Act, ActKind, AfterAct
 from scegen.scenario.functional import FunctionalScenario, Hazard
@@ -16,26 +16,6 @@ from scegen.scenario.vocabulary import Approach, HazardKind
 
 FIRST_ACT_S = 4.0
 """Undisturbed driving before the first act whose moment nobody says."""
-_HAZARDS_OF = {
-    ActKind.BRAKE: (HazardKind.HARD_BRAKING, HazardKind.STOPPING, HazardKind.LOSS_OF_CONTROL),
-    ActKind.STOP: (HazardKind.STOPPING, HazardKind.HARD_BRAKING),
-    ActKind.ACCELERATE: (HazardKind.SUDDEN_ACCELERATION,),
-    ActKind.CHANGE_LANE: (
-        HazardKind.CUT_IN,
-        HazardKind.MERGING_CONFLICT,
-        HazardKind.FAILURE_TO_YIELD,
-        HazardKind.ONCOMING_LANE,
-        HazardKind.SUDDEN_TURN,
-    ),
-    ActKind.SWERVE: (
-        HazardKind.SWERVING,
-        HazardKind.LOSS_OF_CONTROL,
-        HazardKind.ONCOMING_LANE,
-        HazardKind.SUDDEN_TURN,
-    ),
-    ActKind.OVERTAKE: (HazardKind.OVERTAKING, HazardKind.ONCOMING_LANE),
-}
-"""The dangers that an act may be."""
 
 
 @dataclass
@@ -65,8 +45,7 @@ class Story:
 
     def hazard_of(self, act: Act) -> HazardKind | None:
         """The danger that an act is, if it is one."""
-        asked = [h.kind for h in self.hazards if act.participant in h.by]
-        return next((kind for kind in _HAZARDS_OF.get(act.kind, ()) if kind in asked), None)
+        return hazard_of(self.hazards, act)
 
     def words(self, name: str, reference: str) -> frozenset[Approach]:
         """Where somebody is said to be, seen from another; nothing is said of things."""

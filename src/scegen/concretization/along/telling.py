@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.concretization.along.acts import all_acts
-from scegen.concretization.along.asked import dangers
+from scegen.concretization.asked import dangers
 from scegen.concretization.along.casting import cast
 from scegen.concretization.along.lanes import choose_lanes
 from scegen.concretization.along.runner import Runner

@@ -46,9 +46,10 @@ AFTER_S = 1.0
 LATERAL_ROOM = 1.03
 _NEVER = 3.0
 _SAME = 1e-6
-_ELSEWHERE = frozenset({ClaimKind.CONTACT, ClaimKind.BODY, ClaimKind.ROAD})
-"""Claims that other demands stand for, the bounds of the variables, or what never changes; the
-proof looks at them too."""
+FIXED = frozenset({ClaimKind.ROAD, ClaimKind.LANE, ClaimKind.CONFLICT, ClaimKind.BODY})
+"""Claims about what never changes in a search, or for which the bounds of its variables stand."""
+_ELSEWHERE = FIXED | {ClaimKind.CONTACT}
+"""With those for which other demands stand, these are left to the proof."""
 _STRANGE = 0.02
 _SPREAD = 0.12
 

@@ -67,10 +67,8 @@ class Spacer:
         past = self._verb(number) in {"pass", "bypass"} and (entity.parked or reference.parked)
         if measure is Measure.GAP_M and past:
             measure = Measure.LATERAL_GAP_M
-        sideways = number.around.after.startswith(
-            (" away ", " apart ", " from ", " between ", " off ")
-        )
-        if measure is Measure.GAP_M and sideways and self._beside(entity, reference):
+        along = number.around.after.startswith((" ahead ", " in front ", " behind ", " before "))
+        if measure is Measure.GAP_M and not along and self._beside(entity, reference):
             measure = Measure.LATERAL_GAP_M
         amount, side = self._with_place(amount_of(number), number), None
         if len(number.quantity.parts) > 1 and number.around.preceded("from"):
@@ -170,7 +168,7 @@ class Spacer:
             p.approaches == {Approach.ADJACENT}
             and {p.entity, p.reference or ego_of(self._context)} == {one, other}
             for p in self._context.draft.placements
-        ) and not any(a.entity in (one, other) for a in self._happenings.acts if a.kind in _LANED)
+        ) and not (one.maneuvers | other.maneuvers) & {Maneuver.LANE_CHANGE, Maneuver.OVERTAKE}
 
     def _with_place(self, amount: Amount, number: Measured) -> Amount:
         """The words of a number with those of place after it: "15 m in front of"."""

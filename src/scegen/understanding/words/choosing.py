@@ -95,6 +95,8 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     if match.has("place", "dir") and match.get("place").value == "junction":
         shaped = before in {"shape", "control", "det"} and not attributive
         return (match.get("place") if shaped else _without_place(match, attributive)), attributive
+    if match.has("prep") and match.form == "base" and before == "verb":
+        return match.get("prep"), False  # "rides near the kerb"
     if match.has("dir") and match.get("dir").value == "left":
         return left_or_gone(match, tokens, previous)
     if match.form == "base" and before == "aux" and previous is not None and previous.value == "be":
@@ -106,7 +108,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     if _must_be_verb(match, tokens, previous):
         return verb, False
     if names_a_measure(match, tokens, previous):
-        return match.get("inert"), False
+        return match.get("inert", "limit"), False
     if match.has(*_NOUNS) and match.form in {"base", "s"} and _noun_slot(match, tokens, previous):
         part = match.has("dir") and match.get("dir").value == "rear" and before != "manner"
         return match.get("dir") if part else match.get(*_NOUNS), False  # "hit the back of it"
