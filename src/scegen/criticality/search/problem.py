@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -82,6 +82,12 @@ class Outcome:
         """Which candidates miss nothing (c,)."""
         return self.total <= 0.0
 
+    def in_words(self) -> str:
+        """How far the best of these is."""
+        best = int(self.loss.argmin())
+        lacking = sum(bool(missed[best] > 0.0) for missed in self.missing.values())
+        return f"the best of these misses {lacking} demands" if lacking else "found"
+
 
 @dataclass
 class Problem:
@@ -89,7 +95,7 @@ class Problem:
 
     Every claim is a demand, but those ``given_up``; the target is none if ``untargeted``. A search
     that fails tells in ``never`` which claims nothing met. It stays near ``home`` (n,), or near the
-    scenario as it was concretized.
+    scenario as it was concretized. ``progress`` is told how far it is after every batch.
     """
 
     concrete: ConcreteScenario
@@ -111,6 +117,7 @@ class Problem:
     evaluations: int = 0
     known: list[Floats] = field(default_factory=list)
     home: Floats | None = None
+    progress: Callable[[str], None] = lambda _: None
 
     def evaluate(self, x: Floats) -> Outcome:
         """Everything about candidates with these values of the variables (c, n)."""
@@ -137,7 +144,9 @@ class Problem:
             if claim.id in margins
         }
         strangeness = self.space.strangeness(x, self.home)
-        return Outcome(missing, strangeness, made, duration, margins)
+        outcome = Outcome(missing, strangeness, made, duration, margins)
+        self.progress(f"{self.evaluations:,} candidates tried, {outcome.in_words()}")
+        return outcome
 
     def _margins(self, view: View) -> dict[str, Floats]:
         """Of every claim that is a demand here."""

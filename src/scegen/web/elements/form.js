@@ -40,7 +40,7 @@ const Field = {
         </select>
         <span v-else-if="f.type === 'words' || f.type === 'names' || f.type === 'numbers'" class="chips">
           <button v-for="w in offered" :key="w.value" class="chip" :class="{ on: has(w.value) }" :data-tip="w.means"
-            :aria-pressed="has(w.value)" @click="toggle(w.value)">{{ plain(w.value) }}</button>
+            :aria-pressed="has(w.value)" @click="toggle(w.value)">{{ f.type === 'words' ? plain(w.value) : w.value }}</button>
           <button v-if="hidden" class="chip more" @click="open = !open">{{ open ? 'less' : EMPTY(value) ? 'free' : '+' }}</button>
         </span>
         <select v-else-if="f.type === 'name'" :value="value ?? ''" :aria-label="f.label"
@@ -188,12 +188,11 @@ export default {
   components: { Item },
   template: `
     <div class="form" v-if="data">
-      <section v-for="s in ordered" :key="s.name" class="form-section" :class="'s-' + s.name">
+      <section v-for="s in filled" :key="s.name" class="form-section" :class="'s-' + s.name">
         <h3 :data-tip="s.means">{{ s.label }}
           <span v-if="s.type === 'list' && count(s)" class="count">{{ count(s) }}</span>
           <button v-if="s.type === 'list'" class="add" :aria-label="'Add to ' + s.label" @click="add(s)">add</button>
-          <button v-else-if="s.optional" class="add" @click="put(s.name, data[s.name] ? null : first(s))">
-            {{ data[s.name] ? 'remove' : 'add' }}</button>
+          <button v-else-if="s.optional" class="add" @click="put(s.name, null)">remove</button>
         </h3>
         <template v-if="s.type === 'list'">
           <Item v-for="(item, n) in data[s.name]" :key="item.id || n" :fields="s.fields" :value="item"
@@ -204,6 +203,10 @@ export default {
         <Item v-else-if="data[s.name]" :fields="s.fields" :value="data[s.name]" :path="s.name" :ctx="ctx"
           :only="s.name === 'environment' ? s.fields.map((f) => f.name) : []" @set="(v) => put(s.name, v)"></Item>
       </section>
+      <div v-if="empty.length" class="form-rest"><span class="hint">Add</span>
+        <button v-for="s in empty" :key="s.name" class="chip more" :data-tip="s.means"
+          @click="begin(s)">{{ s.label }}</button>
+      </div>
     </div>`,
   props: { spec: Array, scenario: Object, standings: Object, wrong: String, colours: Object, sections: Array },
   data() {
@@ -213,6 +216,12 @@ export default {
     ordered() {
       const wanted = this.sections;
       return wanted.map((name) => this.spec.find((s) => s.name === name)).filter(Boolean);
+    },
+    filled() {
+      return this.ordered.filter((s) => !this.isEmpty(s));
+    },
+    empty() {
+      return this.ordered.filter((s) => this.isEmpty(s));
     },
     ctx() {
       const people = this.data.participants.map((p) => p.id);
@@ -236,6 +245,13 @@ export default {
     },
   },
   methods: {
+    isEmpty(s) {
+      return s.type === "list" ? !this.count(s) : s.optional && !this.data[s.name];
+    },
+    begin(s) {
+      if (s.type === "list") this.add(s);
+      else this.put(s.name, this.first(s));
+    },
     count(s) {
       return (this.data[s.name] || []).length;
     },
