@@ -106,7 +106,7 @@ class Describe:
     def _build_examples(self) -> None:
         with self._examples:
             for name, text in EXAMPLES.items():
-                example = node("button", "chip example", type="button", data_tip=text)
+                example = node("button", "tag example", type="button", data_tip=text)
                 with example:
                     node("strong", "", name)
                     node("span", "", text)
