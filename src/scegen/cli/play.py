@@ -9,8 +9,9 @@ from typing import Annotated
 
 import typer
 
-from scegen.cli.console import say
-from scegen.errors import InputError, MissingToolError
+from scegen.cli.console import result, say
+from scegen.cli.place import scenario_file
+from scegen.errors import MissingToolError
 
 
 def play(
@@ -23,7 +24,7 @@ def play(
     """Play a scenario in esmini."""
     from scegen.checking.environment import ESMINI_HINT, esmini
 
-    file = _scenario_file(folder, scenario)
+    file = scenario_file(folder, "scenario.xosc", scenario)
     program = esmini()
     if program is None:
         raise MissingToolError("esmini is not on PATH", hint=ESMINI_HINT)
@@ -32,31 +33,18 @@ def play(
         headless = True
     view = "--headless --fixed_timestep 0.05" if headless else "--window 60 60 1200 700"
     arguments = [str(program), "--osc", file.name, *view.split(), "--logfile_path", os.devnull]
-    code = subprocess.run(arguments, cwd=file.parent, check=False).returncode
-    if code:
-        say(f"esmini ended with exit code {code}")
-        raise typer.Exit(1)
-
-
-def _scenario_file(folder: Path, scenario: str | None) -> Path:
-    if folder.is_file():
-        return folder
-    found = [folder / "scenario.xosc"] if (folder / "scenario.xosc").is_file() else []
-    found = found or sorted(folder.glob("scenarios/*/scenario.xosc"))
-    if not found:
-        raise InputError(
-            "holds no scenario.xosc",
-            where=str(folder),
-            hint="name a folder made by scegen generate, or one of its scenarios",
-        )
-    if scenario is None:
-        return found[0]
-    for file in found:
-        if scenario == file.parent.name or (
-            scenario.isdigit() and file.parent.name.startswith(f"{int(scenario):03d}-")
-        ):
-            return file
-    names = ", ".join(file.parent.name for file in found)
-    raise InputError(
-        f"there is no scenario {scenario!r}", where=str(folder), hint=f"there are: {names}"
+    # What it tells of its own doings interests only where it fails.
+    told = subprocess.run(
+        arguments,
+        cwd=file.parent,
+        check=False,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        errors="replace",
     )
+    if told.returncode:
+        say(told.stdout.rstrip())
+        say(f"esmini ended with exit code {told.returncode}")
+        raise typer.Exit(1)
+    result(f"{file}  played")
