@@ -7,8 +7,8 @@ from math import ceil
 import numpy as np
 
 from scegen.concretization.abreast import place_abreast
-from scegen.concretization.asked import dangers
 from scegen.concretization.along.compose import compose_along, tells_along
+from scegen.concretization.asked import dangers
 from scegen.concretization.assemble import assemble
 from scegen.concretization.clock import schedule, shortfall
 from scegen.concretization.coming_up import come_up, prepare_standing

@@ -16,10 +16,10 @@ from scegen.motion.simulation import simulate
 from scegen.report.drawing import box, document, letters
 from scegen.report.encounter import Encounter, closest_encounter, thing_corners
 from scegen.report.raster import png_of, wrapped
-from scegen.report.stage import Stage, moment, overview
+from scegen.report.stage import Stage, make_stage, moment, overview
 from scegen.report.theme import LIGHT, Theme
 from scegen.report.words import hazard_words, participant_words, thing_words
-from scegen.report.world import Surroundings, View
+from scegen.report.world import View
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
 from scegen.scenario.vocabulary import HazardKind, JunctionKind
@@ -76,24 +76,6 @@ def preview_svg(
     ground = box(0, 0, WIDTH, height, theme.panel)
     who = ", ".join(p.id for p in concrete.participants)
     return document(WIDTH, height, ground + picture, title=f"Plan of the ways of {who}")
-
-
-def make_stage(
-    concrete: ConcreteScenario,
-    network: RoadNetwork,
-    paths: Mapping[str, Path],
-    traces: Mapping[str, Trace],
-    theme: Theme,
-) -> Stage:
-    """A scenario ready to be drawn."""
-    return Stage(
-        concrete,
-        paths,
-        traces,
-        Surroundings(network, concrete.road, concrete.objects, theme),
-        theme.colours((p.id for p in concrete.participants), concrete.ego.id),
-        theme,
-    )
 
 
 def extent(stage: Stage, encounter: Encounter | None) -> tuple[Array, Array]:

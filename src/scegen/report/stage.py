@@ -19,6 +19,7 @@ from scegen.report.raster import text_width
 from scegen.report.theme import Theme
 from scegen.report.words import KMH
 from scegen.report.world import Surroundings, View
+from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
 
 Array = NDArray[np.float64]
@@ -68,6 +69,24 @@ class Stage:
         return corners_at(self.traces[name], step)
 
 
+def make_stage(
+    concrete: ConcreteScenario,
+    network: RoadNetwork,
+    paths: Mapping[str, Path],
+    traces: Mapping[str, Trace],
+    theme: Theme,
+) -> Stage:
+    """A scenario ready to be drawn."""
+    return Stage(
+        concrete,
+        paths,
+        traces,
+        Surroundings(network, concrete.road, concrete.objects, theme),
+        theme.colours((p.id for p in concrete.participants), concrete.ego.id),
+        theme,
+    )
+
+
 def overview(stage: Stage, view: View, encounter: Encounter | None, framed: View | None) -> str:
     """Everybody's start and way, and where they are at the closest approach.
 
@@ -90,7 +109,7 @@ def overview(stage: Stage, view: View, encounter: Encounter | None, framed: View
                      stroke_dasharray="4 3")  # fmt: skip
     labels = [
         Label(
-            _named(p, p.speed_mps),
+            name_and_speed(p, p.speed_mps),
             _around(view, stage.box_of(p.id, 0)),
             bold=p is stage.concrete.ego,
         )
@@ -116,7 +135,7 @@ def moment(stage: Stage, view: View, step: int, title: str, encounter: Encounter
     world.append(stage.bodies(step, view, brakes))
     labels = []
     if encounter is not None and encounter.distance_m > 0.0:
-        gap, label = _gap(stage, view, encounter)
+        gap, label = gap_between(stage, view, encounter)
         world.append(gap)
         labels.append(label)
     drawn = view.picture("".join(world), theme.ground, f"at-{step}")
@@ -125,7 +144,7 @@ def moment(stage: Stage, view: View, step: int, title: str, encounter: Encounter
         speed_mps = float(stage.traces[participant.id].speed_mps[step])
         if _inside(view, at):
             bold = participant is stage.concrete.ego
-            labels.append(Label(_named(participant, speed_mps), at, bold=bold))
+            labels.append(Label(name_and_speed(participant, speed_mps), at, bold=bold))
     things = ((o.id, _around(view, thing_corners(o))) for o in stage.concrete.objects)
     labels += [Label(name, at) for name, at in things if _inside(view, at)]
     x, y = view.left + 9, view.top + 19
@@ -142,7 +161,7 @@ def _labelled(stage: Stage, view: View, labels: list[Label], taken: list[Rectang
     return draw_labels(place(labels, inside, taken, view.seen(np.concatenate(points))), stage.theme)
 
 
-def _named(participant: ConcreteParticipant, speed_mps: float) -> str:
+def name_and_speed(participant: ConcreteParticipant, speed_mps: float) -> str:
     """Its name, and how fast it is if it moves."""
     moves = abs(speed_mps) * KMH >= 0.5
     return f"{participant.id} {abs(speed_mps) * KMH:.0f} km/h" if moves else participant.id
@@ -181,7 +200,7 @@ def _way(stage: Stage, participant: ConcreteParticipant, view: View) -> str:
     return ahead + done + back + head
 
 
-def _gap(stage: Stage, view: View, encounter: Encounter) -> tuple[str, Label]:
+def gap_between(stage: Stage, view: View, encounter: Encounter) -> tuple[str, Label]:
     """The shortest line between the ego and the other, and how long it is."""
     names = (stage.concrete.ego.id, encounter.other)
     polygons = [shapely.Polygon(stage.box_of(name, encounter.step)) for name in names]

@@ -64,7 +64,9 @@ class Page:
 
     def build(self) -> None:
         """Make the elements."""
-        ui.add_head_html(f"<style>{css()}{player_css()}{_own('page.css')}</style><script>{_own('page.js')}</script>")
+        ui.add_head_html(
+            f"<style>{css()}{player_css()}{_own('page.css')}</style><script>{_own('page.js')}</script>"
+        )
         ui.context.client.on_exception(self._complain)
         with node("header", "topbar"):
             node("a", "brand", "ML-SceGen", href="/", aria_label="ML-SceGen, start page")
@@ -119,7 +121,7 @@ class Page:
     def _show_marks(self) -> None:
         """What has come of each step, beside its name."""
         work = self._work
-        notes = {name: "" for name in self._marks}
+        notes = dict.fromkeys(self._marks, "")
         if work.functional is not None:
             notes["describe"] = f"{len(work.functional.participants)} participants"
         if work.listing is not None and work.listing.certificate is not None:
@@ -154,5 +156,3 @@ class Page:
 
 def _own(name: str) -> str:
     return (files("scegen.web.elements") / name).read_text(encoding="utf-8")
-
-

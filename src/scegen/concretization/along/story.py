@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from scegen.concretization.asked import dangers, hazard_of
 from scegen.concretization.along.runner import Runner
+from scegen.concretization.asked import dangers, hazard_of
 from scegen.scenario.acts import Act, ActKind, AfterAct
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import LogicalScenario
