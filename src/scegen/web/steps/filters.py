@@ -59,10 +59,10 @@ class Filters:
             with node("span", "chips"):
                 for value, term, count in zip(facet.values, facet.terms, facet.found, strict=True):
                     key = (facet.label, term)
-                    chip = node("button", "chip", type="button", aria_pressed="false")
+                    chip = node("button", "tag", type="button", aria_pressed="false")
                     with chip:
                         node("span", "", value)
-                        node("span", "chip-count", f"{count}")
+                        node("span", "tag-count", f"{count}")
                     chip.on("click", lambda _, key=key: self._toggle(key), [])
                     self._chips[key] = chip
 
