@@ -62,7 +62,7 @@ def pair_of(number: Measured, text: Sentences, context: Context) -> tuple[Entity
     if isinstance(noun, Mention) and noun.pronoun is not None and named == subject:
         named = []  # "and the ego, 15 m behind it": not behind itself
     pairs = [m.entities for m in text.mentions if m.i < number.i and len(m.entities) == _PAIR]
-    if number.around.after.startswith(" between them ") and pairs:
+    if number.around.after.startswith((" between them ", " apart ")) and pairs:
         return pairs[-1][0], pairs[-1][1]
     bracketed = _bracketed(number, text)
     if bracketed is not None and subject and bracketed not in subject:

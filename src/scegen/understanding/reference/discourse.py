@@ -172,7 +172,8 @@ class Discourse:
             return known
         found = self._roster.introduce(reading, basis)
         opened_by = [(m.cat, m.value) for m in mention.mods[:1]]
-        numbered = mention.mod("num") is not None and reading.generic and not reading.parked
+        numbered = mention.mod("num") is not None and not reading.parked
+        numbered = numbered and reading.kind is ParticipantKind.CAR
         both = opened_by == [("quant", "both")] or (opened_by == [("det", "def")] and numbered)
         if both and len(found) == _A_PAIR:
             self._roster.groups[-1].both = True
