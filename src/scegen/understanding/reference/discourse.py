@@ -113,6 +113,8 @@ class Discourse:
 
     def _of_a_size(self, mention: Mention) -> bool:
         """``half a vehicle's width``, ``and one of 12 m/s``: a measure, nobody."""
+        if mention.i and self.tokens[mention.i - 1].low == "(" and not mention.mods:
+            return mention.head is not None and bool(mention.head.data.get("driver"))
         of = [t.low for t in self.tokens[mention.j : mention.j + 2]]
         if mention.j - mention.i == 1 and len(of) > 1 and of[0] == "of":
             return quantity_at(self.tokens, mention.j + 1) is not None
