@@ -15,7 +15,7 @@ import numpy as np
 from scegen.claims.ways import Way
 from scegen.measures.distance import distances_at
 from scegen.measures.evaluation import Summary, measure
-from scegen.measures.following import SPACING_M
+from scegen.measures.following import gaps_behind
 from scegen.measures.scene import Scene
 from scegen.motion.batch.arrays import SPEED, BatchTraces, Bools, Floats, Ints, S
 from scegen.scenario.bodies import Body
@@ -97,7 +97,7 @@ class View:
 
     def speed_mps(self, name: str) -> Floats:
         """Speeds, forwards or backwards."""
-        return np.abs(self.row(name, SPEED))
+        return self.once(("speed", name), lambda: np.abs(self.row(name, SPEED)))
 
     def of_pair(self, field: str, first: str, second: str) -> Floats:
         """A measure of a pair; nan if it is not measured."""
@@ -123,17 +123,11 @@ class View:
 
     def gap_m(self, follower: str, leader: str) -> Floats:
         """Clear gap along the follower's path; nan where the leader is not ahead in its lane."""
-        shape = self.place_m(follower).shape
         found = self.pair(follower, leader)
-        if found is None or self.scene.following.first[found] < 0:
-            return np.full(shape, nan)
-        first = self.scene.following.first[found]
-        at = self.place_m(leader) / SPACING_M
-        n = at.astype(np.int64)
-        low, high = (self.scene.following.rear_m[first + n + k] for k in (0, 1))
-        front = self.scene.bodies[self.index[follower], 4]
-        gap = low + (at - n) * (high - low) - self.place_m(follower) - front
-        return np.where(gap >= 0.0, gap, nan)
+        first = -1 if found is None else int(self.scene.following.first[found])
+        i, j = self.index[follower], self.index[leader]
+        rear_m, front_m = self.scene.following.rear_m, self.body(follower).front_m
+        return gaps_behind(self.traces.tracks, i, j, front_m, rear_m, first)
 
     def room_m(self, name: str, other: str) -> Floats:
         """Way left until the other's: the next conflict area or the other's rear; nan: neither."""
@@ -158,8 +152,7 @@ class View:
     def headway_s(self, follower: str, leader: str) -> Floats:
         """Time headway; inf where there is none (no leader, or the follower stands)."""
         speed = self.speed_mps(follower)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            headway = self.gap_m(follower, leader) / speed
+        headway = self.gap_m(follower, leader) / np.maximum(speed, 1.0)
         return np.where(np.isnan(headway) | (speed < 1.0), np.inf, headway)
 
     def acceleration_mps2(self, name: str, over_s: float) -> Floats:
