@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass, field
 from math import nan
-from typing import TypeVar, cast
+from typing import NamedTuple, TypeVar, cast
 
 import numpy as np
 
@@ -22,6 +22,18 @@ from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario
 
 T = TypeVar("T")
+
+
+class Area(NamedTuple):
+    """Ground that two use: where either enters and leaves it on its path, m.
+
+    One whose path ends inside never leaves (inf).
+    """
+
+    enter_m: float
+    leave_m: float
+    other_enters_m: float
+    other_leaves_m: float
 
 
 @dataclass(frozen=True)
@@ -132,22 +144,28 @@ class View:
     def room_m(self, name: str, other: str) -> Floats:
         """Way left until the other's: the next conflict area or the other's rear; nan: neither."""
         room = self.gap_m(name, other)
-        found = self.pair(name, other)
-        if found is not None:
-            p, side = found
-            for n in range(self.scene.areas.first[p], self.scene.areas.first[p + 1]):
-                left = self.scene.areas.enter_m[n, side] - self.place_m(name)
-                room = np.fmin(room, np.where(left >= 0.0, left, np.nan))
+        for area in self.areas(name, other):
+            left = area.enter_m - self.place_m(name)
+            room = np.fmin(room, np.where(left >= 0.0, left, np.nan))
         return room
 
-    def shared_from_m(self, name: str, other: str) -> float | None:
-        """Where on its path the first ground begins that it shares with another's way."""
+    def reaches_s(self, name: str, place_m: float) -> Floats:
+        """When somebody first reaches a place on its path; inf: never (c,)."""
+        reached = self.place_m(name) >= place_m
+        return np.where(reached.any(axis=1), self.time_of(reached.argmax(axis=1)), np.inf)
+
+    def areas(self, name: str, other: str) -> list[Area]:
+        """The grounds that two use, in the order of the paths."""
         found = self.pair(name, other)
         if found is None:
-            return None
-        p, side = found
-        enter = self.scene.areas.enter_m[self.scene.areas.first[p] : self.scene.areas.first[p + 1]]
-        return float(enter[:, side].min()) if len(enter) else None
+            return []
+        (p, i), table = found, self.scene.areas
+        return [
+            Area(
+                *(float(edge[n, k]) for k in (i, 1 - i) for edge in (table.enter_m, table.leave_m))
+            )
+            for n in range(int(table.first[p]), int(table.first[p + 1]))
+        ]
 
     def headway_s(self, follower: str, leader: str) -> Floats:
         """Time headway; inf where there is none (no leader, or the follower stands)."""
