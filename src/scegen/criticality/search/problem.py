@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -79,6 +79,12 @@ class Outcome:
         """Which candidates miss nothing (c,)."""
         return self.total <= 0.0
 
+    def in_words(self) -> str:
+        """How far the best of these is."""
+        best = int(self.loss.argmin())
+        lacking = sum(bool(missed[best] > 0.0) for missed in self.missing.values())
+        return f"the best of these misses {lacking} demands" if lacking else "found"
+
 
 @dataclass
 class Problem:
@@ -88,7 +94,7 @@ class Problem:
     end of its way, or ``finish`` is missing) and that on contacts; the proof judges them too. The
     target is none if ``untargeted``. A search
     that fails tells in ``never`` which claims nothing met. It stays near ``home`` (n,), or near the
-    scenario as it was concretized.
+    scenario as it was concretized. ``progress`` is told how far it is after every batch.
     """
 
     concrete: ConcreteScenario
@@ -110,6 +116,7 @@ class Problem:
     evaluations: int = 0
     known: list[Floats] = field(default_factory=list)
     home: Floats | None = None
+    progress: Callable[[str], None] = lambda _: None
 
     def evaluate(self, x: Floats) -> Outcome:
         """Everything about candidates with these values of the variables (c, n)."""
@@ -136,7 +143,9 @@ class Problem:
             if claim.id in margins
         }
         strangeness = self.space.strangeness(x, self.home)
-        return Outcome(missing, strangeness, made, duration, margins)
+        outcome = Outcome(missing, strangeness, made, duration, margins)
+        self.progress(f"{self.evaluations:,} candidates tried, {outcome.in_words()}")
+        return outcome
 
     def _margins(self, view: View) -> dict[str, Floats]:
         """Of every claim that is a demand here."""
