@@ -32,9 +32,7 @@ def test_labels_lie_inside_and_apart(places, way):
         assert right <= 600
         assert bottom <= 400
     for one, other in combinations([*(item.where for item in found), taken], 2):
-        apart = (
-            one[2] <= other[0] or other[2] <= one[0] or one[3] <= other[1] or other[3] <= one[1]
-        )
+        apart = one[2] <= other[0] or other[2] <= one[0] or one[3] <= other[1] or other[3] <= one[1]
         assert apart
 
 
