@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from scegen.cli.console import result, say
-from scegen.cli.place import scenario_file
-from scegen.errors import MissingToolError
 
 
 def play(
@@ -22,29 +18,18 @@ def play(
     headless: Annotated[bool, typer.Option("--headless", help="Play without a window.")] = False,
 ) -> None:
     """Play a scenario in esmini."""
-    from scegen.checking.environment import ESMINI_HINT, esmini
+    from scegen.pipeline.place import scenario_file
+    from scegen.pipeline.playing import has_screen
+    from scegen.pipeline.playing import play as run
 
     file = scenario_file(folder, "scenario.xosc", scenario)
-    program = esmini()
-    if program is None:
-        raise MissingToolError("esmini is not on PATH", hint=ESMINI_HINT)
-    if not headless and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
+    if not headless and not has_screen():
         say("no screen here: playing without a window")
         headless = True
-    view = "--headless --fixed_timestep 0.05" if headless else "--window 60 60 1200 700"
-    arguments = [str(program), "--osc", file.name, *view.split(), "--logfile_path", os.devnull]
+    played = run(file, window=not headless)
     # What it tells of its own doings interests only where it fails.
-    told = subprocess.run(
-        arguments,
-        cwd=file.parent,
-        check=False,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-        errors="replace",
-    )
-    if told.returncode:
-        say(told.stdout.rstrip())
-        say(f"esmini ended with exit code {told.returncode}")
+    if played.returncode:
+        say(played.stdout.rstrip())
+        say(f"esmini ended with exit code {played.returncode}")
         raise typer.Exit(1)
     result(f"{file}  played")

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from scegen.cli.console import counting, result
-from scegen.cli.place import scenario_file
 from scegen.cli.simulate import CONCRETE_FILE
 from scegen.cli.writing import write_bytes
 from scegen.errors import InputError
+from scegen.pipeline.place import scenario_file
 
 if TYPE_CHECKING:
     from scegen.report.film import Film

@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import LogicalScenario
+from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.vocabulary import HazardKind, Side
 
 _HAZARDS_OF = {
@@ -51,3 +52,13 @@ def hazard_of(asked: tuple[Hazard, ...], act: Act) -> HazardKind | None:
     """The danger that an act is, of those asked for, if it is one."""
     kinds = [hazard.kind for hazard in asked if act.participant in hazard.by]
     return next((kind for kind in _HAZARDS_OF.get(act.kind, ()) if kind in kinds), None)
+
+
+def contact_wanted(functional: FunctionalScenario, first: str, second: str) -> bool:
+    """Whether the text says that these two touch."""
+    outcome = functional.outcome
+    if outcome is None or outcome.kind is not OutcomeKind.COLLISION:
+        return False
+    if outcome.between:
+        return {first, second} == {*outcome.between}
+    return functional.ego.id in {first, second}

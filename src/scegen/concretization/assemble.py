@@ -180,7 +180,7 @@ def _duration_s(scene: Scene, concrete: ConcreteScenario, paths: dict[str, Path]
         rests = trace.speed_mps < STANDING_MPS
         if stays:
             # Who is to stand in the end has done all it does once it moves no more.
-            done = np.flatnonzero(rests & (np.cumsum(rests[::-1])[::-1] == np.arange(len(rests), 0, -1)))
+            done = np.flatnonzero(np.logical_and.accumulate(rests[::-1])[::-1])
         else:
             done = np.flatnonzero(trace.s_m >= goal)
         if not done.size:

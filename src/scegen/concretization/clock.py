@@ -197,7 +197,7 @@ def schedule(
     ego = scene.ego
     latest = [0.0 if ego.backs_out else APPROACH_S - ego.course.time_at(first_s[ego.id])]
     for name, draft in scene.drives.items():
-        if draft.stands_at_m is not None:
+        if draft.stands_at_m is not None or scene.sets_off(name):
             continue
         if draft.backs_out:
             # It stands near where it starts until its time has come.

@@ -7,8 +7,9 @@ from math import ceil
 import numpy as np
 
 from scegen.concretization.abreast import place_abreast
-from scegen.concretization.asked import dangers
 from scegen.concretization.along.compose import compose_along, tells_along
+from scegen.concretization.answering import answer
+from scegen.concretization.asked import dangers
 from scegen.concretization.assemble import assemble
 from scegen.concretization.clock import schedule, shortfall
 from scegen.concretization.coming_up import come_up, prepare_standing
@@ -181,7 +182,8 @@ def _start(scene: Scene, meetings: list[Meeting]) -> Moments:
     offsets = schedule(scene, meetings, [*appointments(scene), *pull_appointments(scene)])
     moments = Moments(scene, offsets)
     moments.sets_off_s = {n: moments.leaves_s(n) for n in scene.walks if conditioned(scene, n)}
-    fit(scene, moments, meetings)
+    if fit(scene, moments, meetings):
+        answer(scene, moments)
     short, who = shortfall(scene, moments.offsets_s)
     if short > 0:
         raise NeedsLongerArms(short, who)

@@ -103,10 +103,10 @@ def _place(scene: Scene, draft: DriveDraft) -> None:
     least = draft.body.rear_m + LEAD_IN_S * draft.cruise_mps
     if place < least:
         raise NeedsLongerArms(least - place + 5.0, draft.id)
-    placed = [replace(first, s_m=place)]
-    for mark in draft.deeds[1:]:
-        placed.append(replace(mark, s_m=place + way) if is_open(scene, mark) else mark)
-    draft.deeds = placed
+    later = [
+        replace(mark, s_m=place + way) if is_open(scene, mark) else mark for mark in draft.deeds[1:]
+    ]
+    draft.deeds = [replace(first, s_m=place), *later]
     draft.course_ = None
 
 

@@ -167,8 +167,8 @@ class DriveDraft:
     @property
     def stays(self) -> bool:
         """Whether it comes to rest in the end."""
-        acted = [mark for mark in self.deeds if mark.act is not None]
-        return self.halts_at_m is not None or bool(acted and acted[-1].target_mps == 0.0)
+        phases = self.course.phases if self.deeds else ()
+        return self.halts_at_m is not None or bool(phases and phases[-1].target_mps == 0.0)
 
     @property
     def start_s(self) -> float:

@@ -48,11 +48,14 @@ class Unknown:
     give: Callable[[Moments, float], None]
 
 
-def fit(scene: Scene, moments: Moments, meetings: Sequence[Meeting]) -> None:
-    """Change what is open in ``moments`` until what is said holds, as little as that needs."""
+def fit(scene: Scene, moments: Moments, meetings: Sequence[Meeting]) -> bool:
+    """Change what is open in ``moments`` until what is said holds, as little as that needs.
+
+    Returns whether anything is said of distances and moments.
+    """
     said = list(_said(scene))
     if not said:
-        return
+        return False
     unknowns = list(_unknowns(scene, moments))
     first = np.array([unknown.read(moments) for unknown in unknowns])
     usual = [Equation(_USUAL, r) for r in _meetings(scene, meetings)]
@@ -81,6 +84,7 @@ def fit(scene: Scene, moments: Moments, meetings: Sequence[Meeting]) -> None:
         if np.linalg.norm(now[: len(said)]) < _ENOUGH and np.abs(share * way).max() < _STEP_S:
             break
     missed(x)
+    return True
 
 
 def _unknowns(scene: Scene, moments: Moments) -> Iterator[Unknown]:
@@ -119,8 +123,13 @@ def _said(scene: Scene) -> Iterator[Residual]:
         if is_lengthwise(spacing.measure) and spacing.at != CONTACT and known >= {*pair}:
             at = None if spacing.at == START else scene.act(spacing.at)
             if at is None or at.participant in known:
-                yield _measured(WhenMeasure(measure=spacing.measure, participant=pair[0],
-                                            reference=pair[1], value=spacing.value), at)  # fmt: skip
+                said = WhenMeasure(
+                    measure=spacing.measure,
+                    participant=pair[0],
+                    reference=pair[1],
+                    value=spacing.value,
+                )
+                yield _measured(said, at)
     for act in scene.acts:
         when = act.when
         if act.participant not in known:

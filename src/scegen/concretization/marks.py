@@ -190,8 +190,7 @@ def _sampled(drive: _Driving, length_m: float) -> Timeline:
     count = max(2, int(np.ceil(ends / STEP_S)) + 1)
     edges = [time for time in profile.times_s if time < ends]
     times = np.unique(np.concatenate([np.linspace(0.0, max(ends, STEP_S), count), edges]))
-    places = np.array([profile.way_m(time) for time in times])
-    speeds = np.array([profile.speed_mps(time) for time in times])
+    places, speeds = profile.at_times(times)
     # Strictly rising places, so that the time at a place is the first one.
     first = np.concatenate(([True], np.diff(places) > 1e-9))
     return Timeline(times[first], places[first], speeds[first], tuple(drive.phases), profile)

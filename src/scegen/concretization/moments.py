@@ -10,7 +10,7 @@ from scegen.claims.boxes import Boxes, gap_m, same_way, seen
 from scegen.concretization.drafts import DriveDraft, Scene
 from scegen.concretization.meetings import Meeting
 from scegen.concretization.walkers import partner_of, rendezvous, walking_time_s, way_walked_m
-from scegen.motion.model import Path
+from scegen.motion.model import Array, Path
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import Body
 from scegen.scenario.spacings import Measure
@@ -139,6 +139,24 @@ class Moments:
         stand = scene.stands[name]
         return box_on(stand.path, stand.body, 0.0), 0.0
 
+    def track(self, name: str, times_s: Array) -> tuple[Boxes, Array]:
+        """The boxes of somebody over time, and its speeds."""
+        scene = self.scene
+        if name in scene.drives:
+            draft = scene.drives[name]
+            own = times_s - self.offsets_s[name]
+            way, speed = draft.course.profile.at_times(np.maximum(own, 0.0))
+            way = way + np.minimum(own, 0.0) * speed
+            return box_on(draft.laid.path, draft.body, way), speed
+        if name in scene.walks:
+            walk = scene.walks[name]
+            walked = [way_walked_m(walk, time) for time in times_s - self.leaves_s(name)]
+            way, speed = np.array(walked).T
+            return box_on(walk.path, walk.body, np.minimum(way, walk.path.length_m)), speed
+        stand = scene.stands[name]
+        still = np.zeros(len(times_s))
+        return box_on(stand.path, stand.body, still), still
+
     def missing_m(
         self, measure: Measure, who: str, reference: str, value: float, time_s: float
     ) -> float:
@@ -156,17 +174,13 @@ class Moments:
         return gap - value * ((speed - others * along) if follows else (others * along - speed))
 
 
-def box_on(path: Path, body: Body, s_m: float) -> Boxes:
-    """The box of a body whose reference point is at a place of a path, or on its prolongation."""
-    pose = path.pose(s_m)
-    beyond = min(s_m, 0.0) + max(s_m - path.length_m, 0.0)
-    cos, sin = np.cos(pose.heading_rad), np.sin(pose.heading_rad)
-    ahead = body.centre_ahead_m + beyond
-    return Boxes(
-        pose.x_m + ahead * cos,
-        pose.y_m + ahead * sin,
-        cos,
-        sin,
-        body.length_m / 2,
-        body.width_m / 2,
+def box_on(path: Path, body: Body, s_m: float | Array) -> Boxes:
+    """Boxes of a body whose reference point is at places of a path, or on its prolongation."""
+    x, y, heading = (
+        np.interp(s_m, path.s_m, row) for row in (path.x_m, path.y_m, path.heading_rad)
     )
+    beyond = np.minimum(s_m, 0.0) + np.maximum(s_m - path.length_m, 0.0)
+    cos, sin = np.cos(heading), np.sin(heading)
+    ahead = body.centre_ahead_m + beyond
+    half = body.length_m / 2, body.width_m / 2
+    return Boxes(x + ahead * cos, y + ahead * sin, cos, sin, *half)

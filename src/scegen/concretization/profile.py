@@ -5,6 +5,10 @@ from __future__ import annotations
 from bisect import bisect_right
 from math import sqrt
 
+import numpy as np
+
+from scegen.motion.model import Array
+
 NEVER_S = 1e6
 
 
@@ -52,6 +56,14 @@ class Profile:
     def speed_mps(self, time_s: float) -> float:
         """The speed at a time."""
         return self._at(time_s)[1]
+
+    def at_times(self, times_s: Array) -> tuple[Array, Array]:
+        """(way, speed) at many times."""
+        begins, ways, speeds, rates = np.array(self._phases).T
+        n = np.maximum(np.searchsorted(begins, times_s, side="right") - 1, 0)
+        after = times_s - begins[n]
+        speed = speeds[n] + rates[n] * after
+        return ways[n] + (speeds[n] + speed) / 2 * after, speed
 
     def time_s(self, way_m: float) -> float:
         """When that way has been travelled; ``NEVER_S`` if it never is."""

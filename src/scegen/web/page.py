@@ -11,6 +11,7 @@ from nicegui import ui
 from nicegui.elements.mixins.text_element import TextElement
 
 from scegen.errors import ScegenError
+from scegen.report.player.bundle import player_css
 from scegen.report.theme import css
 from scegen.web.elements import button, node
 from scegen.web.steps.choose import Choose
@@ -63,21 +64,23 @@ class Page:
 
     def build(self) -> None:
         """Make the elements."""
-        ui.add_head_html(f"<style>{css()}{_own('page.css')}</style><script>{_own('page.js')}</script>")
+        ui.add_head_html(
+            f"<style>{css()}{player_css()}{_own('page.css')}</style><script>{_own('page.js')}</script>"
+        )
         ui.context.client.on_exception(self._complain)
-        with node("header", "bar"):
+        with node("header", "topbar"):
             node("a", "brand", "ML-SceGen", href="/", aria_label="ML-SceGen, start page")
             with node("nav", "steps", aria_label="Steps"):
                 for number, step in enumerate(_STEPS, start=1):
                     self._build_mark(number, step)
-            with node("div", "bar-end"):
+            with node("div", "topbar-end"):
                 self._place = node("span", "place")
                 button("Open", Opening(self._work, self.go).show, "quiet")
                 node("button", "button quiet round", "◐", type="button",
                      aria_label="Light or dark", data_tip="Light or dark").on(
                     "click", js_handler=_DARK
                 )  # fmt: skip
-        self._stage = node("main", "stage")
+        self._stage = node("main", "workspace")
         self.go(self._work.step)
         ui.timer(_TICK_S, self._tick)
 
@@ -96,12 +99,12 @@ class Page:
         self._show_marks()
 
     def _build_mark(self, number: int, step: _StepKind) -> None:
-        made = node("button", "mark", type="button")
+        made = node("button", "stepmark", type="button")
         made.on("click", lambda _: self.go(step.name), [])
         with made:
-            node("span", "mark-number", str(number))
-            node("span", "mark-label", step.label)
-            self._marks[step.name] = (made, node("span", "mark-note"))
+            node("span", "stepmark-number", str(number))
+            node("span", "stepmark-label", step.label)
+            self._marks[step.name] = (made, node("span", "stepmark-note"))
 
     def _tick(self) -> None:
         if self._work.step != self._step:
@@ -118,7 +121,7 @@ class Page:
     def _show_marks(self) -> None:
         """What has come of each step, beside its name."""
         work = self._work
-        notes = {name: "" for name in self._marks}
+        notes = dict.fromkeys(self._marks, "")
         if work.functional is not None:
             notes["describe"] = f"{len(work.functional.participants)} participants"
         if work.listing is not None and work.listing.certificate is not None:
@@ -153,5 +156,3 @@ class Page:
 
 def _own(name: str) -> str:
     return (files("scegen.web.elements") / name).read_text(encoding="utf-8")
-
-

@@ -7,6 +7,7 @@ import secrets
 import webbrowser
 from collections.abc import Callable
 from dataclasses import dataclass
+from importlib.resources import files as resources
 from pathlib import Path
 from urllib.parse import quote
 
@@ -124,7 +125,25 @@ def build(project: Project, jobs: Jobs, models: LlmSettings | None) -> FastAPI:
             drawn = [tile(work.scenario(index), listing.functional) for index in asked]
         except InputError as error:
             return JSONResponse({"message": error.message}, 404)
-        return JSONResponse(drawn, headers={"cache-control": "no-store"})
+        return JSONResponse(drawn, headers=_UNKEPT)
+
+    @pages.get("/film")
+    def scene(request: Request, name: str) -> Response:
+        """What the player plays."""
+        work = _work(sessions, request)
+        found = work.films.get(name) if work else None
+        if found is None:
+            return PlainTextResponse("There is no such scene.", 404)
+        return Response(found, media_type="application/json", headers=_UNKEPT)
+
+    @pages.get("/player/{name}")
+    def player_file(name: str) -> Response:
+        """One of the player's modules, or its style sheet."""
+        module = _PLAYER.get(name)
+        if module is None:
+            return PlainTextResponse("There is no such module.", 404)
+        kind = "text/css" if name.endswith(".css") else "text/javascript"
+        return Response(module, media_type=kind)
 
     @pages.get("/download/zip")
     def download_zip(request: Request) -> Response:
@@ -172,6 +191,13 @@ def _attached(content: bytes, name: str, kind: str) -> Response:
     return Response(content, media_type=kind, headers=headers)
 
 
+_UNKEPT = {"cache-control": "no-store"}
+_PLAYER = {
+    file.name: file.read_bytes()
+    for file in resources("scegen.report.player").iterdir()
+    if file.name.endswith((".js", ".css"))
+}
+"""The player's own files, by name: nothing else of the package can be asked for."""
 _ICON = (
     '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 32 32"><rect width="32" height="32" rx="7" '
     'fill="#1b2330"/><path d="M16 3v26M3 16h26" stroke="#6c7683" stroke-width="7"/>'

@@ -15,14 +15,17 @@ from scegen.errors import InfeasibleError
 from scegen.llm import LlmSettings, Session
 from scegen.pipeline.generate import generate
 from scegen.pipeline.options import Options
+from scegen.pipeline.place import scenario_file
+from scegen.pipeline.playing import has_screen, play
 from scegen.pipeline.source import Source
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario, LogicalSet
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 from scegen.understanding import ParseReport, read, report_on, report_on_contradiction
 from scegen.understanding.agents import understand_in
+from scegen.web.filming import film
 from scegen.web.jobs import Teller
-from scegen.web.made import Made, read_made
+from scegen.web.made import Made, MadeScenario, read_made
 from scegen.web.uploads import read_upload
 
 _PART = 40
@@ -126,6 +129,19 @@ def look(folder: Path, tell: Teller) -> Made:
     """Read what lies in a folder of the project."""
     tell.progress(f"reading {folder.name}")
     return read_made(folder)
+
+
+def film_one(made: MadeScenario, functional: FunctionalScenario | None, tell: Teller) -> bytes:
+    """What the player plays of one scenario."""
+    tell.progress("drawing the movement")
+    return film(made, functional)
+
+
+def play_one(folder: Path, name: str, tell: Teller) -> int:
+    """Play a scenario in esmini, in a window where there is a screen; its exit code."""
+    tell.progress("playing in esmini" if has_screen() else "playing in esmini, without a screen")
+    file = scenario_file(folder, "scenario.xosc", name)
+    return play(file, window=has_screen()).returncode
 
 
 def take_in(name: str, content: bytes, tell: Teller) -> Source | str:

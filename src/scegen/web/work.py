@@ -28,7 +28,7 @@ from scegen.scenario.vocabulary import ArmsMode, Reduction
 from scegen.understanding import ParseReport, report_on
 from scegen.web import tasks
 from scegen.web.jobs import Job, Jobs, JobState, Task, Trouble
-from scegen.web.made import Made
+from scegen.web.made import Made, MadeScenario
 from scegen.web.project import FUNCTIONAL_FILE, Project, changed_outside, keep
 from scegen.web.provenance import carried_over, confirmed, without
 
@@ -90,6 +90,9 @@ class Work:
         self.made: Made | None = None
         self.made_with: Options | None = None
         self.made_of: FunctionalScenario | None = None
+        self.watched: str | None = None
+        self.films: dict[str, bytes] = {}
+        self.played: int | None = None
         self.cost_usd = 0.0
         self.under_way: dict[str, Job] = {}
         self._loop = asyncio.get_running_loop()
@@ -331,6 +334,35 @@ class Work:
         self.folder = folder
         self._begin("opening", self._opened, tasks.look, folder)
 
+    def watch(self, name: str) -> None:
+        """Show one of the scenarios that were made."""
+        made = self._made(name)
+        self.watched = name
+        self._changed("watched")
+        if self.made is not None and name not in self.films:
+            self._begin("filming", self._filmed, tasks.film_one, made, self.made.functional)
+
+    def play(self, name: str) -> None:
+        """Play one of the scenarios that were made in esmini, on the server's screen."""
+        self._made(name)
+        if self.made is not None:
+            self.played = None
+            self._begin("playing", self._played, tasks.play_one, self.made.folder, name)
+
+    def _made(self, name: str) -> MadeScenario:
+        for made in self.made.scenarios if self.made else ():
+            if made.name == name:
+                return made
+        raise InputError("no such scenario has been made")
+
+    def _filmed(self, job: Job) -> None:
+        if self.watched is not None:
+            self.films[self.watched] = job.result
+            self._changed("watched")
+
+    def _played(self, job: Job) -> None:
+        self.played = int(job.result)
+
     def _finished(self, _: Job) -> None:
         if self.folder is not None:
             if self.functional is not None:
@@ -338,12 +370,20 @@ class Work:
             self._begin("looking", self._looked, tasks.look, self.folder)
 
     def _looked(self, job: Job) -> None:
-        self.made = job.result
-        self._changed("made", "making")
+        self._show(job.result)
+        self._changed("making")
+
+    def _show(self, made: Made) -> None:
+        """What lies in the folder now is what can be watched and taken away."""
+        self.made, self.films, self.played = made, {}, None
+        self._changed("made")
+        if made.scenarios:
+            self.watch(made.scenarios[0].name)
 
     def _opened(self, job: Job) -> None:
         made: Made = job.result
-        self.made, self.made_with, self.made_of = made, None, made.functional
+        self._show(made)
+        self.made_with, self.made_of = None, made.functional
         self.understood, self.edited = None, False
         if made.functional is not None:
             self.draft = made.functional.description

@@ -7,9 +7,9 @@ from functools import partial
 
 import numpy as np
 
-from scegen.claims.boxes import Boxes, box_at, boxes, course, seen
+from scegen.claims.boxes import Boxes, box_at, course, seen
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged
-from scegen.claims.moments import at, first
+from scegen.claims.moments import first
 from scegen.claims.told import Told, either, plain
 from scegen.claims.tolerances import SAME_LANE_M
 from scegen.claims.view import View
@@ -103,13 +103,11 @@ def _course(view: View, name: str, frame: Boxes) -> Floats:
     What counts is where it is a little later, not where it heads: one who backs out may come
     forwards a hand's breadth first. Of one who stays, the heading.
     """
-    box = boxes(view, name)
-    dx, dy = box.x - box.x[:, :1], box.y - box.y[:, :1]
-    away = np.hypot(dx, dy) > _SETS_OUT_M
-    moves, step = away.any(axis=1), first(away)
-    dx, dy = at(dx, step), at(dy, step)
-    turned = np.arctan2(dy * frame.cos - dx * frame.sin, dx * frame.cos + dy * frame.sin)
-    return np.where(moves, turned, course(frame, box_at(view, name, 0)))
+    place = view.place_m(name)
+    begin, step = box_at(view, name, 0), first(place > place[:, :1] + _SETS_OUT_M)
+    later = box_at(view, name, step)
+    turned = course(frame, begin._replace(cos=later.x - begin.x, sin=later.y - begin.y))
+    return np.where(step < view.steps, turned, course(frame, begin))
 
 
 def _beside(aside_m: Floats) -> Floats:

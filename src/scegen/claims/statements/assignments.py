@@ -11,11 +11,11 @@ import numpy as np
 from scegen.claims.arms import arms_of, off_lane_m
 from scegen.claims.boxes import box_at, boxes, same_way, seen
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, always
+from scegen.claims.moments import first
 from scegen.claims.statements.touching import touched
 from scegen.claims.told import Told, either
 from scegen.claims.tolerances import SAME_LANE_M, STANDS_MPS
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import Floats
 from scegen.scenario.logical import (
     Assignment,
     ConflictKind,
@@ -46,9 +46,9 @@ def claims(told: Told) -> Iterator[Claim]:
             yield from _driven(told, assignment)
         else:
             yield from _beside_the_lanes(assignment)
-    for first, second in combinations(told.logical.drives, 2):
-        if first.entry == second.entry and first.rank != second.rank:
-            ahead, behind = sorted((first, second), key=lambda drive: drive.rank)
+    for one, other in combinations(told.logical.drives, 2):
+        if one.entry == other.entry and one.rank != other.rank:
+            ahead, behind = sorted((one, other), key=lambda drive: drive.rank)
             moves = Maneuver.STAY not in {ahead.maneuver, behind.maneuver}
             if moves and ahead.reverses is None and behind.reverses is None:
                 kind, name = ClaimKind.ORDER, f"{ahead.participant}.{behind.participant}"
@@ -61,8 +61,8 @@ def claims(told: Told) -> Iterator[Claim]:
             name = f"{met.first}.{met.second}"
             does = f"the ways of {met.first} and {met.second} cross"
             test = partial(_cross, told, met.first, met.second)
-            other = told.logical.assignment(met.second)
-            yield _claim(ClaimKind.CONFLICT, name, does, other, "maneuvers", test)
+            of = told.logical.assignment(met.second)
+            yield _claim(ClaimKind.CONFLICT, name, does, of, "maneuvers", test)
 
 
 def _claim(
@@ -72,10 +72,11 @@ def _claim(
     of: Assignment,
     part: str,
     test: Test,
-    scale: float = 1.0,
+    unit: str = "m",
 ) -> Claim:
     field = f"participants.{of.participant}.{part}"
-    return Claim(f"{kind}.{name}", kind, statement, field, "m", test, scale=scale)
+    fixed = kind is not ClaimKind.ORDER
+    return Claim(f"{kind}.{name}", kind, statement, field, unit, test, fixed=fixed)
 
 
 def _driven(told: Told, drive: Drive) -> Iterator[Claim]:
@@ -94,8 +95,11 @@ def _driven(told: Told, drive: Drive) -> Iterator[Claim]:
     if drive.reverses is not None:
         return
     if drive.circulating:
-        does, test = f"{name} is in the ring at the start", partial(_in_the_ring, name)
-        yield _claim(ClaimKind.ENTRY, name, does, drive, "circulating", test)
+        ego = told.drive(told.ego)
+        if ego is not None and not ego.circulating:
+            does = f"{name} is in the ring before {told.ego} is"
+            test = partial(_in_the_ring, drive, ego)
+            yield _claim(ClaimKind.ORDER, f"ring.{name}", does, drive, "circulating", test, "s")
     else:
         does = f"{name} comes in on arm {drive.entry}"
         test = partial(_comes_in, drive, _off_its_side(told, drive))
@@ -106,7 +110,7 @@ def _driven(told: Told, drive: Drive) -> Iterator[Claim]:
         leaves = "drives on" if straight else _TURNS.get(drive.turn, "drives")
         does = f"{name} {leaves} and leaves by arm {drive.exit}"
         test = partial(_goes_out, told, drive)
-        yield _claim(ClaimKind.EXIT, name, does, drive, "maneuvers", test, 20.0)
+        yield _claim(ClaimKind.EXIT, name, does, drive, "maneuvers", test)
 
 
 def _beside_the_lanes(other: Assignment) -> Iterator[Claim]:
@@ -154,11 +158,13 @@ def _comes_in(drive: Drive, off_its_side: bool, view: View) -> Judged:
     return Judged(margin, along, np.zeros(view.count))
 
 
-def _in_the_ring(name: str, view: View) -> Judged:
-    """Beyond the inner end of every arm."""
-    box = box_at(view, name, 0)
-    beyond: Floats = np.min([arm.place(box)[0] - arm.length_m for arm in arms_of(view)], axis=0)
-    return Judged(beyond, beyond, np.zeros(view.count))
+def _in_the_ring(drive: Drive, ego: Drive, view: View) -> Judged:
+    """How long before the ego it comes in; who never does comes last."""
+    own, others = (
+        view.time_of(first(arm.place(boxes(view, one.participant))[0] > arm.length_m))
+        for one, arm in ((one, arms_of(view)[one.entry]) for one in (drive, ego))
+    )
+    return Judged(others - own, others - own, own)
 
 
 def _goes_out(told: Told, drive: Drive, view: View) -> Judged:

@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from functools import partial
 
 import numpy as np
 
 from scegen.claims.arms import arms_of
-from scegen.claims.boxes import boxes, same_way, seen
+from scegen.claims.boxes import boxes, passes
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test
 from scegen.claims.moments import SIDEWAYS, at, lateral_m
 from scegen.claims.statements.touching import touched
 from scegen.claims.told import KPH, Told, either
 from scegen.claims.tolerances import SAME_LANE_M, STANDS_MPS
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import HEADING, Floats
+from scegen.motion.batch.arrays import HEADING
 from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Participant
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
@@ -33,8 +32,6 @@ STRAIGHT = JunctionKind.STRAIGHT
 LANE_M = 2.0
 """Who goes so far to the side has changed lane."""
 _TURNS_DEG, _BACK_DEG = 15.0, 140.0
-_BESIDE_M = 7.0
-_SAME_WAY = 0.9
 _MOVES_M = 0.5
 
 
@@ -54,8 +51,7 @@ def claims(told: Told) -> Iterator[Claim]:
                 "" if told.functional.junction.kind is STRAIGHT else " up to the junction"
             )
             test = partial(_stays_in_lane, drive)
-            claim = _claim(f"lane.{person.id}", does, field, "m", test)
-            yield replace(claim, kind=ClaimKind.LANE)
+            yield _claim(f"lane.{person.id}", does, field, "m", test)
         crosses = crossing is not None and Maneuver.CROSS in person.maneuvers
         if crossing is not None and crosses and not _stops(told, person.id):
             yield _claim(
@@ -103,7 +99,9 @@ def _stops(told: Told, name: str) -> bool:
     return acts or any(h.kind is HazardKind.STOPPING and name in h.by for h in told.hazards)
 
 
-def _claim(name: str, statement: str, field: str, unit: str, test: Test) -> Claim:
+def _claim(
+    name: str, statement: str, field: str, unit: str, test: Test, *, fixed: bool = True
+) -> Claim:
     return Claim(
         id=f"maneuver.{name}",
         kind=ClaimKind.MANEUVER,
@@ -111,7 +109,8 @@ def _claim(name: str, statement: str, field: str, unit: str, test: Test) -> Clai
         field=field,
         unit=unit,
         test=test,
-        scale=20.0 if unit == "deg" else 2.0,
+        scale=2.0,
+        fixed=fixed,
     )
 
 
@@ -125,7 +124,8 @@ def _driven(told: Told, drive: Drive, field: str) -> Iterator[Claim]:
         passed = _overtaken(told, name)
         whom = either(passed) if passed else "another who goes the same way"
         test = partial(_overtakes, name, passed or [p.id for p in told.people if p.id != name])
-        yield _claim(f"overtake.{name}", f"{name} passes {whom}", field, "m", test)
+        does = f"{name} passes {whom}"
+        yield _claim(f"overtake.{name}", does, field, "m", test, fixed=False)
     if drive.turn in {Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN} and drive.reverses is None:
         does = "turns back" if drive.turn is Maneuver.U_TURN else f"turns {drive.turn}"
         yield _claim(f"turn.{name}", f"{name} {does}", field, "deg", partial(_turns, drive))
@@ -175,18 +175,6 @@ def _overtakes(name: str, others: list[str], view: View) -> Judged:
         when = np.where(margin > best, time_s, when)
         best = np.maximum(best, margin)
     return Judged(best, best, when)
-
-
-def passes(view: View, name: str, other: str) -> tuple[Floats, Floats]:
-    """By how much somebody comes from wholly behind another to wholly ahead, and when (c,)."""
-    own, frame = boxes(view, name), boxes(view, other)
-    place = seen(frame, own)
-    beside = (np.abs(place.y) < _BESIDE_M) & (same_way(frame, own) > _SAME_WAY)
-    behind = np.where(beside, -frame.half_length - place.front, -NEVER)
-    before = np.where(beside, place.rear - frame.half_length, -NEVER)
-    passed = np.minimum(np.maximum.accumulate(behind, axis=1), before)
-    step = passed.argmax(axis=1)
-    return at(passed, step), view.time_of(step)
 
 
 def _crosses(told: Told, crossing: Crossing, view: View) -> Judged:

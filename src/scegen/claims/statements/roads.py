@@ -53,6 +53,7 @@ def claims(told: Told) -> Iterator[Claim]:
         field="participants",
         unit="1",
         test=partial(_those, names),
+        fixed=True,
     )
     said = told.functional.environment.model_dump(mode="json", exclude_none=True)
     for name, value in said.items():
@@ -63,6 +64,7 @@ def claims(told: Told) -> Iterator[Claim]:
             field=f"environment.{name}",
             unit="1",
             test=partial(_conditions, name, str(value)),
+            fixed=True,
         )
 
 
@@ -74,6 +76,7 @@ def _road(part: str, statement: str, agrees: Agrees) -> Claim:
         field=f"junction.{part}",
         unit="1",
         test=partial(_built, agrees),
+        fixed=True,
     )
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from math import pi
 
-from scegen.concretization.amounts import change_of_speed
-from scegen.concretization.asked import outward
 from scegen.concretization.along.runner import Move, Runner, Step
 from scegen.concretization.along.story import Story
+from scegen.concretization.amounts import change_of_speed
+from scegen.concretization.asked import outward
 from scegen.concretization.limits import (
     ABRUPT_LANE_CHANGE_S,
     LANE_CHANGE_S,

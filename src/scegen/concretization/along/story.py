@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from scegen.concretization.asked import dangers, hazard_of
 from scegen.concretization.along.runner import Runner
+from scegen.concretization.asked import contact_wanted as said_to_touch
+from scegen.concretization.asked import dangers, hazard_of
 from scegen.scenario.acts import Act, ActKind, AfterAct
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import LogicalScenario
-from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import Approach, HazardKind
 
@@ -107,9 +107,4 @@ def by_rank(logical: LogicalScenario, runners: Mapping[str, Runner]) -> dict[str
 
 def contact_wanted(story: Story, first: str, second: str) -> bool:
     """Whether the text says that these two touch."""
-    outcome = story.functional.outcome
-    if outcome is None or outcome.kind is not OutcomeKind.COLLISION:
-        return False
-    if outcome.between:
-        return {first, second} == {*outcome.between}
-    return story.functional.ego.id in {first, second}
+    return said_to_touch(story.functional, first, second)

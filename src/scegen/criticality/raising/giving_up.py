@@ -6,10 +6,9 @@ from collections.abc import Collection
 
 import numpy as np
 
-from scegen.claims.claim import ClaimKind
 from scegen.criticality.raising.stage import Stage
 from scegen.criticality.search.optimize import folded, halton
-from scegen.criticality.search.problem import FIXED, Problem
+from scegen.criticality.search.problem import Problem
 from scegen.criticality.search.proving import Evidence
 
 _POINTS = 24
@@ -21,8 +20,9 @@ def out_of_reach(problem: Problem, before: Evidence, rng: np.random.Generator) -
         return frozenset()
     space = problem.space
     points = folded(halton(_POINTS, len(space.low), rng.random(len(space.low))))
-    fixed = {c.id for c in before.claims if not c.holds and ClaimKind(c.kind) in FIXED}
-    return problem.out_of_reach(space.low + points * (space.high - space.low)) | fixed
+    fixed = {claim.id for claim in problem.claims if claim.fixed}
+    missed = {claim.id for claim in before.claims if not claim.holds}
+    return problem.out_of_reach(space.low + points * (space.high - space.low)) | (fixed & missed)
 
 
 def give_up(stage: Stage, problem: Problem, claims: Collection[str]) -> None:

@@ -109,9 +109,9 @@ def _kind(kind: ActKind, entity: Entity, event: Event, text: Sentences) -> ActKi
         return ActKind.OVERTAKE
     if kind is ActKind.SET_OFF and not (entity.pulls_out or entity.was_parked or entity.stands):
         return None
-    if event.name == "merge" and Maneuver.LANE_CHANGE not in entity.maneuvers:
+    if event.name in {"merge", "cut_off"} and Maneuver.LANE_CHANGE not in entity.maneuvers:
         return None
-    if event.name == "cut_off" and Maneuver.LANE_CHANGE not in entity.maneuvers:
+    if event.name == "return" and Maneuver.OVERTAKE not in entity.maneuvers:
         return None
     return kind
 

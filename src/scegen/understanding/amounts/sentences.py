@@ -134,7 +134,10 @@ class Sentences:
                 return list(chunk.entities) if owns or not chunk.possessor else []
             if not isinstance(chunk, Word):
                 return []
-            if chunk.cat not in {"aux", "manner", "unknown", "possessive"} and chunk.value not in {"(", ":"}:
+            if chunk.cat not in {"aux", "manner", "unknown", "possessive"} and chunk.value not in {
+                "(",
+                ":",
+            }:
                 return []
         return []
 
@@ -162,7 +165,7 @@ class Sentences:
         return list((free or named)[-1].entities) if (free or named) else []
 
     def _owner(self, start: int, i: int) -> list[Entity]:
-        """``its speed is 50 km/h``, ``my speed``: whose the measure is that a sentence opens with."""
+        """``its speed is 50 km/h``, ``my speed``: whose a measure is that opens a sentence."""
         word = self.tokens[start].low
         if word not in words()["whose"]:
             return []

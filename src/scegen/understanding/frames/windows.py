@@ -135,9 +135,7 @@ def _after(tokens: list[Token], j: int) -> str:
     return f" {' '.join(words)} "
 
 
-def frame_of(
-    dimension: str, value: float, around: Window, verbs: frozenset[str]
-) -> AmountFrame:
+def frame_of(dimension: str, value: float, around: Window, verbs: frozenset[str]) -> AmountFrame:
     """The first frame that fits a number.
 
     Args:

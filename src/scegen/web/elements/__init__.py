@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from pathlib import Path
 from typing import Any
 
+import nicegui.elements.scene
 from nicegui.element import Element
 from nicegui.elements.mixins.text_element import TextElement
 from nicegui.events import GenericEventArguments
 
+_SCENE = Path(nicegui.elements.scene.__file__).parent / "dist"
+"""three.js, as the framework brings it for its own scenes."""
 Handler = Callable[[Any], object]
 
 
@@ -131,7 +135,29 @@ class Gallery(Element, component="gallery.js"):
         self.on("only", lambda event: only(event.args))
 
 
+class Cinema(
+    Element,
+    component="cinema.js",
+    esm={"nicegui-scene": str(_SCENE), "scegen-seat": "seat"},
+):
+    """The player of one scenario, with the view from the driver's seat beside it.
+
+    Args:
+        script: address of the player's module.
+    """
+
+    def __init__(self, script: str) -> None:
+        super().__init__()
+        self.props["script"] = script
+        self.show("")
+
+    def show(self, source: str) -> None:
+        """Play what lies at this address; nothing if it is empty."""
+        self.props["source"] = source
+
+
 __all__ = [
+    "Cinema",
     "Description",
     "Element",
     "Entry",

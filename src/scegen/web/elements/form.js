@@ -31,17 +31,17 @@ const Field = {
       </span>
       <span class="field-value">
         <template v-if="f.type === 'id'"><span class="name">{{ value }}</span></template>
-        <button v-else-if="f.type === 'flag'" class="chip" :class="{ on: value }" :aria-pressed="!!value"
+        <button v-else-if="f.type === 'flag'" class="tag" :class="{ on: value }" :aria-pressed="!!value"
           @click="set(!value)">{{ value ? 'yes' : 'no' }}</button>
         <select v-else-if="f.type === 'word'" :value="value ?? ''" :aria-label="f.label" :data-tip="meaning(value)"
           @change="set($event.target.value || null)">
           <option v-if="f.optional" value="">–</option>
           <option v-for="w in f.words" :key="w.value" :value="w.value" :title="w.means">{{ plain(w.value) }}</option>
         </select>
-        <span v-else-if="f.type === 'words' || f.type === 'names' || f.type === 'numbers'" class="chips">
-          <button v-for="w in offered" :key="w.value" class="chip" :class="{ on: has(w.value) }" :data-tip="w.means"
-            :aria-pressed="has(w.value)" @click="toggle(w.value)">{{ plain(w.value) }}</button>
-          <button v-if="hidden" class="chip more" @click="open = !open">{{ open ? 'less' : EMPTY(value) ? 'free' : '+' }}</button>
+        <span v-else-if="f.type === 'words' || f.type === 'names' || f.type === 'numbers'" class="tags">
+          <button v-for="w in offered" :key="w.value" class="tag" :class="{ on: has(w.value) }" :data-tip="w.means"
+            :aria-pressed="has(w.value)" @click="toggle(w.value)">{{ f.type === 'words' ? plain(w.value) : w.value }}</button>
+          <button v-if="hidden" class="tag more" @click="open = !open">{{ open ? 'less' : EMPTY(value) ? 'free' : '+' }}</button>
         </span>
         <select v-else-if="f.type === 'name'" :value="value ?? ''" :aria-label="f.label"
           @change="set($event.target.value || null)">
@@ -55,7 +55,7 @@ const Field = {
             <input type="number" step="any" :value="shown(value && value.high)"
               :aria-label="f.label + ', highest'" @change="bound('high', $event.target.value)"></template>
           <span class="unit">{{ f.unit }}</span>
-          <button v-if="value && !ranged" class="chip more" data-tip="Give a range instead of one value"
+          <button v-if="value && !ranged" class="tag more" data-tip="Give a range instead of one value"
             :aria-label="f.label + ': give a range'" @click="open = true">…</button>
         </span>
         <span v-else-if="f.type === 'number'" class="interval">
@@ -65,7 +65,7 @@ const Field = {
         </span>
         <input v-else-if="f.type === 'sequence'" :value="(value || []).map(shown).join(', ')" placeholder="the usual"
           :aria-label="f.label" @change="sequence($event.target.value)">
-        <span v-else-if="f.type === 'choice'" class="chips">
+        <span v-else-if="f.type === 'choice'" class="tags">
           <select :value="value ? value.type : ''" :aria-label="f.label" @change="member($event.target.value)">
             <option v-if="f.optional" value="">–</option>
             <option v-for="m in f.members" :key="m.tag" :value="m.tag" :title="m.means">{{ m.label }}</option>
@@ -163,7 +163,7 @@ const Item = {
       <div class="item-fields">
         <Field v-for="f in shown" :key="f.name" :f="f" :value="value[f.name]" :path="path + '.' + f.name" :ctx="ctx"
           @set="(v) => $emit('set', { ...value, [f.name]: v })"></Field>
-        <button v-if="rest" class="chip more" @click="open = !open" :aria-expanded="open"
+        <button v-if="rest" class="tag more" @click="open = !open" :aria-expanded="open"
           :aria-label="(open ? 'Fewer' : 'More') + ' fields'">{{ open ? 'less' : '+ ' + rest }}</button>
       </div>
       <button v-if="removable" class="remove" aria-label="Remove" data-tip="Remove" @click="$emit('remove')">×</button>
@@ -188,12 +188,11 @@ export default {
   components: { Item },
   template: `
     <div class="form" v-if="data">
-      <section v-for="s in ordered" :key="s.name" class="form-section" :class="'s-' + s.name">
+      <section v-for="s in filled" :key="s.name" class="form-section" :class="'s-' + s.name">
         <h3 :data-tip="s.means">{{ s.label }}
           <span v-if="s.type === 'list' && count(s)" class="count">{{ count(s) }}</span>
           <button v-if="s.type === 'list'" class="add" :aria-label="'Add to ' + s.label" @click="add(s)">add</button>
-          <button v-else-if="s.optional" class="add" @click="put(s.name, data[s.name] ? null : first(s))">
-            {{ data[s.name] ? 'remove' : 'add' }}</button>
+          <button v-else-if="s.optional" class="add" @click="put(s.name, null)">remove</button>
         </h3>
         <template v-if="s.type === 'list'">
           <Item v-for="(item, n) in data[s.name]" :key="item.id || n" :fields="s.fields" :value="item"
@@ -204,6 +203,10 @@ export default {
         <Item v-else-if="data[s.name]" :fields="s.fields" :value="data[s.name]" :path="s.name" :ctx="ctx"
           :only="s.name === 'environment' ? s.fields.map((f) => f.name) : []" @set="(v) => put(s.name, v)"></Item>
       </section>
+      <div v-if="empty.length" class="form-rest"><span class="hint">Add</span>
+        <button v-for="s in empty" :key="s.name" class="tag more" :data-tip="s.means"
+          @click="begin(s)">{{ s.label }}</button>
+      </div>
     </div>`,
   props: { spec: Array, scenario: Object, standings: Object, wrong: String, colours: Object, sections: Array },
   data() {
@@ -213,6 +216,12 @@ export default {
     ordered() {
       const wanted = this.sections;
       return wanted.map((name) => this.spec.find((s) => s.name === name)).filter(Boolean);
+    },
+    filled() {
+      return this.ordered.filter((s) => !this.isEmpty(s));
+    },
+    empty() {
+      return this.ordered.filter((s) => this.isEmpty(s));
     },
     ctx() {
       const people = this.data.participants.map((p) => p.id);
@@ -236,6 +245,13 @@ export default {
     },
   },
   methods: {
+    isEmpty(s) {
+      return s.type === "list" ? !this.count(s) : s.optional && !this.data[s.name];
+    },
+    begin(s) {
+      if (s.type === "list") this.add(s);
+      else this.put(s.name, this.first(s));
+    },
     count(s) {
       return (this.data[s.name] || []).length;
     },

@@ -162,5 +162,3 @@ class Choose:
                     with node("li", "" if chosen[meeting] else "missing"):
                         node("span", "meeting-count", f"{chosen[meeting]}/{possible[meeting]}")
                         node("span", "", meeting.in_words())
-
-

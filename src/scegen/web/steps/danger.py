@@ -8,13 +8,13 @@ from typing import Any
 from scegen.criticality.target import AVOIDED, BANDS, COLLISION, NEAR_MISS
 from scegen.pipeline.options import CheckDepth, EgoMode, OscVersion
 from scegen.pipeline.raising import NO_SEARCH
+from scegen.report.theme import LIGHT
 from scegen.web.elements import Entry, Form, button, choice, drawn, node
 from scegen.web.form import form_spec, standings
 from scegen.web.pictures import tile
 from scegen.web.steps.outcome import outcome_cards
 from scegen.web.steps.step import Activity, Go
 from scegen.web.work import Work
-from scegen.report.theme import LIGHT
 
 _TARGETS = {
     "": ("As described", "the outcome that the text tells, a near miss if it tells none"),

@@ -10,6 +10,7 @@ from scegen.web.elements import Description, Form, button, drawn, node
 from scegen.web.form import form_spec, standings
 from scegen.web.pictures import tile
 from scegen.web.steps.models import model_line
+from scegen.web.steps.opening import entry_row
 from scegen.web.steps.step import Activity, Go
 from scegen.web.work import Work, by_richness
 
@@ -36,6 +37,11 @@ EXAMPLES = {
     "red light as the ego goes straight at 50 km/h.",
     "Every way": "Four cars meet at an uncontrolled four-way intersection.",
 }
+_PROMISE = (
+    "One sentence becomes every distinct traffic scenario that it can mean, and moving traffic in "
+    "OpenDRIVE and OpenSCENARIO, in which every statement of it is checked."
+)
+_RECENT = 4
 _MEANINGS = {
     Standing.UNDERSTOOD: "said in the text",
     Standing.INFERRED: "concluded from the text",
@@ -54,9 +60,11 @@ class Describe:
 
     def build(self) -> None:
         """Make the elements."""
-        with node("div", "describe"):
+        self._whole = node("div", "describe")
+        with self._whole:
             with node("section", "pane words", aria_label="Description"):
                 node("h1", "", "Describe a driving situation")
+                node("p", "promise", _PROMISE)
                 self._text = Description(
                     longest=MAX_CHARACTERS,
                     placeholder="In plain English: who drives where, what happens, how fast.",
@@ -69,7 +77,8 @@ class Describe:
                     )
                     node("span", "hint", "Ctrl + Enter")
                 self._activity = Activity(self._work, "understanding", "opening", "looking")
-                self._examples = node("div", "examples")
+                self._examples = node("div", "examples-list")
+                self._recent = node("div", "recent")
                 self._found = node("div", "found")
                 model_line(self._work)
             with node("section", "pane fields", aria_label="What was understood"):
@@ -96,17 +105,27 @@ class Describe:
 
     def _build_examples(self) -> None:
         with self._examples:
-            node("span", "hint", "Try")
             for name, text in EXAMPLES.items():
-                example = node("button", "chip", name, type="button", data_tip=text)
+                example = node("button", "tag example", type="button", data_tip=text)
+                with example:
+                    node("strong", "", name)
+                    node("span", "", text)
                 example.on(
                     "click",
                     js_handler=f"() => getElement({self._text.id}).put({text!r})",
                 )
+        entries = self._work.project.entries()[:_RECENT]
+        if entries:
+            with self._recent:
+                node("h2", "", "Go on with")
+                for entry in entries:
+                    entry_row(entry, self._work.open)
 
     def _show_all(self) -> None:
         work = self._work
         self._text.show(work.draft, _spans(work))
+        blank = work.functional is None and work.report is None
+        self._whole.classes(add="blank" if blank else "", remove="" if blank else "blank")
         self._button.classes(
             add="" if work.functional is None else "secondary",
             remove="secondary" if work.functional is None else "",
@@ -150,7 +169,7 @@ class Describe:
                         node("span", "", f"{words}{finding.reason or standing}")
             assumed = report.of(Standing.ASSUMED)
             if assumed:
-                with node("details", "assumptions"):
+                with node("details", "assumptions", open=True):
                     node("summary", "", f"{len(assumed)} assumptions")
                     for finding in assumed:
                         self._assumption(finding)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from nicegui import ui
 from nicegui.events import UploadEventArguments
 
 from scegen.web.elements import button, node
+from scegen.web.project import Entry
 from scegen.web.steps.step import Go
 from scegen.web.uploads import LARGEST_FILE
 from scegen.web.work import Work
@@ -47,12 +50,7 @@ class Opening:
             with node("ul", "entries"):
                 for entry in entries:
                     with node("li", ""):
-                        made = node("button", "entry-open", type="button")
-                        made.on("click", lambda _, name=entry.name: self._open(name), [])
-                        with made:
-                            node("strong", "", entry.name)
-                            node("span", "", entry.description)
-                            node("span", "soft", f"{entry.scenarios} made" if entry.scenarios else "not made yet")
+                        entry_row(entry, self._open)
         self._dialog.open()
 
     def _open(self, name: str) -> None:
@@ -65,3 +63,13 @@ class Opening:
         self._dialog.close()
         self._work.take_in(event.file.name, content)
         self._go("describe")
+
+
+def entry_row(entry: Entry, chosen: Callable[[str], object]) -> None:
+    """One folder of the project, to be clicked."""
+    made = node("button", "entry-open", type="button")
+    made.on("click", lambda _: chosen(entry.name), [])
+    with made:
+        node("strong", "", entry.name)
+        node("span", "", entry.description)
+        node("span", "soft", f"{entry.scenarios} made" if entry.scenarios else "not made yet")

@@ -65,7 +65,9 @@ def _proof(proof: Proof) -> None:
                 state = "held" if hazard.happened else "failed"
                 when = f" at {hazard.time_s:.1f} s" if hazard.time_s is not None else ""
                 kind = hazard.kind.replace("_", " ")
-                node("li", f"check {state}", kind + (when if hazard.happened else " does not happen"))
+                node(
+                    "li", f"check {state}", kind + (when if hazard.happened else " does not happen")
+                )
     hold = len(proof.claims) - len(proof.missed)
     if proof.claims:
         node("p", "", f"{hold} of {len(proof.claims)} statements hold")
@@ -78,5 +80,3 @@ def _proof(proof: Proof) -> None:
 
 def _value(value: float | None) -> str:
     return "–" if value is None else f"{value:.2f}"
-
-

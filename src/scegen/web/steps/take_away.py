@@ -82,5 +82,3 @@ def again(work: Work) -> str:
     options = work.made_with or work.made.options()
     source = "functional.yaml" if work.made.functional is not None else "concrete.yaml"
     return command_line(options, source, "again")
-
-
