@@ -56,7 +56,7 @@ def gallery_svg(logical_set: LogicalSet, drawn: Tiles | None = None) -> str:
     width = _GAP + columns * (TILE_WIDTH + _GAP)
     height = tile_height(functional)
     parts, y = [], _HEAD
-    for heading, members in _groups(shown):
+    for heading, members in groups(shown):
         if heading:
             parts.append(
                 f'<text x="{_GAP}" y="{y + 22}" font-size="15" font-weight="700" fill="{_INK}">'
@@ -92,7 +92,7 @@ def gallery_svg(logical_set: LogicalSet, drawn: Tiles | None = None) -> str:
     return "\n".join([*head, *parts, "</svg>\n"])
 
 
-def _groups(shown: tuple[LogicalScenario, ...]) -> list[tuple[str, list[int]]]:
+def groups(shown: tuple[LogicalScenario, ...]) -> list[tuple[str, list[int]]]:
     """Places in the list by pattern, with a heading; few or all different ones stay in a row."""
     by_pattern: dict[tuple[int, ...], list[int]] = {}
     for place, scenario in enumerate(shown):

@@ -52,7 +52,7 @@ export function keySheet(table) {
     h("th", { scope: "row" }, ...names.split(/(?:, | )/).map((name) => h("kbd", {}, name))), h("td", {}, words)));
   const dialog = h("dialog", { class: "keys", "aria-label": "Keys" },
     h("h4", {}, "Keys"), h("table", {}, h("tbody", {}, ...rows)),
-    h("form", { method: "dialog" }, h("button", { class: "text" }, "Close")));
+    h("form", { method: "dialog" }, h("button", { class: "plain" }, "Close")));
   dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
   return dialog;
 }

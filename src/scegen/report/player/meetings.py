@@ -15,7 +15,7 @@ from scegen.claims.hazards.scenes import judged_pairs, occlusions
 from scegen.measures.distance import distance_series
 from scegen.measures.evaluation import Summary, measure
 from scegen.measures.occlusion import occlusion_series
-from scegen.measures.post_encroachment import time_of_reaching
+from scegen.measures.post_encroachment import post_encroachment_time, time_of_reaching
 from scegen.measures.scene import Scene, build_scene
 from scegen.measures.time_to_collision import time_to_collision_series
 from scegen.motion.batch import BatchTraces, stack_traces
@@ -134,11 +134,14 @@ class Meetings:
                 if hull.geom_type != "Polygon":
                     continue
                 times = [self._spell(i, enter[k], leave[k]) for k, i in enumerate(pair)]
+                first, second = (self.traces.tracks[0, i] for i in pair)
+                pet_s = post_encroachment_time(first, second, enter, leave, self.traces.dt_s)
                 result.append(
                     {
                         "between": [self.names[i] for i in pair],
                         "points": points(np.asarray(hull.exterior.coords).ravel().tolist()),
                         "occupied_s": times,
+                        "pet_s": round(pet_s, 3) if isfinite(pet_s) else None,
                     }
                 )
         return result

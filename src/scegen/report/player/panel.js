@@ -21,10 +21,9 @@ export class Panel {
   person(one, actions) {
     const swatch = h("i", { style: `background:var(${colourName(one)})`, "aria-hidden": "true" });
     const speed = h("span", { class: "speed" }), doing = h("span", { class: "doing" });
-    const kind = (one.what ?? one.kind).replaceAll("_", " ");
-    const name = one.role === "ego" && one.id !== "ego" ? `${one.id} (ego)` : one.id;
+    const kind = (one.what ?? one.kind).replaceAll("_", " ") + (one.role === "ego" && one.id !== "ego" ? " · ego" : "");
     const button = h("button", { type: "button", "aria-pressed": "false", onclick: () => actions.select(one.id) },
-      swatch, h("b", {}, name), h("span", { class: "kind" }, kind), speed, doing);
+      swatch, h("span", { class: "who" }, h("b", {}, one.id), " ", h("span", { class: "kind" }, kind)), speed, doing);
     this.rows.set(one.id, { button, speed, doing, still: Boolean(one.category || one.parked) });
     return h("li", {}, button);
   }

@@ -172,6 +172,7 @@ class Player {
   resize() {
     const shown = this.comparing || !this.earlier ? this.stages : this.stages.slice(-1);
     for (const stage of this.stages) stage.element.hidden = !shown.includes(stage);
+    this.pictures.classList.toggle("compared", shown.length > 1);
     const gap = 8, full = document.fullscreenElement === this.element;
     const width = Math.max(200, Math.floor((this.pictures.clientWidth - gap * (shown.length - 1)) / shown.length));
     const share = this.stages.at(-1).aspect() * (shown.length > 1 ? 1.5 : 1);
@@ -266,8 +267,25 @@ class Player {
     this.pause();
     this.panel.mark([id]);
     this.select(claim.who.find((name) => name !== this.recording.ego) ?? claim.who[0] ?? null);
-    if (claim.time_s !== null) this.seek(claim.time_s);
+    if (claim.shown_s !== null) this.seek(claim.shown_s);
     this.clock.emit("claim", id);
+  }
+
+  /** Show a moment with what leads to it; those who do not want motion see the moment alone. */
+  playMoment(time, lead = 1.5, rest = 1) {
+    if (window.matchMedia("(prefers-reduced-motion: reduce)").matches) {
+      this.seek(time);
+      return;
+    }
+    this.pause();
+    this.seek(time - lead);
+    const ends = Math.min(time + rest, this.clock.duration);
+    const stop = this.clock.on("time", (now) => {
+      if (now < ends && now >= time - lead - 1e-6) return;
+      stop();
+      if (now < ends + 0.3) this.pause();
+    });
+    this.play();
   }
 
   select(id) {

@@ -40,18 +40,22 @@ export class Plots {
   describe() {
     const { recording } = this;
     const everybody = () => this.ordered(recording.movers.map((one) => one.id));
-    const others = () => this.ordered(recording.data.pairs.filter(({ between }) => between.includes(recording.ego))
-      .map(({ between }) => between.find((id) => id !== recording.ego)))
-      .filter((id) => recording.byId.get(id).role && !recording.byId.get(id).parked || recording.pair.includes(id));
-    const measured = (name, fallback) => (rec, id, time) => {
-      const pair = rec.between(rec.ego, id);
-      return pair ? rec.at(pair[name], time) : fallback;
+    // Whoever is near the ego; the two that it is about, where the ego is neither.
+    const { ego } = recording, about = recording.pair.length && !recording.pair.includes(ego) ? [recording.pair[0]] : [];
+    const others = () => this.ordered([...about, ...recording.data.pairs.filter(({ between }) => between.includes(ego))
+      .map(({ between }) => between.find((id) => id !== ego))
+      .filter((id) => !about.includes(id) && (recording.movers.some((one) => one.id === id) || recording.pair.includes(id)))]);
+    const measured = (name) => (rec, id, time) => {
+      const pair = about.includes(id) ? rec.between(...rec.pair) : rec.between(ego, id);
+      return pair ? rec.at(pair[name], time) : null;
     };
+    const label = (id) => (about.includes(id) ? recording.pair.join(" – ") : id);
+    const to = about.length ? ` to ${ego}, and between ${recording.pair.join(" and ")}` : ` to ${ego}`;
     const all = (ids, value) => ids.flatMap((id) => this.times().map((t) => value(recording, id, t)))
       .filter((v) => v !== null);
     const speed = (rec, id, time) => rec.pose(id, time)?.speed ?? null;
     const rate = (rec, id, time) => rec.acceleration(id, time);
-    const distance = measured("distance_m", null), ttc = measured("ttc_s", null);
+    const distance = measured("distance_m"), ttc = measured("ttc_s");
     const fastest = Math.max(5, ...all(everybody(), speed)) * 1.05;
     const rates = all(everybody(), rate);
     const farthest = Math.min(FARTHEST_M, Math.max(5, ...all(others(), distance)) * 1.03);
@@ -59,8 +63,8 @@ export class Plots {
       { title: "Speed", unit: "m/s", series: everybody, value: speed, low: 0, high: fastest, kmh: true },
       { title: "Acceleration", unit: "m/s²", series: everybody, value: rate,
         low: Math.min(-2, ...rates) * 1.1, high: Math.max(2, ...rates) * 1.1 },
-      { title: `Distance to ${recording.ego}`, unit: "m", series: others, value: distance, low: 0, high: farthest, digits: 2 },
-      { title: `Time to collision with ${recording.ego}`, unit: "s", series: others, value: ttc, low: 0, high: LONGEST_S,
+      { title: `Distance${to}`, label, unit: "m", series: others, value: distance, low: 0, high: farthest, digits: 2 },
+      { title: `Time to collision${to.replace(" to ", " with ")}`, label, unit: "s", series: others, value: ttc, low: 0, high: LONGEST_S,
         digits: 2, threshold: CRITICAL_S },
     ];
   }
@@ -182,7 +186,7 @@ export class Plots {
       setText(panel.values, chosen.map((id) => {
         const value = panel.value(this.recording, id, time);
         const kmh = panel.kmh && value !== null ? ` (${number(value * KMH, 0)} km/h)` : "";
-        return `${id} ${number(value, panel.digits ?? 1)} ${value === null ? "" : panel.unit}${kmh}`.trim();
+        return `${panel.label?.(id) ?? id} ${number(value, panel.digits ?? 1)} ${value === null ? "" : panel.unit}${kmh}`.trim();
       }).join("  ·  "));
     }
   }
