@@ -172,7 +172,10 @@ def test_play_says_how_to_get_esmini(scegen, made):
 @pytest.mark.esmini
 @pytest.mark.skipif(shutil.which("esmini") is None, reason="esmini is not on PATH")
 def test_play_plays(scegen, made):
-    assert scegen("play", made, "--headless").returncode == 0
+    done = scegen("play", made, "--headless")
+    assert done.returncode == 0
+    assert done.stdout.splitlines() == [f"{next(made.glob('scenarios/*/scenario.xosc'))}  played"]
+    assert done.stderr == ""
 
 
 def test_play_names_what_is_there(scegen, made):
