@@ -38,7 +38,7 @@ def target_words(proof: Proof) -> str:
     """The target, between whom, and whether it is reached, with the value that decides."""
     measure = proof.of(proof.measure)
     found = "" if measure is None else f" {_value(measure.after, measure.unit)}"
-    name = _MEASURES.get(proof.measure, proof.measure)
+    name = _MEASURES.get(proof.measure or "", proof.measure)
     outcome = f"{name}{found}" if proof.in_band else f"not reached, {name}{found}"
     return f"{proof.target} of {' and '.join(proof.pair) or 'nobody'}: {outcome}"
 
