@@ -22,7 +22,8 @@ export class Stage {
       tabindex: "0",
       "aria-label": `Roads and traffic from above${caption ? `, ${caption}` : ""}. Drag to move, wheel or plus and minus to zoom.`,
     });
-    this.element = h("div", { class: "stage" }, this.below, this.above, caption ? h("p", { class: "caption" }, caption) : null);
+    this.hint = h("p", { class: "hint", "aria-hidden": "true" }, "Click the picture, or hold Ctrl, to zoom with the wheel");
+    this.element = h("div", { class: "stage" }, this.below, this.above, this.hint, caption ? h("p", { class: "caption" }, caption) : null);
     this.spots = new Map();
     this.placed = new Map();
     this.time = 0;
@@ -174,7 +175,7 @@ export class Stage {
       wanted.push({ id: one.id, text, x, y, reach, width: context.measureText(text).width, first: matter.has(one.id) });
     }
     wanted.sort((a, b) => b.first - a.first);
-    const placed = placeLabels(wanted, this.spots, taken);
+    const placed = placeLabels(wanted, this.spots, taken, [camera.width, camera.height]);
     this.spots = new Map([...placed].map(([id, { index }]) => [id, index]));
     this.placed = placed;
     context.textBaseline = "top";
@@ -266,7 +267,12 @@ export class Stage {
     this.above.addEventListener("dblclick", () => this.shared.onCamera({ home: true }, this));
     this.above.addEventListener("wheel", (event) => {
       // The page goes on scrolling unless the picture is meant: it has the focus, or Ctrl is held.
-      if (!event.ctrlKey && document.activeElement !== this.above) return;
+      if (!event.ctrlKey && document.activeElement !== this.above) {
+        this.hint.classList.add("shown");
+        clearTimeout(this.hinted);
+        this.hinted = setTimeout(() => this.hint.classList.remove("shown"), 1200);
+        return;
+      }
       event.preventDefault();
       this.shared.onCamera({ zoom: Math.exp(-event.deltaY * 0.0016), at: place(event) }, this);
     }, { passive: false });

@@ -16,6 +16,11 @@ function open(article) {
   return article.player;
 }
 
+document.addEventListener("keydown", (event) => {
+  // Keys that are meant for nothing else are meant for the picture.
+  if (event.target === document.body) players[0]?.key(event);
+});
+
 const words = [...document.querySelectorAll(".text mark[data-claims]")];
 const became = document.querySelector(".became");
 const claimsOf = (mark) => JSON.parse(mark.dataset.claims);
