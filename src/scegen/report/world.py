@@ -14,8 +14,8 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from scegen.report.corners import thing_corners
 from scegen.report.drawing import area, areas, box, circle, element, group, line, lines, number
-from scegen.report.encounter import thing_corners
 from scegen.report.lane_shapes import RoadShapes, road_shapes
 from scegen.report.theme import Theme
 from scegen.road.geometry import Pose

@@ -22,7 +22,7 @@ export class Stage {
       tabindex: "0",
       "aria-label": `Roads and traffic from above${caption ? `, ${caption}` : ""}. Drag to move, wheel or plus and minus to zoom.`,
     });
-    this.hint = h("p", { class: "hint", "aria-hidden": "true" }, "Click the picture, or hold Ctrl, to zoom with the wheel");
+    this.hint = h("p", { class: "hint", "aria-hidden": "true", "data-words": "Click the picture, or hold Ctrl, to zoom with the wheel" });
     this.element = h("div", { class: "stage" }, this.below, this.above, this.hint, caption ? h("p", { class: "caption" }, caption) : null);
     this.spots = new Map();
     this.placed = new Map();
