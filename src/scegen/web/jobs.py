@@ -1,5 +1,7 @@
-"""Long work in processes of its own: it never holds up the page, tells how far it is, and ends
-at once when it is cancelled."""
+"""Long work in processes of its own.
+
+It never holds up the page, tells how far it is, and ends at once when it is cancelled.
+"""
 
 from __future__ import annotations
 
@@ -115,9 +117,7 @@ class Jobs:
         self._running: set[Job] = set()
         self._lock = threading.Lock()
 
-    def start(
-        self, what: str, told: Callable[[Job], None], task: Task, *arguments: object
-    ) -> Job:
+    def start(self, what: str, told: Callable[[Job], None], task: Task, *arguments: object) -> Job:
         """Begin; the job is returned at once."""
         job = Job(what, told)
         threading.Thread(

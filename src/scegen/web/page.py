@@ -24,12 +24,6 @@ from scegen.web.steps.watch import Watch
 from scegen.web.work import Work
 
 _TICK_S = 0.1
-_DARK = (
-    "() => { const root = document.documentElement, dark = matchMedia('(prefers-color-scheme: dark)');"
-    "const now = root.dataset.theme || (dark.matches ? 'dark' : 'light');"
-    "root.dataset.theme = now === 'dark' ? 'light' : 'dark';"
-    "localStorage.setItem('scegen-theme', root.dataset.theme); }"
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +58,9 @@ class Page:
 
     def build(self) -> None:
         """Make the elements."""
-        ui.add_head_html(f"<style>{css()}{player_css()}{_own('page.css')}</style><script>{_own('page.js')}</script>")
+        ui.add_head_html(
+            f"<style>{css()}{player_css()}{_own('page.css')}</style><script>{_own('page.js')}</script>"
+        )
         ui.context.client.on_exception(self._complain)
         with node("header", "topbar"):
             node("a", "brand", "ML-SceGen", href="/", aria_label="ML-SceGen, start page")
@@ -74,10 +70,14 @@ class Page:
             with node("div", "topbar-end"):
                 self._place = node("span", "place")
                 button("Open", Opening(self._work, self.go).show, "quiet")
-                node("button", "button quiet round", "◐", type="button",
-                     aria_label="Light or dark", data_tip="Light or dark").on(
-                    "click", js_handler=_DARK
-                )  # fmt: skip
+                node(
+                    "button",
+                    "button quiet round",
+                    "◐",
+                    type="button",
+                    aria_label="Light or dark",
+                    data_tip="Light or dark",
+                ).on("click", js_handler="() => scegenTheme()")
         self._stage = node("main", "workspace")
         self.go(self._work.step)
         ui.timer(_TICK_S, self._tick)
@@ -119,7 +119,7 @@ class Page:
     def _show_marks(self) -> None:
         """What has come of each step, beside its name."""
         work = self._work
-        notes = {name: "" for name in self._marks}
+        notes = dict.fromkeys(self._marks, "")
         if work.functional is not None:
             notes["describe"] = f"{len(work.functional.participants)} participants"
         if work.listing is not None and work.listing.certificate is not None:
@@ -154,5 +154,3 @@ class Page:
 
 def _own(name: str) -> str:
     return (files("scegen.web.elements") / name).read_text(encoding="utf-8")
-
-

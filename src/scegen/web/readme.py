@@ -28,5 +28,7 @@ def readme(work: Work) -> str:
     )
 
 
-def _outcome(ok: bool) -> str:  # noqa: FBT001 - what came of one scenario
-    return "every check passed and all that was said holds" if ok else "see its checks in the report"
+def _outcome(ok: bool) -> str:
+    return (
+        "every check passed and all that was said holds" if ok else "see its checks in the report"
+    )

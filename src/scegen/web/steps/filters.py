@@ -57,9 +57,7 @@ class Filters:
         with node("div", "facet"):
             node("span", "facet-label", facet.label)
             with node("span", "chips"):
-                for value, term, count in zip(
-                    facet.values, facet.terms, facet.found, strict=True
-                ):
+                for value, term, count in zip(facet.values, facet.terms, facet.found, strict=True):
                     key = (facet.label, term)
                     chip = node("button", "tag", type="button", aria_pressed="false")
                     with chip:
@@ -105,9 +103,7 @@ def facets_of(listing: Listing) -> list[Facet]:
     for scenario in scenarios:
         kinds.update({c.kind.value for c in scenario.conflicts})
         yielding.update({c.yields for c in scenario.conflicts if c.yields})
-    facets.append(
-        _facet("conflicts", {k: f"conflicts({k}) >= 1" for k in sorted(kinds)}, kinds)
-    )
+    facets.append(_facet("conflicts", {k: f"conflicts({k}) >= 1" for k in sorted(kinds)}, kinds))
     facets.append(_facet("gives way", {n: f"yields({n})" for n in names if yielding[n]}, yielding))
     stuck = sum(bool(s.deadlock) for s in scenarios)
     facets.append(_facet("deadlock", {"possible": "deadlock"}, Counter({"possible": stuck})))

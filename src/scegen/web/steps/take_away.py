@@ -59,8 +59,13 @@ class TakeAway:
 
     def _build_files(self, made: Made) -> None:
         node("h1", "", "Take it away")
-        node("a", "button primary wide", f"Download {made.folder.name}.zip", href="/download/zip",
-             download=f"{made.folder.name}.zip")  # fmt: skip
+        node(
+            "a",
+            "button primary wide",
+            f"Download {made.folder.name}.zip",
+            href="/download/zip",
+            download=f"{made.folder.name}.zip",
+        )
         node("p", "soft", f"In the project folder: {made.folder.name}/")
         node("h2", "", "The same files again, byte for byte")
         with node("div", "command"):
@@ -82,5 +87,3 @@ def again(work: Work) -> str:
     options = work.made_with or work.made.options()
     source = "functional.yaml" if work.made.functional is not None else "concrete.yaml"
     return command_line(options, source, "again")
-
-
