@@ -20,6 +20,7 @@ from scegen.cli import (
     gallery,
     generate,
     play,
+    render,
     schema,
     serve,
     simulate,
@@ -77,6 +78,7 @@ app.command("concretize")(concretize.concretize)
 app.command("check")(check.check)
 app.command("simulate")(simulate.simulate)
 app.command("play")(play.play)
+app.command("render")(render.render)
 app.command("serve")(serve.serve)
 app.command("schema")(schema.schema)
 app.command("doctor")(doctor.doctor)

@@ -114,7 +114,9 @@ def _program(draft: DriveDraft) -> tuple[float, tuple[SpeedPhase, ...]]:
     """Initial speed and phases, rounded; reactions come where the program reaches them."""
     if draft.moves_off is not None:
         return 0.0, (_rounded(draft.moves_off),)
-    speed, phases = compile_marks(draft.id, draft.all_marks(), draft.course, draft.start_m)
+    speed, phases = compile_marks(
+        draft.id, draft.course, draft.start_s, draft.start_m, draft.triggers
+    )
     if draft.reactions:
         at = draft.reacts_at_s_m - draft.start_m
         before = [
@@ -174,8 +176,13 @@ def _duration_s(scene: Scene, concrete: ConcreteScenario, paths: dict[str, Path]
     ends: dict[str, float] = {}
     for name, trace in traces.items():
         goal = _goal_m(scene, name, paths[name])
-        halts = name in scene.drives and scene.drives[name].halts_at_m is not None
-        done = np.flatnonzero(trace.speed_mps < STANDING_MPS if halts else trace.s_m >= goal)
+        stays = name in scene.drives and scene.drives[name].stays
+        rests = trace.speed_mps < STANDING_MPS
+        if stays:
+            # Who is to stand in the end has done all it does once it moves no more.
+            done = np.flatnonzero(np.logical_and.accumulate(rests[::-1])[::-1])
+        else:
+            done = np.flatnonzero(trace.s_m >= goal)
         if not done.size:
             return None
         ends[name] = float(trace.time_s[done[0]])

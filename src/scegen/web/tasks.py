@@ -15,7 +15,8 @@ from scegen.errors import InfeasibleError
 from scegen.llm import LlmSettings, Session
 from scegen.pipeline.generate import generate
 from scegen.pipeline.options import Options
-from scegen.pipeline.playing import has_screen, play, scenario_file
+from scegen.pipeline.place import scenario_file
+from scegen.pipeline.playing import has_screen, play
 from scegen.pipeline.source import Source
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario, LogicalSet
@@ -139,7 +140,8 @@ def film_one(made: MadeScenario, functional: FunctionalScenario | None, tell: Te
 def play_one(folder: Path, name: str, tell: Teller) -> int:
     """Play a scenario in esmini, in a window where there is a screen; its exit code."""
     tell.progress("playing in esmini" if has_screen() else "playing in esmini, without a screen")
-    return play(scenario_file(folder, name), window=has_screen())
+    file = scenario_file(folder, "scenario.xosc", name)
+    return play(file, window=has_screen()).returncode
 
 
 def take_in(name: str, content: bytes, tell: Teller) -> Source | str:

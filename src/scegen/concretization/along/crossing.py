@@ -5,13 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import ceil
 
-from scegen.concretization.along.asked import allowed
-from scegen.concretization.along.reactions import REACTION_S
-from scegen.concretization.along.runner import NEVER_S, Runner, Step
+from scegen.concretization.along.runner import Runner, Step
 from scegen.concretization.along.sideways import edge_y_m
 from scegen.concretization.along.spacing import LENGTHWISE
 from scegen.concretization.along.story import Story, contact_wanted
-from scegen.concretization.limits import CYCLING_MPS, HARD_BRAKING_MPS2, WALKING_MPS
+from scegen.concretization.asked import allowed
+from scegen.concretization.limits import (
+    CYCLING_MPS,
+    HARD_BRAKING_MPS2,
+    REACTION_S,
+    WALKING_MPS,
+)
+from scegen.concretization.profile import NEVER_S
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import Act, ActKind, AfterStart, WhenMeasure
 from scegen.scenario.bodies import BODIES, Body

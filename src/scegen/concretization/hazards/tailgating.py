@@ -75,14 +75,14 @@ def _distance_m(follower: DriveDraft, leader: DriveDraft, time_s: float) -> floa
 def _react(scene: Scene, hazard: Hazard) -> None:
     """Brake hard and late where the leader brakes to a stop; go on after it."""
     for follower, leader in _couples(scene, hazard):
-        marks = leader.all_marks()
-        stops = [i for i in leader.course.resumes_s if marks[i].target_mps == 0.0]
+        held = (phase.mark for phase in leader.course.phases if phase.resumes)
+        stops = [mark for mark in held if mark.target_mps == 0.0]
         if not stops:
             continue
-        brake_s = leader.course.time_at(marks[stops[0]].s_m) - leader.course.time_at(leader.start_m)
+        brake_s = leader.course.time_at(stops[0].s_m) - leader.course.time_at(leader.start_m)
         apart = _distance_m(follower, leader, brake_s)
         bodies = leader.body.rear_m + follower.body.front_m
-        stands = marks[stops[0]].hold_s or 0.0
+        stands = stops[0].hold_s or 0.0
         follower.reactions += [
             SpeedPhase(
                 trigger=DistanceBelow(
@@ -94,11 +94,11 @@ def _react(scene: Scene, hazard: Hazard) -> None:
             ),
             SpeedPhase(
                 trigger=StoodStill(participant=follower.id, duration_s=stands + _SLOWER_START_S),
-                target_speed_mps=marks[stops[0]].resume_mps,
-                rate_mps2=marks[stops[0]].resume_rate_mps2,
+                target_speed_mps=stops[0].resume_mps,
+                rate_mps2=stops[0].resume_rate_mps2,
             ),
         ]
-        follower.reacts_at_s_m = marks[stops[0]].s_m
+        follower.reacts_at_s_m = stops[0].s_m
 
 
 TAILGATING = Rule(shape=_shape, react=_react, meets=False)

@@ -46,9 +46,6 @@ AFTER_S = 1.0
 LATERAL_ROOM = 1.03
 _NEVER = 3.0
 _SAME = 1e-6
-_ELSEWHERE = frozenset({ClaimKind.CONTACT, ClaimKind.BODY, ClaimKind.ROAD})
-"""Claims that other demands stand for, the bounds of the variables, or what never changes; the
-proof looks at them too."""
 _STRANGE = 0.02
 _SPREAD = 0.12
 
@@ -93,7 +90,9 @@ class Outcome:
 class Problem:
     """One search: what is wanted of whom, and what it runs on.
 
-    Every claim is a demand, but those ``given_up``; the target is none if ``untargeted``. A search
+    Every claim is a demand, but those ``given_up``, those that are ``fixed`` (everybody gets to the
+    end of its way, or ``finish`` is missing) and that on contacts; the proof judges them too. The
+    target is none if ``untargeted``. A search
     that fails tells in ``never`` which claims nothing met. It stays near ``home`` (n,), or near the
     scenario as it was concretized. ``progress`` is told how far it is after every batch.
     """
@@ -153,7 +152,7 @@ class Problem:
         return {
             claim.id: claim.judge(view).margin
             for claim in self.claims
-            if claim.kind not in _ELSEWHERE and claim.id not in self.given_up
+            if not (claim.fixed or claim.kind is ClaimKind.CONTACT or claim.id in self.given_up)
         }
 
     def _claim_missing(self, claim: Claim, margin: Floats) -> Floats:
