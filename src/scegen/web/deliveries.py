@@ -71,6 +71,14 @@ def deliver(sessions: Sessions) -> None:
         work = work_of(request)
         return _nothing("file") if work is None else _file(work, name)
 
+    @pages.get("/download/picture")
+    def download_picture(request: Request, name: str) -> Response:
+        work = work_of(request)
+        found = work.pictures.get(name) if work is not None else None
+        if found is None:
+            return _nothing("picture")
+        return _attached(found, name, "application/octet-stream")
+
 
 def _tiles(work: Work, of: str, edition: int) -> Response:
     """Pictures of logical scenarios; none of a list that is no longer the present one."""
