@@ -229,7 +229,8 @@ class FunctionalScenario(FrozenModel):
             raise ValueError(msg)
         egos = [p.id for p in self.participants if p.role is Role.EGO]
         if len(egos) != 1:
-            msg = f"exactly one participant must have the role ego, found {', '.join(egos) or 'none'}"
+            named = ", ".join(egos) or "none"
+            msg = f"exactly one participant must have the role ego, found {named}"
             raise ValueError(msg)
         for participant in self.participants:
             if any(not 0 <= arm < self.junction.arms for arm in participant.entries):
