@@ -37,7 +37,13 @@ def _is_slow(scene: Scene, draft: DriveDraft) -> bool:
 
 def _comes_up_behind(slow: DriveDraft, other: DriveDraft) -> bool:
     """Whether another stays or ends behind the slow one in its lane, and is faster."""
-    if not same_arm(slow, other) or other is slow or other.reactions or other.comes_up:
+    if (
+        not same_arm(slow, other)
+        or other is slow
+        or other.reactions
+        or other.comes_up
+        or other.deeds
+    ):
         return False
     if other.cruise_mps <= slow.cruise_mps:
         return False
