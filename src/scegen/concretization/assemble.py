@@ -112,8 +112,6 @@ def _participant(scene: Scene, participant: Participant) -> ConcreteParticipant:
 
 def _program(draft: DriveDraft) -> tuple[float, tuple[SpeedPhase, ...]]:
     """Initial speed and phases, rounded; reactions come where the program reaches them."""
-    if draft.moves_off is not None:
-        return 0.0, (_rounded(draft.moves_off),)
     speed, phases = compile_marks(
         draft.id, draft.course, draft.start_s, draft.start_m, draft.triggers
     )

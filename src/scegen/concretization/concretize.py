@@ -12,7 +12,7 @@ from scegen.concretization.answering import answer, touching
 from scegen.concretization.asked import dangers
 from scegen.concretization.assemble import assemble
 from scegen.concretization.clock import schedule, shortfall
-from scegen.concretization.coming_up import come_up, prepare_standing
+from scegen.concretization.coming_up import come_up, stand_in_line
 from scegen.concretization.deeds import (
     do_acts,
     lead_in_missing_s,
@@ -131,7 +131,6 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
         if rule.prepare is not None:
             rule.prepare(scene, hazard)
     prepare_maneuvers(scene)
-    prepare_standing(scene)
     for draft in scene.drives.values():
         draft.lay(scene.network)
     place_walkers(scene)
@@ -145,6 +144,7 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
     for rule, hazard in rules:
         if rule.act is not None:
             rule.act(scene, hazard)
+    stand_in_line(scene)
     meetings += come_up(scene)
     pull_out(scene)
     stop_short(scene)
@@ -195,8 +195,6 @@ def _start(scene: Scene, meetings: list[Meeting]) -> Moments:
     for name, draft in scene.drives.items():
         draft.offset_s = moments.offsets_s[name]
         draft.start_m = 0.0 if draft.backs_out else draft.course.s_at(-draft.offset_s)
-        if draft.stands_at_m is not None:
-            draft.start_m = draft.stands_at_m
         station = draft.laid.station_m(draft.start_m)
         reason = reasons.get(name, "in line on its arm")
         scene.note(f"{name}.start_m", station, reason)

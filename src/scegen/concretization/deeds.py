@@ -46,6 +46,9 @@ def do_acts(scene: Scene, offsets_s: Mapping[str, float]) -> dict[str, float]:
     """
     late = dict(offsets_s)
     for draft in scene.drives.values():
+        if draft.stands:
+            late[draft.id] = -STOOD_S
+            continue
         marks = list(_marks(scene, draft))
         if not marks:
             continue
