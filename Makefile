@@ -40,6 +40,7 @@ quick: $(VENV)/.installed ## the most telling tests, in less than a minute
 	$(BIN)/python -m pytest -n 2 -m "not interop and not asam and not esmini" $(QUICK)
 
 test: $(VENV)/asam/.installed ## all tests
+	@command -v chromium >/dev/null || echo "no chromium on PATH: what pages do is not tested; install it: apt-get install chromium" >&2
 	$(BIN)/python -m pytest -n 2 -m "not interop"
 
 lint: $(VENV)/.installed ## ruff, mypy strict, import-linter

@@ -11,9 +11,14 @@ from dataclasses import dataclass, field
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 from scegen.llm import LlmSettings, parse_models
 from scegen.llm.settings import Limits
+
+# A machine under load is no reason to fail: nothing is told by how long it took.
+settings.register_profile("anywhere", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("anywhere")
 
 KEY = "sk-secret-0123456789"
 PATIENT = Limits(

@@ -149,6 +149,7 @@ BROKEN = {
     "zeros.yaml": (b"\0\0\0", "is no text"),
     "tab.yaml": ("level: functional\njunction:\n\tkind: t\n", "indent with blanks"),
     "twice.yaml": ("level: functional\nlevel: logical\n", "'level' is given twice"),
+    "twice.json": ('{"level": "functional", "level": "logical"}', "'level' is given twice"),
     "list.json": ("[1, 2]", "its level is nothing"),
     "level.json": ('{"level": ["functional"]}', "its level is a list"),
     "date.yaml": ("level: 2024-13-45", "a date or a number that does not exist"),

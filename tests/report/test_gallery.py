@@ -11,7 +11,6 @@ from scegen.enumeration import enumerate_scenarios, plain_crossing
 from scegen.report import gallery
 from scegen.report.conflict_points import conflict_points
 from scegen.report.gallery import MOST_TILES, gallery_svg
-from scegen.report.palette import EGO, OTHERS, colours
 from scegen.report.plan import arrow_head, crossing_line, drive_line, make_plan, standing_box
 from scegen.report.tile import tile_svg
 from scegen.scenario.arms import arm_angles_deg, exit_arm, turn_name
@@ -214,10 +213,3 @@ def test_overtaking_swings_out_and_back():
     ys = [y for _, y in way]
     assert ys[0] == pytest.approx(ys[-1])
     assert min(ys) < 0 < ys[0]
-
-
-def test_colours_are_the_egos_own_and_differ():
-    names = [f"car_{i}" for i in range(7)]
-    given = colours(["car_0", "ego", *names[1:]], "ego")
-    assert given["ego"] == EGO
-    assert sorted(given[n] for n in names) == sorted(OTHERS)

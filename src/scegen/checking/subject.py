@@ -39,7 +39,7 @@ class File:
 class Subject:
     """A road, a scenario, or both, and what they were made from, as far as it is there.
 
-    ``touching`` are two of whom a contact was asked for.
+    ``touching`` are two of whom a contact was asked for, None where no danger was sought.
     """
 
     place: Path
@@ -47,7 +47,7 @@ class Subject:
     scenario: File | None
     concrete: ConcreteScenario | None
     functional: FunctionalScenario | None = None
-    touching: tuple[str, ...] = ()
+    touching: tuple[str, ...] | None = None
 
     @property
     def files(self) -> tuple[File, ...]:
@@ -92,7 +92,7 @@ def read_folder(folder: Path) -> Subject:
         scenario=_read(folder / SCENARIO_FILE),
         concrete=load(concrete, ConcreteScenario) if concrete.is_file() else None,
         functional=load(functional, FunctionalScenario) if functional.is_file() else None,
-        touching=_touching(proof) if proof.is_file() else (),
+        touching=_touching(proof) if proof.is_file() else None,
     )
 
 

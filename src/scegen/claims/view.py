@@ -13,6 +13,7 @@ from typing import TypeVar, cast
 import numpy as np
 
 from scegen.claims.ways import Way
+from scegen.measures.distance import distances_at
 from scegen.measures.evaluation import Summary, measure
 from scegen.measures.following import SPACING_M
 from scegen.measures.scene import Scene
@@ -106,6 +107,11 @@ class View:
         values: Floats = getattr(self.summary, field)[:, found[0]]
         return values if values.ndim == 1 else values[:, found[1]]
 
+    def distance_m(self, first: str, second: str, steps: Ints) -> Floats:
+        """The distance of two at some steps of each candidate (c, n)."""
+        pair = np.array([self.index[first], self.index[second]])
+        return distances_at(self.traces.tracks, self.scene.bodies, pair, steps)
+
     def pair(self, first: str, second: str) -> tuple[int, int] | None:
         """(number of the pair, which of it is ``first``); None if it is not measured."""
         i, j = self.index[first], self.index[second]
@@ -197,9 +203,11 @@ def view_of(
 
 def lasting(series: Floats, steps: int, *, greatest: bool) -> Floats:
     """The greatest (or least) value over every window of so many steps."""
-    steps = max(1, min(steps, series.shape[1]))
-    windows = np.lib.stride_tricks.sliding_window_view(series, steps, axis=1)
-    kept: Floats = windows.max(axis=2) if greatest else windows.min(axis=2)
+    choose = np.maximum if greatest else np.minimum
+    kept, covered = series, 1
+    while covered < min(steps, series.shape[1]):
+        more = min(covered, min(steps, series.shape[1]) - covered)
+        kept, covered = choose(kept[:, :-more], kept[:, more:]), covered + more
     return kept
 
 

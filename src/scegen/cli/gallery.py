@@ -59,6 +59,6 @@ def write_picture(logical: LogicalSet, path: Path) -> None:
     if path.suffix.lower() == ".svg":
         write_bytes(svg.encode(), path)
         return
-    from scegen.report.gallery_png import png_of
+    from scegen.report.raster import png_of
 
     write_bytes(png_of(svg), path)

@@ -8,11 +8,12 @@ show what is rarest so far.
 
 from __future__ import annotations
 
-from collections import Counter
+from collections import defaultdict
 from collections.abc import Hashable, Iterable, Iterator
 from heapq import heappop, heapreplace
 from itertools import combinations, islice
 
+import numpy as np
 from clorm import Predicate
 
 from scegen.enumeration import answers as a
@@ -72,20 +73,24 @@ def covering(
 ) -> list[Solution]:
     """Of all in the pool those that show something new, then those that show what is rarest."""
     kinds = {name: i for i, group in enumerate(symmetry.groups) for name in group.members}
-    features = [tuple(_features(problem, kinds, solution)) for solution in pool]
-    shown = Counter[Feature]()
+    numbered: defaultdict[Feature, int] = defaultdict(lambda: len(numbered))
+    features = [
+        np.array([numbered[f] for f in _features(problem, kinds, solution)], dtype=np.intp)
+        for solution in pool
+    ]
+    shown = np.zeros(len(numbered), dtype=np.int64)
     chosen: list[Solution] = []
     # How often the rarest feature was shown only grows, so an old value is a lower bound.
     waiting = [(0, place) for place in range(len(pool))]
     while waiting and len(chosen) < number:
         before, place = waiting[0]
-        rarest = min(shown[feature] for feature in features[place])
+        rarest = int(shown[features[place]].min())
         if rarest > before:
             heapreplace(waiting, (rarest, place))
             continue
         heappop(waiting)
         chosen.append(pool[place])
-        shown.update(features[place])
+        np.add.at(shown, features[place], 1)
     return sorted(chosen, key=_order)
 
 

@@ -78,7 +78,13 @@ def raise_all(
         progress(f"searching for a {target} in {concrete.name}")
         begin = perf_counter()
         result = raise_criticality(
-            functional, concrete, target=target, seed=seed, solutions=solutions, proposer=proposer
+            functional,
+            concrete,
+            target=target,
+            seed=seed,
+            solutions=solutions,
+            proposer=proposer,
+            progress=progress,
         )
         raising.search_s[concrete.name] = perf_counter() - begin
         found = [(result.concrete, result.proof), *result.others]

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scegen.criticality.course import Course
-from scegen.report.palette import colours
+from scegen.report.theme import LIGHT
 from scegen.scenario.concrete import ConcreteScenario
 
 Array = NDArray[np.float64]
@@ -46,7 +46,7 @@ def plots_svg(concrete: ConcreteScenario, course: Course) -> str:
     people = (concrete.ego, *(p for p in concrete.participants if p.id != ego))
     shown = [p.id for p in people if not p.parked or p.id == course.partner]
     shown += [thing.id for thing in concrete.objects if thing.id == course.partner]
-    colour = colours([entity.id for entity in concrete.entities], ego)
+    colour = LIGHT.colours([entity.id for entity in concrete.entities], ego)
     speeds = {name: course.speed_mps[name] for name in shown}
     apart = {name: course.distance_m[name] for name in shown if name != ego}
     ttc = {name: course.ttc_s[name] for name in shown if name != ego}

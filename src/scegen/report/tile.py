@@ -6,7 +6,6 @@ from html import escape
 from math import cos, degrees, sin
 
 from scegen.report.conflict_points import conflict_points
-from scegen.report.palette import colours
 from scegen.report.plan import (
     REACH,
     Plan,
@@ -28,6 +27,7 @@ from scegen.report.strokes import (
     reverse_badge,
     walk,
 )
+from scegen.report.theme import LIGHT
 from scegen.report.words import REVERSES
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Assignment, Crossing, Drive, LogicalScenario, Walking
@@ -65,7 +65,7 @@ def tile_body(
     ``ground`` stands for the junction where many tiles refer to one drawing of it.
     """
     plan = make_plan(functional.junction)
-    colour = colours((p.id for p in functional.participants), functional.ego.id)
+    colour = LIGHT.colours((p.id for p in functional.participants), functional.ego.id)
     parts = [_roads(plan, functional) if ground is None else ground]
     lines: dict[str, list[Point]] = {}
     crossings = standings = 0

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Hashable
+from collections import Counter
+from collections.abc import Callable, Hashable
 from typing import Any
 
 import yaml
@@ -45,7 +46,7 @@ def parse(text: str, *, where: str) -> object:
     """
     try:
         if _JSON.match(text):
-            return json.loads(text)
+            return json.loads(text, object_pairs_hook=_object(where))
         _require_bounded(text, where)
         return yaml.load(text, _Loader)  # noqa: S506 - a safe loader
     except yaml.YAMLError as error:
@@ -61,6 +62,18 @@ def parse(text: str, *, where: str) -> object:
             where=where,
             hint="write text in quotes, and no tags (!!)",
         ) from error
+
+
+def _object(where: str) -> Callable[[list[tuple[str, object]]], dict[str, object]]:
+    """What makes a JSON object of its pairs, and refuses a key given twice as YAML's does."""
+
+    def made(pairs: list[tuple[str, object]]) -> dict[str, object]:
+        if len(whole := dict(pairs)) < len(pairs):
+            twice = next(key for key, count in Counter(k for k, _ in pairs).items() if count > 1)
+            raise VocabularyError(f"not valid JSON: {twice!r} is given twice", where=where)
+        return whole
+
+    return made
 
 
 def _require_bounded(text: str, where: str) -> None:

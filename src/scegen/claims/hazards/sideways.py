@@ -4,22 +4,18 @@ from __future__ import annotations
 
 import numpy as np
 
+from scegen.claims.boxes import passes
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.conflict import conflict
 from scegen.claims.hazards.driving import braking_part
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
 from scegen.claims.view import View
 from scegen.claims.ways import Sideways
-from scegen.motion.batch.arrays import COS, SIN, Floats, X, Y
+from scegen.motion.batch.arrays import Floats
 from scegen.motion.friction import GRAVITY_MPS2
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.vocabulary import HazardKind
 
 _AFTER_S = 1.5
-_BESIDE_M = 6.0
-_SAME_WAY = 0.92
-"""Cosine between two headings: 0.4 rad."""
-_MUCH = 1e9
 
 
 def _reaches_s(view: View, name: str, place_m: float) -> Floats:
@@ -101,18 +97,8 @@ def oncoming_lane(view: View, by: str, _: str) -> list[Part]:
 
 def overtaking(view: View, by: str, to: str) -> list[Part]:
     """From wholly behind another to wholly ahead of it, on roads side by side."""
-    dx, dy = view.row(by, X) - view.row(to, X), view.row(by, Y) - view.row(to, Y)
-    cos, sin = view.row(to, COS), view.row(to, SIN)
-    ahead, aside = dx * cos + dy * sin, np.abs(dy * cos - dx * sin)
-    same_way = view.row(by, COS) * cos + view.row(by, SIN) * sin
-    together = (aside < _BESIDE_M) & (same_way > _SAME_WAY)
-    own, other = (BODIES[view.ways[n].participant.kind] for n in (by, to))
-    behind = np.where(together, -ahead - own.front_m - other.rear_m, -_MUCH)
-    before = np.where(together, ahead - own.rear_m - other.front_m, -_MUCH)
-    so_far = np.maximum.accumulate(behind, axis=1)
-    passed = np.minimum(so_far, before)
-    value = np.maximum(passed.max(axis=1), -50.0)
-    return [at_least("clear of the other", value, limits.PASSES, view.when(passed))]
+    passed, time_s = passes(view, by, to)
+    return [at_least("clear of the other", np.maximum(passed, -50.0), limits.PASSES, time_s)]
 
 
 def sudden_turn(view: View, by: str, _: str) -> list[Part]:

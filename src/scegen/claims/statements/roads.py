@@ -11,6 +11,7 @@ from scegen.claims.view import View
 from scegen.scenario.concrete import RoadParameters
 
 _SAME_MPS = 0.5 / KPH
+_SAME_DEG = 1.0
 Agrees = Callable[[RoadParameters], bool]
 
 
@@ -31,6 +32,19 @@ def claims(told: Told) -> Iterator[Claim]:
         lanes = junction.lanes
         statement = f"lanes per direction: {', '.join(map(str, lanes))}"
         yield _road("lanes", statement, lambda road: _wide(road, lanes))
+    if junction.arm_angles_deg:
+        angles = junction.arm_angles_deg
+        statement = f"its arms lie at {', '.join(f'{angle:g}' for angle in angles)} degrees"
+        yield _road("arm_angles_deg", statement, partial(_at_angles, angles))
+    if junction.ring_lanes is not None:
+        ring = junction.ring_lanes
+        yield _road(
+            "ring_lanes", f"lanes in the ring: {ring}", lambda road: road.ring_lanes == ring
+        )
+    if junction.crosswalks:
+        walks = junction.crosswalks
+        statement = f"crosswalks over arms {', '.join(map(str, sorted(walks)))}"
+        yield _road("crosswalks", statement, lambda road: road.crosswalks >= walks)
     names = {person.id for person in told.people}
     yield Claim(
         id="road.participants",
@@ -39,6 +53,7 @@ def claims(told: Told) -> Iterator[Claim]:
         field="participants",
         unit="1",
         test=partial(_those, names),
+        fixed=True,
     )
     said = told.functional.environment.model_dump(mode="json", exclude_none=True)
     for name, value in said.items():
@@ -49,6 +64,7 @@ def claims(told: Told) -> Iterator[Claim]:
             field=f"environment.{name}",
             unit="1",
             test=partial(_conditions, name, str(value)),
+            fixed=True,
         )
 
 
@@ -60,6 +76,7 @@ def _road(part: str, statement: str, agrees: Agrees) -> Claim:
         field=f"junction.{part}",
         unit="1",
         test=partial(_built, agrees),
+        fixed=True,
     )
 
 
@@ -74,6 +91,13 @@ def _limited(limit_mps: float, road: RoadParameters) -> bool:
 def _wide(road: RoadParameters, lanes: tuple[int, ...]) -> bool:
     """At least as many lanes in: where somebody turns back, one more may be needed."""
     return all(arm.lanes_in >= count for arm, count in zip(road.arms, lanes, strict=False))
+
+
+def _at_angles(angles_deg: tuple[float, ...], road: RoadParameters) -> bool:
+    return all(
+        abs((arm.angle_deg - angle + 180.0) % 360.0 - 180.0) <= _SAME_DEG
+        for arm, angle in zip(road.arms, angles_deg, strict=False)
+    )
 
 
 def _those(names: set[str], view: View) -> Judged:

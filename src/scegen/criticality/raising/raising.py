@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -54,6 +55,7 @@ def raise_criticality(
     seed: int = 0,
     solutions: int = 1,
     proposer: Proposer | None = None,
+    progress: Callable[[str], None] = lambda _: None,
 ) -> Raised:
     """Make every danger asked for happen at once, and bring the pair's measure into its band.
 
@@ -70,6 +72,7 @@ def raise_criticality(
         seed: of the search; the same seed gives the same result.
         solutions: how many different ones to look for.
         proposer: who proposes where to begin; None for a search without proposals.
+        progress: told how far the search is.
 
     Raises:
         InputError: the target is none.
@@ -90,6 +93,7 @@ def raise_criticality(
         if solutions == 1:
             return Raised(*found[0])
     problem = stage.problem()
+    problem.progress = progress
     advice = None
     if found:
         problem.known.append(problem.space.origin)
@@ -132,7 +136,7 @@ def _by_braking(
         other.given_up = stage.given_up
         if other.blocked is None:
             tried = other.problem()
-            tried.evaluations = problem.evaluations
+            tried.evaluations, tried.progress = problem.evaluations, problem.progress
             _fill(found, solutions, other, tried, other.examine(stage.concrete), rng, None)
             problem.evaluations = tried.evaluations
         if found:

@@ -71,7 +71,7 @@ def _acts_of(scene: Scene, text: Sentences, context: Context) -> list[Doing]:
             and not _forced(event)
         )
         always = always and not (kind is ActKind.STOP and not entity.is_vehicle)
-        doing = Doing(kind, entity, basis, event.i, always=always)
+        doing = Doing(kind, entity, basis, event.i, always=always, nominal=event.nominal)
         _aside(doing, scene, context)
         _to_standstill(doing, text)
         made.append(doing)
@@ -109,9 +109,9 @@ def _kind(kind: ActKind, entity: Entity, event: Event, text: Sentences) -> ActKi
         return ActKind.OVERTAKE
     if kind is ActKind.SET_OFF and not (entity.pulls_out or entity.was_parked or entity.stands):
         return None
-    if event.name == "merge" and Maneuver.LANE_CHANGE not in entity.maneuvers:
+    if event.name in {"merge", "cut_off"} and Maneuver.LANE_CHANGE not in entity.maneuvers:
         return None
-    if event.name == "cut_off" and Maneuver.LANE_CHANGE not in entity.maneuvers:
+    if event.name == "return" and Maneuver.OVERTAKE not in entity.maneuvers:
         return None
     return kind
 
@@ -256,8 +256,13 @@ def _told_again(doing: Doing, found: list[Doing], text: Sentences) -> bool:
     """Whether the same is only told another time: no words of order, and no other sentence part."""
     before = next((d for d in reversed(found) if d.entity is doing.entity), None)
     if before is None or before.kind is not doing.kind:
-        alike = before is not None and {before.kind, doing.kind} <= _SLOWING
-        return alike and before is not None and before.kind is ActKind.BRAKE and not doing.always
+        if before is None or not {before.kind, doing.kind} <= _SLOWING:
+            return False
+        if before.kind is ActKind.STOP:  # "stops with a deceleration of 3 m/s²"
+            same = text.bounds(before.i) == text.bounds(doing.i) and doing.nominal
+            before.told += [doing.i] if same else []
+            return same
+        return not doing.always
     if before.i == doing.i:
         return True
     before.told.append(doing.i)

@@ -78,8 +78,10 @@ def read_amounts(
 
 
 def _measured(quantity: Quantity, numbers: Numbers, text: Sentences) -> Measured:
-    scene = text.scene_at(quantity.i, quantity.j)
-    return numbers.measured(quantity, scene.event.name if scene is not None else "")
+    event = text.verb_at(quantity.i, quantity.j)
+    if event is None:
+        return numbers.measured(quantity)
+    return numbers.measured(quantity, event.name, None if event.perfect else event.i)
 
 
 def _note(number: Measured, context: Context) -> None:
@@ -189,7 +191,9 @@ def _whose(number: Measured, text: Sentences, context: Context) -> list[Entity]:
     if inside:
         return inside
     movers = [e for e in (scene.actors if scene is not None else []) if not e.parked]
-    if movers:
+    owned = text.tokens[start].low in words()["whose"]
+    later = scene is not None and scene.event.i > number.i and owned
+    if movers and not later:
         return movers
     return text.subject_before(number.i)
 

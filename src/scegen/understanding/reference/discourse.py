@@ -19,9 +19,12 @@ from scegen.understanding.reference.reference import (
     tells,
 )
 from scegen.understanding.reference.roster import Roster
+from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.tokens import Token
 
 _MOST = 20
+_TOGETHER = (("quant", "both"), ("det", "def"))
+"""How a pair is opened beside whom there is nobody: "both cars", "the two cars"."""
 _A_PAIR = 2
 _ALONG = {"front": "ahead", "rear": "behind"}
 
@@ -78,7 +81,7 @@ class Discourse:
             found = self._we(mention) or self._pronouns.resolve(mention, exclude)
         else:
             reading = read_mention(mention, self.tokens, self._arms if sides == 0 else sides)
-            one = of_both(reading, self._roster.groups, self._draft.entities)
+            one = of_both(reading, loci_of(mention), self._roster.groups, self._draft.entities)
             found = one or self._noun(reading, mention, exclude)
         mention.entities = list(found)
         if mention.landmark:
@@ -97,7 +100,10 @@ class Discourse:
         return mass and ((within and len(self._roster.subject) > 1) or end)
 
     def _of_a_size(self, mention: Mention) -> bool:
-        """``half a vehicle's width``, ``two car lengths``: a measure, nobody."""
+        """``half a vehicle's width``, ``and one of 12 m/s``: a measure, nobody."""
+        of = [t.low for t in self.tokens[mention.j : mention.j + 2]]
+        if mention.j - mention.i == 1 and len(of) > 1 and of[0] == "of":
+            return quantity_at(self.tokens, mention.j + 1) is not None
         after = {t.low for t in self.tokens[mention.j : mention.j + 2]}
         indefinite = any((m.cat, m.value) == ("det", "indef") for m in mention.mods)
         return mention.possessor and indefinite and bool(after & {"width", "length", "widths"})
@@ -153,7 +159,7 @@ class Discourse:
             self._roster.enrich(known, reading)
             return known
         found = self._roster.introduce(reading, basis)
-        both = mention.mods and (mention.mods[0].cat, mention.mods[0].value) == ("quant", "both")
+        both = mention.mods and (mention.mods[0].cat, mention.mods[0].value) in _TOGETHER
         if both and len(found) == _A_PAIR:
             self._roster.groups[-1].both = True
         return found
@@ -309,6 +315,7 @@ class Discourse:
         own = own and not (reading.dirs or reading.labels or reading.plural or mention.sides)
         ego = next((e for e in only if e.ego and "speaks" not in e.named_by), None)
         car = reading.kind is ParticipantKind.CAR and not reading.driver and mention.i > 0
+        own = own and ego not in exclude
         if own and car and len(only) == 1 and ego is not None and reading.det == "def":
             return [ego]  # "the ego reverses; a child stands behind the car"
         seen_by = mention.prep is not None and mention.prep.value == "by" and reading.driver

@@ -11,7 +11,7 @@ from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 from scegen.units import speed_mps
 
-_LIMIT_REACH = 4
+_LIMIT_REACH = 6
 _MOST_LANES = 3
 _LIMIT_BEFORE = 3
 _LOWEST_LIMIT, _HIGHEST_LIMIT = 5, 140
@@ -77,9 +77,9 @@ def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
             found.bases.setdefault(term.data["field"], basis)
         elif term.cat == "side" and found.side is None:
             found.side, found.side_basis = DrivingSide(term.value), basis
-        elif term.cat == "limit":
+        elif term.cat == "limit" or ("pace" in term.data and tokens[term.j - 1].low == "limit"):
             _limit(found, terms, k)
-        elif term.cat == "quantity" and term.j < len(tokens) and tokens[term.j].low == "zone":
+        elif term.cat == "quantity" and _zone(tokens, term):
             _limit(found, [*terms[: k + 1], term], k)
         elif term.cat == "num":
             _lanes(found, terms, k, tokens)
@@ -93,12 +93,21 @@ def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
     return found
 
 
+def _zone(tokens: list[Token], term: Term) -> bool:
+    """``a 30 km/h zone``, ``zone 30``."""
+    before = tokens[term.i - 1].low if term.i else ""
+    after = tokens[term.j].low if term.j < len(tokens) else ""
+    return "zone" in {before, after}
+
+
 def _limit(found: Surroundings, terms: list[Term], k: int) -> None:
-    """The quantity next to "speed limit", after it first ("a limit of 50 km/h")."""
-    near = [*terms[k + 1 : k + 1 + _LIMIT_REACH], *terms[max(0, k - 2) : k]]
-    for term in near:
-        if term.cat == "punct":
-            continue
+    """The speed that goes with "limit": right before it, or after it before anybody is named."""
+    after = []
+    for term in terms[k + 1 : k + 1 + _LIMIT_REACH]:
+        if term.cat in {"actor", "pronoun", "verb"} or term.value in {".", ";", ","}:
+            break
+        after.append(term)
+    for term in (*terms[max(0, k - 1) : k], *after, *terms[max(0, k - 2) : k]):
         if term.cat == "quantity" and term.value == "speed" and found.limit_term is None:
             limit = term.data["quantity"].value.high
             if not 0 < limit <= 70:
@@ -114,7 +123,7 @@ def _bare_limit(found: Surroundings, terms: list[Term], k: int, tokens: list[Tok
     """``a 30 zone``, ``limit 50``: in the unit of the other speeds, else km/h."""
     number = terms[k]
     value = float(number.data["number"])
-    zone = number.j < len(tokens) and tokens[number.j].low == "zone"
+    zone = _zone(tokens, number)
     named = any(t.cat == "limit" for t in terms[max(0, k - _LIMIT_BEFORE) : k])
     if not (zone or named) or found.limit_term is not None or found.speed_limit_mps is not None:
         return

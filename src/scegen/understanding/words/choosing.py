@@ -106,7 +106,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     if _must_be_verb(match, tokens, previous):
         return verb, False
     if names_a_measure(match, tokens, previous):
-        return match.get("inert"), False
+        return match.get("inert", "limit"), False
     if match.has(*_NOUNS) and match.form in {"base", "s"} and _noun_slot(match, tokens, previous):
         part = match.has("dir") and match.get("dir").value == "rear" and before != "manner"
         return match.get("dir") if part else match.get(*_NOUNS), False  # "hit the back of it"
@@ -247,6 +247,14 @@ def _describes_a_noun(match: Match, tokens: list[Token], previous: Term | None) 
     return match.form in {"ing", "ed"} and _attributive(match, tokens, previous)
 
 
+def _with_a_verb(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
+    if match.has("prep") and previous is not None and previous.cat == "verb":
+        return match.get("prep"), False  # "rides near the kerb"
+    if _listed_quality(match, tokens, previous):
+        return match.get("manner"), False
+    return _verb_or_other(match, tokens, previous)
+
+
 def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
     """The meaning that fits the words around, and whether it is a participle before a noun.
 
@@ -263,9 +271,7 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
     if len(match.entries) == 1:
         return match.entries[0], _describes_a_noun(match, tokens, previous)
     if match.has("verb"):
-        listed = _listed_quality(match, tokens, previous)
-        other = _verb_or_other(match, tokens, previous)
-        return (match.get("manner"), False) if listed else other
+        return _with_a_verb(match, tokens, previous)
     if match.has("rel") and match.has("det"):
         return match.get("rel" if _relates(match, tokens, previous) else "det"), False
     if match.has("label") and match.has("place"):

@@ -10,14 +10,15 @@ _MEASURES = frozenset({"difference", "differential", "gap", "of", "is", "was", "
 
 
 def names_a_measure(match: Match, tokens: list[Token], previous: Term | None) -> bool:
-    """``speed 50 km/h``, ``host speed: …``, ``speed difference``: what is measured, not a verb.
+    """``speed 50 km/h``, ``speed difference``, ``limit 60 km/h``: what is measured, not a verb.
 
     Args:
         match: the word with its meanings.
         tokens: the tokens of the text.
         previous: the term before.
     """
-    if not match.has("inert") or match.form != "base" or match.get("verb").value != "speed":
+    speed = match.has("inert") and match.get("verb").value == "speed"
+    if match.form != "base" or not (speed or match.has("limit")):
         return False
     if previous is None or previous.cat == "punct":
         return True  # "speed ego = 80 km/h"

@@ -11,13 +11,15 @@ from scegen.understanding.words.tokens import Token
 
 _ATOMS = frozenset(
     (
-        "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven",
-        "twelve", "thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen",
+        "zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",
+        "eleven", "twelve", "thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen",
         "nineteen", "twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety",
         "hundred", "thousand",
     )
 )  # fmt: skip
+_DIGITS = ("zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine")
 _FRACTION_DIGITS = 3
+_HALF = 0.5
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,5 +67,17 @@ def number_at(tokens: list[Token], i: int) -> Number | None:
     for end in range(j, i, -1):
         value = _spoken(tuple(t.low for t in tokens[i:end]))
         if value is not None:
-            return Number(value, end - i)
+            return _with_fraction(tokens, end, Number(value, end - i))
     return None
+
+
+def _with_fraction(tokens: list[Token], j: int, whole: Number) -> Number:
+    """``two point five``, ``one and a half``."""
+    lows = [t.low for t in tokens[j : j + 3]]
+    if lows == ["and", "a", "half"]:
+        return Number(whole.value + _HALF, whole.length + 3)
+    end = j + 1
+    while lows[:1] == ["point"] and end < len(tokens) and tokens[end].low in _DIGITS:
+        end += 1
+    digits = "".join(str(_DIGITS.index(t.low)) for t in tokens[j + 1 : end])
+    return Number(whole.value + float(f"0.{digits}"), whole.length + end - j) if digits else whole

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import product
 
 from scegen.scenario.model import Interval
 from scegen.understanding.lexicon import load
-from scegen.understanding.words.numbers import number_at
+from scegen.understanding.words.numbers import Number, number_at
 from scegen.understanding.words.tokens import Token
 from scegen.units import UNITS
 
@@ -17,6 +18,8 @@ _FEWER = frozenset({"less", "fewer", "slower", "lower", "shorter"})
 _ABOUT = frozenset({"about", "around", "approximately", "roughly", "nearly", "almost", "some",
                     "approx", "circa", "ca"})  # fmt: skip
 _LONGEST_UNIT = 4
+_GIVEN_BY = frozenset({"at", "with", "to", "does", "doing"})
+_MARKS = frozenset({".", ";", "!", "?", "\n"})
 _SPREAD = 0.1
 """How far "about" reaches to either side, and how far "over" reaches, as a share."""
 
@@ -55,9 +58,7 @@ def _unit_at(tokens: list[Token], i: int) -> tuple[str, str, int] | None:
         window = tokens[i : i + length]
         if window[-1].kind == "punct":
             continue
-        options = [tuple(t.low for t in window)]
-        options.append(tuple(t.forms[-1][0] for t in window))
-        for spelling in options:
+        for spelling in product(*((t.low, t.forms[-1][0]) for t in window)):
             if spelling in units:
                 return *units[spelling], length
     return None
@@ -73,25 +74,81 @@ def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
     Returns:
         The quantity, or None where no number with a unit stands.
     """
-    first = number_at(tokens, i)
+    opened = tokens[i].low == "between" and i + 1 < len(tokens)
+    first = _half_a(tokens, i) or number_at(tokens, i + opened)
     if first is None:
         return None
-    j = i + first.length
+    j = i + opened + first.length
     unit = _unit_at(tokens, j)
     if unit is not None:
         dimension, name, length = unit
-        end = j + length
+        values, end = [_si(first.value, dimension, name)], j + length
+        spread = _tolerance(tokens, end, dimension, name, first.value)
+        if spread is not None:
+            return _around(tokens, i, values[0], spread, dimension)
         if end < len(tokens) and tokens[end].low in _RANGE_WORDS:
             second = _second_number(tokens, end + 1)
             if second is not None and second[1] == dimension:
-                both = [_si(first.value, dimension, name), second[0]]
-                return _build(tokens, i, second[2], both, dimension)
-        return _build(tokens, i, end, [_si(first.value, dimension, name)], dimension)
+                return _build(tokens, i, second[2], [*values, second[0]], dimension)
+        return None if opened else _build(tokens, i, end, values, dimension)
     joiner = j < len(tokens) and tokens[j].low in _RANGE_WORDS
     second = _second_number(tokens, j + 1 if joiner else j)
     if second is not None and (joiner or tokens[i].kind == "number"):
         value, dimension, end, name = second
         return _build(tokens, i, end, [_si(first.value, dimension, name), value], dimension)
+    after = _tolerance_mark(tokens, j)
+    second = _second_number(tokens, after) if after is not None else None
+    if second is not None:
+        value, dimension, end, name = second
+        return _around(tokens, i, _si(first.value, dimension, name), (value, end), dimension)
+    return _of_the_next(tokens, i, j, first.value)
+
+
+def _half_a(tokens: list[Token], i: int) -> Number | None:
+    """``half a second``."""
+    half = tokens[i].low == "half" and i + 1 < len(tokens) and tokens[i + 1].low in {"a", "an"}
+    return Number(0.5, 2) if half else None
+
+
+def _tolerance_mark(tokens: list[Token], j: int) -> int | None:
+    """Where a tolerance begins after ``±``; None if none is marked."""
+    lows = [t.low for t in tokens[j : j + 3]]
+    if lows[:1] == ["±"]:
+        return j + 1
+    return j + 3 if lows == ["plus", "or", "minus"] else None
+
+
+def _tolerance(
+    tokens: list[Token], j: int, dimension: str, unit: str, value: float
+) -> tuple[float, int] | None:
+    """``50 km/h ± 1 km/h``, ``± 5 %``: how far to either side, and where it ends."""
+    after = _tolerance_mark(tokens, j)
+    second = _second_number(tokens, after) if after is not None else None
+    if second is None or second[1] not in {dimension, "percentage"}:
+        return None
+    share = second[1] != dimension
+    return (_si(value, dimension, unit) * second[0] / 100 if share else second[0]), second[2]
+
+
+def _around(
+    tokens: list[Token], i: int, value: float, spread: tuple[float, int], dimension: str
+) -> Quantity:
+    return _build(tokens, i, spread[1], [value - spread[0], value + spread[0]], dimension)
+
+
+def _of_the_next(tokens: list[Token], i: int, j: int, value: float) -> Quantity | None:
+    """``one at 60 and the other at 80 km/h``: in the unit of the next that is given likewise."""
+    before = tokens[i - 1].low if i else ""
+    ends = j >= len(tokens) or tokens[j].low in {"and", ",", "while", "but"}
+    if before not in _GIVEN_BY or not ends:
+        return None
+    for k in range(j, len(tokens)):
+        if tokens[k].low in _MARKS:
+            return None
+        second = _second_number(tokens, k) if tokens[k - 1].low == before else None
+        if second is not None:
+            _, dimension, _, name = second
+            return _build(tokens, i, j, [_si(value, dimension, name)], dimension)
     return None
 
 

@@ -249,7 +249,8 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     quantity = quantity_at(tokens, i)
     if quantity:
         return Term("quantity", quantity.dimension, i, quantity.j, data={"quantity": quantity})
-    if token.low in _UNIT_WORDS and i + 1 < len(tokens) and tokens[i + 1].kind == "number":
+    numbered = i + 1 < len(tokens) and tokens[i + 1].kind == "number"
+    if token.low in _UNIT_WORDS and numbered and quantity_at(tokens, i + 1) is None:
         return Term("actor", "car", i, i + 1)
     number = number_at(tokens, i)
     match = _match_at(tokens, i, previous) if _first_person(tokens, i) else None

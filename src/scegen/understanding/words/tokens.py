@@ -19,6 +19,7 @@ _TOKEN = re.compile(
     r"|(?P<neg>n['’]t\b)"
     r"|(?P<clitic>['’](?:s|re|ll|m|ve|d)?\b|(?<=s)['’])"
     r"|(?P<word>[^\W\d_]+?(?=n['’]t\b)|[^\W\d_]+)"
+    r"|(?P<tolerance>±|\+\s?/?\s?[-−–])"
     r"|(?P<punct>[.,;:!?()\[\]\n&])"
 )
 _ORDINALS = {"1st": "first", "2nd": "second", "3rd": "third", "4th": "fourth", "5th": "fifth",
@@ -33,7 +34,8 @@ _MAX_WORD = 40
 """Longer runs of letters are no words; cutting them keeps look-ups cheap."""
 
 
-_KINDS = {"clock": "word", "bound": "word", "ordinal": "word", "unit": "word"}
+_KINDS = {"clock": "word", "bound": "word", "ordinal": "word", "unit": "word",
+          "tolerance": "word"}  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +79,7 @@ def tokenize(text: str) -> list[Token]:
         low = match.group().lower().replace("’", "'")
         low = low.replace("/", "") if match.lastgroup == "bound" else low
         low = _unit(low) if match.lastgroup == "unit" else _ORDINALS.get(low, low)
+        low = "±" if match.lastgroup == "tolerance" else low
         known = kind in {"word", "neg", "clitic"} and len(low) <= _MAX_WORD
         forms = lemmas(low) if known else ((low, "base"),)
         mended = meant(low) if kind == "word" and _strange(low, forms) else None

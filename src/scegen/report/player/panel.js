@@ -1,0 +1,77 @@
+// Beside the picture: everybody with live numbers, and the statements with how they came out.
+
+import { colourName } from "./bodies.js";
+import { h, KMH, number, setText } from "./dom.js";
+
+export class Panel {
+  /** actions: { select(id), claim(claim) }. */
+  constructor(recording, actions) {
+    this.recording = recording;
+    this.rows = new Map();
+    this.claims = new Map();
+    const people = [...recording.participants, ...recording.objects].map((one) => this.person(one, actions));
+    const statements = [...recording.data.claims].sort((a, b) => worth(a) - worth(b)).map((one) => this.statement(one, actions));
+    const hold = recording.data.claims.filter((one) => one.holds).length;
+    this.element = h("div", { class: "side" },
+      h("ul", { class: "people", "aria-label": "Participants" }, ...people),
+      statements.length ? h("h4", {}, `${hold} of ${statements.length} statements hold`) : null,
+      statements.length ? h("ul", { class: "claims", "aria-label": "Statements" }, ...statements) : null);
+  }
+
+  person(one, actions) {
+    const swatch = h("i", { style: `background:var(${colourName(one)})`, "aria-hidden": "true" });
+    const speed = h("span", { class: "speed" }), doing = h("span", { class: "doing" });
+    const kind = (one.what ?? one.kind).replaceAll("_", " ");
+    const name = one.role === "ego" && one.id !== "ego" ? `${one.id} (ego)` : one.id;
+    const button = h("button", { type: "button", "aria-pressed": "false", onclick: () => actions.select(one.id) },
+      swatch, h("b", {}, name), h("span", { class: "kind" }, kind), speed, doing);
+    this.rows.set(one.id, { button, speed, doing, still: Boolean(one.category || one.parked) });
+    return h("li", {}, button);
+  }
+
+  statement(claim, actions) {
+    const button = h("button", { type: "button", class: claim.holds ? "held" : "failed", onclick: () => actions.claim(claim) },
+      h("span", { class: "verdict", "aria-hidden": "true" }, claim.holds ? "✓" : "✕"),
+      h("span", { class: "said" }, claim.statement, h("span", { class: "visually-hidden" }, claim.holds ? ": holds" : ": does not hold")),
+      h("span", { class: "when" }, measured(claim)));
+    this.claims.set(claim.id, button);
+    return h("li", {}, button);
+  }
+
+  /** Mark the statements that are meant; the first is brought into sight within the list. */
+  mark(ids) {
+    for (const [id, button] of this.claims) button.classList.toggle("meant", ids.includes(id));
+    const first = this.claims.get(ids[0]), list = first?.closest("ul");
+    if (first) list.scrollTop = first.offsetTop - list.offsetTop - list.clientHeight / 3;
+  }
+
+  select(id) {
+    for (const [name, { button }] of this.rows) button.setAttribute("aria-pressed", String(name === id));
+  }
+
+  show(time) {
+    const { recording } = this;
+    for (const [id, { speed, doing, still }] of this.rows) {
+      if (still) {
+        setText(speed, "stands");
+        continue;
+      }
+      const now = recording.pose(id, time).speed, rate = recording.acceleration(id, time);
+      setText(speed, `${number(now)} m/s · ${number(now * KMH, 0)} km/h`);
+      const pace = recording.reversing(id, time) ? "backwards" : rate < -0.3 ? `▼ ${number(-rate)} m/s²` : rate > 0.3 ? `▲ ${number(rate)} m/s²` : "";
+      setText(doing, pace);
+    }
+  }
+}
+
+/** What does not hold comes first, what is so from the start last. */
+function worth(claim) {
+  if (!claim.holds) return 0;
+  return claim.time_s ? 1 : 2;
+}
+
+function measured(claim) {
+  const value = claim.measured === null || claim.unit === "1" ? "" : `${number(claim.measured, 2)} ${claim.unit.replace("m/s2", "m/s²")}`;
+  const time = !claim.time_s ? "" : `at ${number(claim.time_s, 1)} s`;
+  return [value, time].filter(Boolean).join(" ");
+}

@@ -1,0 +1,75 @@
+"""Random situations made whole, played, and judged by their claims in either simulation."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from scegen.checking.esmini.recording import read_recording
+from scegen.checking.recording import record
+from scegen.checking.said import recorded_view
+from scegen.claims import claims_of, prove
+from scegen.concretization import concretize
+from scegen.criticality import raise_criticality
+from scegen.enumeration import enumerate_scenarios
+from scegen.errors import InfeasibleError
+from scegen.pipeline.export import SCENARIO_FILE, export_scenario
+from scegen.pipeline.options import Options
+from scegen.pipeline.picking import pick
+from scegen.pipeline.raising import chosen_target
+from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.proof import ClaimProof, Proof
+
+
+@dataclass(frozen=True)
+class Played:
+    """What became of a situation; ``refused`` says why nothing could be made of it."""
+
+    functional: FunctionalScenario
+    refused: str = ""
+    concrete: ConcreteScenario | None = None
+    proof: Proof | None = None
+    recorded: tuple[ClaimProof, ...] = ()
+
+    @property
+    def missed(self) -> list[ClaimProof]:
+        """Statements of which the program says that they do not hold."""
+        return list(self.proof.missed) if self.proof else []
+
+    @property
+    def disagreeing(self) -> list[tuple[ClaimProof, ClaimProof]]:
+        """Statements that are judged otherwise on the recording: ours, the player's."""
+        ours = {claim.id: claim for claim in self.proof.claims} if self.proof else {}
+        return [
+            (ours[claim.id], claim)
+            for claim in self.recorded
+            if claim.id not in ours or ours[claim.id].holds is not claim.holds
+        ]
+
+
+def play(functional: FunctionalScenario, seed: int = 0, player: bool = True) -> Played:
+    """Make one of its scenarios, raise its danger, play the files, judge both."""
+    try:
+        listed = enumerate_scenarios(functional, limit=50)
+        # Others than the first are as good, and less often looked at.
+        scenario = pick(listed, None)[seed % len(listed.scenarios)]
+        concrete = concretize(functional, scenario, seed=seed)
+        target = chosen_target(Options(), functional, numbers_given=False)
+        raised = raise_criticality(functional, concrete, target=target, seed=seed)
+    except InfeasibleError as error:
+        return Played(functional, refused=error.render())
+    claims = claims_of(functional, raised.concrete.logical, touching=_touching(raised.proof))
+    recorded: tuple[ClaimProof, ...] = ()
+    if player:
+        with TemporaryDirectory() as folder:
+            for name, content in export_scenario(raised.concrete).items():
+                (Path(folder) / name).write_bytes(content)
+            csv = record(Path(folder) / SCENARIO_FILE, raised.concrete).csv
+        recorded = prove(claims, recorded_view(raised.concrete, read_recording(csv)))
+    return Played(functional, "", raised.concrete, raised.proof, recorded)
+
+
+def _touching(proof: Proof) -> tuple[str, ...]:
+    return proof.pair if proof.target == "collision" else ()
