@@ -65,6 +65,7 @@ def render(
 ) -> None:
     """Render a scenario as animated GIF, video or a still picture."""
     from scegen.motion import build_paths
+    from scegen.pipeline.folder import record
     from scegen.report.film import Cut, make_film
     from scegen.report.theme import THEMES
     from scegen.road import build_network
@@ -84,6 +85,7 @@ def render(
     cut = Cut(begin, end, rate, speed, 2 * (width // 2))
     film = make_film(concrete, network, build_paths(concrete, network), cut, THEMES[theme])
     _write(film, target, ending, rate)
+    record(target)
     result(str(target))
 
 
