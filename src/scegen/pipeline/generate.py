@@ -129,7 +129,14 @@ def generate(
         progress("judging")
         judged = {c.name: judge(c, proofs.get(c.name)) for c in concretes}
         made = [
-            Made(c, files[c.name], checks[c.name], judged[c.name], proofs.get(c.name))
+            Made(
+                c,
+                files[c.name],
+                checks[c.name],
+                judged[c.name],
+                proofs.get(c.name),
+                raised.firsts.get(c.name),
+            )
             for c in concretes
         ]
         progress("drawing the report")

@@ -28,11 +28,14 @@ _TARGETS: dict[OutcomeKind | None, str] = {
 class Raising:
     """The scenarios with their danger raised, and proofs and seconds taken, by name.
 
+    ``firsts`` are the first timings of those that the search has changed.
+
     ``skipped`` are solutions asked for that were not found, and why.
     """
 
     concretes: list[ConcreteScenario]
     proofs: dict[str, Proof] = field(default_factory=dict)
+    firsts: dict[str, ConcreteScenario] = field(default_factory=dict)
     search_s: dict[str, float] = field(default_factory=dict)
     skipped: dict[str, str] = field(default_factory=dict)
 
@@ -95,6 +98,8 @@ def raise_all(
             name = concrete.name if number == 1 else f"{concrete.name[:96]}-{number}"
             raising.concretes.append(made.model_copy(update={"name": name}))
             raising.proofs[name] = proof
+            if proof.changed:
+                raising.firsts[name] = concrete
     return raising
 
 

@@ -2,7 +2,7 @@
 
 import { Clock, RATES } from "./clock.js";
 import { h, iconButton, number, setIcon, setText } from "./dom.js";
-import { keySheet, keyTable, listenToKeys } from "./keys.js";
+import { keyListener, keySheet, keyTable } from "./keys.js";
 import { Panel } from "./panel.js";
 import { Plots } from "./plots.js";
 import { Recording } from "./recording.js";
@@ -19,10 +19,11 @@ const ICONS = {
   loop: "M7 7h9V4l4 4-4 4V9H9v4H7zM17 17H8v3l-4-4 4-4v3h7v-4h2z",
   plus: "M11 5h2v6h6v2h-6v6h-2v-6H5v-2h6z",
   minus: "M5 11h14v2H5z",
-  home: "M4 9V4h5v2H6v3zM15 4h5v5h-2V6h-3zM4 15h2v3h3v2H4zM18 15h2v5h-5v-2h3z",
+  home: "M12 8.500a3.500 3.500 0 1 0 0 7 3.500 3.500 0 0 0 0-7zM11 2h2v4h-2zM11 18h2v4h-2zM2 11h4v2H2zM18 11h4v2h-4z",
   full: "M5 5h6v2H7v4H5zM13 5h6v6h-2V7h-4zM5 13h2v4h4v2H5zM17 13h2v6h-6v-2h4z",
   help: "M12 3a5 5 0 0 1 5 5c0 3-3.5 3.6-3.5 6h-3c0-3.700 3.500-4 3.500-6a2 2 0 0 0-4 0H7a5 5 0 0 1 5-5zM10.500 16h3v3h-3z",
 };
+const OPENING_S = 1.2; // the first picture is so long before the moment that matters
 const LAYERS = [
   ["trails", "Trails", "the last three seconds, an outline for each"],
   ["ways", "Ways", "the planned ways"],
@@ -54,7 +55,7 @@ class Player {
     this.listen(element);
     this.resize();
     this.camera({ home: true });
-    this.seek(scene.critical_s[0]);
+    this.seek(scene.moment_s === null ? 0 : scene.moment_s - OPENING_S);
   }
 
   /** Whether somebody who matters is hidden at some time. */
@@ -141,7 +142,9 @@ class Player {
     clock.on("playing", (playing) => setIcon(this.playButton, playing ? "Pause (space)" : "Play (space)", playing ? ICONS.pause : ICONS.play));
     clock.on("rate", (rate) => { this.rateChoice.value = rate; });
     clock.on("looping", (on) => this.loopButton.setAttribute("aria-pressed", String(on)));
-    const stops = [listenToKeys(this.element, this.keys)];
+    this.pressed = keyListener(this.keys);
+    this.element.addEventListener("keydown", this.pressed);
+    const stops = [];
     const size = new ResizeObserver(() => this.resize());
     size.observe(this.pictures);
     stops.push(() => size.disconnect());
@@ -172,6 +175,7 @@ class Player {
   resize() {
     const shown = this.comparing || !this.earlier ? this.stages : this.stages.slice(-1);
     for (const stage of this.stages) stage.element.hidden = !shown.includes(stage);
+    this.pictures.classList.toggle("compared", shown.length > 1);
     const gap = 8, full = document.fullscreenElement === this.element;
     const width = Math.max(200, Math.floor((this.pictures.clientWidth - gap * (shown.length - 1)) / shown.length));
     const share = this.stages.at(-1).aspect() * (shown.length > 1 ? 1.5 : 1);
@@ -266,8 +270,25 @@ class Player {
     this.pause();
     this.panel.mark([id]);
     this.select(claim.who.find((name) => name !== this.recording.ego) ?? claim.who[0] ?? null);
-    if (claim.time_s !== null) this.seek(claim.time_s);
+    if (claim.shown_s !== null) this.seek(claim.shown_s);
     this.clock.emit("claim", id);
+  }
+
+  /** Show a moment with what leads to it; those who do not want motion see the moment alone. */
+  playMoment(time, lead = 1.5, rest = 1) {
+    if (window.matchMedia("(prefers-reduced-motion: reduce)").matches) {
+      this.seek(time);
+      return;
+    }
+    this.pause();
+    this.seek(time - lead);
+    const ends = Math.min(time + rest, this.clock.duration);
+    const stop = this.clock.on("time", (now) => {
+      if (now < ends && now >= time - lead - 1e-6) return;
+      stop();
+      if (now < ends + 0.3) this.pause();
+    });
+    this.play();
   }
 
   select(id) {
@@ -277,6 +298,11 @@ class Player {
     this.plots.draw();
     this.draw();
     this.clock.emit("select", id);
+  }
+
+  /** Do what a key stands for. */
+  key(event) {
+    this.pressed(event);
   }
 
   fullscreen() {
