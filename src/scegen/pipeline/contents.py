@@ -55,7 +55,7 @@ def folder_files(
     if logical is not None:
         files["logical.json"] = to_json(logical).encode()
         tiles = draw_tiles(logical)
-        files["gallery.svg"] = gallery_svg(logical, tiles).encode()
+        files["gallery.svg"] = gallery_svg(logical).encode()
     report = _report_input(functional, logical, made, skipped, understanding, tiles)
     files["report.html"] = report_html(report).encode()
     files["summary.json"] = _summary(

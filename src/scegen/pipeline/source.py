@@ -44,23 +44,30 @@ def recounted(logical: LogicalSet) -> LogicalSet:
     """
     claimed = logical.certificate
     counted = count_scenarios(logical.functional, reduction=logical.reduction, arms=logical.arms)
-    listed = len(logical.scenarios)
+    listed, sizes = len(logical.scenarios), sum(s.class_size for s in logical.scenarios)
+    misfit = sizes > counted.total or (listed == counted.count and sizes != counted.total)
     matching = None if claimed.matching is None else min(claimed.matching, counted.count)
     certificate = counted.model_copy(
         update={
             "matching": matching,
-            "complete": claimed.complete and listed == (matching or counted.count),
+            "complete": claimed.complete and not misfit and listed == (matching or counted.count),
             "looked_at": claimed.looked_at and min(claimed.looked_at, counted.total),
         }
     )
+    notes = list(logical.notes)
     if (claimed.total, claimed.count) == (counted.total, counted.count):
         certificate = certificate.model_copy(update={"method": claimed.method})
-        return logical.model_copy(update={"certificate": certificate})
-    note = (
-        f"The file claims {claimed.count:,} scenarios of {claimed.total:,} assignments; counted "
-        f"again there are {counted.count:,} of {counted.total:,}."
-    )
-    return logical.model_copy(update={"certificate": certificate, "notes": (*logical.notes, note)})
+    else:
+        notes.append(
+            f"The file claims {claimed.count:,} scenarios of {claimed.total:,} assignments; "
+            f"counted again there are {counted.count:,} of {counted.total:,}."
+        )
+    if misfit:
+        notes.append(
+            f"The class sizes in the file add up to {sizes:,}; there are {counted.total:,} "
+            "assignments."
+        )
+    return logical.model_copy(update={"certificate": certificate, "notes": tuple(notes)})
 
 
 def _as_path(argument: str) -> Path | None:

@@ -24,12 +24,6 @@ from scegen.web.steps.watch import Watch
 from scegen.web.work import Work
 
 _TICK_S = 0.1
-_DARK = (
-    "() => { const root = document.documentElement, dark = matchMedia('(prefers-color-scheme: dark)');"
-    "const now = root.dataset.theme || (dark.matches ? 'dark' : 'light');"
-    "root.dataset.theme = now === 'dark' ? 'light' : 'dark';"
-    "localStorage.setItem('scegen-theme', root.dataset.theme); }"
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,10 +70,14 @@ class Page:
             with node("div", "topbar-end"):
                 self._place = node("span", "place")
                 button("Open", Opening(self._work, self.go).show, "quiet")
-                node("button", "button quiet round", "◐", type="button",
-                     aria_label="Light or dark", data_tip="Light or dark").on(
-                    "click", js_handler=_DARK
-                )  # fmt: skip
+                node(
+                    "button",
+                    "button quiet round",
+                    "◐",
+                    type="button",
+                    aria_label="Light or dark",
+                    data_tip="Light or dark",
+                ).on("click", js_handler="() => scegenTheme()")
         self._stage = node("main", "workspace")
         self.go(self._work.step)
         ui.timer(_TICK_S, self._tick)

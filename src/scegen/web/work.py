@@ -92,6 +92,7 @@ class Work:
         self.made_of: FunctionalScenario | None = None
         self.watched: str | None = None
         self.films: dict[str, bytes] = {}
+        self.pictures: dict[str, bytes] = {}
         self.played: int | None = None
         self.cost_usd = 0.0
         self.under_way: dict[str, Job] = {}
@@ -349,6 +350,16 @@ class Work:
             self.played = None
             self._begin("playing", self._played, tasks.play_one, self.made.folder, name)
 
+    def render(self, name: str, ending: str) -> None:
+        """Make a moving picture of one of the scenarios."""
+        concrete = self._made(name).concrete
+
+        def done(job: Job) -> None:
+            self.pictures[f"{name}.{ending}"] = job.result
+            self._changed("pictures")
+
+        self._begin("rendering", done, tasks.render_one, concrete, ending)
+
     def _made(self, name: str) -> MadeScenario:
         for made in self.made.scenarios if self.made else ():
             if made.name == name:
@@ -375,7 +386,7 @@ class Work:
 
     def _show(self, made: Made) -> None:
         """What lies in the folder now is what can be watched and taken away."""
-        self.made, self.films, self.played = made, {}, None
+        self.made, self.films, self.pictures, self.played = made, {}, {}, None
         self._changed("made")
         if made.scenarios:
             self.watch(made.scenarios[0].name)

@@ -236,7 +236,7 @@ class Spacer:
         if begun:
             return begun[0]
         trigger = self._text.subordinate(number.i)
-        here = [a for a in acts if start <= a.i < end and a.i < number.i]
+        here = [a for a in acts if any(start <= i < number.i for i in (a.i, *a.told))]
         if trigger is not None and trigger[2] in words()["triggers"] and here:
             return here[-1]
         laned = [a for a in here if a.kind in _LANED or a.kind is ActKind.CROSS]

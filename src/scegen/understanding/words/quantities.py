@@ -192,6 +192,23 @@ def _build(tokens: list[Token], i: int, j: int, values: list[float], dimension: 
     return Quantity(dimension, value, i, j, note, parts)
 
 
+def as_written(tokens: list[Token], i: int, j: int, other: Quantity) -> Quantity | None:
+    """A number without a unit, in the unit of another quantity.
+
+    Args:
+        tokens: the tokens of the text.
+        i: index of its first token.
+        j: index after the last one.
+        other: the quantity with the unit.
+    """
+    number = number_at(tokens, i)
+    units = [u for k in range(other.i, other.j) if (u := _unit_at(tokens, k)) is not None]
+    if number is None or not units:
+        return None
+    value = _si(number.value, other.dimension, units[0][1])
+    return _build(tokens, i, j, [value], other.dimension)
+
+
 def after_a_measure(tokens: list[Token], i: int) -> bool:
     """``0.5 m to the left``, ``50 % on the right``: whether such a number ends before a token.
 

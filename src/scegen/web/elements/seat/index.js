@@ -148,7 +148,7 @@ export class DriversSeat {
     const eye = new THREE.Vector3(at.x + long * c - left * s, at.y + long * s + left * c, height);
     const way = at.heading + this.yaw;
     this.camera.position.copy(eye);
-    this.camera.lookAt(eye.x + Math.cos(way), eye.y + Math.sin(way), height - 0.07);
+    this.camera.lookAt(eye.x + Math.cos(way), eye.y + Math.sin(way), height - 0.035);
     this.renderer.render(this.world, this.camera);
     this.tell(recording, time);
   }

@@ -88,7 +88,7 @@ export function bodyOf(one, color, paint, own) {
   const sill = 0.28, waist = tall ? h * 0.45 : h * 0.58;
   if (own) {
     // the bonnet alone: nobody sees the own roof
-    if (!tall) put(box(l * 0.32, w * 0.94, 0.3, color), l * 0.34, 0, Math.min(waist, 0.86) - 0.15);
+    if (!tall) put(box(l * 0.26, w * 0.9, 0.16, color), l * 0.37, 0, 0.66);
     return { group };
   }
   put(box(l, w, (tall ? h : waist) - sill, color), 0, 0, ((tall ? h : waist) + sill) / 2);
