@@ -104,12 +104,20 @@ export class DriversSeat {
       event.stopPropagation();
       event.preventDefault();
     });
-    this.stops.push(this.player.on("time", () => this.draw()));
+    this.stops.push(this.player.on("time", () => this.soon()));
     const size = new ResizeObserver(() => this.resize());
     size.observe(this.host);
     const theme = new MutationObserver(() => (this.build(), this.draw()));
     theme.observe(document.documentElement, { attributes: true, attributeFilter: ["data-theme"] });
     this.stops.push(() => size.disconnect(), () => theme.disconnect());
+  }
+
+  // at most once a frame, however often the time is told
+  soon() {
+    this.due ??= requestAnimationFrame(() => {
+      this.due = null;
+      if (this.host.isConnected) this.draw();
+    });
   }
 
   look(yaw) {
