@@ -5,6 +5,7 @@ They call what the command line calls, with the same arguments.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,7 +18,9 @@ from scegen.pipeline.generate import generate
 from scegen.pipeline.options import Options
 from scegen.pipeline.place import scenario_file
 from scegen.pipeline.playing import has_screen, play
+from scegen.pipeline.rendering import rendered
 from scegen.pipeline.source import Source
+from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario, LogicalSet
 from scegen.scenario.vocabulary import ArmsMode, Reduction
@@ -135,6 +138,17 @@ def film_one(made: MadeScenario, functional: FunctionalScenario | None, tell: Te
     """What the player plays of one scenario."""
     tell.progress("drawing the movement")
     return film(made, functional)
+
+
+def render_one(concrete: ConcreteScenario, ending: str, tell: Teller) -> bytes:
+    """A scenario as a moving picture."""
+    return rendered(concrete, ending, watch=lambda numbers: _counted(list(numbers), tell))
+
+
+def _counted(numbers: list[int], tell: Teller) -> Iterator[int]:
+    for done, number in enumerate(numbers):
+        tell.progress(f"drawing picture {done + 1} of {len(numbers)}")
+        yield number
 
 
 def play_one(folder: Path, name: str, tell: Teller) -> int:

@@ -92,10 +92,12 @@ class Work:
         self.made_of: FunctionalScenario | None = None
         self.watched: str | None = None
         self.films: dict[str, bytes] = {}
+        self.pictures: dict[str, bytes] = {}
         self.played: int | None = None
         self.cost_usd = 0.0
         self.under_way: dict[str, Job] = {}
         self._loop = asyncio.get_running_loop()
+        self._listeners: list[Callable[[], None]] = []
 
     # -- describing ---------------------------------------------------------------------------
 
@@ -349,6 +351,16 @@ class Work:
             self.played = None
             self._begin("playing", self._played, tasks.play_one, self.made.folder, name)
 
+    def render(self, name: str, ending: str) -> None:
+        """Make a moving picture of one of the scenarios."""
+        concrete = self._made(name).concrete
+
+        def done(job: Job) -> None:
+            self.pictures[f"{name}.{ending}"] = job.result
+            self._changed("pictures")
+
+        self._begin("rendering", done, tasks.render_one, concrete, ending)
+
     def _made(self, name: str) -> MadeScenario:
         for made in self.made.scenarios if self.made else ():
             if made.name == name:
@@ -375,7 +387,7 @@ class Work:
 
     def _show(self, made: Made) -> None:
         """What lies in the folder now is what can be watched and taken away."""
-        self.made, self.films, self.played = made, {}, None
+        self.made, self.films, self.pictures, self.played = made, {}, {}, None
         self._changed("made")
         if made.scenarios:
             self.watch(made.scenarios[0].name)
@@ -455,8 +467,15 @@ class Work:
             job.result = None
         self._changed(kind)
 
+    def listen(self, listener: Callable[[], None]) -> Callable[[], None]:
+        """Call this after every change; returns how to stop."""
+        self._listeners.append(listener)
+        return lambda: self._listeners.remove(listener)
+
     def _changed(self, *parts: str) -> None:
         self.revision.update(parts)
+        for listener in self._listeners:
+            listener()
 
 
 def by_richness(work: Work) -> list[int]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 from scegen.report.theme import LIGHT
@@ -112,7 +113,7 @@ class Describe:
                     node("span", "", text)
                 example.on(
                     "click",
-                    js_handler=f"() => getElement({self._text.id}).put({text!r})",
+                    js_handler=f"() => getElement({self._text.id}).put({json.dumps(text)})",
                 )
         entries = self._work.project.entries()[:_RECENT]
         if entries:
