@@ -1,7 +1,6 @@
 """Numbers with their units, as they are written and spoken."""
 
 import pytest
-from pytest import approx
 
 from scegen.understanding import read
 from scegen.understanding.words.quantities import quantity_at
@@ -26,7 +25,7 @@ from scegen.understanding.words.tokens import tokenize
 def test_how_much_it_is(text, low, high):
     quantity = quantity_at(tokenize(text), 0)
     assert quantity is not None
-    assert (quantity.value.low, quantity.value.high) == (approx(low), approx(high))
+    assert (quantity.value.low, quantity.value.high) == (pytest.approx(low), pytest.approx(high))
 
 
 @pytest.mark.parametrize(
@@ -40,8 +39,10 @@ def test_how_much_it_is(text, low, high):
 )
 def test_a_limit_is_nobodys_speed(text):
     scenario = read(text)
-    assert scenario.junction.speed_limit_mps == approx(60 / 3.6)
-    assert [p.speed_mps.low for p in scenario.participants if p.speed_mps] == [approx(40 / 3.6)]
+    assert scenario.junction.speed_limit_mps == pytest.approx(60 / 3.6)
+    assert [p.speed_mps.low for p in scenario.participants if p.speed_mps] == [
+        pytest.approx(40 / 3.6)
+    ]
 
 
 @pytest.mark.parametrize(
@@ -54,7 +55,7 @@ def test_a_limit_is_nobodys_speed(text):
 )
 def test_a_bare_speed_has_the_unit_of_the_others(text):
     speeds = sorted(p.speed_mps.low for p in read(text).participants if p.speed_mps)
-    assert speeds == [approx(30 / 3.6), approx(50 / 3.6)]
+    assert speeds == [pytest.approx(30 / 3.6), pytest.approx(50 / 3.6)]
 
 
 @pytest.mark.parametrize(
