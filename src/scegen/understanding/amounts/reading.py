@@ -48,6 +48,7 @@ def read_amounts(
         if not _speed(number, text, context, found):
             _note(number, context)
     _joined(text)
+    _likewise(text)
     _alike(text, context)
     _followed(text, context)
     _in_one_lane(text, context)
@@ -187,6 +188,8 @@ def _whose(number: Measured, text: Sentences, context: Context) -> list[Entity]:
     if before & {*words()["each"]}:
         named = [e for m in text.mentions if start <= m.i < number.i for e in m.entities]
         named = named or [e for m in text.mentions if m.i < number.i for e in m.entities][-_PAIR:]
+        everybody = [e for e in context.draft.entities if e.is_vehicle]
+        named = named or (everybody if len(everybody) == _PAIR else [])  # "both at 15 m/s: …"
         pair = list(dict.fromkeys([e for e in reversed(named) if not e.still]))
         ego = ego_of(context)
         pair += [ego] if ego is not None and ego not in pair and len(pair) < _PAIR else []
@@ -238,6 +241,21 @@ def _alike(text: Sentences, context: Context) -> None:
                 if entity.speed is None and entity.is_vehicle and not entity.still:
                     entity.speed = known[0].speed
                     entity.speed_basis = Basis(k, k + len(wanted), "as fast as the other")
+
+
+def _likewise(text: Sentences) -> None:
+    """``the lead creeps at 10 km/h, ego too``: as fast as who was told of before."""
+    for mention in text.mentions:
+        after = [t.low for t in text.tokens[mention.j : mention.j + 2]]
+        start, _ = text.bounds(mention.i)
+        before = [e for m in text.mentions if start <= m.i < mention.i for e in m.entities]
+        told = before[-1] if before and after[:1] == ["too"] and after[1:] != ["fast"] else None
+        if told is None or told.speed is None or text.within(mention.i, mention.j + 1):
+            continue
+        for entity in mention.entities:
+            if entity.speed is None and entity.is_vehicle:
+                entity.speed = told.speed
+                entity.speed_basis = Basis(mention.i, mention.j + 1, "as fast as the other")
 
 
 def _joined(text: Sentences) -> None:
