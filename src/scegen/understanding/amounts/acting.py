@@ -95,7 +95,8 @@ def _kind(kind: ActKind, entity: Entity, event: Event, text: Sentences) -> ActKi
         return ActKind.CROSS if Maneuver.CROSS in entity.maneuvers else None
     if kind is ActKind.OVERTAKE and Maneuver.OVERTAKE not in entity.maneuvers:
         return None
-    if kind is ActKind.CROSS and not afoot and Maneuver.CROSS not in entity.maneuvers:
+    along = entity.maneuvers == {Maneuver.STRAIGHT}  # on foot: along the road
+    if kind is ActKind.CROSS and (along or not afoot) and Maneuver.CROSS not in entity.maneuvers:
         return None
     if kind is ActKind.CHANGE_LANE and _changes_lane(entity, event):
         return kind

@@ -82,11 +82,13 @@ class Spacer:
 
     def _sideways(self, measure: Measure, number: Measured, one: Entity, other: Entity) -> Measure:
         """``passes the parked van at 1 m``, ``drives beside it, 1 m away``: from side to side."""
-        near = number.quantity.exact.high <= _ARMS_LENGTH and self._verb(number) == "move"
-        past = near or self._verb(number) in {"pass", "bypass"}
+        near = number.quantity.exact.high <= _ARMS_LENGTH
+        past = (near and self._verb(number) == "move") or self._verb(number) in {"pass", "bypass"}
         past = past and (one.parked or other.parked)
+        passing = [a for a in self._happenings.acts if a.kind is ActKind.OVERTAKE]
+        past = past or (near and any(a.entity in (one, other) for a in passing))
         along = number.around.after.startswith((" ahead ", " in front ", " behind ", " before "))
-        lateral = past or (not along and self._beside(one, other))
+        lateral = not along and (past or self._beside(one, other))
         return Measure.LATERAL_GAP_M if measure is Measure.GAP_M and lateral else measure
 
     def _between(
@@ -241,6 +243,9 @@ class Spacer:
         begun = [a for a in acts if self._in_trigger(a, start, end, number.i)]
         if begun:
             return begun[0]
+        then = [a for a in acts if number.i < a.i < end]
+        if self._text.tokens[start].low == "at" and then and not self._acted(start, number.i):
+            return then[0]  # "at a TTC of 2 s the ego brakes"
         trigger = self._text.subordinate(number.i)
         here = [a for a in acts if any(start <= i < number.i for i in (a.i, *a.told))]
         if trigger is not None and trigger[2] in words()["triggers"] and here:
@@ -270,6 +275,11 @@ class Spacer:
         leader = in_file(entity, reference, self._context)[1]
         later = [a for a in acts if a.kind in _ANSWERING and a.always]
         return later[0] if later and later[0].entity is leader else START
+
+    def _acted(self, start: int, i: int) -> bool:
+        """Whether something is done, or another number stands, from the sentence's start on."""
+        numbers = any(t.kind == "number" for t in self._text.tokens[start:i])
+        return numbers or any(start <= a.i < i for a in self._happenings.acts)
 
     def _in_trigger(self, doing: Doing, start: int, end: int, i: int) -> bool:
         """``… is 150 m away when the ego pulls out``: at that moment."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Place, Prep
 from scegen.understanding.draft import Basis, Draft, Entity
-from scegen.understanding.words.quantities import after_a_measure
+from scegen.understanding.words.quantities import ends_a_quantity
 from scegen.understanding.words.tokens import Token
 
 _SIDE_REACH = 3
@@ -81,8 +81,10 @@ def within_the_lane(prep: Prep, entities: list[Entity], tokens: list[Token]) -> 
     before = tokens[prep.word.i - 1].low if prep.word.i else ""
     if prep.value == "to" and any(e.dirs & {"ahead", "behind"} for e in entities):
         return True
-    offset = before in _WITHIN_LANE or after_a_measure(tokens, prep.word.i)
-    return prep.value in {"to", "in"} and offset
+    number = ends_a_quantity(tokens, prep.word.i)
+    share = number is not None and number.dimension == "percentage"  # "hit at 25 % from the left"
+    offset = before in _WITHIN_LANE or share or (number and number.dimension == "length")
+    return bool(offset) and (prep.value in {"to", "in"} or (share and prep.value == "from"))
 
 
 def _lane_of(place: Place) -> str | None:
