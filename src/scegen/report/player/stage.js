@@ -5,7 +5,7 @@ import { colourName } from "./bodies.js";
 import { h, number } from "./dom.js";
 import { Ground } from "./ground.js";
 import { placeLabels } from "./labels.js";
-import { drawTraffic } from "./traffic.js";
+import { drawTraffic, drawWay } from "./traffic.js";
 
 const WIDEST_M = 70, NEAR_M = 34, NARROW = 0.85;
 const ROUND_M = [1, 2, 5, 10, 20, 50, 100, 200, 500];
@@ -134,7 +134,7 @@ export class Stage {
     this.time = time;
     this.track(time);
     const { camera, shared, ratio } = this, matrix = camera.matrix(ratio);
-    const key = `${matrix.map((v) => v.toFixed(3))} ${this.below.width} ${shared.paintKey()}`;
+    const key = `${matrix.map((v) => v.toFixed(3))} ${this.below.width} ${shared.paintKey()} ${shared.show.ways}`;
     if (key !== this.drawn) {
       this.drawn = key;
       const context = this.below.getContext("2d", { alpha: false });
@@ -143,6 +143,9 @@ export class Stage {
       context.fillRect(0, 0, this.below.width, this.below.height);
       context.setTransform(...matrix);
       this.ground.draw(context, shared.paint);
+      if (shared.show.ways) {
+        for (const one of this.recording.movers) drawWay(context, one, shared.paint, 1 / camera.scale);
+      }
     }
     const context = this.above.getContext("2d");
     context.setTransform(1, 0, 0, 1, 0, 0);
