@@ -97,6 +97,7 @@ class Work:
         self.cost_usd = 0.0
         self.under_way: dict[str, Job] = {}
         self._loop = asyncio.get_running_loop()
+        self._listeners: list[Callable[[], None]] = []
 
     # -- describing ---------------------------------------------------------------------------
 
@@ -466,8 +467,15 @@ class Work:
             job.result = None
         self._changed(kind)
 
+    def listen(self, listener: Callable[[], None]) -> Callable[[], None]:
+        """Call this after every change; returns how to stop."""
+        self._listeners.append(listener)
+        return lambda: self._listeners.remove(listener)
+
     def _changed(self, *parts: str) -> None:
         self.revision.update(parts)
+        for listener in self._listeners:
+            listener()
 
 
 def by_richness(work: Work) -> list[int]:

@@ -23,8 +23,6 @@ from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.tokens import Token
 
 _MOST = 20
-_TOGETHER = (("quant", "both"), ("det", "def"))
-"""How a pair is opened beside whom there is nobody: "both cars", "the two cars"."""
 _A_PAIR = 2
 _ALONG = {"front": "ahead", "rear": "behind"}
 
@@ -173,7 +171,9 @@ class Discourse:
             self._roster.enrich(known, reading)
             return known
         found = self._roster.introduce(reading, basis)
-        both = mention.mods and (mention.mods[0].cat, mention.mods[0].value) in _TOGETHER
+        opened_by = [(m.cat, m.value) for m in mention.mods[:1]]
+        numbered = mention.mod("num") is not None and reading.generic and not reading.parked
+        both = opened_by == [("quant", "both")] or (opened_by == [("det", "def")] and numbered)
         if both and len(found) == _A_PAIR:
             self._roster.groups[-1].both = True
         return found

@@ -173,7 +173,8 @@ def _noun_slot(match: Match, tokens: list[Token], previous: Term | None) -> bool
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
     compound = previous.cat == "place" and match.form == "base" and match.has("inert")
     compound = compound or tokens[previous.i].low == "whose"
-    return (previous.cat in _NOMINAL_BEFORE and not adverb) or preposed or compound
+    told = previous.cat == "quantity" and match.form == "s"  # "at t = 4 s brakes"
+    return (previous.cat in _NOMINAL_BEFORE and not (adverb or told)) or preposed or compound
 
 
 def _verb_slot(previous: Term | None) -> bool:

@@ -113,8 +113,8 @@ def _half_a(tokens: list[Token], i: int) -> Number | None:
 def _tolerance_mark(tokens: list[Token], j: int) -> int | None:
     """Where a tolerance begins after ``±``; None if none is marked."""
     lows = [t.low for t in tokens[j : j + 3]]
-    if lows[:1] == ["±"]:
-        return j + 1
+    if lows[:1] == ["±"] or lows[:2] == ["(", "±"]:
+        return j + 1 + (lows[0] == "(")
     return j + 3 if lows == ["plus", "or", "minus"] else None
 
 

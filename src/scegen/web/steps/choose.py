@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 from collections import Counter
+from html import escape
 from typing import Any
 
 from scegen.enumeration.choosing.coverage import Meeting, meetings
 from scegen.scenario.glossary import meaning_of
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.vocabulary import ArmsMode, Reduction
-from scegen.web.elements import Entry, Gallery, button, choice, node
+from scegen.web.elements import Entry, Gallery, button, choice, drawn, node
 from scegen.web.pictures import tile_ratio
 from scegen.web.steps.filters import Filters
 from scegen.web.steps.step import Activity, Go
 from scegen.web.work import Work
 
 _DIVERSE = 8
-_MOST_MEETINGS = 200
 
 
 class Choose:
@@ -178,9 +178,13 @@ class Choose:
             if not possible:
                 return
             node("progress", "meter", value=covered, max=len(possible), aria_label="covered")
-            with node("ul", "meetings"):
-                rows = sorted(possible, key=lambda m: (bool(chosen[m]), -possible[m], m))
-                for meeting in rows[:_MOST_MEETINGS]:
-                    with node("li", "" if chosen[meeting] else "missing"):
-                        node("span", "meeting-count", f"{chosen[meeting]}/{possible[meeting]}")
-                        node("span", "", meeting.in_words())
+            rows = sorted(possible, key=lambda m: (bool(chosen[m]), -possible[m], m))
+            # one element for all rows: several hundred of them would be felt at every click
+            drawn("".join(_row(m, chosen[m], possible[m]) for m in rows), "meetings", "ul")
+
+
+def _row(meeting: Meeting, chosen: int, possible: int) -> str:
+    """A meeting as a line of the list."""
+    state = "" if chosen else ' class="missing"'
+    count = f'<span class="meeting-count">{chosen}/{possible}</span>'
+    return f"<li{state}>{count}<span>{escape(meeting.in_words())}</span></li>"
