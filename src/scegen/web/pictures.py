@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from scegen.report.tile import TILE_WIDTH, describe, tile_height, tile_svg
+from scegen.report.tile import TILE_WIDTH, describe, roads, tile_height, tile_svg
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
 
@@ -21,3 +21,11 @@ def tile(scenario: LogicalScenario, functional: FunctionalScenario) -> dict[str,
 def tile_ratio(functional: FunctionalScenario) -> float:
     """Height of a tile by its width."""
     return tile_height(functional) / TILE_WIDTH
+
+
+def junction(functional: FunctionalScenario) -> str:
+    """The roads alone, where there is no scenario to show on them."""
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {TILE_WIDTH} {TILE_WIDTH}" '
+        f'role="img" aria-label="Plan of the roads">{roads(functional)}</svg>'
+    )
