@@ -35,23 +35,33 @@ _GOES_ON_S = (1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0)
 
 @dataclass(frozen=True, slots=True)
 class _Contact:
-    """``who`` runs into ``other``."""
+    """``who`` touches ``other``, or ``runs_in``: from behind, or into one who crosses."""
 
     time_s: float
     who: str
     other: str
+    runs_in: bool
 
 
 def answer(scene: Scene, moments: Moments) -> None:
     """Let everybody brake who would run into somebody ahead, or who crosses as the text says."""
     settled: set[tuple[str, str]] = set()
     for _ in range(2 * len(scene.drives)):
-        found = [c for c in _contacts(scene, moments) if (c.who, c.other) not in settled]
+        found = [
+            contact
+            for contact in _contacts(scene, moments)
+            if contact.runs_in and (contact.who, contact.other) not in settled
+        ]
         if not found:
             return
         first = min(found, key=lambda c: (c.time_s, c.who))
         _brake_for(scene, moments, scene.drives[first.who], first)
         settled.add((first.who, first.other))
+
+
+def touching(scene: Scene, moments: Moments) -> bool:
+    """Whether two touch all the same who are not to."""
+    return any(True for _ in _contacts(scene, moments))
 
 
 def _times(moments: Moments) -> Array:
@@ -62,7 +72,7 @@ def _times(moments: Moments) -> Array:
 
 
 def _contacts(scene: Scene, moments: Moments) -> Iterator[_Contact]:
-    """Unwanted contacts of which one can be seen to come from behind, or to drive at a walker."""
+    """Unwanted contacts; with walkers only where the text says when they set off."""
     times = _times(moments)
     tracks = {n: moments.track(n, times)[0] for n in (*scene.drives, *scene.walks)}
     for name in scene.drives:
@@ -78,8 +88,8 @@ def _contacts(scene: Scene, moments: Moments) -> Iterator[_Contact]:
             then = moments.track(other, times[:1] + times[touching[0]] - _BEFORE_S)[0]
             ahead = float(seen(before, then).x[0]) > 0.0
             along = float(same_way(before, then)[0]) > _ALONG
-            if ahead and (along or other in scene.walks):
-                yield _Contact(float(times[touching[0]]), name, other)
+            runs_in = ahead and (along or other in scene.walks)
+            yield _Contact(float(times[touching[0]]), name, other, runs_in)
 
 
 def _least_m(moments: Moments, who: str, other: str) -> float:

@@ -197,7 +197,7 @@ def schedule(
     ego = scene.ego
     latest = [0.0 if ego.backs_out else APPROACH_S - ego.course.time_at(first_s[ego.id])]
     for name, draft in scene.drives.items():
-        if draft.stands_at_m is not None or scene.sets_off(name):
+        if draft.stands or scene.sets_off(name):
             continue
         if draft.backs_out:
             # It stands near where it starts until its time has come.
@@ -218,9 +218,7 @@ def shortfall(scene: Scene, offsets_s: Mapping[str, float]) -> tuple[float, str]
     for name, draft in scene.drives.items():
         if draft.backs_out:
             continue
-        start = draft.stands_at_m
-        if start is None:
-            start = draft.course.s_at(-offsets_s[name])
+        start = draft.course.s_at(-offsets_s[name])
         missing = draft.body.rear_m + _ARM_MARGIN_M - start
         if missing > short:
             short, who = missing, name

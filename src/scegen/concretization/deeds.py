@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from scegen.concretization.amounts import GAINING, change_of_speed
@@ -10,7 +10,7 @@ from scegen.concretization.asked import hazard_of
 from scegen.concretization.drafts import DriveDraft, Scene
 from scegen.concretization.hazards.braking import stops_for_walkers
 from scegen.concretization.hazards.rule import event_s_m
-from scegen.concretization.limits import LEAD_IN_S
+from scegen.concretization.limits import FAST_LATERAL_MPS2, LEAD_IN_S
 from scegen.concretization.marks import Mark, Sort
 from scegen.concretization.moments import Moments
 from scegen.concretization.profile import Profile
@@ -38,17 +38,43 @@ def usual_speed_mps(scene: Scene, name: str) -> float:
     return scene.limit_mps
 
 
-def do_acts(scene: Scene) -> None:
-    """Give everybody who drives the marks of its acts; places that are open are usual ones."""
+def do_acts(scene: Scene, offsets_s: Mapping[str, float]) -> dict[str, float]:
+    """Give everybody who drives the marks of its acts; places that are open are usual ones.
+
+    Returns how late everybody is, with those who stand at first setting off when they would have
+    come by.
+    """
+    late = dict(offsets_s)
     for draft in scene.drives.values():
+        if draft.stands:
+            late[draft.id] = -STOOD_S
+            continue
         marks = list(_marks(scene, draft))
         if not marks:
             continue
         draft.stops_at_line = False
+        if any(a.kind in GAINING and a.target_speed_mps for a in scene.speed_acts(draft.id)):
+            draft.lateral_mps2 = max(draft.lateral_mps2, FAST_LATERAL_MPS2)
+        came_s = draft.course.time_at(draft.junction_s_m - draft.body.front_m - _BEFORE_LINE_M)
         draft.deeds = marks
         draft.course_ = None
-        if not scene.sets_off(draft.id):
+        if scene.sets_off(draft.id):
+            phase = draft.course.phase_of(marks[1].act or "")
+            late[draft.id] += came_s - (phase.begins_s if phase is not None else came_s)
+        else:
             _place(scene, draft)
+    return late
+
+
+def lead_in_missing_s(scene: Scene, moments: Moments) -> float:
+    """How much too early the first act comes, where the text does not say when."""
+    begins = [
+        moments.begins_s(act)
+        for draft in scene.drives.values()
+        for act in (scene.act(mark.act) for mark in draft.deeds if mark.act is not None)
+        if not isinstance(act.when, AfterStart)
+    ]
+    return max(0.0, LEAD_IN_S - min(begins, default=LEAD_IN_S))
 
 
 def _marks(scene: Scene, draft: DriveDraft) -> Iterator[Mark]:

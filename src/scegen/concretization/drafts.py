@@ -38,7 +38,7 @@ from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.reversing import BacksOut, Reversal
 from scegen.scenario.speed_limits import implied_limit_mps
-from scegen.scenario.vocabulary import ParticipantKind
+from scegen.scenario.vocabulary import Maneuver, ParticipantKind
 
 _SIDEWAYS = 0.9
 """The share of the grip that a bend may take."""
@@ -49,15 +49,13 @@ class DriveDraft:
     """A vehicle's drive in the making.
 
     ``cruise_mps`` is its speed away from turns; ``marks`` what dangers add to its program,
-    ``deeds`` what the text says that it does;
-    ``laid`` and ``course`` its way and its timeline from the outer end of the entry arm;
-    ``start_m`` where on that path it starts at time 0; ``reactions`` phases that look at others,
-    to be put where the program reaches ``reacts_at_s_m``. ``slowing_mps2`` is how hard it brakes
-    before turns, ``approach_mps`` and ``resume_mps`` its speeds before and after them if not
-    ``cruise_mps``; ``grip_mps2`` is what the tyres hold on this road. One that stands at first does
-    so at ``stands_at_m`` of its path, until ``moves_off``; ``comes_up`` says that it brakes behind
-    one who is slower or stands. ``rests_at_m`` is where it is to come to rest if it brakes, because
-    of a thing in its way; ``halts_at_m`` where it stays. ``reversal`` is a part driven backwards;
+    ``deeds`` what the text says that it does; ``laid`` and ``course`` its way and its timeline from
+    the outer end of the entry arm; ``start_m`` where on that path it starts at time 0;
+    ``reactions`` phases that look at others, to be put where the program reaches ``reacts_at_s_m``.
+    ``slowing_mps2`` is how hard it brakes before turns, ``approach_mps`` and ``resume_mps`` its
+    speeds before and after them if not ``cruise_mps``; ``grip_mps2`` is what the tyres hold on this
+    road. ``rests_at_m`` is where it is to come to rest if it brakes, because of a thing in its way;
+    ``halts_at_m`` where it stays. ``reversal`` is a part driven backwards;
     one that backs out (of arm ``from_arm``, if not from beside the road) joins its drive at station
     ``joins_m``. Within ``alone_s_m`` of its path only the marks of dangers count. ``backs_to`` is
     somebody who crosses behind it. ``offset_s`` is how late it is against its course.
@@ -80,9 +78,6 @@ class DriveDraft:
     deeds: list[Mark] = field(default_factory=list)
     reactions: list[SpeedPhase] = field(default_factory=list)
     reacts_at_s_m: float = 0.0
-    stands_at_m: float | None = None
-    moves_off: SpeedPhase | None = None
-    comes_up: bool = False
     start_m: float = 0.0
     offset_s: float = 0.0
     grip_mps2: float = GRAVITY_MPS2
@@ -163,6 +158,11 @@ class DriveDraft:
             lane_changes=tuple(self.lane_changes),
             reversal=self.reversal,
         )
+
+    @property
+    def stands(self) -> bool:
+        """Whether it is said to stand all the time."""
+        return self.drive.maneuver is Maneuver.STAY
 
     @property
     def stays(self) -> bool:

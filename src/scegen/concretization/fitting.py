@@ -48,17 +48,17 @@ class Unknown:
     give: Callable[[Moments, float], None]
 
 
-def fit(scene: Scene, moments: Moments, meetings: Sequence[Meeting]) -> bool:
+def fit(scene: Scene, moments: Moments, meetings: Sequence[Meeting], later_s: float = 0.0) -> None:
     """Change what is open in ``moments`` until what is said holds, as little as that needs.
 
-    Returns whether anything is said of distances and moments.
+    ``later_s`` is how much later than is usual the second of a meeting comes.
     """
     said = list(_said(scene))
     if not said:
-        return False
+        return
     unknowns = list(_unknowns(scene, moments))
     first = np.array([unknown.read(moments) for unknown in unknowns])
-    usual = [Equation(_USUAL, r) for r in _meetings(scene, meetings)]
+    usual = [Equation(_USUAL, r) for r in _meetings(scene, meetings, later_s)]
     equations = [*(Equation(_SAID, r) for r in said), *usual]
 
     def missed(x: Array) -> Array:
@@ -84,7 +84,11 @@ def fit(scene: Scene, moments: Moments, meetings: Sequence[Meeting]) -> bool:
         if np.linalg.norm(now[: len(said)]) < _ENOUGH and np.abs(share * way).max() < _STEP_S:
             break
     missed(x)
-    return True
+
+
+def is_anything_said(scene: Scene) -> bool:
+    """Whether the text says anything of distances and moments."""
+    return any(True for _ in _said(scene))
 
 
 def _unknowns(scene: Scene, moments: Moments) -> Iterator[Unknown]:
@@ -95,7 +99,7 @@ def _unknowns(scene: Scene, moments: Moments) -> Iterator[Unknown]:
             lambda m, value, name=name: m.offsets_s.__setitem__(name, value),  # type: ignore[misc]
         )
         for n, mark in enumerate(draft.deeds):
-            if is_open(scene, mark):
+            if is_open(scene, mark) or (n == 0 and mark.act is None):
                 yield Unknown(
                     _STEP_M,
                     lambda _, draft=draft, n=n: draft.deeds[n].s_m,  # type: ignore[misc]
@@ -171,7 +175,7 @@ def _after(act: Act, other: Act, when: AfterAct) -> Residual:
     return residual
 
 
-def _meetings(scene: Scene, meetings: Sequence[Meeting]) -> Iterator[Residual]:
+def _meetings(scene: Scene, meetings: Sequence[Meeting], later_s: float) -> Iterator[Residual]:
     """Who usually meets whom, but for those of one arm whose distance is said."""
     told = set()
     whens = [(a.when.participant, a.when.reference) for a in scene.acts
@@ -182,7 +186,7 @@ def _meetings(scene: Scene, meetings: Sequence[Meeting]) -> Iterator[Residual]:
         first, second = scene.drives[meeting.first], scene.drives[meeting.second]
         if {first.id, second.id} in told and first.drive.entry == second.drive.entry:
             continue
-        yield lambda m, meeting=meeting: m.late_s(meeting)  # type: ignore[misc]
+        yield lambda m, meeting=meeting: m.late_s(meeting) - later_s  # type: ignore[misc]
     for name in scene.walks:
         yield lambda m, name=name: m.walks_late_s(name)  # type: ignore[misc]
 

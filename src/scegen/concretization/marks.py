@@ -38,7 +38,8 @@ class Mark:
     With ``hold_s``, that long after the target is reached the speed changes to ``resume_mps``.
     ``waits_for`` is what it waits for instead, once that is known; ``resume_hazard`` the danger
     that going on serves. With ``then_s`` it comes so long after the act before it has ended,
-    wherever that is. ``act`` names the act of the text that it is.
+    wherever that is. ``act`` names the act of the text that it is. What the road slows down to must
+    be reached ``by_m``: where acts have changed the speed, it begins just in time for that.
     """
 
     s_m: float
@@ -53,6 +54,7 @@ class Mark:
     sort: Sort = Sort.DANGER
     then_s: float | None = None
     act: str | None = None
+    by_m: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,6 +154,20 @@ class _Driving:
                 Phase(again, 0.0, mark.resume_mps, mark.resume_rate_mps2, mark, True, stood)
             )
 
+    def place_m(self, mark: Mark, others: Sequence[Mark]) -> float:
+        """Where a mark is carried out, as fast as it is by then.
+
+        The road does not slow down whom an act that is to come makes slow enough in time.
+        """
+        if mark.sort is not Sort.SLOWS:
+            return mark.s_m
+        change = max(self.target**2 - mark.target_mps**2, 0.0)
+        for act in others:
+            slower = act.sort is Sort.ACT and act.target_mps <= mark.target_mps
+            if slower and act.s_m + change / (2 * act.rate_mps2) <= mark.by_m:
+                return mark.by_m
+        return mark.by_m - change / (2 * mark.rate_mps2)
+
     def _change(self, phase: Phase) -> None:
         self.profile.change(phase.begins_s, phase.target_mps, phase.rate_mps2)
         place = self.profile.way_m(phase.begins_s)
@@ -167,16 +183,23 @@ def timeline(marks: Sequence[Mark], speed_mps: float, length_m: float) -> Timeli
     drive = _Driving(speed_mps)
     placed = [mark for mark in marks if mark.then_s is None]
     chained = [mark for mark in marks if mark.then_s is not None]
+    acts = any(mark.sort is Sort.ACT for mark in marks)
     acted = False
     while placed or (chained and acted):
-        soon = [(max(drive.profile.time_s(m.s_m), drive.ready_s), m) for m in placed[:1]]
+        places = [
+            drive.place_m(m, placed) if acts else m.s_m for m in placed[: None if acts else 1]
+        ]
+        soon = [
+            (max(drive.profile.time_s(place), drive.ready_s), mark)
+            for place, mark in zip(places, placed, strict=False)
+        ]
         if chained and acted:
             ends = drive.profile.settles_s(drive.ready_s)
             soon.append((ends + (chained[0].then_s or 0.0), chained[0]))
         time_s, mark = min(soon, key=lambda each: each[0])
         if time_s >= NEVER_S:
             break
-        (placed if mark.then_s is None else chained).pop(0)
+        (placed if mark.then_s is None else chained).remove(mark)
         drive.fire(mark, time_s)
         acted |= mark.sort is Sort.ACT
     return _sampled(drive, length_m)

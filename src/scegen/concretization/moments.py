@@ -151,7 +151,7 @@ class Moments:
         if name in scene.walks:
             walk = scene.walks[name]
             walked = [way_walked_m(walk, time) for time in times_s - self.leaves_s(name)]
-            way, speed = np.array(walked).T
+            way, speed = np.array(walked).reshape(-1, 2).T
             return box_on(walk.path, walk.body, np.minimum(way, walk.path.length_m)), speed
         stand = scene.stands[name]
         still = np.zeros(len(times_s))

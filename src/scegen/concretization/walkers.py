@@ -65,14 +65,14 @@ def place_walkers(scene: Scene) -> None:
         aside = _abreast_m(side_by_side[place])
         side_by_side[place] += 1
         participant = scene.functional.participant(crossing.participant)
+        speed = _speed(scene, participant)
         motion = CrossingMotion(
             arm=crossing.arm,
             start_side=crossing.start,
             from_junction_m=round(max(0.0, _from_junction_m(scene, crossing) + aside), 3),
-            setback_m=_setback_m(scene, crossing.arm, BODIES[participant.kind]),
+            setback_m=_setback_m(scene, crossing.arm, BODIES[participant.kind], speed),
         )
         path = crossing_path(scene.network, motion, participant.id)
-        speed = _speed(scene, participant)
         scene.walks[participant.id] = WalkDraft(
             participant.id, participant.kind, crossing, speed, motion, path
         )
@@ -93,7 +93,8 @@ def _speed(scene: Scene, participant: Participant) -> float:
     return round(speed, 3)
 
 
-def _setback_m(scene: Scene, arm: int, body: Body) -> float:
+def _setback_m(scene: Scene, arm: int, body: Body, speed_mps: float) -> float:
+    """How far outside the carriageway one starts: far enough to have its pace on it."""
     hidden = any(h.kind is HazardKind.OCCLUSION and not h.by for h in scene.functional.hazards)
     behind = body.front_m + _BEHIND_SCREEN_M if hidden else 0.0
     strip = [
@@ -102,7 +103,8 @@ def _setback_m(scene: Scene, arm: int, body: Body) -> float:
         if lane.type in {LaneType.PARKING, LaneType.SHOULDER}
     ]
     usual = max(strip) + _BEYOND_STRIP_M if strip else _SETBACK_M
-    return max(usual, behind)
+    gains = speed_mps**2 / (2 * min(WALKING_START_MPS2, body.max_acceleration_mps2))
+    return round(max(usual, behind, gains), 3)
 
 
 def _from_junction_m(scene: Scene, crossing: Crossing) -> float:
@@ -146,15 +148,15 @@ def partner_of(scene: Scene, walk: WalkDraft) -> tuple[DriveDraft, MeetingPoint]
 
 def walking_time_s(walk: WalkDraft, distance_m: float) -> float:
     """From the order to go until ``distance_m`` are covered, with the start from rest."""
-    return distance_m / walk.speed_mps + walk.speed_mps / (2 * WALKING_START_MPS2) + 0.1
+    return distance_m / walk.speed_mps + walk.speed_mps / (2 * walk.rate_mps2) + 0.1
 
 
 def way_walked_m(walk: WalkDraft, since_s: float) -> tuple[float, float]:
     """(way, speed) of one so long after the order to go."""
-    gaining = walk.speed_mps / WALKING_START_MPS2
+    gaining = walk.speed_mps / walk.rate_mps2
     since = max(0.0, since_s)
     if since < gaining:
-        return WALKING_START_MPS2 * since**2 / 2, WALKING_START_MPS2 * since
+        return walk.rate_mps2 * since**2 / 2, walk.rate_mps2 * since
     return walk.speed_mps * (since - gaining / 2), walk.speed_mps
 
 
@@ -215,20 +217,20 @@ def program_walkers(scene: Scene, leaves_s: Callable[[str], float]) -> None:
             if draft.course.speed_then(own) > _MOVES_MPS or distance <= 0.0:
                 trigger = Travelled(participant=draft.id, distance_m=round(max(0.0, distance), 3))
             scene.note(f"{walk.id}.starts_at_m", distance, f"arrives when {draft.id} does")
-        braking = walk.speed_mps**2 / (2 * WALKING_START_MPS2)
+        braking = walk.speed_mps**2 / (2 * walk.rate_mps2)
         end = max(0.0, walk.path.length_m - braking - _STOP_SHORT_M)
         walk.program = [
             SpeedPhase(
                 trigger=trigger,
                 target_speed_mps=walk.speed_mps,
-                rate_mps2=WALKING_START_MPS2,
+                rate_mps2=walk.rate_mps2,
                 hazard=kind,
                 act=None if act is None else act.id,
             ),
             SpeedPhase(
                 trigger=Travelled(participant=walk.id, distance_m=round(end, 3)),
                 target_speed_mps=0.0,
-                rate_mps2=WALKING_START_MPS2,
+                rate_mps2=walk.rate_mps2,
                 hazard=HazardKind.STOPPING if stops else None,
             ),
         ]
@@ -240,6 +242,6 @@ def _stop_in_the_way(scene: Scene, walk: WalkDraft, point: MeetingPoint) -> None
     if length <= 0:
         raise MotionInfeasibleError("stops before it has started", where=walk.id)
     # Nobody reaches its full pace on a way too short to stop from it.
-    walk.speed_mps = round(min(walk.speed_mps, _OF_PEAK * sqrt(WALKING_START_MPS2 * length)), 3)
+    walk.speed_mps = round(min(walk.speed_mps, _OF_PEAK * sqrt(walk.rate_mps2 * length)), 3)
     walk.motion = walk.motion.model_copy(update={"stops_after_m": round(length, 3)})
     walk.path = crossing_path(scene.network, walk.motion, walk.id)

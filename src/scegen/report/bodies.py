@@ -9,8 +9,8 @@ import shapely
 from numpy.typing import NDArray
 
 from scegen.motion.model import Trace
+from scegen.report.corners import box_corners
 from scegen.report.drawing import area, areas, box, circle, element
-from scegen.report.encounter import box_corners
 from scegen.report.theme import Theme
 from scegen.report.world import placed
 from scegen.scenario.bodies import BODIES

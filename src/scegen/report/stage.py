@@ -9,10 +9,11 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from scegen.criticality.encounter import Encounter
 from scegen.motion.model import Path, Trace
 from scegen.report.bodies import body, braking, corners_at, ghost, haze, standing_at, swept
+from scegen.report.corners import thing_corners
 from scegen.report.drawing import area, box, letters, line, lines
-from scegen.report.encounter import Encounter, thing_corners
 from scegen.report.labels import Label, Rectangle, draw_labels, place
 from scegen.report.plan import arrow_head
 from scegen.report.raster import text_width

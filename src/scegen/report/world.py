@@ -14,8 +14,8 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from scegen.report.corners import thing_corners
 from scegen.report.drawing import area, areas, box, circle, element, group, line, lines, number
-from scegen.report.encounter import thing_corners
 from scegen.report.lane_shapes import RoadShapes, road_shapes
 from scegen.report.theme import Theme
 from scegen.road.geometry import Pose
@@ -130,7 +130,7 @@ class Surroundings:
         self._theme = theme
         self._shapes: RoadShapes = road_shapes(network)
         self._entries = [
-            _entry(network, arm)
+            entry_of(network, arm)
             for arm in sorted(road.controlled_arms)
             if road.control not in {Control.UNCONTROLLED, Control.PRIORITY_TO_RIGHT}
         ]
@@ -244,7 +244,7 @@ def placed(content: str, x_m: float, y_m: float, heading_rad: float) -> str:
     return group(content, transform=f"translate({x_m:.3f} {y_m:.3f}) rotate({turn:.2f})")
 
 
-def _entry(network: RoadNetwork, arm: int) -> tuple[Pose, float]:
+def entry_of(network: RoadNetwork, arm: int) -> tuple[Pose, float]:
     """The inner end of an arm, looking in, and how far its entering lanes reach to the left."""
     road = network.arm_road(arm)
     sign = -1 if network.driving_side == "right" else 1

@@ -5,9 +5,9 @@ import { colourName } from "./bodies.js";
 import { h, number } from "./dom.js";
 import { Ground } from "./ground.js";
 import { placeLabels } from "./labels.js";
-import { drawTraffic } from "./traffic.js";
+import { drawTraffic, drawWay } from "./traffic.js";
 
-const WIDEST_M = 95, NEAR_M = 34, NARROW = 0.85;
+const WIDEST_M = 70, NEAR_M = 34, NARROW = 0.85;
 const ROUND_M = [1, 2, 5, 10, 20, 50, 100, 200, 500];
 
 export class Stage {
@@ -22,7 +22,8 @@ export class Stage {
       tabindex: "0",
       "aria-label": `Roads and traffic from above${caption ? `, ${caption}` : ""}. Drag to move, wheel or plus and minus to zoom.`,
     });
-    this.element = h("div", { class: "stage" }, this.below, this.above, caption ? h("p", { class: "caption" }, caption) : null);
+    this.hint = h("p", { class: "hint", "aria-hidden": "true", "data-words": "Click the picture, or hold Ctrl, to zoom with the wheel" });
+    this.element = h("div", { class: "stage" }, this.below, this.above, this.hint, caption ? h("p", { class: "caption" }, caption) : null);
     this.spots = new Map();
     this.placed = new Map();
     this.time = 0;
@@ -93,6 +94,22 @@ export class Stage {
     this.drawn = "";
   }
 
+  /** Keep to the road where it is longer than the picture, and to its middle where it is slimmer. */
+  keepToRoad() {
+    const { camera } = this, { road } = this.recording.data;
+    if (road.kind !== "straight") return;
+    this.outline ??= road.surfaces.flatMap(({ points }) => points.flatMap((x, i) => (i % 2 ? [] : [[x, points[i + 1]]])));
+    const found = Camera.extent(this.outline, camera.angle);
+    const c = Math.cos(camera.angle), s = Math.sin(camera.angle);
+    const du = camera.x - found.x, dv = camera.y - found.y;
+    const roomU = Math.max(0, found.halfWidth - camera.width / 2 / camera.scale);
+    const roomV = Math.max(0, found.halfHeight - camera.height / 2 / camera.scale);
+    const u = Math.min(Math.max(c * du - s * dv, -roomU), roomU);
+    const v = Math.min(Math.max(s * du + c * dv, -roomV), roomV);
+    camera.x = found.x + c * u + s * v;
+    camera.y = found.y - s * u + c * v;
+  }
+
   /** Keep whoever is followed in the middle; both of a pair in sight. */
   track(time) {
     const { follow } = this.shared, { camera, recording } = this;
@@ -110,13 +127,14 @@ export class Stage {
       );
       camera.scale = Math.min(needed, 16) * this.shared.closer;
     }
+    this.keepToRoad();
   }
 
   draw(time) {
     this.time = time;
     this.track(time);
     const { camera, shared, ratio } = this, matrix = camera.matrix(ratio);
-    const key = `${matrix.map((v) => v.toFixed(3))} ${this.below.width} ${shared.paintKey()}`;
+    const key = `${matrix.map((v) => v.toFixed(3))} ${this.below.width} ${shared.paintKey()} ${shared.show.ways}`;
     if (key !== this.drawn) {
       this.drawn = key;
       const context = this.below.getContext("2d", { alpha: false });
@@ -125,13 +143,17 @@ export class Stage {
       context.fillRect(0, 0, this.below.width, this.below.height);
       context.setTransform(...matrix);
       this.ground.draw(context, shared.paint);
+      if (shared.show.ways) {
+        for (const one of this.recording.movers) drawWay(context, one, shared.paint, 1 / camera.scale);
+      }
     }
     const context = this.above.getContext("2d");
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.clearRect(0, 0, this.above.width, this.above.height);
     context.setTransform(...matrix);
     const pixel = 1 / camera.scale;
-    drawTraffic(context, this.recording, time, { ...shared, pixel });
+    const reach = Math.hypot(camera.width, camera.height) / camera.scale;
+    drawTraffic(context, this.recording, time, { ...shared, pixel, reach });
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     if (shared.show.names) this.drawNames(context, time);
     this.drawScale(context);
@@ -156,7 +178,7 @@ export class Stage {
       wanted.push({ id: one.id, text, x, y, reach, width: context.measureText(text).width, first: matter.has(one.id) });
     }
     wanted.sort((a, b) => b.first - a.first);
-    const placed = placeLabels(wanted, this.spots, taken);
+    const placed = placeLabels(wanted, this.spots, taken, [camera.width, camera.height]);
     this.spots = new Map([...placed].map(([id, { index }]) => [id, index]));
     this.placed = placed;
     context.textBaseline = "top";
@@ -248,7 +270,12 @@ export class Stage {
     this.above.addEventListener("dblclick", () => this.shared.onCamera({ home: true }, this));
     this.above.addEventListener("wheel", (event) => {
       // The page goes on scrolling unless the picture is meant: it has the focus, or Ctrl is held.
-      if (!event.ctrlKey && document.activeElement !== this.above) return;
+      if (!event.ctrlKey && document.activeElement !== this.above) {
+        this.hint.classList.add("shown");
+        clearTimeout(this.hinted);
+        this.hinted = setTimeout(() => this.hint.classList.remove("shown"), 1200);
+        return;
+      }
       event.preventDefault();
       this.shared.onCamera({ zoom: Math.exp(-event.deltaY * 0.0016), at: place(event) }, this);
     }, { passive: false });

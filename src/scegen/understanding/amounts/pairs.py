@@ -50,6 +50,8 @@ def pair_of(number: Measured, text: Sentences, context: Context) -> tuple[Entity
         text: the text with its clauses.
         context: the scenario in the making.
     """
+    if " the next " in f"{' '.join(number.around.after.split()[:4])} ":
+        return None  # "each 3 m clear of the next"
     after = text.phrase_after(number.j)
     noun = after[1] if after is not None else None
     own = noun is not None and any(m.cat == "possessive" for m in noun.mods)
