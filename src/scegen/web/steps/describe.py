@@ -6,11 +6,10 @@ import json
 from collections.abc import Iterable
 from typing import Any
 
-from scegen.report.theme import LIGHT
 from scegen.understanding import MAX_CHARACTERS, Finding, Standing, stretches
 from scegen.web.elements import Description, Form, button, drawn, node
 from scegen.web.form import form_spec, standings
-from scegen.web.pictures import junction, tile
+from scegen.web.pictures import junction, participant_colours, tile_picture
 from scegen.web.steps.models import model_line
 from scegen.web.steps.opening import entry_row
 from scegen.web.steps.step import Activity, Go
@@ -141,7 +140,7 @@ class Describe:
         self._wrong.set_visibility(work.form_trouble is not None)
         self._wrong.text = work.form_trouble or ""
         if functional is not None:
-            colours = LIGHT.colours((p.id for p in functional.participants), functional.ego.id)
+            colours = participant_colours(functional)
             self._form.show(
                 functional.model_dump(mode="json"),
                 standings(work.report),
@@ -225,7 +224,7 @@ class Describe:
             button("See them all", lambda: self._go("choose"), "primary wide")
             richest = work.picked[:1] or by_richness(work)[:1]
             if richest:
-                drawn(tile(work.scenario(richest[0]), listing.functional)["svg"], "paper")
+                drawn(tile_picture(work.scenario(richest[0]), listing.functional), "paper")
 
 
 def _alike(findings: Iterable[Finding]) -> list[list[Finding]]:

@@ -7,7 +7,7 @@ from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.proof import Proof
 from scegen.web.elements import drawn, node
 from scegen.web.made import MadeScenario
-from scegen.web.pictures import tile
+from scegen.web.pictures import tile_picture
 from scegen.web.work import Work
 
 _MARKS = {"passed": "held", "failed": "failed", "not_run": "open"}
@@ -35,7 +35,7 @@ def outcome_card(made: MadeScenario, functional: FunctionalScenario | None) -> N
             node("span", "", made.name)
         with node("div", "card-body"):
             if functional is not None:
-                drawn(tile(made.concrete.logical, functional)["svg"], "paper")
+                drawn(tile_picture(made.concrete.logical, functional), "paper")
             with node("div", ""):
                 _figures(made)
 
