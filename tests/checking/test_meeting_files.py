@@ -12,13 +12,6 @@ from scegen.motion import build_paths
 from scegen.road import build_network
 from scegen.scenario.files import to_yaml
 
-OPEN = ("a rider rides across on red", "a rider stops in the way")
-CASES = [
-    pytest.param(name, marks=pytest.mark.xfail(strict=True, reason="the check says so: esmini"))
-    if name in OPEN
-    else name
-    for name in sorted(MEETINGS)
-]
 CHECKED = ("opendrive", "openscenario", "schema")
 
 
@@ -34,7 +27,7 @@ def written(folder, concrete):
 
 @pytest.mark.esmini
 @pytest.mark.skipif(esmini() is None, reason="esmini is not on PATH")
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", sorted(MEETINGS))
 def test_files_are_clean_and_play_as_simulated(tmp_path, name):
     folder = written(tmp_path, raised(MEETINGS[name]).concrete)
     report = check_folder(folder, (*CHECKED, "esmini", REPLAY))

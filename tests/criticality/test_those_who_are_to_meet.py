@@ -5,8 +5,6 @@ from meetings import MEETINGS
 from told import raised
 
 OPEN = {
-    "a rider rides across on red": "its last numbers do not stand up to the proof at 0.01 s",
-    "a rider stops in the way": "its last numbers do not stand up to the proof at 0.01 s",
     "changes lanes beside, no danger named": "nobody leaves the lane far enough to meet",
     "round an obstacle, one comes and brakes late": "it reaches the ego without braking",
     "swerves towards one who comes": "it swerves, but not into the other's way",

@@ -19,7 +19,6 @@ from scegen.measures import (
     measure_named,
 )
 from scegen.measures.bodies import body_of
-from scegen.measures.contact import contact_series
 from scegen.measures.distance import distance_series
 from scegen.measures.drac import drac_series
 from scegen.measures.gaps import gap_series
@@ -106,8 +105,8 @@ def test_two_runs_give_the_same_bits(case):
 
 def test_distance_and_contact(case):
     _, _, scene, traces, summary = case
-    contact = contact_series(traces.tracks, scene.bodies, scene.pairs)
     distance = distance_series(traces.tracks, scene.bodies, scene.pairs)
+    contact = distance == 0.0
     assert 0.05 < contact.any(axis=1).mean() < 0.95
     same(summary.distance_m, distance.min(axis=1))
     same(summary.closest_s, distance.argmin(axis=1) * 0.05)
@@ -118,7 +117,7 @@ def test_distance_and_contact(case):
 
 def test_time_to_collision(case):
     _, _, scene, traces, summary = case
-    contact = contact_series(traces.tracks, scene.bodies, scene.pairs)
+    contact = distance_series(traces.tracks, scene.bodies, scene.pairs) == 0.0
     series = time_to_collision_series(traces.tracks, scene.bodies, scene.pairs)
     np.testing.assert_array_equal(series == 0.0, contact)
     same(summary.ttc_s, until_contact(series, contact, np.min))
@@ -127,7 +126,7 @@ def test_time_to_collision(case):
 def test_headway_drac_and_braking(case):
     _, _, scene, traces, summary = case
     tracks, bodies, pairs = traces.tracks, scene.bodies, scene.pairs
-    contact = contact_series(tracks, bodies, pairs)
+    contact = distance_series(tracks, bodies, pairs) == 0.0
     gaps, who = gap_series(tracks, bodies, pairs, scene.following)
     headway = headway_series(tracks, pairs, gaps, who)
     same(summary.headway_s, until_contact(headway, contact, np.min))

@@ -28,7 +28,7 @@ def check_said(
     scenario: Path,
     concrete: ConcreteScenario,
     functional: FunctionalScenario,
-    touching: tuple[str, ...] = (),
+    touching: tuple[str, ...] | None = (),
 ) -> CheckResult:
     """Play a scenario, in esmini or else in our own simulation, and judge every statement.
 
@@ -36,7 +36,8 @@ def check_said(
         scenario: the file to play.
         concrete: its numbers, for bodies and ways.
         functional: what the description says.
-        touching: two of whom a contact was asked for that nobody described.
+        touching: two of whom a contact was asked for that nobody described; None where no danger
+            was sought.
     """
     missing = {p.id for p in functional.participants} - {p.id for p in concrete.participants}
     if missing:

@@ -39,7 +39,7 @@ class File:
 class Subject:
     """A road, a scenario, or both, and what they were made from, as far as it is there.
 
-    ``touching`` are two of whom a contact was asked for.
+    ``touching`` are two of whom a contact was asked for, None where no danger was sought.
     """
 
     place: Path
@@ -47,7 +47,7 @@ class Subject:
     scenario: File | None
     concrete: ConcreteScenario | None
     functional: FunctionalScenario | None = None
-    touching: tuple[str, ...] = ()
+    touching: tuple[str, ...] | None = None
 
     @property
     def files(self) -> tuple[File, ...]:
@@ -92,16 +92,25 @@ def read_folder(folder: Path) -> Subject:
         scenario=_read(folder / SCENARIO_FILE),
         concrete=load(concrete, ConcreteScenario) if concrete.is_file() else None,
         functional=load(functional, FunctionalScenario) if functional.is_file() else None,
-        touching=_touching(proof) if proof.is_file() else (),
+        touching=_touching(proof) if proof.is_file() else None,
     )
+
+
+def read_proof(file: Path) -> Proof:
+    """The proof of a scenario folder.
+
+    Raises:
+        InputError: it is none.
+    """
+    try:
+        return Proof.model_validate_json(read_bytes(file))
+    except ValidationError as problem:
+        raise InputError("is no proof of a search", where=str(file)) from problem
 
 
 def _touching(file: Path) -> tuple[str, ...]:
     """Whom a search was asked to bring into contact, or was allowed to."""
-    try:
-        proof = Proof.model_validate_json(read_bytes(file))
-    except ValidationError as problem:
-        raise InputError("is no proof of a search", where=str(file)) from problem
+    proof = read_proof(file)
     return proof.pair if parse_target(proof.target).contact is not False else ()
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from scegen.claims.boxes import Boxes
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import Floats
+from scegen.motion.batch.arrays import Bools, Floats
 from scegen.road import build_network
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.vocabulary import DrivingSide
@@ -38,6 +38,11 @@ class Arm:
         """How far from the outer end, and how far to the left of the centre line (m)."""
         dx, dy = box.x - self.x_m, box.y - self.y_m
         return dx * self.cos + dy * self.sin, dy * self.cos - dx * self.sin
+
+    def on_it(self, box: Boxes) -> Bools:
+        """Whether its centre is between the edges of the carriageway."""
+        _, offset = self.place(box)
+        return (offset > self.edges_m[0]) & (offset < self.edges_m[1])
 
     def facing(self, box: Boxes) -> Floats:
         """1 where it heads straight towards the junction, -1 straight away from it."""

@@ -25,6 +25,7 @@ class ClaimKind(StrEnum):
     LANE = "lane"
     ENTRY = "entry"
     EXIT = "exit"
+    CONFLICT = "conflict"
     ORDER = "order"
     BESIDE = "beside"
     MANEUVER = "maneuver"
@@ -58,6 +59,7 @@ class Claim:
     ``id`` is the same for the same scenario; ``field`` is the path of the functional field that
     it rests on, ``words`` are the words behind that field, if any. Margins, measured values and
     ``tolerance`` are in ``unit``; ``scale`` is a margin that is worth as much as another claim's.
+    ``fixed``: it lies in roads, ways, lanes and bodies, and not in when or how fast somebody moves.
     """
 
     id: str
@@ -68,6 +70,7 @@ class Claim:
     test: Test
     tolerance: float = 0.0
     scale: float = 1.0
+    fixed: bool = False
     words: str | None = None
 
     def judge(self, view: View) -> Judged:

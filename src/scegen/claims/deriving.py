@@ -48,19 +48,23 @@ def claims_of(
     functional: FunctionalScenario,
     logical: LogicalScenario,
     *,
-    touching: tuple[str, ...] = (),
+    touching: tuple[str, ...] | None = (),
 ) -> tuple[Claim, ...]:
     """What must be seen when one of a description's scenarios runs.
 
     Args:
         functional: what the description says.
         logical: one of its scenarios: who enters and leaves where.
-        touching: two who are to touch, whatever the description says.
+        touching: two who are to touch, whatever the description says; None where no danger was
+            sought: what the description does not say of the end is then open.
     """
     if touching and (functional.outcome is None or functional.outcome.kind is not COLLISION):
         asked = Outcome(kind=COLLISION, between=touching)
         functional = functional.model_copy(update={"outcome": asked})
-    told = Told(functional, logical)
+    if logical.acts:
+        # With the sides and lanes that the text leaves open.
+        functional = functional.model_copy(update={"acts": logical.acts})
+    told = Told(functional, logical, open_end=touching is None)
     return tuple(
         replace(claim, words=told.words(claim.field))
         for statement in STATEMENTS

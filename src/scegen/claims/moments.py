@@ -9,6 +9,7 @@ import numpy as np
 
 from scegen.claims.arms import Arm, arms_of
 from scegen.claims.boxes import boxes
+from scegen.claims.lateral import lateral_m
 from scegen.claims.runs import Run, greatest_runs
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import COS, SIN, SPEED, Bools, Floats, Ints
@@ -51,39 +52,6 @@ def _runs(view: View, name: str, sense: int, count: int) -> list[Run]:
     # A body that is taken off its feet where its way ends does not brake.
     most = 3.0 * view.body(name).max_deceleration_mps2 * view.dt_s + 1.0
     return greatest_runs(view.speed_mps(name), sense, least, most, count)
-
-
-def lateral_m(view: View, name: str, drive: Drive | None) -> Floats:
-    """How far somebody has gone to its own left since the start, along its arms (c, t).
-
-    In the junction the value stays as it was; on the way out it goes on from there.
-    """
-    return view.once(("lateral", name), lambda: _lateral(view, name, drive))
-
-
-def _lateral(view: View, name: str, drive: Drive | None) -> Floats:
-    box = boxes(view, name)
-    x0, y0 = box.x[:, :1], box.y[:, :1]
-    cos, sin = box.cos[:, :1], box.sin[:, :1]
-    if drive is None:
-        return (box.y - y0) * cos - (box.x - x0) * sin
-    arms = arms_of(view)
-    entry, leaving = arms[drive.entry], arms[drive.exit]
-    along, offset = entry.place(box)
-    facing = np.where(entry.facing(box)[:, :1] < 0.0, -1.0, 1.0)
-    inside = along <= entry.straight_m
-    moved = (offset - offset[:, :1]) * facing
-    if -entry.cos * leaving.cos - entry.sin * leaving.sin > 0.999:
-        return moved  # one straight line
-    held = np.where(inside, moved, 0.0)
-    steps = np.arange(view.steps)
-    last = np.maximum.accumulate(np.where(inside, steps, 0), axis=1)
-    held = np.take_along_axis(held, last, axis=1)
-    back, aside = leaving.place(box)
-    out = ~inside & (back <= leaving.straight_m) & (leaving.facing(box) < 0.0)
-    begins = first(out)
-    gone = -(aside - at(aside, begins)[:, None])
-    return np.where(out, held + gone, held)
 
 
 def sideways_begin(
@@ -135,16 +103,20 @@ def leaves_lane(view: View, name: str, drive: Drive | None) -> Ints:
     return np.where(gone < view.steps, held, view.steps).astype(np.int64)
 
 
-def sets_off(view: View, name: str) -> Ints:
-    """The last step in which one who stands at the start stands; 0 for one who moves."""
-    return np.maximum(first(view.speed_mps(name) > STANDS_MPS) - 1, 0)
+def sets_off(view: View, name: str, number: int = 0) -> Ints:
+    """The last step of rest before somebody moves, the first time or a later one; else all steps.
+
+    One who moves from the start sets off only after it has come to rest.
+    """
+    stands = view.speed_mps(name) <= STANDS_MPS
+    leaves = stands & ~np.append(stands[:, 1:], np.ones((view.count, 1), dtype=np.bool_), axis=1)
+    return first(leaves & (np.cumsum(leaves, axis=1) > number))
 
 
 def steps_out(view: View, name: str, arm: Arm) -> Ints:
     """When one who crosses begins: sets off; where it moves from the start, leaves the kerb."""
     stands = view.speed_mps(name)[:, 0] <= STANDS_MPS
-    _, offset = arm.place(boxes(view, name))
-    on = (offset > arm.edges_m[0]) & (offset < arm.edges_m[1])
+    on = arm.on_it(boxes(view, name))
     return np.where(stands, sets_off(view, name), np.maximum(first(on) - 1, 0))
 
 
@@ -186,9 +158,8 @@ def _begins(view: View, functional: FunctionalScenario, logical: LogicalScenario
     if name not in view.index:
         return never
     if act.kind is ActKind.SET_OFF:
-        moves = view.speed_mps(name)[:, -1:] > STANDS_MPS
-        moves |= view.speed_mps(name).max(axis=1, keepdims=True) > STANDS_MPS
-        return np.where(moves[:, 0], sets_off(view, name), never)
+        same = [a.id for a in functional.acts if a.participant == name and a.kind is act.kind]
+        return sets_off(view, name, same.index(act.id))
     if act.kind in SLOWING | GAINING:
         run = act_run(view, functional, act)
         return np.where(run.happens, run.begin, never)
@@ -200,7 +171,8 @@ def _begins(view: View, functional: FunctionalScenario, logical: LogicalScenario
         return turns(view, name)
     crossing = next((c for c in logical.crossings if c.participant == name), None)
     if crossing is None:
-        return sets_off(view, name)
+        stands = view.speed_mps(name)[:, 0] <= STANDS_MPS
+        return np.where(stands, sets_off(view, name), 0)
     return steps_out(view, name, arms_of(view)[crossing.arm])
 
 

@@ -6,19 +6,25 @@ from dataclasses import dataclass
 
 from scegen.scenario.acts import Act
 from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
-from scegen.scenario.logical import Crossing, Drive, LogicalScenario, Standing
+from scegen.scenario.logical import ConflictKind, Crossing, Drive, LogicalScenario
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import OutcomeKind
 
 KPH = 3.6
+NONE = ConflictKind.NONE
 
 
 @dataclass(frozen=True)
 class Told:
-    """Both levels, and who does what in them."""
+    """Both levels, and who does what in them.
+
+    ``open_end``: where the text tells of no outcome, nobody has asked for one either, so that
+    those who meet may touch or not.
+    """
 
     functional: FunctionalScenario
     logical: LogicalScenario
+    open_end: bool = False
 
     @property
     def ego(self) -> str:
@@ -37,10 +43,6 @@ class Told:
     def crossing(self, name: str) -> Crossing | None:
         """Where somebody crosses, None if it does not."""
         return next((c for c in self.logical.crossings if c.participant == name), None)
-
-    def standing(self, name: str) -> Standing | None:
-        """Where somebody stands, None if it does not."""
-        return next((s for s in self.logical.standings if s.participant == name), None)
 
     def acts_of(self, name: str) -> tuple[Act, ...]:
         """What somebody does, in order."""
@@ -67,9 +69,22 @@ class Told:
         outcome = self.functional.outcome
         return outcome is not None and outcome.kind is OutcomeKind.COLLISION
 
+    def concerned_by(self, name: str) -> set[str]:
+        """Who endangers somebody, or whose way meets its own; not who only stands beside."""
+        pairs: list[tuple[str, ...]] = [
+            (by, to) for h in self.hazards for by in h.by for to in h.to
+        ]
+        pairs += [(c.first, c.second) for c in self.logical.conflicts if c.kind is not NONE]
+        if self.functional.outcome is not None:
+            pairs.append(self.functional.outcome.between)
+        known = {p.id for p in self.people}
+        return {other for pair in pairs if name in pair for other in pair} & known - {name}
+
     def may_touch(self, first: str, second: str) -> bool:
-        """Whether a contact of two is what is said."""
+        """Whether a contact of two is what is said, or what nobody decided on."""
         outcome = self.functional.outcome
+        if outcome is None and self.open_end:
+            return second in self.concerned_by(first)
         if outcome is None or not self.collides:
             return False
         between = set(outcome.between) or {self.ego}

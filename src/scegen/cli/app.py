@@ -20,7 +20,9 @@ from scegen.cli import (
     gallery,
     generate,
     play,
+    render,
     schema,
+    serve,
     simulate,
     understand,
 )
@@ -76,6 +78,8 @@ app.command("concretize")(concretize.concretize)
 app.command("check")(check.check)
 app.command("simulate")(simulate.simulate)
 app.command("play")(play.play)
+app.command("render")(render.render)
+app.command("serve")(serve.serve)
 app.command("schema")(schema.schema)
 app.command("doctor")(doctor.doctor)
 app.add_typer(benchmark.app, name="benchmark")

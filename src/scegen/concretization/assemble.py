@@ -27,7 +27,7 @@ from scegen.scenario.concrete import (
 from scegen.scenario.functional import Participant
 
 _INTO_EXIT_M = 20.0
-_AFTER_S = 1.0
+_AFTER_S, _AFTER_REST_S = 1.0, 2.5
 _LONGEST_EXIT_M = 500.0
 _TURNS_MPS = 0.6
 """One that is to stand where it changes direction comes to rest some centimetres short of it."""
@@ -112,9 +112,9 @@ def _participant(scene: Scene, participant: Participant) -> ConcreteParticipant:
 
 def _program(draft: DriveDraft) -> tuple[float, tuple[SpeedPhase, ...]]:
     """Initial speed and phases, rounded; reactions come where the program reaches them."""
-    if draft.moves_off is not None:
-        return 0.0, (_rounded(draft.moves_off),)
-    speed, phases = compile_marks(draft.id, draft.all_marks(), draft.course, draft.start_m)
+    speed, phases = compile_marks(
+        draft.id, draft.course, draft.start_s, draft.start_m, draft.triggers
+    )
     if draft.reactions:
         at = draft.reacts_at_s_m - draft.start_m
         before = [
@@ -174,11 +174,17 @@ def _duration_s(scene: Scene, concrete: ConcreteScenario, paths: dict[str, Path]
     ends: dict[str, float] = {}
     for name, trace in traces.items():
         goal = _goal_m(scene, name, paths[name])
-        halts = name in scene.drives and scene.drives[name].halts_at_m is not None
-        done = np.flatnonzero(trace.speed_mps < STANDING_MPS if halts else trace.s_m >= goal)
+        stays = name in scene.drives and scene.drives[name].stays
+        rests = trace.speed_mps < STANDING_MPS
+        if stays:
+            # Who is to stand in the end has done all it does once it moves no more.
+            done = np.flatnonzero(np.logical_and.accumulate(rests[::-1])[::-1])
+        else:
+            done = np.flatnonzero(trace.s_m >= goal)
         if not done.size:
             return None
-        ends[name] = float(trace.time_s[done[0]])
+        # One who comes to rest in the end is often nearest to another just then.
+        ends[name] = float(trace.time_s[done[0]]) + (_AFTER_REST_S - _AFTER_S if stays else 0.0)
     duration = max(ends.values()) + _AFTER_S
     for name, draft in scene.drives.items():
         trace = traces[name]

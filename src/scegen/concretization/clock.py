@@ -7,8 +7,7 @@ against the ego's; one common shift then makes the approach long enough.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping, Sequence
 
 import numpy as np
 
@@ -28,15 +27,6 @@ _BEFORE_JUNCTION_M = 5.0
 _LEAST_GAP_M = 3.0
 _DANGER_WITHIN_S = 1.5
 """Those who meet in danger may be this much off their meeting to spare others."""
-
-
-@dataclass(frozen=True)
-class Schedule:
-    """Offsets (s) by participant, and by how much the arms are too short (m), and for whom."""
-
-    offsets_s: dict[str, float]
-    shortfall_m: float
-    shortest_of: str
 
 
 def arrange(scene: Scene, meetings: Sequence[Meeting]) -> dict[str, float]:
@@ -196,8 +186,8 @@ def _like_the_ego(scene: Scene, draft: DriveDraft) -> float:
 
 def schedule(
     scene: Scene, meetings: Sequence[Meeting], appointments: Sequence[Appointment]
-) -> Schedule:
-    """Offsets on the scenario's clock, and by how much the arms are too short.
+) -> dict[str, float]:
+    """Offsets on the scenario's clock.
 
     Everybody starts on its arm, before its first phase and before its first meeting; the ego
     has ``APPROACH_S`` until its own; those into whose way somebody steps keep the appointment.
@@ -207,7 +197,7 @@ def schedule(
     ego = scene.ego
     latest = [0.0 if ego.backs_out else APPROACH_S - ego.course.time_at(first_s[ego.id])]
     for name, draft in scene.drives.items():
-        if draft.stands_at_m is not None:
+        if draft.stands or scene.sets_off(name):
             continue
         if draft.backs_out:
             # It stands near where it starts until its time has come.
@@ -219,18 +209,20 @@ def schedule(
         arrival = scene.drives[appointment.drive].course.time_at(appointment.s_m)
         latest.append(appointment.least_s - arrival - offsets[appointment.drive])
     shift = max(latest)
-    shifted = {name: offset + shift for name, offset in offsets.items()}
+    return {name: offset + shift for name, offset in offsets.items()}
+
+
+def shortfall(scene: Scene, offsets_s: Mapping[str, float]) -> tuple[float, str]:
+    """By how much the arms are too short (m), and for whom."""
     short, who = 0.0, ""
     for name, draft in scene.drives.items():
         if draft.backs_out:
             continue
-        start = draft.stands_at_m
-        if start is None:
-            start = draft.course.s_at(-shifted[name])
+        start = draft.course.s_at(-offsets_s[name])
         missing = draft.body.rear_m + _ARM_MARGIN_M - start
         if missing > short:
             short, who = missing, name
-    return Schedule(shifted, short, who)
+    return short, who
 
 
 def _first_places(scene: Scene, meetings: Sequence[Meeting]) -> dict[str, float]:

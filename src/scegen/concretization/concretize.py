@@ -7,18 +7,27 @@ from math import ceil
 import numpy as np
 
 from scegen.concretization.abreast import place_abreast
-from scegen.concretization.along.asked import dangers
 from scegen.concretization.along.compose import compose_along, tells_along
+from scegen.concretization.answering import answer, touching
+from scegen.concretization.asked import dangers
 from scegen.concretization.assemble import assemble
-from scegen.concretization.clock import schedule
-from scegen.concretization.coming_up import come_up, prepare_standing
+from scegen.concretization.clock import schedule, shortfall
+from scegen.concretization.coming_up import come_up, stand_in_line
+from scegen.concretization.deeds import (
+    do_acts,
+    lead_in_missing_s,
+    set_triggers,
+    usual_speed_mps,
+)
 from scegen.concretization.drafts import DriveDraft, Scene
 from scegen.concretization.encounters import conflict_meetings
+from scegen.concretization.fitting import conditioned, fit, is_anything_said
 from scegen.concretization.hazards.table import ordered_rules
 from scegen.concretization.lane_choice import choose_lanes
 from scegen.concretization.maneuvers import prepare_maneuvers, shape_maneuvers
 from scegen.concretization.meeting_lanes import choose_lanes_that_meet
 from scegen.concretization.meetings import Meeting
+from scegen.concretization.moments import Moments
 from scegen.concretization.obstacles import (
     expect_obstacles,
     needs_obstacle,
@@ -47,6 +56,8 @@ from scegen.scenario.vocabulary import Control
 _ATTEMPTS = 30
 _ARM_STEP_M = 10.0
 _PATIENT, _GROWTH = 12, 1.15
+_AGAIN = 3
+_LATER_S = (0.0, 0.6, -0.6, 1.0, -1.0, 1.4, -1.4, 1.8, -1.8)
 
 
 def concretize(
@@ -120,7 +131,6 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
         if rule.prepare is not None:
             rule.prepare(scene, hazard)
     prepare_maneuvers(scene)
-    prepare_standing(scene)
     for draft in scene.drives.values():
         draft.lay(scene.network)
     place_walkers(scene)
@@ -134,15 +144,16 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
     for rule, hazard in rules:
         if rule.act is not None:
             rule.act(scene, hazard)
+    stand_in_line(scene)
     meetings += come_up(scene)
     pull_out(scene)
     stop_short(scene)
     meetings += conflict_meetings(scene, rules, meetings)
-    _start(scene, meetings)
+    moments = _start(scene, meetings)
     for rule, hazard in rules:
         if rule.react is not None:
             rule.react(scene, hazard)
-    program_walkers(scene)
+    program_walkers(scene, moments.leaves_s)
     program_pulls(scene)
     return hide(scene.functional, assemble(scene, seed), scene.network)
 
@@ -160,26 +171,60 @@ def _place(scene: Scene) -> None:
 
 def _draft(scene: Scene, drive: Drive) -> DriveDraft:
     participant = scene.functional.participant(drive.participant)
+    cruise = cruise_speed_mps(scene, participant)
+    if scene.sets_off(participant.id):
+        cruise = usual_speed_mps(scene, participant.id)
     return DriveDraft(
         id=participant.id,
         kind=participant.kind,
         drive=drive,
-        cruise_mps=cruise_speed_mps(scene, participant),
+        cruise_mps=cruise,
         grip_mps2=friction_of(scene.functional.environment) * GRAVITY_MPS2,
         stops_at_line=scene.road.control is Control.ALL_WAY_STOP,
     )
 
 
-def _start(scene: Scene, meetings: list[Meeting]) -> None:
-    plan_ = schedule(scene, meetings, [*appointments(scene), *pull_appointments(scene)])
-    if plan_.shortfall_m > 0:
-        raise NeedsLongerArms(plan_.shortfall_m, plan_.shortest_of)
+def _start(scene: Scene, meetings: list[Meeting]) -> Moments:
+    offsets = schedule(scene, meetings, [*appointments(scene), *pull_appointments(scene)])
+    offsets = do_acts(scene, offsets)
+    moments = _fitted(scene, offsets, meetings)
+    short, who = shortfall(scene, moments.offsets_s)
+    if short > 0:
+        raise NeedsLongerArms(short, who)
     reasons = {m.second: f"{m.reason} with {m.first}" for m in reversed(meetings) if m.reason}
     for name, draft in scene.drives.items():
-        draft.offset_s = plan_.offsets_s[name]
+        draft.offset_s = moments.offsets_s[name]
         draft.start_m = 0.0 if draft.backs_out else draft.course.s_at(-draft.offset_s)
-        if draft.stands_at_m is not None:
-            draft.start_m = draft.stands_at_m
         station = draft.laid.station_m(draft.start_m)
         reason = reasons.get(name, "in line on its arm")
         scene.note(f"{name}.start_m", station, reason)
+    set_triggers(scene, moments)
+    return moments
+
+
+def _fitted(scene: Scene, offsets_s: dict[str, float], meetings: list[Meeting]) -> Moments:
+    """Starts and acts as is said; who meets does so as closely as nobody is to be touched."""
+    deeds = {name: list(draft.deeds) for name, draft in scene.drives.items()}
+    for later_s in _LATER_S:
+        for name, draft in scene.drives.items():
+            draft.deeds, draft.course_ = list(deeds[name]), None
+        moments = _with_lead_in(scene, offsets_s, meetings, later_s)
+        answer(scene, moments)
+        if not (is_anything_said(scene) and touching(scene, moments)):
+            break
+    return moments
+
+
+def _with_lead_in(
+    scene: Scene, offsets_s: dict[str, float], meetings: list[Meeting], later_s: float
+) -> Moments:
+    """Starts and acts as is said, everybody undisturbed for a moment before the first act."""
+    for _ in range(_AGAIN):
+        moments = Moments(scene, dict(offsets_s))
+        moments.sets_off_s = {n: moments.leaves_s(n) for n in scene.walks if conditioned(scene, n)}
+        fit(scene, moments, meetings, later_s)
+        early = lead_in_missing_s(scene, moments)
+        if early <= 0.0:
+            break
+        offsets_s = {name: offset + early for name, offset in offsets_s.items()}
+    return moments

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from scegen.concretization.amounts import GAINING, SLOWING
 from scegen.concretization.limits import (
     COMFORTABLE_ACCELERATION_MPS2,
     COMFORTABLE_BRAKING_MPS2,
@@ -22,6 +23,7 @@ from scegen.motion.polyline import LaidDrive
 from scegen.motion.reversing import lay_way
 from scegen.motion.routing import walk_route
 from scegen.road.model import RoadNetwork
+from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.concrete import (
     Change,
@@ -29,13 +31,14 @@ from scegen.scenario.concrete import (
     LaneChange,
     RoadParameters,
     SpeedPhase,
+    Trigger,
 )
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.reversing import BacksOut, Reversal
 from scegen.scenario.speed_limits import implied_limit_mps
-from scegen.scenario.vocabulary import ParticipantKind
+from scegen.scenario.vocabulary import Maneuver, ParticipantKind
 
 _SIDEWAYS = 0.9
 """The share of the grip that a bend may take."""
@@ -45,15 +48,14 @@ _SIDEWAYS = 0.9
 class DriveDraft:
     """A vehicle's drive in the making.
 
-    ``cruise_mps`` is its speed away from turns; ``marks`` what dangers add to its program;
-    ``laid`` and ``course`` its way and its timeline from the outer end of the entry arm;
-    ``start_m`` where on that path it starts at time 0; ``reactions`` phases that look at others,
-    to be put where the program reaches ``reacts_at_s_m``. ``slowing_mps2`` is how hard it brakes
-    before turns, ``approach_mps`` and ``resume_mps`` its speeds before and after them if not
-    ``cruise_mps``; ``grip_mps2`` is what the tyres hold on this road. One that stands at first does
-    so at ``stands_at_m`` of its path, until ``moves_off``; ``comes_up`` says that it brakes behind
-    one who is slower or stands. ``rests_at_m`` is where it is to come to rest if it brakes, because
-    of a thing in its way; ``halts_at_m`` where it stays. ``reversal`` is a part driven backwards;
+    ``cruise_mps`` is its speed away from turns; ``marks`` what dangers add to its program,
+    ``deeds`` what the text says that it does; ``laid`` and ``course`` its way and its timeline from
+    the outer end of the entry arm; ``start_m`` where on that path it starts at time 0;
+    ``reactions`` phases that look at others, to be put where the program reaches ``reacts_at_s_m``.
+    ``slowing_mps2`` is how hard it brakes before turns, ``approach_mps`` and ``resume_mps`` its
+    speeds before and after them if not ``cruise_mps``; ``grip_mps2`` is what the tyres hold on this
+    road. ``rests_at_m`` is where it is to come to rest if it brakes, because of a thing in its way;
+    ``halts_at_m`` where it stays. ``reversal`` is a part driven backwards;
     one that backs out (of arm ``from_arm``, if not from beside the road) joins its drive at station
     ``joins_m``. Within ``alone_s_m`` of its path only the marks of dangers count. ``backs_to`` is
     somebody who crosses behind it. ``offset_s`` is how late it is against its course.
@@ -73,11 +75,9 @@ class DriveDraft:
     resume_mps: float | None = None
     lane_changes: list[LaneChange] = field(default_factory=list)
     marks: list[Mark] = field(default_factory=list)
+    deeds: list[Mark] = field(default_factory=list)
     reactions: list[SpeedPhase] = field(default_factory=list)
     reacts_at_s_m: float = 0.0
-    stands_at_m: float | None = None
-    moves_off: SpeedPhase | None = None
-    comes_up: bool = False
     start_m: float = 0.0
     offset_s: float = 0.0
     grip_mps2: float = GRAVITY_MPS2
@@ -88,6 +88,7 @@ class DriveDraft:
     from_arm: int | None = None
     backs_to: str | None = None
     alone_s_m: tuple[float, float] | None = None
+    triggers: dict[str, Trigger] = field(default_factory=dict)
     laid_: LaidDrive | None = None
     course_: Timeline | None = None
 
@@ -159,6 +160,22 @@ class DriveDraft:
         )
 
     @property
+    def stands(self) -> bool:
+        """Whether it is said to stand all the time."""
+        return self.drive.maneuver is Maneuver.STAY
+
+    @property
+    def stays(self) -> bool:
+        """Whether it comes to rest in the end."""
+        phases = self.course.phases if self.deeds else ()
+        return self.halts_at_m is not None or bool(phases and phases[-1].target_mps == 0.0)
+
+    @property
+    def start_s(self) -> float:
+        """When it starts, on the clock of its course."""
+        return 0.0 if self.backs_out else max(0.0, -self.offset_s)
+
+    @property
     def backs_out(self) -> bool:
         """Whether it starts beside the road or on a side arm, to come out backwards."""
         return isinstance(self.reversal, BacksOut)
@@ -200,7 +217,7 @@ class DriveDraft:
         turning = self.base_marks() if self.halts_at_m is None else []
         low, high = self.alone_s_m or (1.0, 0.0)
         ordinary = [mark for mark in turning if not low <= mark.s_m <= high]
-        return sorted([*ordinary, *self.marks], key=lambda mark: mark.s_m)
+        return sorted([*ordinary, *self.marks, *self.deeds], key=lambda mark: mark.s_m)
 
     def first_speed(self) -> float:
         """The speed at the outer end of the entry arm, or where it comes out."""
@@ -274,6 +291,31 @@ class Scene:
             if parameter.name == name:
                 return parameter.low, parameter.high
         return default
+
+    @property
+    def acts(self) -> tuple[Act, ...]:
+        """What the text tells that happens, in order."""
+        return self.logical.acts or self.functional.acts
+
+    def act(self, name: str) -> Act:
+        """An act by its id."""
+        return next(act for act in self.acts if act.id == name)
+
+    def speed_acts(self, name: str) -> list[Act]:
+        """The changes of speed that the text tells of somebody, in order."""
+        return [a for a in self.acts if a.participant == name and a.kind in SLOWING | GAINING]
+
+    def sets_off(self, name: str) -> bool:
+        """Whether the first that one does is to set off: it stands until then."""
+        return any(act.kind is ActKind.SET_OFF for act in self.speed_acts(name)[:1])
+
+    def is_loose(self, name: str | None) -> bool:
+        """Whether an act of the text is one of which nothing says when it begins."""
+        return name is not None and self.act(name).when is None
+
+    def has_said_speed(self, name: str) -> bool:
+        """Whether the text says how fast somebody is."""
+        return self.functional.participant(name).speed_mps is not None
 
     def note(self, parameter: str, after: float, reason: str, before: float | None = None) -> None:
         """Record who set a parameter and why."""

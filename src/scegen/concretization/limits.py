@@ -5,7 +5,8 @@ acceleration 1-2 m/s2, comfortable braking 2-3 m/s2 (*); [ISO15622] ISO 15622:20
 adaptive cruise control from 0.8 s, decelerations beyond 3.5 m/s2 are not comfort (*); [AASHTO] A
 Policy on Geometric Design: about nine in ten drivers brake harder than 3.4 m/s2 when something
 surprises them; [2S] the two-second rule of driving schools; [UN152] UN R152: emergency braking of
-at least 5 m/s2 (*); [MUTCD] signals are timed for 1.2 m/s, which two thirds of younger
+at least 5 m/s2 (*); [UN157] UN R157: the delay of its
+careful driver (*); [MUTCD] signals are timed for 1.2 m/s, which two thirds of younger
 pedestrians exceed, nine in ten when they cross (Transportation Research Record 2002, 2007).
 (*) quoted from memory: the text itself could not be consulted. Where no source is named, the
 number is this program's own choice.
@@ -33,6 +34,7 @@ CUT_IN_HEADWAY_S = (0.3, 0.6)
 
 REVERSING_MPS = (1.8, 2.6)  # 6 to 9 km/h
 REVERSING_MPS2 = 1.5
+REACTION_S = 0.75  # [UN157]: from a danger that can be seen to the brakes
 CREEP_MPS = 0.5
 """Who is to stand at a place creeps the last bit."""
 

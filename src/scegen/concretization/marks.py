@@ -1,22 +1,34 @@
 """Marks: a speed program tied to places of the path, before the start is known.
 
 Once the start is known, a mark becomes a phase triggered by the distance travelled. A mark may
-hold its speed for a while and then resume; the time of resuming is known from the timeline.
+hold its speed for a while and then resume, or come so long after the one before it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from enum import Enum
 
 import numpy as np
 
+from scegen.concretization.profile import NEVER_S, Profile
 from scegen.motion.model import Array
 from scegen.scenario.concrete import ArrivalBelow, SpeedPhase, StoodStill, Travelled, Trigger
 from scegen.scenario.vocabulary import HazardKind
 
 STEP_S = 0.05
 _LONGEST_S = 240.0
+_SAME_MPS = 1e-3
+
+
+class Sort(Enum):
+    """What a mark is: a danger's, the text's act, or the road's (before and behind a bend)."""
+
+    DANGER = "danger"
+    ACT = "act"
+    SLOWS = "slows"
+    FREES = "frees"
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +37,9 @@ class Mark:
 
     With ``hold_s``, that long after the target is reached the speed changes to ``resume_mps``.
     ``waits_for`` is what it waits for instead, once that is known; ``resume_hazard`` the danger
-    that going on serves.
+    that going on serves. With ``then_s`` it comes so long after the act before it has ended,
+    wherever that is. ``act`` names the act of the text that it is. What the road slows down to must
+    be reached ``by_m``: where acts have changed the speed, it begins just in time for that.
     """
 
     s_m: float
@@ -37,19 +51,42 @@ class Mark:
     resume_rate_mps2: float = 2.0
     resume_hazard: HazardKind | None = None
     waits_for: ArrivalBelow | None = None
+    sort: Sort = Sort.DANGER
+    then_s: float | None = None
+    act: str | None = None
+    by_m: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Phase:
+    """A change of speed that is carried out, at its time and place on the course.
+
+    ``stood_s``: it comes so long after having come to rest.
+    """
+
+    begins_s: float
+    s_m: float
+    target_mps: float
+    rate_mps2: float
+    mark: Mark
+    resumes: bool = False
+    stood_s: float | None = None
+
+    @property
+    def hazard(self) -> HazardKind | None:
+        """The danger that it serves."""
+        return self.mark.resume_hazard if self.resumes else self.mark.hazard
 
 
 @dataclass(frozen=True)
 class Timeline:
-    """When a lone vehicle that starts at the outer end of its path is where, at which speed.
-
-    ``resumes_s`` maps the index of a holding mark to the time at which it resumes.
-    """
+    """When a lone vehicle that starts at the outer end of its path is where, at which speed."""
 
     time_s: Array
     s_m: Array
     speed_mps: Array
-    resumes_s: dict[int, float] = field(default_factory=dict)
+    phases: tuple[Phase, ...]
+    profile: Profile
 
     def time_at(self, s_m: float) -> float:
         """When it first reaches ``s_m``; before its start and behind its end at steady speed."""
@@ -68,83 +105,151 @@ class Timeline:
         """Where it is at a time; before the start it approaches at its first speed."""
         if time_s < 0:
             return time_s * float(self.speed_mps[0])
-        return float(np.interp(time_s, self.time_s, self.s_m))
+        return min(self.profile.way_m(time_s), float(self.s_m[-1]))
 
     def speed_at(self, s_m: float) -> float:
         """Its speed where it first reaches ``s_m``."""
         return float(np.interp(self.time_at(s_m), self.time_s, self.speed_mps))
 
+    def speed_then(self, time_s: float) -> float:
+        """Its speed at a time."""
+        return self.profile.speed_mps(max(time_s, 0.0))
+
+    def phase_of(self, act: str) -> Phase | None:
+        """The phase that an act of the text is, if it is carried out."""
+        return next((phase for phase in self.phases if phase.mark.act == act), None)
+
+
+class _Driving:
+    """A lone drive while it is being worked out: what is wanted, and what a bend allows."""
+
+    def __init__(self, speed_mps: float) -> None:
+        self.profile = Profile(speed_mps)
+        self.phases: list[Phase] = []
+        self.target = speed_mps
+        self.ready_s = 0.0
+        self.wanted: float | None = None
+        self.bend: float | None = None
+
+    def fire(self, mark: Mark, time_s: float) -> None:
+        """Carry a mark out."""
+        target = mark.target_mps
+        if mark.sort is Sort.ACT:
+            self.wanted = target
+        if mark.sort is Sort.SLOWS:
+            self.bend = target
+        elif mark.sort is Sort.FREES:
+            self.bend = None
+        by_road = mark.sort in {Sort.SLOWS, Sort.FREES}
+        if self.wanted is not None and mark.sort is not Sort.DANGER:
+            target = min(self.wanted, self.wanted if self.bend is None else self.bend)
+            if by_road and abs(target - self.target) < _SAME_MPS:
+                return
+        stood = mark.then_s if self.profile.speed_mps(time_s) < _SAME_MPS else None
+        self._change(Phase(time_s, 0.0, target, mark.rate_mps2, mark, stood_s=stood))
+        if mark.hold_s is not None:
+            again = self.profile.settles_s(time_s) + mark.hold_s
+            stood = mark.hold_s if target == 0.0 else None
+            self._change(
+                Phase(again, 0.0, mark.resume_mps, mark.resume_rate_mps2, mark, True, stood)
+            )
+
+    def place_m(self, mark: Mark, others: Sequence[Mark]) -> float:
+        """Where a mark is carried out, as fast as it is by then.
+
+        The road does not slow down whom an act that is to come makes slow enough in time.
+        """
+        if mark.sort is not Sort.SLOWS:
+            return mark.s_m
+        change = max(self.target**2 - mark.target_mps**2, 0.0)
+        for act in others:
+            slower = act.sort is Sort.ACT and act.target_mps <= mark.target_mps
+            if slower and act.s_m + change / (2 * act.rate_mps2) <= mark.by_m:
+                return mark.by_m
+        return mark.by_m - change / (2 * mark.rate_mps2)
+
+    def _change(self, phase: Phase) -> None:
+        self.profile.change(phase.begins_s, phase.target_mps, phase.rate_mps2)
+        place = self.profile.way_m(phase.begins_s)
+        self.phases.append(
+            Phase(phase.begins_s, place, phase.target_mps, phase.rate_mps2, phase.mark,
+                  phase.resumes, phase.stood_s)
+        )  # fmt: skip
+        self.target, self.ready_s = phase.target_mps, phase.begins_s
+
 
 def timeline(marks: Sequence[Mark], speed_mps: float, length_m: float) -> Timeline:
-    """Drive alone along a path of ``length_m`` from its outer end, by the simulator's laws."""
-    times, places, speeds = [0.0], [0.0], [speed_mps]
-    resumes: dict[int, float] = {}
-    t, s, v, fired = 0.0, 0.0, speed_mps, 0
-    target, rate = v, 1.0
-    waiting: Mark | None = None
-    reached_s: float | None = None
-    while s < length_m and t < _LONGEST_S:
-        t += STEP_S
-        step = rate * STEP_S
-        v = target if abs(target - v) <= step else v + (step if target > v else -step)
-        s += v * STEP_S
-        times.append(t)
-        places.append(s)
-        speeds.append(v)
-        if waiting is not None and waiting.hold_s is not None:
-            if reached_s is None and v == target:
-                reached_s = t
-            if reached_s is not None and t >= reached_s + waiting.hold_s:
-                target, rate = waiting.resume_mps, waiting.resume_rate_mps2
-                resumes[fired - 1] = t
-                waiting, reached_s = None, None
-        elif fired < len(marks) and s >= marks[fired].s_m:
-            mark = marks[fired]
-            target, rate = mark.target_mps, mark.rate_mps2
-            waiting = mark if mark.hold_s is not None else None
-            fired += 1
-        elif v == 0.0 and target == 0.0:
+    """Drive alone along a path of ``length_m`` from its outer end."""
+    drive = _Driving(speed_mps)
+    placed = [mark for mark in marks if mark.then_s is None]
+    chained = [mark for mark in marks if mark.then_s is not None]
+    acts = any(mark.sort is Sort.ACT for mark in marks)
+    acted = False
+    while placed or (chained and acted):
+        places = [
+            drive.place_m(m, placed) if acts else m.s_m for m in placed[: None if acts else 1]
+        ]
+        soon = [
+            (max(drive.profile.time_s(place), drive.ready_s), mark)
+            for place, mark in zip(places, placed, strict=False)
+        ]
+        if chained and acted:
+            ends = drive.profile.settles_s(drive.ready_s)
+            soon.append((ends + (chained[0].then_s or 0.0), chained[0]))
+        time_s, mark = min(soon, key=lambda each: each[0])
+        if time_s >= NEVER_S:
             break
+        (placed if mark.then_s is None else chained).remove(mark)
+        drive.fire(mark, time_s)
+        acted |= mark.sort is Sort.ACT
+    return _sampled(drive, length_m)
+
+
+def _sampled(drive: _Driving, length_m: float) -> Timeline:
+    profile = drive.profile
+    ends = min(profile.time_s(length_m), _LONGEST_S)
+    if profile.time_s(length_m) >= NEVER_S:
+        ends = min(profile.times_s[-1], _LONGEST_S)
+    count = max(2, int(np.ceil(ends / STEP_S)) + 1)
+    edges = [time for time in profile.times_s if time < ends]
+    times = np.unique(np.concatenate([np.linspace(0.0, max(ends, STEP_S), count), edges]))
+    places, speeds = profile.at_times(times)
     # Strictly rising places, so that the time at a place is the first one.
-    s_all = np.array(places)
-    first = np.concatenate(([True], np.diff(s_all) > 0))
-    first[-1] = True
-    return Timeline(np.array(times)[first], s_all[first], np.array(speeds)[first], resumes)
+    first = np.concatenate(([True], np.diff(places) > 1e-9))
+    return Timeline(times[first], places[first], speeds[first], tuple(drive.phases), profile)
 
 
 def compile_marks(
-    who: str, marks: Sequence[Mark], course: Timeline, start_m: float
+    who: str,
+    course: Timeline,
+    start_s: float,
+    start_m: float,
+    triggers: Mapping[str, Trigger],
 ) -> tuple[float, tuple[SpeedPhase, ...]]:
-    """Initial speed and phases of a vehicle that starts at ``start_m`` of its course."""
-    speed = course.speed_at(start_m)
+    """Initial speed and phases of a vehicle that starts at a time and place of its course.
+
+    ``triggers`` are those of acts that something else than its own way sets off.
+    """
+    speed = course.speed_then(start_s)
+    begun = [phase for phase in course.phases if phase.begins_s <= start_s]
+    under_way = begun[-1:] if begun and abs(speed - begun[-1].target_mps) >= _SAME_MPS else []
+    later = [phase for phase in course.phases if phase.begins_s > start_s]
     phases: list[SpeedPhase] = []
-    begun = [i for i, mark in enumerate(marks) if mark.s_m <= start_m]
-    for index, mark in enumerate(marks):
-        over = mark.s_m <= start_m and index != begun[-1]
-        reached = mark.s_m <= start_m and abs(speed - mark.target_mps) < 1e-3
-        if over or reached:
-            continue
+    for phase in (*under_way, *later):
+        trigger: Trigger = Travelled(participant=who, distance_m=max(0.0, phase.s_m - start_m))
+        if phase.mark.act in triggers:
+            trigger = triggers[phase.mark.act or ""]
+        elif phase.resumes and phase.mark.waits_for is not None:
+            trigger = phase.mark.waits_for
+        elif phase.stood_s is not None:
+            trigger = StoodStill(participant=who, duration_s=phase.stood_s)
         phases.append(
             SpeedPhase(
-                trigger=Travelled(participant=who, distance_m=max(0.0, mark.s_m - start_m)),
-                target_speed_mps=mark.target_mps,
-                rate_mps2=mark.rate_mps2,
-                hazard=mark.hazard,
+                trigger=trigger,
+                target_speed_mps=phase.target_mps,
+                rate_mps2=phase.rate_mps2,
+                hazard=phase.hazard,
+                act=None if phase.resumes else phase.mark.act,
             )
         )
-        if index in course.resumes_s and mark.hold_s is not None:
-            trigger: Trigger = StoodStill(participant=who, duration_s=mark.hold_s)
-            if mark.waits_for is not None:
-                trigger = mark.waits_for
-            elif mark.target_mps > 0.0:
-                resumes_m = course.s_at(course.resumes_s[index]) - start_m
-                trigger = Travelled(participant=who, distance_m=max(0.0, resumes_m))
-            phases.append(
-                SpeedPhase(
-                    trigger=trigger,
-                    target_speed_mps=mark.resume_mps,
-                    rate_mps2=mark.resume_rate_mps2,
-                    hazard=mark.resume_hazard,
-                )
-            )
     return speed, tuple(phases)

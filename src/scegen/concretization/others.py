@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from scegen.concretization.limits import WALKING_START_MPS2
 from scegen.concretization.things import Shape
 from scegen.motion.model import Path
 from scegen.motion.polyline import LaidDrive
@@ -30,6 +31,11 @@ class WalkDraft:
     def body(self) -> Body:
         """Its size."""
         return BODIES[self.kind]
+
+    @property
+    def rate_mps2(self) -> float:
+        """How fast it gains speed, and loses it."""
+        return min(WALKING_START_MPS2, self.body.max_acceleration_mps2)
 
 
 @dataclass

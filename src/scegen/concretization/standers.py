@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from scegen.concretization.drafts import DriveDraft, Scene
-from scegen.concretization.hazards.rule import brake_behind, same_arm
+from scegen.concretization.hazards.rule import same_arm
+from scegen.concretization.limits import LATE_BRAKING_MPS2
 from scegen.concretization.meetings import STRUCTURAL, Meeting
 from scegen.concretization.others import StandDraft
 from scegen.concretization.passing import pass_standing
@@ -127,8 +128,9 @@ def _in_front_of(scene: Scene, draft: DriveDraft) -> list[Meeting]:
         return []
     other = min(behind, key=lambda each: each.drive.rank)
     place = draft.laid.path_s_m(out.position_m + out.length_m)
-    met = max(1.0, place - draft.body.rear_m - _PULLS_OUT_BEFORE_M - other.body.front_m)
-    brake_behind(scene, other, met, draft.cruise_mps)
+    closing = max(0.0, other.cruise_mps - draft.cruise_mps)
+    gap = _PULLS_OUT_BEFORE_M + closing**2 / (2 * LATE_BRAKING_MPS2)
+    met = max(1.0, place - draft.body.rear_m - gap - other.body.front_m)
     reason = f"pulls out in front of {other.id}"
     return [Meeting(STRUCTURAL, draft.id, other.id, place, met, 0.0, reason)]
 

@@ -8,7 +8,7 @@ from math import sqrt
 from scegen.concretization.limits import (
     STOP_LINE_SPEED_MPS,
 )
-from scegen.concretization.marks import Mark
+from scegen.concretization.marks import Mark, Sort
 from scegen.motion.polyline import LaidDrive
 
 _WORTH_IT = 0.98
@@ -75,14 +75,17 @@ def turning_marks(
     if stops_at_line:
         slow = min(STOP_LINE_SPEED_MPS, through)
         marks.append(_slow_before(line_s, before, slow, slowing_mps2))
-        marks.append(Mark(max(line_s, 0.1), through, faster_mps2))
+        place = max(line_s, 0.1)
+        marks.append(Mark(place, through, faster_mps2, sort=Sort.SLOWS, by_m=place))
     elif bend:
         marks.append(_slow_before(bend.start_s_m, before, bend.speed_mps, slowing_mps2))
     if bend:
-        marks.append(Mark(bend.end_s_m, after, faster_mps2))
+        marks.append(Mark(bend.end_s_m, after, faster_mps2, sort=Sort.FREES))
     return marks
 
 
 def _slow_before(s_m: float, from_mps: float, to_mps: float, rate_mps2: float) -> Mark:
     distance = (from_mps**2 - to_mps**2) / (2 * rate_mps2)
-    return Mark(max(0.0, s_m - distance - _REACTION_M), to_mps, rate_mps2)
+    by_m = s_m - _REACTION_M
+    place = max(0.0, by_m - distance)
+    return Mark(place, to_mps, rate_mps2, sort=Sort.SLOWS, by_m=by_m)

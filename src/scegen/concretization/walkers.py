@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import sqrt
 
@@ -17,8 +18,9 @@ from scegen.concretization.others import WalkDraft
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.standing import crossing_path
 from scegen.road.model import LaneType
+from scegen.scenario.acts import Act, ActKind, AfterStart
 from scegen.scenario.bodies import BODIES, Body
-from scegen.scenario.concrete import AtTime, CrossingMotion, SpeedPhase, Travelled
+from scegen.scenario.concrete import AtTime, CrossingMotion, SpeedPhase, Travelled, Trigger
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind, Side
@@ -31,6 +33,7 @@ _BEYOND_PARKED_M = 1.2
 _BEHIND_SCREEN_M = 0.8
 """The front of one whom a thing is to hide is so far from the carriageway: it needs room there."""
 _STOP_SHORT_M = 0.15
+_MOVES_MPS = 0.1
 _INTO_PATH_M = 1.0
 """The walker is in the driver's line when the bumper is this close (both at their speed)."""
 _STEPS_OFF_M = 0.5
@@ -62,14 +65,14 @@ def place_walkers(scene: Scene) -> None:
         aside = _abreast_m(side_by_side[place])
         side_by_side[place] += 1
         participant = scene.functional.participant(crossing.participant)
+        speed = _speed(scene, participant)
         motion = CrossingMotion(
             arm=crossing.arm,
             start_side=crossing.start,
             from_junction_m=round(max(0.0, _from_junction_m(scene, crossing) + aside), 3),
-            setback_m=_setback_m(scene, crossing.arm, BODIES[participant.kind]),
+            setback_m=_setback_m(scene, crossing.arm, BODIES[participant.kind], speed),
         )
         path = crossing_path(scene.network, motion, participant.id)
-        speed = _speed(scene, participant)
         scene.walks[participant.id] = WalkDraft(
             participant.id, participant.kind, crossing, speed, motion, path
         )
@@ -90,7 +93,8 @@ def _speed(scene: Scene, participant: Participant) -> float:
     return round(speed, 3)
 
 
-def _setback_m(scene: Scene, arm: int, body: Body) -> float:
+def _setback_m(scene: Scene, arm: int, body: Body, speed_mps: float) -> float:
+    """How far outside the carriageway one starts: far enough to have its pace on it."""
     hidden = any(h.kind is HazardKind.OCCLUSION and not h.by for h in scene.functional.hazards)
     behind = body.front_m + _BEHIND_SCREEN_M if hidden else 0.0
     strip = [
@@ -99,7 +103,8 @@ def _setback_m(scene: Scene, arm: int, body: Body) -> float:
         if lane.type in {LaneType.PARKING, LaneType.SHOULDER}
     ]
     usual = max(strip) + _BEYOND_STRIP_M if strip else _SETBACK_M
-    return max(usual, behind)
+    gains = speed_mps**2 / (2 * min(WALKING_START_MPS2, body.max_acceleration_mps2))
+    return round(max(usual, behind, gains), 3)
 
 
 def _from_junction_m(scene: Scene, crossing: Crossing) -> float:
@@ -141,9 +146,18 @@ def partner_of(scene: Scene, walk: WalkDraft) -> tuple[DriveDraft, MeetingPoint]
     return None
 
 
-def _walking_time_s(walk: WalkDraft, distance_m: float) -> float:
+def walking_time_s(walk: WalkDraft, distance_m: float) -> float:
     """From the order to go until ``distance_m`` are covered, with the start from rest."""
-    return distance_m / walk.speed_mps + walk.speed_mps / (2 * WALKING_START_MPS2) + 0.1
+    return distance_m / walk.speed_mps + walk.speed_mps / (2 * walk.rate_mps2) + 0.1
+
+
+def way_walked_m(walk: WalkDraft, since_s: float) -> tuple[float, float]:
+    """(way, speed) of one so long after the order to go."""
+    gaining = walk.speed_mps / walk.rate_mps2
+    since = max(0.0, since_s)
+    if since < gaining:
+        return walk.rate_mps2 * since**2 / 2, walk.rate_mps2 * since
+    return walk.speed_mps * (since - gaining / 2), walk.speed_mps
 
 
 def appointments(scene: Scene) -> list[Appointment]:
@@ -153,13 +167,15 @@ def appointments(scene: Scene) -> list[Appointment]:
         found = partner_of(scene, walk)
         if found is not None:
             draft, point = found
-            place, distance = _rendezvous(draft, walk, point)
-            least = _walking_time_s(walk, distance) + _SETTLE_S
+            place, distance = rendezvous(scene, draft, walk, point)
+            least = walking_time_s(walk, distance) + _SETTLE_S
             result.append(Appointment(draft.id, place, least))
     return result
 
 
-def _rendezvous(draft: DriveDraft, walk: WalkDraft, point: MeetingPoint) -> tuple[float, float]:
+def rendezvous(
+    scene: Scene, draft: DriveDraft, walk: WalkDraft, point: MeetingPoint
+) -> tuple[float, float]:
     """(place of the driver, way of the walker) to be reached at the same time.
 
     The walker is in the driver's line when its bumper comes; where the driver brakes for it,
@@ -168,13 +184,19 @@ def _rendezvous(draft: DriveDraft, walk: WalkDraft, point: MeetingPoint) -> tupl
     if draft.backs_to == walk.id:
         begins_s, ends_s = draft.laid.path.backwards[0]
         return (begins_s + ends_s) / 2, point.second_s_m
-    for mark in draft.marks:
-        if mark.hold_s is not None and mark.s_m < point.first_s_m - draft.body.front_m:
+    before = [m for m in draft.marks if m.hold_s is not None]
+    before += [m for m in draft.deeds if m.target_mps == 0.0 and scene.is_loose(m.act)]
+    for mark in before:
+        if mark.s_m < point.first_s_m - draft.body.front_m:
             return mark.s_m, max(0.0, walk.motion.setback_m - _STEPS_OFF_M)
     return max(1.0, point.first_s_m - draft.body.front_m - _INTO_PATH_M), point.second_s_m
 
 
-def program_walkers(scene: Scene) -> None:
+def _crosses(act: Act) -> bool:
+    return act.kind is ActKind.CROSS
+
+
+def program_walkers(scene: Scene, leaves_s: Callable[[str], float]) -> None:
     """Step off when the driver has come so far that both arrive together; stop at the far side."""
     for walk in scene.walks.values():
         found = partner_of(scene, walk)
@@ -185,27 +207,30 @@ def program_walkers(scene: Scene) -> None:
         if stops and found is not None:
             _stop_in_the_way(scene, walk, found[1])
         kind = _HAZARD.get(walk.kind)
-        trigger: Travelled | AtTime = AtTime(time_s=1.0)
-        if found is not None:
-            draft, point = found
-            place, way = _rendezvous(draft, walk, point)
-            go = draft.course.time_at(place) - _walking_time_s(walk, min(way, walk.path.length_m))
-            distance = draft.course.s_at(go) - draft.start_m
-            trigger = Travelled(participant=draft.id, distance_m=round(max(0.0, distance), 3))
+        act = next((a for a in scene.acts if a.participant == walk.id and _crosses(a)), None)
+        go = leaves_s(walk.id)
+        trigger: Trigger = AtTime(time_s=round(max(0.0, go), 3))
+        draft = found[0] if found is not None else None
+        if draft is not None and not (act is not None and isinstance(act.when, AfterStart)):
+            own = go - draft.offset_s
+            distance = draft.course.s_at(own) - draft.start_m
+            if draft.course.speed_then(own) > _MOVES_MPS or distance <= 0.0:
+                trigger = Travelled(participant=draft.id, distance_m=round(max(0.0, distance), 3))
             scene.note(f"{walk.id}.starts_at_m", distance, f"arrives when {draft.id} does")
-        braking = walk.speed_mps**2 / (2 * WALKING_START_MPS2)
+        braking = walk.speed_mps**2 / (2 * walk.rate_mps2)
         end = max(0.0, walk.path.length_m - braking - _STOP_SHORT_M)
         walk.program = [
             SpeedPhase(
                 trigger=trigger,
                 target_speed_mps=walk.speed_mps,
-                rate_mps2=WALKING_START_MPS2,
+                rate_mps2=walk.rate_mps2,
                 hazard=kind,
+                act=None if act is None else act.id,
             ),
             SpeedPhase(
                 trigger=Travelled(participant=walk.id, distance_m=round(end, 3)),
                 target_speed_mps=0.0,
-                rate_mps2=WALKING_START_MPS2,
+                rate_mps2=walk.rate_mps2,
                 hazard=HazardKind.STOPPING if stops else None,
             ),
         ]
@@ -217,6 +242,6 @@ def _stop_in_the_way(scene: Scene, walk: WalkDraft, point: MeetingPoint) -> None
     if length <= 0:
         raise MotionInfeasibleError("stops before it has started", where=walk.id)
     # Nobody reaches its full pace on a way too short to stop from it.
-    walk.speed_mps = round(min(walk.speed_mps, _OF_PEAK * sqrt(WALKING_START_MPS2 * length)), 3)
+    walk.speed_mps = round(min(walk.speed_mps, _OF_PEAK * sqrt(walk.rate_mps2 * length)), 3)
     walk.motion = walk.motion.model_copy(update={"stops_after_m": round(length, 3)})
     walk.path = crossing_path(scene.network, walk.motion, walk.id)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from math import sqrt
 from typing import NamedTuple
 
 import numpy as np
 
-from scegen.measures.bodies import body_of
+from scegen.measures.bodies import Body, body_of
 from scegen.motion.batch.arrays import COS, SIN, SPEED, Floats, X, Y
 from scegen.motion.batch.kernels import inner_kernel, kernel
 
@@ -63,3 +64,21 @@ def write_separations(a: Floats, b: Floats, squared_m2: Floats) -> None:
 def box_at(frame: Floats, half_length_m: float, half_width_m: float, t: int) -> Box:
     """The box of a frame (row, step) at step t."""
     return Box(frame[CX, t], frame[CY, t], frame[DX, t], frame[DY, t], half_length_m, half_width_m)
+
+
+@inner_kernel
+def track_box(track: Floats, body: Body, t: int) -> Box:
+    """The box of a body at step t of its track (row, step)."""
+    cos, sin = track[COS, t], track[SIN, t]
+    x, y = track[X, t] + body.ahead_m * cos, track[Y, t] + body.ahead_m * sin
+    return Box(x, y, cos, sin, body.half_length_m, body.half_width_m)
+
+
+@inner_kernel
+def box_between(track: Floats, body: Body, t: int, share: float) -> Box:
+    """The box part of the way from the step before t (share 0) to step t (1)."""
+    one, two = track_box(track, body, max(t - 1, 0)), track_box(track, body, t)
+    cos, sin = one.cos + share * (two.cos - one.cos), one.sin + share * (two.sin - one.sin)
+    length = sqrt(cos * cos + sin * sin)
+    x, y = one.x + share * (two.x - one.x), one.y + share * (two.y - one.y)
+    return Box(x, y, cos / length, sin / length, body.half_length_m, body.half_width_m)

@@ -14,7 +14,7 @@ from math import inf, sqrt
 import numpy as np
 
 from scegen.measures.bodies import Body, body_of
-from scegen.measures.boxes import Box, box_at, frames_of
+from scegen.measures.boxes import Box, box_at, frames_of, track_box
 from scegen.measures.contact import boxes_touch
 from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.batch.kernels import inner_kernel, kernel
@@ -94,4 +94,19 @@ def distance_series(tracks: Floats, bodies: Floats, pairs: Ints) -> Floats:
             body_a, body_b = body_of(bodies, a), body_of(bodies, b)
             for t in range(steps):
                 out[c, t, p] = _distance_at(frames[a], frames[b], body_a, body_b, t)
+    return out
+
+
+@kernel
+def distances_at(tracks: Floats, bodies: Floats, pair: Ints, steps: Ints) -> Floats:
+    """Distance of a pair (2,) at some steps of each candidate, m: [candidate, n], as the steps."""
+    out = np.empty(steps.shape)
+    one, two = pair[0], pair[1]
+    body_a, body_b = body_of(bodies, one), body_of(bodies, two)
+    for c in range(steps.shape[0]):
+        for n in range(steps.shape[1]):
+            t = min(max(steps[c, n], 0), tracks.shape[3] - 1)
+            out[c, n] = box_distance(
+                track_box(tracks[c, one], body_a, t), track_box(tracks[c, two], body_b, t)
+            )
     return out

@@ -6,6 +6,7 @@ from time import perf_counter
 
 import numpy as np
 
+from scegen.measures.distance import distances_at
 from scegen.measures.evaluation import evaluate, measure
 from scegen.measures.occlusion import occlusion_series
 from scegen.measures.scene import build_scene
@@ -29,5 +30,6 @@ def warm_kernels() -> float:
     evaluate(program, candidate, scene, duration_s=0.1)
     traces = simulate_batch(program, candidate, duration_s=0.1)
     measure(traces, scene)
+    distances_at(traces.tracks, scene.bodies, scene.pairs[0], np.zeros((1, 1), dtype=np.int64))
     occlusion_series(traces.tracks, scene.bodies, scene.occlusions)
     return perf_counter() - begin

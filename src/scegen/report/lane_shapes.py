@@ -1,4 +1,4 @@
-"""Lanes, marks and crosswalks of a road network as point lists, ready to be drawn."""
+"""Lanes, marks and crosswalks of a road network as point lists (m), ready to be drawn."""
 
 from __future__ import annotations
 
@@ -18,10 +18,15 @@ _STEP_RAD = 0.08
 
 @dataclass
 class RoadShapes:
-    """Polygons of lanes by type, and lines by kind, each an array of points (n, 2)."""
+    """Polygons of lanes by type, and lines by kind, each an array of points (n, 2).
+
+    ``centre_lines`` and ``edge_lines`` are solid, ``lane_lines`` broken: those between lanes, and
+    the middle of a road with one lane each way, as the written road has them.
+    """
 
     lanes: dict[LaneType, list[Array]] = field(default_factory=dict)
     centre_lines: list[Array] = field(default_factory=list)
+    edge_lines: list[Array] = field(default_factory=list)
     lane_lines: list[Array] = field(default_factory=list)
     stripes: list[Array] = field(default_factory=list)
 
@@ -34,8 +39,10 @@ def road_shapes(network: RoadNetwork) -> RoadShapes:
         for sign in (1, -1):
             _add_side(shapes, road, poses, sign)
         if road.junction is None:
-            if {1, -1} <= {lane.id for lane in road.lanes}:
-                shapes.centre_lines.append(_offset(poses, road.lane_offset_m))
+            ids = {lane.id for lane in road.lanes if lane.type is LaneType.DRIVING}
+            if {1, -1} <= ids:
+                kind = shapes.lane_lines if ids == {1, -1} else shapes.centre_lines
+                kind.append(_offset(poses, road.lane_offset_m))
             _add_crosswalks(shapes, road)
     return shapes
 
@@ -48,9 +55,9 @@ def _add_side(shapes: RoadShapes, road: Road, poses: Array, sign: int) -> None:
         edge = _offset(poses, outer)
         outline = np.concatenate((_offset(poses, inner), edge[::-1]))
         shapes.lanes.setdefault(lane.type, []).append(outline)
-        both_driving = beyond is not None and lane.type is beyond.type is LaneType.DRIVING
-        if both_driving and road.junction is None:
-            shapes.lane_lines.append(edge)
+        if lane.type is LaneType.DRIVING and road.junction is None:
+            goes_on = beyond is not None and beyond.type is LaneType.DRIVING
+            (shapes.lane_lines if goes_on else shapes.edge_lines).append(edge)
         inner = outer
 
 

@@ -58,13 +58,19 @@ def from_data(cls: type[M], data: object, *, where: str) -> M:
 
 def read_text(path: Path) -> str:
     """A file's text, without a byte order mark; InputError if it cannot be read."""
-    where = str(path)
     try:
-        text = path.read_bytes().decode("utf-8-sig")
+        content = path.read_bytes()
     except OSError as error:
         raise InputError(
-            f"cannot be read: {error.strerror}", where=where, hint="check the path"
+            f"cannot be read: {error.strerror}", where=str(path), hint="check the path"
         ) from error
+    return text_of(content, where=str(path))
+
+
+def text_of(content: bytes, *, where: str) -> str:
+    """The text of a file's bytes, without a byte order mark; InputError if they are none."""
+    try:
+        text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise InputError("is not UTF-8 text", where=where, hint="save it as UTF-8") from error
     if "\0" in text:
@@ -74,7 +80,7 @@ def read_text(path: Path) -> str:
 
 def load(path: Path, cls: type[M]) -> M:
     """Read one level from a file."""
-    data, level = _data_and_level(path)
+    data, level = _data_and_level(read_text(path), str(path))
     if LEVELS[level] is not cls:
         wanted = next(name for name, model in LEVELS.items() if model is cls)
         raise VocabularyError(f"is a {level} file, not a {wanted} scenario", where=str(path))
@@ -85,8 +91,13 @@ def load_any(path: Path) -> AnyLevel | None:
     """Read whatever level the file holds; None if the file is not a scenario file."""
     if path.suffix.lower() not in {".yaml", ".yml", ".json"}:
         return None
-    data, level = _data_and_level(path)
-    return _whole(LEVELS[level], data, str(path))
+    return from_text(read_text(path), where=str(path))
+
+
+def from_text(text: str, *, where: str) -> AnyLevel:
+    """Read whatever level the text of a file holds; ``where`` names it in errors."""
+    data, level = _data_and_level(text, where)
+    return _whole(LEVELS[level], data, where)
 
 
 def json_schema(level: str) -> dict[str, Any]:
@@ -103,9 +114,8 @@ def _whole(cls: type[M], data: object, where: str) -> M:
     return found
 
 
-def _data_and_level(path: Path) -> tuple[object, str]:
-    where = str(path)
-    data = parse(read_text(path), where=where)
+def _data_and_level(text: str, where: str) -> tuple[object, str]:
+    data = parse(text, where=where)
     level = data.get("level") if isinstance(data, dict) else None
     if isinstance(level, str) and level in LEVELS:
         return data, level

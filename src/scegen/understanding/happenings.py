@@ -65,6 +65,8 @@ class Doing:
     into: Entity | None = None
     into_basis: Basis | None = None
     when: Trigger | None = None
+    nominal: bool = False
+    """A noun tells of it ("a deceleration")."""
     told: list[int] = field(default_factory=list)
     """Where the text tells of it again."""
     name: str = ""

@@ -8,7 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from scegen.concretization.along.runner import NEVER_S, Move, Profile, Runner, Step, gap_m
+from scegen.concretization.along.runner import Move, Runner, Step, gap_m
+from scegen.concretization.profile import NEVER_S, Profile
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.vocabulary import ParticipantKind
 
@@ -19,10 +20,10 @@ TIMES = st.floats(0.0, 60.0)
 @st.composite
 def profiles(draw):
     waits = draw(st.lists(st.floats(0.0, 8.0), max_size=4))
-    steps = tuple(
-        Step(begins, draw(SPEEDS), draw(st.floats(0.5, 9.0))) for begins in accumulate(waits)
-    )
-    return Profile(draw(SPEEDS), steps)
+    profile = Profile(draw(SPEEDS))
+    for begins in accumulate(waits):
+        profile.change(begins, draw(SPEEDS), draw(st.floats(0.5, 9.0)))
+    return profile
 
 
 @given(profiles(), TIMES)
@@ -53,7 +54,8 @@ def test_after_it_has_settled_the_speed_is_held(profile, time_s):
 
 @given(SPEEDS, SPEEDS, st.floats(0.5, 9.0), st.floats(0.0, 10.0))
 def test_a_step_takes_its_change_by_its_rate(speed, target, rate, begins):
-    profile = Profile(speed, (Step(begins, target, rate),))
+    profile = Profile(speed)
+    profile.change(begins, target, rate)
     ends = begins + abs(target - speed) / rate
     assert profile.speed_mps(ends + 0.01) == pytest.approx(target, abs=1e-6)
     assert profile.settles_s(begins) == pytest.approx(ends, abs=1e-6)
@@ -62,7 +64,9 @@ def test_a_step_takes_its_change_by_its_rate(speed, target, rate, begins):
 
 
 def test_what_begins_later_gives_up_what_is_under_way():
-    profile = Profile(20.0, (Step(1.0, 0.0, 4.0), Step(2.0, 20.0, 2.0)))
+    profile = Profile(20.0)
+    profile.change(1.0, 0.0, 4.0)
+    profile.change(2.0, 20.0, 2.0)
     assert profile.speed_mps(2.0) == pytest.approx(16.0)
     assert profile.speed_mps(10.0) == 20.0
 

@@ -5,7 +5,7 @@ A danger happens if everybody who is said to cause it does, to at least one of i
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from math import isfinite
 
@@ -14,7 +14,7 @@ import numpy as np
 from scegen.claims.hazards.predicate import NEVER, Part
 from scegen.claims.hazards.table import PREDICATES
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import Floats
+from scegen.motion.batch.arrays import Floats, Ints
 from scegen.scenario.functional import Hazard
 from scegen.scenario.proof import HazardProof, PartProof
 from scegen.scenario.vocabulary import HazardKind
@@ -25,12 +25,13 @@ _ANY_CULPRIT = frozenset({HazardKind.OCCLUSION})
 
 @dataclass(frozen=True)
 class Couple:
-    """The conditions between one cause and one sufferer, and the weakest of them (c,)."""
+    """The conditions between one cause and one sufferer; margin and time of the weakest (c,)."""
 
     by: str
     to: str
     parts: list[Part]
     relative: Floats
+    time_s: Floats
 
 
 def hazard_pairs(hazard: Hazard) -> list[tuple[str, str]]:
@@ -47,26 +48,24 @@ def both_sides(hazard: Hazard) -> list[tuple[str, str]]:
 
 def decisive(view: View, hazard: Hazard) -> tuple[Floats, Floats]:
     """Relative margin of a danger in each candidate, and when its weakest condition holds (c,)."""
-    margins, times = [], []
-    for couples in _couples(view, hazard):
-        parts = [_weakest(couple) for couple in couples]
-        margin = np.array([part[0] for part in parts])
-        chosen = margin.argmax(axis=0)
-        rows = np.arange(view.count)
-        margins.append(margin[chosen, rows])
-        times.append(np.array([part[1] for part in parts])[chosen, rows])
-    if not margins:
+    best = [
+        _chosen([(c.relative, c.time_s) for c in couples], np.argmax)
+        for couples in _couples(view, hazard)
+    ]
+    if not best:
         return np.full(view.count, NEVER), np.full(view.count, np.nan)
-    several, rows = np.array(margins), np.arange(view.count)
-    pick = several.argmax(axis=0) if hazard.kind in _ANY_CULPRIT else several.argmin(axis=0)
-    return several[pick, rows], np.array(times)[pick, rows]
+    return _chosen(best, np.argmax if hazard.kind in _ANY_CULPRIT else np.argmin)
 
 
-def _weakest(couple: Couple) -> tuple[Floats, Floats]:
-    relative = np.array([part.relative for part in couple.parts])
-    weakest, rows = relative.argmin(axis=0), np.arange(relative.shape[1])
-    times = np.array([part.time_s for part in couple.parts])
-    return relative[weakest, rows], times[weakest, rows]
+def _chosen(
+    rows: Sequence[tuple[Floats, Floats]], choose: Callable[..., Ints]
+) -> tuple[Floats, Floats]:
+    """The row of each candidate that has the greatest or the smallest margin, and its time (c,)."""
+    if len(rows) == 1:
+        return rows[0]
+    margins, times = (np.array(values) for values in zip(*rows, strict=True))
+    pick, each = choose(margins, axis=0), np.arange(margins.shape[1])
+    return margins[pick, each], times[pick, each]
 
 
 def judge(view: View, hazard: Hazard, candidate: int = 0) -> HazardProof:
@@ -118,6 +117,6 @@ def _couples(view: View, hazard: Hazard) -> Iterator[list[Couple]]:
     groups: dict[str, list[Couple]] = {}
     for by, to in hazard_pairs(hazard):
         parts = PREDICATES[hazard.kind].test(view, by, to)
-        relative = np.min([part.relative for part in parts], axis=0)
-        groups.setdefault(by, []).append(Couple(by, to, parts, relative))
+        weakest = _chosen([(part.relative, part.time_s) for part in parts], np.argmin)
+        groups.setdefault(by, []).append(Couple(by, to, parts, *weakest))
     yield from groups.values()

@@ -26,16 +26,24 @@ def judged_pairs(concrete: ConcreteScenario) -> list[Pair]:
 
 
 def occlusions(concrete: ConcreteScenario) -> list[tuple[str, str, str]]:
-    """(observer, target, occluder) of the dangers of occlusion."""
+    """(observer, target, occluder) of the dangers of occlusion.
+
+    Who is hidden is who endangers the observer otherwise; if nobody does, everybody who moves.
+    """
     movers = [p.id for p in concrete.participants if not p.parked]
-    return [
-        (observer, target, occluder)
-        for hazard in concrete.hazards
-        if hazard.kind is HazardKind.OCCLUSION
-        for occluder, observer in hazard_pairs(hazard)
-        for target in movers
-        if target not in {observer, occluder}
-    ]
+    found = []
+    for hazard in concrete.hazards:
+        if hazard.kind is not HazardKind.OCCLUSION:
+            continue
+        for occluder, observer in hazard_pairs(hazard):
+            meets = {who for h in concrete.hazards if observer in h.to for who in h.by}
+            meets &= {*movers}
+            found += [
+                (observer, target, occluder)
+                for target in movers
+                if target not in {observer, occluder} and (target in meets or not meets)
+            ]
+    return found
 
 
 def scene_of(

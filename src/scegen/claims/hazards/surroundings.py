@@ -5,32 +5,36 @@ from __future__ import annotations
 import numpy as np
 
 from scegen.claims.hazards import thresholds as limits
-from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
+from scegen.claims.hazards.predicate import NEVER, Part, Predicate, at_least, at_most
+from scegen.claims.hidden import hidden
 from scegen.claims.view import View
-from scegen.measures.occlusion import occlusion_series
 
 
 def occlusion(view: View, by: str, to: str) -> list[Part]:
-    """Somebody who moves is hidden from the sufferer before they come nearest.
+    """Somebody is hidden from the sufferer until shortly before the two come nearest.
 
-    All occluders count together: two parked cars in a row hide longer than one.
+    All occluders count together; of several who are hidden, the one with whom it is clearest.
     """
-    longest, ends = np.zeros(view.count), np.zeros(view.count)
     people = [entity.id for entity in view.concrete.entities]
-    rows = view.scene.occlusions
-    for target in sorted({int(row[1]) for row in rows if row[0] == view.index[to]}):
-        chosen = rows[(rows[:, 0] == view.index[to]) & (rows[:, 1] == target)]
-        if not (chosen[:, 2] == view.index[by]).any():
-            continue
-        hidden = occlusion_series(view.traces.tracks, view.scene.bodies, chosen).any(axis=2)
-        time = np.arange(hidden.shape[1]) * view.dt_s
-        nearest = view.of_pair("closest_s", to, people[target])
-        hidden &= time < np.where(np.isnan(nearest), np.inf, nearest)[:, None]
-        total = hidden.sum(axis=1) * view.dt_s
-        last = np.where(hidden, time, 0.0).max(axis=1)
-        ends = np.where(total > longest, last, ends)
-        longest = np.maximum(longest, total)
-    return [at_least("hidden", longest, limits.OCCLUDED, ends)]
+    rows = [[people[int(i)] for i in row] for row in view.scene.occlusions]
+    best: list[Part] = []
+    for target in sorted({t for observer, t, hider in rows if (observer, hider) == (to, by)}):
+        hiders = [hider for observer, t, hider in rows if (observer, t) == (to, target)]
+        found = hidden(view, to, target, hiders)
+        parts = [
+            at_least("hidden", found.total_s, limits.OCCLUDED, found.last_s),
+            at_most("in sight before", found.seen_s, limits.IN_SIGHT, found.last_s),
+        ]
+        if not best or _clearest(parts) > _clearest(best):
+            best = parts
+    never = np.full(view.count, np.nan)
+    return best or [at_least("hidden", never, limits.OCCLUDED, never)]
+
+
+def _clearest(parts: list[Part]) -> float:
+    """How clearly parts hold together in the best candidate."""
+    least = np.min([part.relative for part in parts], axis=0)
+    return float(least.max(initial=NEVER))
 
 
 def obstacle(view: View, by: str, to: str) -> list[Part]:

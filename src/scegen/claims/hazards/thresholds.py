@@ -50,9 +50,12 @@ CONFLICT = Threshold(1.5, "s", 0.5, "[ASC], [TTC]")
 CONFLICT_WITHIN_M = 5.0
 """A TTC counts only for those who come this close."""
 DRIVES_ON = Threshold(1.4, "m/s", 0.5, "own: at least walking pace where it should stop")
+IN_TIME = Threshold(0.0, "s", 0.5, "own: who comes when the other has left endangers nobody")
 PASSES = Threshold(0.0, "m", 2.0, "own: from wholly behind to wholly ahead")
 ONCOMING = Threshold(1.0, "s", 0.5, "own: a second over the centre line")
 OCCLUDED = Threshold(0.4, "s", 0.2, "[UN157]: as long as a careful driver takes to see a risk")
+IN_SIGHT = Threshold(4.0, "s", 1.0, "own: a careful driver [UN157] stops from 70 km/h in as long")
+"""Who is seen for longer before the two come nearest was not hidden when it mattered."""
 REVERSED = Threshold(1.5, "m", 1.0, "own: clearly seen, a third of a car's length")
 REVERSED_NEAR = Threshold(5.0, "m", 2.0, "own: as close as a conflict")
 REVERSED_FOR_S = 2.0

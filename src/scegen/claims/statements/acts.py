@@ -11,6 +11,7 @@ from scegen.claims import tolerances
 from scegen.claims.arms import arms_of
 from scegen.claims.boxes import boxes, offset
 from scegen.claims.claim import Claim, ClaimKind, Judged, Test, within
+from scegen.claims.lateral import lateral_m
 from scegen.claims.moments import (
     ASIDE_MPS,
     GAINING,
@@ -20,11 +21,11 @@ from scegen.claims.moments import (
     act_run,
     at,
     first,
-    lateral_m,
     sideways_begin,
 )
 from scegen.claims.statements.maneuvers import LANE_M
 from scegen.claims.statements.spacings import measure_at
+from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import KPH, Told, amount, plain
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats, Ints
@@ -154,10 +155,7 @@ def _ends_at(told: Told, act: Act, target: Interval, view: View) -> Judged:
     run = act_run(view, told.functional, act)
     speed = at(view.speed_mps(act.participant), run.end)
     margin = within(speed, target, tolerances.SPEED_MPS)
-    hit = np.full(view.count, np.inf)
-    for other in view.index:
-        if other != act.participant and told.may_touch(act.participant, other):
-            hit = np.fmin(hit, view.of_pair("contact_s", act.participant, other))
+    hit = hit_s(told, view, act.participant)
     cut = view.time_of(run.end) >= np.minimum(hit, view.time_of(view.last_step))
     margin = np.where(cut & np.isfinite(hit), np.maximum(margin, 0.0), margin)
     margin = np.where(run.happens, margin, np.nan)

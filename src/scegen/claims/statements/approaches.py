@@ -9,11 +9,18 @@ import numpy as np
 
 from scegen.claims.boxes import Boxes, box_at, course, seen
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged
+from scegen.claims.moments import first
 from scegen.claims.told import Told, either, plain
 from scegen.claims.tolerances import SAME_LANE_M
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import SPEED, Bools, Floats
-from scegen.scenario.vocabulary import Approach, DrivingSide, ParticipantKind
+from scegen.motion.batch.arrays import Bools, Floats
+from scegen.scenario.vocabulary import (
+    Approach,
+    DrivingSide,
+    JunctionKind,
+    Maneuver,
+    ParticipantKind,
+)
 
 _SIDES = {Approach.LEFT: 1.0, Approach.RIGHT: -1.0}
 _COURSES = frozenset({Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE})
@@ -23,6 +30,7 @@ _BESIDE_M, _FARTHEST_M = 1.0, 8.0
 _SAME_WAY = 0.7
 """Cosine between the headings of two who go the same way: 45 degrees."""
 _WALKS_ASIDE_M = 8.0
+_SETS_OUT_M = 1.0
 _DEG_PER_M = 10.0
 _WORDS = {
     Approach.AHEAD: "ahead of {} in its lane",
@@ -54,7 +62,17 @@ def claims(told: Told) -> Iterator[Claim]:
             unit="deg" if words <= _COURSES else "m",
             test=partial(_judge, told, name, reference, words),
             scale=_DEG_PER_M if words <= _COURSES else 2.0,
+            fixed=words <= _COURSES and _by_other_arms(told, name, reference),
         )
+
+
+def _by_other_arms(told: Told, name: str, reference: str) -> bool:
+    """Whether two drive and come by different arms of a junction: their courses are their ways'."""
+    one, other = told.drive(name), told.drive(reference)
+    plain_road = told.functional.junction.kind is JunctionKind.STRAIGHT
+    if one is None or other is None or plain_road or one.maneuver is Maneuver.STAY:
+        return False
+    return one.entry != other.entry
 
 
 def _told(words: frozenset[Approach], reference: str) -> str:
@@ -96,14 +114,16 @@ def _judge(told: Told, name: str, reference: str, words: frozenset[Approach], vi
 
 
 def _course(view: View, name: str, frame: Boxes) -> Floats:
-    """Direction in which somebody sets out, from the frame's heading, rad."""
-    speed = view.row(name, SPEED)
-    away = np.abs(speed) > 0.05
-    first = np.where(away.any(axis=1), away.argmax(axis=1), 0)
-    backwards = speed[np.arange(view.count), first] < 0.0
-    at_rest = box_at(view, name, first)
-    turned = course(frame, at_rest) + np.where(backwards, np.pi, 0.0)
-    return (turned + np.pi) % (2 * np.pi) - np.pi
+    """Direction in which somebody sets out, from the frame's heading, rad.
+
+    What counts is where it is a little later, not where it heads: one who backs out may come
+    forwards a hand's breadth first. Of one who stays, the heading.
+    """
+    place = view.place_m(name)
+    begin, step = box_at(view, name, 0), first(place > place[:, :1] + _SETS_OUT_M)
+    later = box_at(view, name, step)
+    turned = course(frame, begin._replace(cos=later.x - begin.x, sin=later.y - begin.y))
+    return np.where(step < view.steps, turned, course(frame, begin))
 
 
 def _beside(aside_m: Floats) -> Floats:

@@ -9,13 +9,21 @@ from itertools import combinations
 import numpy as np
 
 from scegen.claims.arms import arms_of, off_lane_m
-from scegen.claims.boxes import box_at, same_way, seen
-from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, always
+from scegen.claims.boxes import box_at, boxes, same_way, seen
+from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, always
+from scegen.claims.moments import first
+from scegen.claims.statements.touching import touched
 from scegen.claims.told import Told, either
 from scegen.claims.tolerances import SAME_LANE_M, STANDS_MPS
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import Bools
-from scegen.scenario.logical import Drive
+from scegen.scenario.logical import (
+    Assignment,
+    ConflictKind,
+    Crossing,
+    Drive,
+    Heading,
+    Walking,
+)
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver, Side
 
@@ -27,72 +35,112 @@ _TURNS = {
     Maneuver.U_TURN: "turns back",
     Maneuver.STRAIGHT: "goes straight on",
 }
+_POINTS, _BETWEEN_M = 160, 1.0
+"""Of a way that are looked at, to find where it crosses another; what lies between them."""
 
 
 def claims(told: Told) -> Iterator[Claim]:
     """Of everybody's place and way."""
-    for person in told.people:
-        drive = told.drive(person.id)
-        if person.lanes and drive is not None:
-            lanes = tuple(sorted(person.lanes))
-            yield Claim(
-                id=f"lane.{person.id}",
-                kind=ClaimKind.LANE,
-                statement=f"{person.id} starts in lane {either([str(lane) for lane in lanes])}",
-                field=f"participants.{person.id}.lanes",
-                unit="m",
-                test=partial(_lane, drive, lanes),
-            )
-        if drive is None or drive.reverses is not None:
-            continue
-        if not person.circulating:
-            yield _entry(told, drive)
-        if person.maneuvers != {Maneuver.STAY}:
-            yield _exit(told, drive)
-    for first, second in combinations(told.logical.drives, 2):
-        if first.entry == second.entry and first.rank != second.rank:
-            ahead, behind = sorted((first, second), key=lambda drive: drive.rank)
+    for assignment in told.logical.assignments:
+        if isinstance(assignment, Drive):
+            yield from _driven(told, assignment)
+        else:
+            yield from _beside_the_lanes(assignment)
+    for one, other in combinations(told.logical.drives, 2):
+        if one.entry == other.entry and one.rank != other.rank:
+            ahead, behind = sorted((one, other), key=lambda drive: drive.rank)
             moves = Maneuver.STAY not in {ahead.maneuver, behind.maneuver}
             if moves and ahead.reverses is None and behind.reverses is None:
-                yield _order(ahead.participant, behind.participant)
-    for drive in told.logical.drives:
-        if drive.beside is not None:
-            yield _beside(drive.participant, drive.beside)
-    for crossing in told.logical.crossings:
-        where = f"on the {crossing.start} of arm {crossing.arm}"
-        yield Claim(
-            id=f"entry.{crossing.participant}",
-            kind=ClaimKind.ENTRY,
-            statement=f"{crossing.participant} starts {where}",
-            field=f"participants.{crossing.participant}.approaches",
-            unit="m",
-            test=partial(_start_side, crossing.participant, crossing.arm, crossing.start),
-        )
+                kind, name = ClaimKind.ORDER, f"{ahead.participant}.{behind.participant}"
+                does = f"{ahead.participant} is on the arm ahead of {behind.participant}"
+                test: Test = partial(_ahead, ahead.participant, behind.participant)
+                yield _claim(kind, name, does, ahead, "approaches", test)
+    for met in told.logical.conflicts:
+        drives = [told.drive(name) for name in (met.first, met.second)]
+        if met.kind is ConflictKind.CROSSING and all(d and not d.reverses for d in drives):
+            name = f"{met.first}.{met.second}"
+            does = f"the ways of {met.first} and {met.second} cross"
+            test = partial(_cross, told, met.first, met.second)
+            of = told.logical.assignment(met.second)
+            yield _claim(ClaimKind.CONFLICT, name, does, of, "maneuvers", test)
 
 
-def _entry(told: Told, drive: Drive) -> Claim:
-    return Claim(
-        id=f"entry.{drive.participant}",
-        kind=ClaimKind.ENTRY,
-        statement=f"{drive.participant} comes in on arm {drive.entry}",
-        field=f"participants.{drive.participant}.entries",
-        unit="m",
-        test=partial(_comes_in, drive, _off_its_side(told, drive)),
-    )
+def _claim(
+    kind: ClaimKind,
+    name: str,
+    statement: str,
+    of: Assignment,
+    part: str,
+    test: Test,
+    unit: str = "m",
+) -> Claim:
+    field = f"participants.{of.participant}.{part}"
+    fixed = kind is not ClaimKind.ORDER
+    return Claim(f"{kind}.{name}", kind, statement, field, unit, test, fixed=fixed)
+
+
+def _driven(told: Told, drive: Drive) -> Iterator[Claim]:
+    """The lane, who is beside, the arms by which it comes and leaves."""
+    name = drive.participant
+    person = told.functional.participant(name)
+    lanes = tuple(sorted(person.lanes)) if drive.lane is None else (drive.lane,)
+    if person.lanes:
+        does = f"{name} starts in lane {either([str(lane) for lane in lanes])}"
+        yield _claim(ClaimKind.LANE, name, does, drive, "lanes", partial(_lane, drive, lanes))
+    if drive.beside is not None:
+        on = f" on its {drive.beside_on}" if drive.beside_on else ""
+        does = f"{name} is in the lane beside {drive.beside}{on} at the start"
+        test = partial(_in_lane_beside, name, drive.beside, drive.beside_on)
+        yield _claim(ClaimKind.BESIDE, f"{name}.{drive.beside}", does, drive, "approaches", test)
+    if drive.reverses is not None:
+        return
+    if drive.circulating:
+        ego = told.drive(told.ego)
+        if ego is not None and not ego.circulating:
+            does = f"{name} is in the ring before {told.ego} is"
+            test = partial(_in_the_ring, drive, ego)
+            yield _claim(ClaimKind.ORDER, f"ring.{name}", does, drive, "circulating", test, "s")
+    else:
+        does = f"{name} comes in on arm {drive.entry}"
+        test = partial(_comes_in, drive, _off_its_side(told, drive))
+        yield _claim(ClaimKind.ENTRY, name, does, drive, "entries", test)
+    if person.maneuvers != {Maneuver.STAY}:
+        plain_road = told.functional.junction.kind is JunctionKind.STRAIGHT
+        straight = plain_road and drive.turn is Maneuver.STRAIGHT
+        leaves = "drives on" if straight else _TURNS.get(drive.turn, "drives")
+        does = f"{name} {leaves} and leaves by arm {drive.exit}"
+        test = partial(_goes_out, told, drive)
+        yield _claim(ClaimKind.EXIT, name, does, drive, "maneuvers", test)
+
+
+def _beside_the_lanes(other: Assignment) -> Iterator[Claim]:
+    """The arm and the side of it on which somebody stands, walks or begins to cross."""
+    if isinstance(other, Drive):
+        return
+    name = other.participant
+    side = other.start if isinstance(other, Crossing) else other.side
+    test = partial(_start_side, name, other.arm, side)
+    does = f"{name} starts on the {side} of arm {other.arm}"
+    yield _claim(ClaimKind.ENTRY, name, does, other, "approaches", test)
+    if isinstance(other, Walking):
+        test = partial(_walks, name, other.arm, other.heading)
+        does = f"{name} walks along arm {other.arm}, {other.heading}"
+        yield _claim(ClaimKind.EXIT, name, does, other, "maneuvers", test)
 
 
 def _off_its_side(told: Told, drive: Drive) -> bool:
-    """Whether it may be on the wrong side of the road: it is in a lane of who comes towards it."""
+    """Whether it may be on the wrong side of the road.
+
+    It is said to drive there, or one of two who face each other in one line is, and not which.
+    """
+    wrong = {n for h in told.hazards if h.kind is HazardKind.ONCOMING_LANE for n in h.by}
+    others = {d.participant for d in told.logical.drives if d.entry != drive.entry} - wrong
     name = drive.participant
-    facing = {
-        (spacing.participant, spacing.reference)
+    return name in wrong or any(
+        name in pair and others & {*pair}
         for spacing in told.functional.spacings
         if spacing.measure in {Measure.OVERLAP_PERCENT, Measure.LATERAL_OFFSET_M}
-    }
-    others = {d.participant for d in told.logical.drives if d.entry != drive.entry}
-    in_line = any(name in pair and others & {*pair} for pair in facing)
-    return in_line or any(
-        hazard.kind is HazardKind.ONCOMING_LANE and name in hazard.by for hazard in told.hazards
+        for pair in [(spacing.participant, spacing.reference)]
     )
 
 
@@ -110,19 +158,13 @@ def _comes_in(drive: Drive, off_its_side: bool, view: View) -> Judged:
     return Judged(margin, along, np.zeros(view.count))
 
 
-def _exit(told: Told, drive: Drive) -> Claim:
-    does = _TURNS.get(drive.turn, "drives")
-    plain_road = told.functional.junction.kind is JunctionKind.STRAIGHT
-    leaves = "drives on" if plain_road and drive.turn is Maneuver.STRAIGHT else does
-    return Claim(
-        id=f"exit.{drive.participant}",
-        kind=ClaimKind.EXIT,
-        statement=f"{drive.participant} {leaves} and leaves by arm {drive.exit}",
-        field=f"participants.{drive.participant}.maneuvers",
-        unit="m",
-        test=partial(_goes_out, told, drive),
-        scale=20.0,
+def _in_the_ring(drive: Drive, ego: Drive, view: View) -> Judged:
+    """How long before the ego it comes in; who never does comes last."""
+    own, others = (
+        view.time_of(first(arm.place(boxes(view, one.participant))[0] > arm.length_m))
+        for one, arm in ((one, arms_of(view)[one.entry]) for one in (drive, ego))
     )
+    return Judged(others - own, others - own, own)
 
 
 def _goes_out(told: Told, drive: Drive, view: View) -> Judged:
@@ -147,7 +189,7 @@ def _goes_out(told: Told, drive: Drive, view: View) -> Judged:
     on_entry = (along <= entry.length_m) & (entry.facing(box) > _SAME_WAY)
     plain_road = told.functional.junction.kind is JunctionKind.STRAIGHT
     speed = view.speed_mps(name)[np.arange(view.count), last]
-    excused = _touched(told, view, name) | (speed < STANDS_MPS)
+    excused = touched(told, view, name) | (speed < STANDS_MPS)
     wrong = np.zeros(view.count, dtype=np.bool_)
     for number, arm in enumerate(arms):
         if number not in {drive.entry, drive.exit}:
@@ -158,31 +200,11 @@ def _goes_out(told: Told, drive: Drive, view: View) -> Judged:
     return Judged(margin, gone, view.time_of(last))
 
 
-def _touched(told: Told, view: View, name: str) -> Bools:
-    """Whether it was in a contact that is said."""
-    hit = np.zeros(view.count, dtype=np.bool_)
-    for other in view.index:
-        if other != name and told.may_touch(name, other):
-            hit |= ~np.isnan(view.of_pair("contact_s", name, other))
-    return hit
-
-
 def _lane(drive: Drive, lanes: tuple[int, ...], view: View) -> Judged:
     arm = arms_of(view)[drive.entry]
     box = box_at(view, drive.participant, 0)
     off = off_lane_m(arm, box, lanes, inwards=True)
     return Judged(arm.lane_width_m / 2 - off, off, np.zeros(view.count))
-
-
-def _order(ahead: str, behind: str) -> Claim:
-    return Claim(
-        id=f"order.{ahead}.{behind}",
-        kind=ClaimKind.ORDER,
-        statement=f"{ahead} is on the arm ahead of {behind}",
-        field=f"participants.{ahead}.approaches",
-        unit="m",
-        test=partial(_ahead, ahead, behind),
-    )
 
 
 def _ahead(ahead: str, behind: str, view: View) -> Judged:
@@ -194,20 +216,10 @@ def _ahead(ahead: str, behind: str, view: View) -> Judged:
     return Judged(margin, free, np.zeros(view.count))
 
 
-def _beside(name: str, other: str) -> Claim:
-    return Claim(
-        id=f"beside.{name}.{other}",
-        kind=ClaimKind.BESIDE,
-        statement=f"{name} is in the lane beside {other} at the start",
-        field=f"participants.{name}.approaches",
-        unit="m",
-        test=partial(_in_lane_beside, name, other),
-    )
-
-
-def _in_lane_beside(name: str, other: str, view: View) -> Judged:
+def _in_lane_beside(name: str, other: str, side: Side | None, view: View) -> Judged:
     frame, box = box_at(view, other, 0), box_at(view, name, 0)
-    aside = np.abs(seen(frame, box).y)
+    left = seen(frame, box).y
+    aside = np.abs(left) if side is None else left if side is Side.LEFT else -left
     inside = np.minimum(aside - _ASIDE_M[0], _ASIDE_M[1] - aside)
     margin = np.where(same_way(frame, box) > _SAME_WAY, inside, -NEVER)
     return Judged(margin, aside, np.zeros(view.count))
@@ -222,3 +234,28 @@ def _start_side(name: str, arm_number: int, side: Side, view: View) -> Judged:
     margin = offset if side is Side.LEFT else -offset
     margin = np.minimum(margin, np.minimum(along, arms[arm_number].length_m + 2.0 - along))
     return Judged(margin, offset, np.zeros(view.count))
+
+
+def _walks(name: str, arm_number: int, heading: Heading, view: View) -> Judged:
+    """How far it has come along the arm in the end, the way that it is to go."""
+    along, _ = arms_of(view)[arm_number].place(boxes(view, name))
+    gone = along[np.arange(view.count), view.last_step] - along[:, 0]
+    gone = gone if heading is Heading.INWARD else -gone
+    return Judged(gone, gone, view.time_of(view.last_step))
+
+
+def _cross(told: Told, first: str, second: str, view: View) -> Judged:
+    """Whether two, each at a time of its own, come over the same ground; who stays may not."""
+    sparse = slice(None, None, max(1, view.steps // _POINTS))
+    a, b = boxes(view, first), boxes(view, second)
+    reach = a.half_width + b.half_width + _BETWEEN_M
+    apart = np.empty(view.count)
+    excused = np.zeros(view.count, dtype=np.bool_)
+    for name in (first, second):
+        speed = view.speed_mps(name)[np.arange(view.count), view.last_step]
+        excused |= touched(told, view, name) | (speed < STANDS_MPS)
+    for c in range(view.count):
+        x, y = (np.subtract.outer(p[c, sparse], q[c, sparse]) for p, q in ((a.x, b.x), (a.y, b.y)))
+        apart[c] = np.hypot(x, y).min()
+    margin = np.where(excused, np.maximum(reach - apart, 0.0), reach - apart)
+    return Judged(margin, apart, np.zeros(view.count))

@@ -39,6 +39,7 @@ def claims(told: Told) -> Iterator[Claim]:
             test=partial(_possible, person),
             tolerance=_ROOM,
             scale=0.5,
+            fixed=True,
         )
 
 

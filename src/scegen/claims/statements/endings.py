@@ -7,12 +7,11 @@ from functools import partial
 
 import numpy as np
 
-from scegen.claims.boxes import apart, box_at
 from scegen.claims.claim import Claim, ClaimKind, Judged
 from scegen.claims.hazards.table import PREDICATES
 from scegen.claims.told import Told
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import Floats, Ints
+from scegen.motion.batch.arrays import Floats
 
 GOES_ON_S = 2.0
 _OVER_S = 0.5
@@ -63,50 +62,40 @@ def pairs_of(told: Told, view: View) -> list[tuple[str, str]]:
     return [pair for pair in known if view.pair(*pair) is not None]
 
 
-def _nearest(told: Told, view: View) -> tuple[Floats, Floats, Floats]:
-    """When the nearest pair is nearest, the distance two seconds before the end, and then."""
-    least = np.full(view.count, np.inf)
-    when = np.zeros(view.count)
-    before = np.full(view.count, np.inf)
-    last = view.last_step
-    for pair in pairs_of(told, view):
-        away = view.of_pair("distance_m", *pair)
-        chosen = away < least
-        when = np.where(chosen, view.of_pair("closest_s", *pair), when)
-        late = apart(*(box_at(view, who, last - _steps(view, GOES_ON_S)) for who in pair))
-        before = np.where(chosen, late, before)
-        least = np.where(chosen, away, least)
-    return when, before, least
-
-
-def _steps(view: View, time_s: float) -> int:
-    return round(time_s / view.dt_s)
+def _ends(told: Told, view: View) -> list[tuple[tuple[str, str], Floats]]:
+    """Whom it is about, and how far apart at the end, a little and some time before (c, 3)."""
+    before = np.array([0, round(_OVER_S / view.dt_s), round(GOES_ON_S / view.dt_s)])
+    steps = view.last_step[:, None] - before
+    make = lambda: [(p, view.distance_m(*p, steps)) for p in pairs_of(told, view)]  # noqa: E731
+    return view.once("ends", make)
 
 
 def _goes_on(told: Told, view: View) -> Judged:
     """Two who keep their distance to the end are past their closest approach all the same."""
-    when, before, least = _nearest(told, view)
+    least = np.full(view.count, np.inf)
+    when, before = np.zeros(view.count), np.full(view.count, np.inf)
+    for pair, ends in _ends(told, view):
+        away = view.of_pair("distance_m", *pair)
+        chosen = away < least
+        when = np.where(chosen, view.of_pair("closest_s", *pair), when)
+        before = np.where(chosen, ends[:, 2], before)
+        least = np.where(chosen, away, least)
     left = view.time_of(view.last_step) - when - GOES_ON_S
     left = np.where(np.abs(left) < view.dt_s / 2, 0.0, left)
     keeps = before < np.where(np.isfinite(least), least + _STEADY_M, np.inf)
     steady = np.isinf(least) | (keeps & (least > 0.0))
-    return Judged(np.where(steady, np.maximum(left, 0.0), left), left + GOES_ON_S, when)
+    left = np.where(steady, np.maximum(left, 0.0), left)
+    return Judged(left, left + GOES_ON_S, when)
 
 
 def _no_more_closing(told: Told, view: View) -> Judged:
     margin = np.full(view.count, _CLOSING_MPS)
     worst = np.zeros(view.count)
-    last = view.last_step
-    for pair in pairs_of(told, view):
-        end, before = (_away(view, pair, last - n) for n in (0, _steps(view, _OVER_S)))
-        closing = (before - end) / _OVER_S
+    for pair, ends in _ends(told, view):
+        closing = (ends[:, 1] - ends[:, 0]) / _OVER_S
         # Those who have touched go through one another: what counts comes before.
-        over = (end > _FAR_M) | ~np.isnan(view.of_pair("contact_s", *pair))
+        over = (ends[:, 0] > _FAR_M) | ~np.isnan(view.of_pair("contact_s", *pair))
         value = np.where(over, _CLOSING_MPS, _CLOSING_MPS - closing)
         worst = np.where(value < margin, closing, worst)
         margin = np.minimum(margin, value)
-    return Judged(margin, worst, view.time_of(last))
-
-
-def _away(view: View, pair: tuple[str, str], step: Ints) -> Floats:
-    return apart(*(box_at(view, who, step) for who in pair))
+    return Judged(margin, worst, view.time_of(view.last_step))

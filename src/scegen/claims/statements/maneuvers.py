@@ -8,23 +8,31 @@ from functools import partial
 import numpy as np
 
 from scegen.claims.arms import arms_of
-from scegen.claims.boxes import boxes, same_way, seen
+from scegen.claims.boxes import boxes, passes
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test
-from scegen.claims.moments import at, lateral_m
-from scegen.claims.told import KPH, Told
-from scegen.claims.tolerances import STANDS_MPS
+from scegen.claims.lateral import lateral_m
+from scegen.claims.moments import SIDEWAYS, at
+from scegen.claims.statements.touching import touched
+from scegen.claims.told import KPH, Told, either
+from scegen.claims.tolerances import SAME_LANE_M, STANDS_MPS
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import HEADING, Floats
+from scegen.motion.batch.arrays import HEADING
 from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Participant
+from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
 from scegen.scenario.logical import Crossing, Drive
-from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind, Side
+from scegen.scenario.vocabulary import (
+    HazardKind,
+    JunctionKind,
+    Maneuver,
+    ParticipantKind,
+    Side,
+)
 
+STRAIGHT = JunctionKind.STRAIGHT
 LANE_M = 2.0
 """Who goes so far to the side has changed lane."""
 _TURNS_DEG, _BACK_DEG = 15.0, 140.0
-_BESIDE_M = 7.0
-_SAME_WAY = 0.9
 _MOVES_M = 0.5
 
 
@@ -39,6 +47,12 @@ def claims(told: Told) -> Iterator[Claim]:
             yield _stands(told, person, pulls_out=False)
         if drive is not None and person.maneuvers:
             yield from _driven(told, drive, field)
+        if drive is not None and _keeps_lane(told, drive):
+            does = f"{person.id} keeps its lane" + (
+                "" if told.functional.junction.kind is STRAIGHT else " up to the junction"
+            )
+            test = partial(_stays_in_lane, drive)
+            yield _claim(f"lane.{person.id}", does, field, "m", test)
         crosses = crossing is not None and Maneuver.CROSS in person.maneuvers
         if crossing is not None and crosses and not _stops(told, person.id):
             yield _claim(
@@ -50,13 +64,45 @@ def claims(told: Told) -> Iterator[Claim]:
             )
 
 
+def _keeps_lane(told: Told, drive: Drive) -> bool:
+    """Whether nothing that is said lets it go sideways, nor somebody who stands in its way."""
+    name = drive.participant
+    person = told.functional.participant(name)
+    moves = drive.changes_to or drive.reverses or drive.maneuver is not drive.turn
+    if moves or drive.circulating or person.pulls_out or drive.turn is Maneuver.U_TURN:
+        return False
+    plain_road = told.functional.junction.kind is STRAIGHT
+    beside = [h for h in told.hazards if plain_road and h.kind in FROM_BESIDE]
+    beside += [h for h in told.hazards if SIDEWAYS & {*HAZARDS[h.kind].acts}]
+    beside += [h for h in told.hazards if h.kind is HazardKind.SUDDEN_TURN]
+    led_around = any(
+        h.kind in {HazardKind.OBSTACLE, HazardKind.STOPPING} and name in h.to for h in told.hazards
+    ) or any(thing.in_way_of == name for thing in told.functional.objects)
+    stands = any(p.parked or p.maneuvers == {Maneuver.STAY} for p in told.people)
+    sideways = any(act.kind in SIDEWAYS for act in told.acts_of(name))
+    return not (sideways or led_around or stands or any(name in h.by for h in beside))
+
+
+def _stays_in_lane(drive: Drive, view: View) -> Judged:
+    """How far to a side it comes on the arm by which it comes."""
+    name = drive.participant
+    along, _ = arms_of(view)[drive.entry].place(boxes(view, name))
+    aside = np.abs(lateral_m(view, name, drive))
+    aside = np.where(along <= arms_of(view)[drive.entry].straight_m, aside, 0.0)
+    step = aside.argmax(axis=1)
+    most = at(aside, step)
+    return Judged(SAME_LANE_M - most, most, view.time_of(step))
+
+
 def _stops(told: Told, name: str) -> bool:
     """Whether it is said to stop on its way."""
     acts = any(act.kind is ActKind.STOP for act in told.acts_of(name))
     return acts or any(h.kind is HazardKind.STOPPING and name in h.by for h in told.hazards)
 
 
-def _claim(name: str, statement: str, field: str, unit: str, test: Test) -> Claim:
+def _claim(
+    name: str, statement: str, field: str, unit: str, test: Test, *, fixed: bool = True
+) -> Claim:
     return Claim(
         id=f"maneuver.{name}",
         kind=ClaimKind.MANEUVER,
@@ -64,27 +110,35 @@ def _claim(name: str, statement: str, field: str, unit: str, test: Test) -> Clai
         field=field,
         unit=unit,
         test=test,
-        scale=20.0 if unit == "deg" else 2.0,
+        scale=2.0,
+        fixed=fixed,
     )
 
 
 def _driven(told: Told, drive: Drive, field: str) -> Iterator[Claim]:
     name = drive.participant
     if drive.maneuver is Maneuver.LANE_CHANGE:
-        yield _claim(
-            f"lane_change.{name}", f"{name} changes lane", field, "m", partial(_changes_lane, drive)
-        )
+        to = f" to the {drive.changes_to}" if drive.changes_to else ""
+        test: Test = partial(_changes_lane, drive)
+        yield _claim(f"lane_change.{name}", f"{name} changes lane{to}", field, "m", test)
     elif drive.maneuver is Maneuver.OVERTAKE:
-        yield _claim(
-            f"overtake.{name}",
-            f"{name} passes another who goes the same way",
-            field,
-            "m",
-            partial(_overtakes, told, name),
-        )
+        passed = _overtaken(told, name)
+        whom = either(passed) if passed else "another who goes the same way"
+        test = partial(_overtakes, name, passed or [p.id for p in told.people if p.id != name])
+        does = f"{name} passes {whom}"
+        yield _claim(f"overtake.{name}", does, field, "m", test, fixed=False)
     if drive.turn in {Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN} and drive.reverses is None:
         does = "turns back" if drive.turn is Maneuver.U_TURN else f"turns {drive.turn}"
         yield _claim(f"turn.{name}", f"{name} {does}", field, "deg", partial(_turns, drive))
+
+
+def _overtaken(told: Told, name: str) -> list[str]:
+    """Whom somebody is said to pass, if that is said."""
+    whom = [act.into for act in told.acts_of(name) if act.kind is ActKind.OVERTAKE and act.into]
+    for hazard in told.functional.hazards:
+        if hazard.kind is HazardKind.OVERTAKING and name in hazard.by:
+            whom += hazard.to
+    return list(dict.fromkeys(whom))
 
 
 def _turns(drive: Drive, view: View) -> Judged:
@@ -105,35 +159,23 @@ def _turns(drive: Drive, view: View) -> Judged:
 
 
 def _changes_lane(drive: Drive, view: View) -> Judged:
-    aside = np.abs(lateral_m(view, drive.participant, drive))
+    aside = lateral_m(view, drive.participant, drive)
+    sense = {Side.LEFT: 1.0, Side.RIGHT: -1.0, None: 0.0}[drive.changes_to]
+    aside = sense * aside if sense else np.abs(aside)
     step = aside.argmax(axis=1)
     most = at(aside, step)
     return Judged(most - LANE_M, most, view.time_of(step))
 
 
-def _overtakes(told: Told, name: str, view: View) -> Judged:
+def _overtakes(name: str, others: list[str], view: View) -> Judged:
     """From wholly behind somebody to wholly ahead, side by side on one road."""
     best = np.full(view.count, -NEVER)
     when = np.zeros(view.count)
-    for other in told.people:
-        if other.id == name:
-            continue
-        margin, time_s = passes(view, name, other.id)
+    for other in others:
+        margin, time_s = passes(view, name, other)
         when = np.where(margin > best, time_s, when)
         best = np.maximum(best, margin)
     return Judged(best, best, when)
-
-
-def passes(view: View, name: str, other: str) -> tuple[Floats, Floats]:
-    """By how much somebody comes from wholly behind another to wholly ahead, and when (c,)."""
-    own, frame = boxes(view, name), boxes(view, other)
-    place = seen(frame, own)
-    beside = (np.abs(place.y) < _BESIDE_M) & (same_way(frame, own) > _SAME_WAY)
-    behind = np.where(beside, -frame.half_length - place.front, -NEVER)
-    before = np.where(beside, place.rear - frame.half_length, -NEVER)
-    passed = np.minimum(np.maximum.accumulate(behind, axis=1), before)
-    step = passed.argmax(axis=1)
-    return at(passed, step), view.time_of(step)
 
 
 def _crosses(told: Told, crossing: Crossing, view: View) -> Judged:
@@ -144,10 +186,7 @@ def _crosses(told: Told, crossing: Crossing, view: View) -> Judged:
     end = at(offset, last)
     right, left = arm.edges_m
     beyond = right - end if crossing.start is Side.LEFT else end - left
-    hit = np.zeros(view.count, dtype=np.bool_)
-    for other in view.index:
-        if other != crossing.participant and told.may_touch(other, crossing.participant):
-            hit |= ~np.isnan(view.of_pair("contact_s", other, crossing.participant))
+    hit = touched(told, view, crossing.participant)
     margin = np.where(hit & (beyond < 0.0), 0.0, beyond)
     return Judged(margin, end, view.time_of(last))
 

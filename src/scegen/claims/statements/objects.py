@@ -9,11 +9,11 @@ import numpy as np
 
 from scegen.claims.boxes import box_at, seen
 from scegen.claims.claim import Claim, ClaimKind, Judged, Test, always
-from scegen.claims.hazards.thresholds import OCCLUDED
+from scegen.claims.hazards.thresholds import IN_SIGHT, OCCLUDED
+from scegen.claims.hidden import hidden
 from scegen.claims.told import Told, plain
 from scegen.claims.tolerances import SAME_LANE_M
 from scegen.claims.view import View
-from scegen.measures.occlusion import occlusion_series
 from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import Side
 
@@ -30,7 +30,9 @@ def claims(told: Told) -> Iterator[Claim]:
             yield _claim(thing, "side", f"{what} is on the {thing.side} of the road", test)
         for name in thing.hides:
             test = partial(_hides, thing.id, told.ego, name)
-            statement = f"{what} hides {name} from {told.ego} before they come nearest"
+            statement = (
+                f"{what} hides {name} from {told.ego} until shortly before they come nearest"
+            )
             yield _claim(thing, f"hides.{name}", statement, test, unit="s")
 
 
@@ -75,14 +77,8 @@ def _on_side(thing: Thing, ego: str, side: Side, view: View) -> Judged:
 
 
 def _hides(hider: str, ego: str, name: str, view: View) -> Judged:
-    """Long enough to be missed, before the two come nearest."""
+    """Long enough to be missed, until shortly before the two come nearest."""
     if hider not in view.index or name not in view.index:
         return always(view, holds=False)
-    row = np.array([[view.index[who] for who in (ego, name, hider)]], dtype=np.int64)
-    hidden = occlusion_series(view.traces.tracks, view.scene.bodies, row)[:, :, 0]
-    time = np.arange(view.steps) * view.dt_s
-    nearest = view.of_pair("closest_s", ego, name)
-    hidden &= time < np.where(np.isnan(nearest), np.inf, nearest)[:, None]
-    total = hidden.sum(axis=1) * view.dt_s
-    last = np.where(hidden, time, 0.0).max(axis=1)
-    return Judged(total - OCCLUDED.value, total, last)
+    total, last, seen_s = hidden(view, ego, name, [hider])
+    return Judged(np.minimum(total - OCCLUDED.value, IN_SIGHT.value - seen_s), total, last)

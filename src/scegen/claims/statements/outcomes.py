@@ -30,11 +30,17 @@ def claims(told: Told) -> Iterator[Claim]:
     yield Claim(
         id="contacts",
         kind=ClaimKind.CONTACT,
-        statement="nobody else touches anybody" if told.collides else "nobody touches anybody",
+        statement=_else(told),
         field="outcome",
         unit="m",
         test=partial(_nobody_else, told),
     )
+
+
+def _else(told: Told) -> str:
+    if told.open_end and told.functional.outcome is None:
+        return "nobody touches anybody but whom it meets"
+    return "nobody else touches anybody" if told.collides else "nobody touches anybody"
 
 
 def _said(told: Told, outcome: Outcome) -> Iterator[Claim]:

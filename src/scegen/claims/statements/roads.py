@@ -9,8 +9,10 @@ from scegen.claims.claim import Claim, ClaimKind, Judged, always
 from scegen.claims.told import KPH, Told, plain
 from scegen.claims.view import View
 from scegen.scenario.concrete import RoadParameters
+from scegen.scenario.control import controlled_arms, has_crosswalk
 
 _SAME_MPS = 0.5 / KPH
+_SAME_DEG = 1.0
 Agrees = Callable[[RoadParameters], bool]
 
 
@@ -21,7 +23,13 @@ def claims(told: Told) -> Iterator[Claim]:
     yield _road("kind", f"the road is {plain(kind)}", lambda road: road.kind is kind)
     arms = junction.arms
     yield _road("arms", f"it has {arms} arms", lambda road: len(road.arms) == arms)
-    yield _road("control", f"control: {plain(control)}", lambda road: road.control is control)
+    signs = controlled_arms(junction)
+    where = f", at arms {', '.join(map(str, sorted(signs)))}" if signs else ""
+    yield _road(
+        "control",
+        f"control: {plain(control)}{where}",
+        lambda road: road.control is control and road.controlled_arms == signs,
+    )
     side = junction.driving_side
     yield _road("driving_side", f"traffic keeps {side}", lambda road: road.driving_side is side)
     if limit is not None:
@@ -31,6 +39,21 @@ def claims(told: Told) -> Iterator[Claim]:
         lanes = junction.lanes
         statement = f"lanes per direction: {', '.join(map(str, lanes))}"
         yield _road("lanes", statement, lambda road: _wide(road, lanes))
+    if junction.arm_angles_deg:
+        angles = junction.arm_angles_deg
+        statement = f"its arms lie at {', '.join(f'{angle:g}' for angle in angles)} degrees"
+        yield _road("arm_angles_deg", statement, partial(_at_angles, angles))
+    if junction.ring_lanes is not None:
+        ring = junction.ring_lanes
+        yield _road(
+            "ring_lanes", f"lanes in the ring: {ring}", lambda road: road.ring_lanes == ring
+        )
+    walks = junction.crosswalks | {
+        c.arm for c in told.logical.crossings if has_crosswalk(junction, c.arm)
+    }
+    if walks:
+        statement = f"crosswalks over arms {', '.join(map(str, sorted(walks)))}"
+        yield _road("crosswalks", statement, lambda road: road.crosswalks >= walks)
     names = {person.id for person in told.people}
     yield Claim(
         id="road.participants",
@@ -39,6 +62,7 @@ def claims(told: Told) -> Iterator[Claim]:
         field="participants",
         unit="1",
         test=partial(_those, names),
+        fixed=True,
     )
     said = told.functional.environment.model_dump(mode="json", exclude_none=True)
     for name, value in said.items():
@@ -49,6 +73,7 @@ def claims(told: Told) -> Iterator[Claim]:
             field=f"environment.{name}",
             unit="1",
             test=partial(_conditions, name, str(value)),
+            fixed=True,
         )
 
 
@@ -60,6 +85,7 @@ def _road(part: str, statement: str, agrees: Agrees) -> Claim:
         field=f"junction.{part}",
         unit="1",
         test=partial(_built, agrees),
+        fixed=True,
     )
 
 
@@ -74,6 +100,13 @@ def _limited(limit_mps: float, road: RoadParameters) -> bool:
 def _wide(road: RoadParameters, lanes: tuple[int, ...]) -> bool:
     """At least as many lanes in: where somebody turns back, one more may be needed."""
     return all(arm.lanes_in >= count for arm, count in zip(road.arms, lanes, strict=False))
+
+
+def _at_angles(angles_deg: tuple[float, ...], road: RoadParameters) -> bool:
+    return all(
+        abs((arm.angle_deg - angle + 180.0) % 360.0 - 180.0) <= _SAME_DEG
+        for arm, angle in zip(road.arms, angles_deg, strict=False)
+    )
 
 
 def _those(names: set[str], view: View) -> Judged:

@@ -18,6 +18,7 @@ from scegen.claims.moments import (
     first,
     speed_runs,
 )
+from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import KPH, Told, plain, speed_words
 from scegen.claims.tolerances import SPEED_MPS
 from scegen.claims.view import View
@@ -98,11 +99,7 @@ def _reverses(told: Told, name: str) -> bool:
 
 def _backs(told: Told, name: str, wanted: Interval, view: View) -> Judged:
     """The greatest speed backwards, up to a contact that is said."""
-    hit = np.full(view.count, np.inf)
-    for other in view.index:
-        if other != name and told.may_touch(name, other):
-            hit = np.fmin(hit, view.of_pair("contact_s", name, other))
-    before = np.arange(view.steps) * view.dt_s <= hit[:, None]
+    before = np.arange(view.steps) * view.dt_s <= hit_s(told, view, name)[:, None]
     back = np.where(before, -view.row(name, SPEED), 0.0)
     step = back.argmax(axis=1)
     fastest = at(back, step)
@@ -112,9 +109,9 @@ def _backs(told: Told, name: str, wanted: Interval, view: View) -> Judged:
 def _walks(crossing: Crossing, wanted: Interval, view: View) -> Judged:
     """The pace between the kerbs: the greatest speed there, which is held in their middle."""
     arm = arms_of(view)[crossing.arm]
-    _, offset = arm.place(boxes(view, crossing.participant))
-    on = (offset > arm.edges_m[0]) & (offset < arm.edges_m[1])
-    speed = np.where(on, view.speed_mps(crossing.participant), 0.0)
+    speed = np.where(
+        arm.on_it(boxes(view, crossing.participant)), view.speed_mps(crossing.participant), 0.0
+    )
     step = speed.argmax(axis=1)
     fastest = speed.max(axis=1)
     margin = within(fastest, wanted, SPEED_MPS)
@@ -162,15 +159,15 @@ def _own_change(told: Told, person: Participant, view: View) -> Ints:
 
 
 def _closest(told: Told, view: View, name: str) -> Ints:
-    """When whoever it is about comes nearest to it; the end if it is alone."""
+    """When those who concern it (or else all) come nearest to it; the end if it is alone."""
     nearest = np.full(view.count, np.inf)
     best = np.full(view.count, np.inf)
-    for other in told.people:
-        if other.id == name:
-            continue
-        apart = view.of_pair("distance_m", name, other.id)
+    others = [other.id for other in told.people if other.id != name]
+    concerned = told.concerned_by(name)
+    for other in sorted(concerned) or others:
+        apart = view.of_pair("distance_m", name, other)
         better = apart < best
-        nearest = np.where(better, view.of_pair("closest_s", name, other.id), nearest)
+        nearest = np.where(better, view.of_pair("closest_s", name, other), nearest)
         best = np.fmin(best, apart)
     return np.where(np.isfinite(nearest), np.rint(nearest / view.dt_s), view.last_step).astype(
         np.int64
@@ -204,8 +201,10 @@ def _before_turn(told: Told, name: str, view: View) -> Ints:
 
 
 def _may_react(told: Told, name: str) -> bool:
-    """Whether something happens to it: the ego, and whoever suffers a danger."""
-    return name == told.ego or any(name in hazard.to for hazard in told.hazards)
+    """Whether something happens to it: the ego, and whom others endanger, or meet by their acts."""
+    acting = {act.participant for act in told.functional.acts}
+    acting |= {by for hazard in told.hazards for by in hazard.by}
+    return name == told.ego or bool(acting & told.concerned_by(name))
 
 
 def _others_begin(told: Told, name: str, view: View, closest: Ints) -> Ints:

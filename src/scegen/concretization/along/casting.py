@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from scegen.concretization.along.asked import allowed, dangers
 from scegen.concretization.along.runner import FORTH_M, FORTH_MPS, Runner, Step
+from scegen.concretization.asked import allowed, dangers
 from scegen.concretization.limits import (
     CYCLING_MPS,
     REVERSING_MPS,

@@ -5,13 +5,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import ceil
 
-from scegen.concretization.along.asked import allowed
-from scegen.concretization.along.reactions import REACTION_S
-from scegen.concretization.along.runner import NEVER_S, Runner, Step
+from scegen.concretization.along.runner import Runner, Step
 from scegen.concretization.along.sideways import edge_y_m
 from scegen.concretization.along.spacing import LENGTHWISE
 from scegen.concretization.along.story import Story, contact_wanted
-from scegen.concretization.limits import CYCLING_MPS, HARD_BRAKING_MPS2, WALKING_MPS
+from scegen.concretization.asked import allowed
+from scegen.concretization.limits import (
+    CYCLING_MPS,
+    HARD_BRAKING_MPS2,
+    REACTION_S,
+    WALKING_MPS,
+    WALKING_START_MPS2,
+)
+from scegen.concretization.profile import NEVER_S
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import Act, ActKind, AfterStart, WhenMeasure
 from scegen.scenario.bodies import BODIES, Body
@@ -19,7 +25,6 @@ from scegen.scenario.logical import Crossing, Drive
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind, Side
 
-START_MPS2 = 2.5
 _MEETS_S = 6.0
 _SETBACK_M = 1.5
 _BEYOND_STRIP_M = 0.6
@@ -74,7 +79,7 @@ class Walk:
     @property
     def rate_mps2(self) -> float:
         """How fast it gains speed, and loses it."""
-        return min(START_MPS2, self.body.max_acceleration_mps2)
+        return min(WALKING_START_MPS2, self.body.max_acceleration_mps2)
 
 
 def cross(story: Story, strips: dict[str, float]) -> list[Walk]:
@@ -102,7 +107,11 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], number: in
     into = -1 if from_left else 1
     aim = _aim_y_m(story, participant.id, meets, body, speed, into)
     to_aim = abs(aim - edge) - body.centre_ahead_m
-    least = speed**2 / (2 * min(START_MPS2, body.max_acceleration_mps2)) + _HOLDS_S * speed - to_aim
+    least = (
+        speed**2 / (2 * min(WALKING_START_MPS2, body.max_acceleration_mps2))
+        + _HOLDS_S * speed
+        - to_aim
+    )
     setback = max(least, strip + _BEYOND_STRIP_M if strip else _SETBACK_M, body.front_m + 0.2)
     waits = _waits_m(story, participant.id, meets, edge, into)
     setback = waits if waits is not None else setback

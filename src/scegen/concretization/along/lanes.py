@@ -11,8 +11,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations, product
 
-from scegen.concretization.along.asked import dangers, outward
 from scegen.concretization.along.runner import Runner
+from scegen.concretization.asked import dangers, outward
 from scegen.errors import MotionInfeasibleError
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import Act, ActKind

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from scegen.concretization.along.performing import perform
-from scegen.concretization.along.runner import NEVER_S
 from scegen.concretization.along.spacing import LENGTHWISE, measured
 from scegen.concretization.along.story import FIRST_ACT_S, Story
+from scegen.concretization.profile import NEVER_S
 from scegen.scenario.acts import Act, AfterAct, AfterStart, WhenMeasure
 from scegen.scenario.spacings import CONTACT
 

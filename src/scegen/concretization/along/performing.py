@@ -4,22 +4,18 @@ from __future__ import annotations
 
 from math import pi
 
-from scegen.concretization.along.asked import outward
 from scegen.concretization.along.runner import Move, Runner, Step
 from scegen.concretization.along.story import Story
+from scegen.concretization.amounts import change_of_speed
+from scegen.concretization.asked import outward
 from scegen.concretization.limits import (
     ABRUPT_LANE_CHANGE_S,
-    COMFORTABLE_ACCELERATION_MPS2,
-    HARD_BRAKING_MPS2,
     LANE_CHANGE_S,
-    STOPPING_MPS2,
-    SUDDEN_ACCELERATION_MPS2,
 )
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import Act, ActKind, AfterStart
 from scegen.scenario.vocabulary import HazardKind, Side
 
-_GAINS_MPS = 8.0
 _ABRUPT = frozenset({HazardKind.CUT_IN, HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL})
 
 
@@ -41,38 +37,15 @@ def perform(story: Story, act: Act, begins_s: float) -> None:
 
 
 def _step(story: Story, act: Act, runner: Runner, begins_s: float) -> Step:
-    before = runner.speed_at_mps(begins_s)
     hazard = story.hazard_of(act)
-    gains = act.kind in {ActKind.ACCELERATE, ActKind.SET_OFF}
-    rate = act.rate_mps2.middle if act.rate_mps2 else None
-    target = _target_mps(story, act, runner, before, rate)
-    if rate is None and act.duration_s is not None and abs(target - before) > 0.1:
-        rate = abs(target - before) / max(act.duration_s.middle, 0.1)
-    if rate is None and act.distance_m is not None and abs(target - before) > 0.1:
-        rate = abs(target**2 - before**2) / (2 * max(act.distance_m.middle, 0.1))
-    if rate is None:
-        usual = _usual_rate_mps2(act.kind, hazard)
-        body = runner.body.max_acceleration_mps2 if gains else runner.body.max_deceleration_mps2
-        rate = min(usual, body, 0.95 * story.grip_mps2)
+    said = story.functional.participant(runner.id).speed_mps
+    usual = min(story.limit_mps, story.ego.speed_mps or story.limit_mps)
+    if said is not None and said.high > 0:
+        usual = said.middle
+    before = runner.speed_at_mps(begins_s)
+    target, rate = change_of_speed(act, before, runner.body, story.grip_mps2, hazard, usual)
     timed = isinstance(act.when, AfterStart)
     return Step(begins_s, target, rate, act.id, hazard, timed=timed)
-
-
-def _target_mps(story: Story, act: Act, runner: Runner, before: float, rate: float | None) -> float:
-    if act.target_speed_mps is not None:
-        return act.target_speed_mps.middle
-    if act.duration_s is not None and rate is not None:
-        change = rate * act.duration_s.middle
-        gains = act.kind is ActKind.ACCELERATE
-        return max(0.0, before + (change if gains else -change))
-    if act.kind is ActKind.ACCELERATE:
-        return min(before + _GAINS_MPS, runner.body.top_speed_mps)
-    if act.kind is ActKind.SET_OFF:
-        said = story.functional.participant(runner.id).speed_mps
-        if said is not None and said.high > 0:
-            return said.middle
-        return min(story.limit_mps, story.ego.speed_mps or story.limit_mps)
-    return 0.0
 
 
 def _sideways(story: Story, act: Act, runner: Runner, begins_s: float) -> list[Move]:
@@ -155,13 +128,3 @@ def _lasting_s(act: Act, width_m: float, usual_s: float) -> float:
     if act.lateral_mps is not None:
         return width_m * pi / 2 / max(act.lateral_mps.middle, 0.1)
     return usual_s
-
-
-def _usual_rate_mps2(kind: ActKind, hazard: HazardKind | None) -> float:
-    if hazard is HazardKind.HARD_BRAKING:
-        return HARD_BRAKING_MPS2[0]
-    if hazard is HazardKind.SUDDEN_ACCELERATION:
-        return SUDDEN_ACCELERATION_MPS2[0]
-    if kind in {ActKind.BRAKE, ActKind.STOP}:
-        return STOPPING_MPS2
-    return COMFORTABLE_ACCELERATION_MPS2

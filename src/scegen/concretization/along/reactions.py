@@ -9,12 +9,10 @@ from math import ceil, floor
 from scegen.concretization.along.passing import apart_m, leap_s
 from scegen.concretization.along.runner import Runner, Step, gap_m, in_line
 from scegen.concretization.along.story import Story, contact_wanted
-from scegen.concretization.limits import HARD_BRAKING_MPS2, LATE_BRAKING_MPS2
+from scegen.concretization.limits import HARD_BRAKING_MPS2, LATE_BRAKING_MPS2, REACTION_S
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.vocabulary import HazardKind
 
-REACTION_S = 0.75
-"""From a danger that can be seen to the brakes: the delay of UN R157's driver."""
 _CLOSEST_M = 0.65
 """How near one who may not touch the other comes: a near miss."""
 _LATEST_S = 40.0

@@ -6,15 +6,14 @@ line (``y``, m). Times count from the start of the scenario (s).
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from dataclasses import dataclass, field
-from math import cos, pi, sin, sqrt
+from math import cos, pi, sin
 
+from scegen.concretization.profile import Profile
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 
-NEVER_S = 1e6
 FORTH_M, FORTH_MPS = 0.4, 0.3
 """One that reverses goes so far forwards first, at this speed: esmini takes a trajectory's sense
 from how it begins."""
@@ -52,66 +51,6 @@ class Move:
     def ends_s(self) -> float:
         """When it is there."""
         return self.begins_s + self.lasts_s
-
-
-class Profile:
-    """The way travelled over time, by phases of steady acceleration."""
-
-    def __init__(self, speed_mps: float, steps: tuple[Step, ...]) -> None:
-        self._phases: list[tuple[float, float, float, float]] = [(0.0, 0.0, speed_mps, 0.0)]
-        for step in sorted(steps, key=lambda s: s.begins_s):
-            self._add(step)
-        self._times = [phase[0] for phase in self._phases]
-
-    def _add(self, step: Step) -> None:
-        while len(self._phases) > 1 and self._phases[-1][0] >= step.begins_s:
-            self._phases.pop()  # what was under way is given up
-        way, speed = self._state(self._phases[-1], step.begins_s)
-        change = step.target_mps - speed
-        if abs(change) < 1e-9:
-            self._phases.append((step.begins_s, way, speed, 0.0))
-            return
-        rate = step.rate_mps2 if change > 0 else -step.rate_mps2
-        self._phases.append((step.begins_s, way, speed, rate))
-        ends_s = step.begins_s + change / rate
-        way, _ = self._state(self._phases[-1], ends_s)
-        self._phases.append((ends_s, way, step.target_mps, 0.0))
-
-    @staticmethod
-    def _state(phase: tuple[float, float, float, float], time_s: float) -> tuple[float, float]:
-        begins, way, speed, rate = phase
-        after = time_s - begins
-        return way + speed * after + rate * after * after / 2, speed + rate * after
-
-    def _at(self, time_s: float) -> tuple[float, float]:
-        return self._state(self._phases[max(0, bisect_right(self._times, time_s) - 1)], time_s)
-
-    def way_m(self, time_s: float) -> float:
-        """The way travelled since the start."""
-        return self._at(time_s)[0]
-
-    def speed_mps(self, time_s: float) -> float:
-        """The speed at a time."""
-        return self._at(time_s)[1]
-
-    def time_s(self, way_m: float) -> float:
-        """When that way has been travelled; ``NEVER_S`` if it never is."""
-        for n, phase in enumerate(self._phases):
-            begins, way, speed, rate = phase
-            later = self._phases[n + 1] if n + 1 < len(self._phases) else None
-            if later is not None and later[1] < way_m:
-                continue
-            left = way_m - way
-            if abs(rate) < 1e-9:
-                return begins + left / speed if speed > 1e-9 else NEVER_S
-            root = speed * speed + 2 * rate * left
-            return begins + (sqrt(max(root, 0.0)) - speed) / rate
-        return NEVER_S
-
-    def settles_s(self, after_s: float) -> float:
-        """When the change of speed under way at a time is over."""
-        n = max(0, bisect_right(self._times, after_s + 1e-9) - 1)
-        return self._phases[n + 1][0] if n + 1 < len(self._phases) else after_s
 
 
 @dataclass
@@ -176,7 +115,10 @@ class Runner:
         """Its way over time."""
         key = (self.speed_mps, tuple(self.steps))
         if self._told is None or self._told[0] != key:
-            self._told = key, Profile(*key)
+            profile = Profile(self.speed_mps)
+            for step in sorted(self.steps, key=lambda s: s.begins_s):
+                profile.change(step.begins_s, step.target_mps, step.rate_mps2)
+            self._told = key, profile
         return self._told[1]
 
     def x_m(self, time_s: float) -> float:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.concretization.along.runner import NEVER_S, Runner
+from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.story import Story
+from scegen.concretization.profile import NEVER_S
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.spacings import CONTACT, Measure, Spacing
 from scegen.scenario.vocabulary import Side

@@ -5,37 +5,17 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from scegen.concretization.along.asked import dangers
 from scegen.concretization.along.runner import Runner
+from scegen.concretization.asked import contact_wanted as said_to_touch
+from scegen.concretization.asked import dangers, hazard_of
 from scegen.scenario.acts import Act, ActKind, AfterAct
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import LogicalScenario
-from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import Approach, HazardKind
 
 FIRST_ACT_S = 4.0
 """Undisturbed driving before the first act whose moment nobody says."""
-_HAZARDS_OF = {
-    ActKind.BRAKE: (HazardKind.HARD_BRAKING, HazardKind.STOPPING, HazardKind.LOSS_OF_CONTROL),
-    ActKind.STOP: (HazardKind.STOPPING, HazardKind.HARD_BRAKING),
-    ActKind.ACCELERATE: (HazardKind.SUDDEN_ACCELERATION,),
-    ActKind.CHANGE_LANE: (
-        HazardKind.CUT_IN,
-        HazardKind.MERGING_CONFLICT,
-        HazardKind.FAILURE_TO_YIELD,
-        HazardKind.ONCOMING_LANE,
-        HazardKind.SUDDEN_TURN,
-    ),
-    ActKind.SWERVE: (
-        HazardKind.SWERVING,
-        HazardKind.LOSS_OF_CONTROL,
-        HazardKind.ONCOMING_LANE,
-        HazardKind.SUDDEN_TURN,
-    ),
-    ActKind.OVERTAKE: (HazardKind.OVERTAKING, HazardKind.ONCOMING_LANE),
-}
-"""The dangers that an act may be."""
 
 
 @dataclass
@@ -65,8 +45,7 @@ class Story:
 
     def hazard_of(self, act: Act) -> HazardKind | None:
         """The danger that an act is, if it is one."""
-        asked = [h.kind for h in self.hazards if act.participant in h.by]
-        return next((kind for kind in _HAZARDS_OF.get(act.kind, ()) if kind in asked), None)
+        return hazard_of(self.hazards, act)
 
     def words(self, name: str, reference: str) -> frozenset[Approach]:
         """Where somebody is said to be, seen from another; nothing is said of things."""
@@ -128,9 +107,4 @@ def by_rank(logical: LogicalScenario, runners: Mapping[str, Runner]) -> dict[str
 
 def contact_wanted(story: Story, first: str, second: str) -> bool:
     """Whether the text says that these two touch."""
-    outcome = story.functional.outcome
-    if outcome is None or outcome.kind is not OutcomeKind.COLLISION:
-        return False
-    if outcome.between:
-        return {first, second} == {*outcome.between}
-    return story.functional.ego.id in {first, second}
+    return said_to_touch(story.functional, first, second)

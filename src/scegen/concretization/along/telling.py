@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from scegen.concretization.along.acts import all_acts
-from scegen.concretization.along.asked import dangers
 from scegen.concretization.along.casting import cast
 from scegen.concretization.along.lanes import choose_lanes
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.story import Story
+from scegen.concretization.asked import dangers
 from scegen.concretization.objects import caused_by_nobody, causes_it, free_name, shape_of
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
 from scegen.scenario.concrete import RoadParameters

@@ -9,8 +9,9 @@ from math import ceil
 
 from scegen.concretization.along.crossing import Walk
 from scegen.concretization.along.parked import Parked
-from scegen.concretization.along.runner import FORTH_M, NEVER_S, Runner, Step
+from scegen.concretization.along.runner import FORTH_M, Runner, Step
 from scegen.concretization.along.story import Story
+from scegen.concretization.profile import NEVER_S
 from scegen.motion.paths import END_MARGIN_M
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.bodies import BODIES

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from scegen.concretization.amounts import SLOWING
 from scegen.concretization.drafts import DriveDraft, Scene
 from scegen.concretization.hazards.rule import (
     Rule,
@@ -37,8 +38,12 @@ def _keep_going(scene: Scene, hazard: Hazard) -> None:
 
 
 def _stopping_by_itself(scene: Scene, hazard: Hazard) -> list[DriveDraft]:
-    """Those who cause it, but for those who stop to reverse: they do anyway."""
-    return [draft for draft in culprits(scene, hazard) if draft.reversal is None]
+    """Those who cause it, but for those who stop to reverse, or as the text says."""
+    return [
+        draft
+        for draft in culprits(scene, hazard)
+        if draft.reversal is None and not any(a.kind in SLOWING for a in scene.speed_acts(draft.id))
+    ]
 
 
 def _rest_m(draft: DriveDraft, mark: Mark) -> float:
@@ -62,7 +67,7 @@ def _stop_at(
     draft.add_mark(Mark(start, 0.0, rate, kind, hold_s=hold))
 
 
-def _for_walkers(scene: Scene, draft: DriveDraft) -> tuple[float, float] | None:
+def stops_for_walkers(scene: Scene, draft: DriveDraft) -> tuple[float, float] | None:
     """Where the reference point must rest for those who cross, and how long until they have."""
     stops = []
     for walk in scene.walks.values():
@@ -79,7 +84,7 @@ def _for_walkers(scene: Scene, draft: DriveDraft) -> tuple[float, float] | None:
 def _hard(scene: Scene, hazard: Hazard) -> None:
     for draft in _stopping_by_itself(scene, hazard):
         rate = draft.braking_mps2(float(scene.rng.uniform(*HARD_BRAKING_MPS2)))
-        walkers = _for_walkers(scene, draft)
+        walkers = stops_for_walkers(scene, draft)
         hold = _HARD_HOLD_S
         if walkers is not None and walkers[0] > _LEAST_STOP_M:
             stop, clear = walkers

@@ -11,7 +11,6 @@ from scegen.concretization.abreast import is_outward
 from scegen.concretization.drafts import DriveDraft, Scene
 from scegen.concretization.hazards.rule import (
     Rule,
-    brake_behind,
     culprits,
     pairs,
     same_arm,
@@ -23,7 +22,11 @@ from scegen.concretization.lane_choice import (
     lanes_in,
     routes_of,
 )
-from scegen.concretization.limits import ABRUPT_LANE_CHANGE_S, CUT_IN_HEADWAY_S
+from scegen.concretization.limits import (
+    ABRUPT_LANE_CHANGE_S,
+    CUT_IN_HEADWAY_S,
+    LATE_BRAKING_MPS2,
+)
 from scegen.concretization.marks import Mark
 from scegen.concretization.meetings import STRUCTURAL, Meeting, nearest_s_m
 from scegen.concretization.passing import (
@@ -95,10 +98,11 @@ def on_arm(
     if end - length < 10.0:
         raise NeedsLongerArms(15.0 - (end - length), culprit.id)
     change_lanes(scene, culprit, [(end - length, length, target)], kind)
-    if victim.cruise_mps - culprit.cruise_mps < _MUCH_FASTER_MPS:
+    closing = victim.cruise_mps - culprit.cruise_mps
+    if closing < _MUCH_FASTER_MPS:
         return [_close_behind(scene, culprit, victim, end, end)]
-    place = end - culprit.body.rear_m - _GAP_M - victim.body.front_m
-    brake_behind(scene, victim, place, culprit.cruise_mps)
+    gap = _GAP_M + closing**2 / (2 * LATE_BRAKING_MPS2)
+    place = end - culprit.body.rear_m - gap - victim.body.front_m
     reason = f"comes up behind {culprit.id}"
     return [Meeting(STRUCTURAL, culprit.id, victim.id, end, place, 0.0, reason)]
 

@@ -202,6 +202,7 @@ def _wait_for(draft: DriveDraft, other: DriveDraft, brakes_s: float) -> None:
         time_s=round(_away_m(other, at_s, brakes_s) / speed, 3),
     )
     draft.marks[index] = replace(mark, waits_for=waits)
+    draft.course_ = None
 
 
 def _away_m(draft: DriveDraft, from_s: float, to_s: float) -> float:

@@ -7,9 +7,7 @@ from dataclasses import dataclass
 
 from scegen.concretization.drafts import DriveDraft, Scene
 from scegen.concretization.limits import HARD_BRAKING_MPS2, LATE_BRAKING_MPS2
-from scegen.concretization.marks import Mark
 from scegen.concretization.meetings import Meeting, drives_meet
-from scegen.concretization.room import NeedsLongerArms
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
 
@@ -76,24 +74,6 @@ def braking_of(scene: Scene, draft: DriveDraft) -> tuple[HazardKind | None, floa
         if any(h.kind is kind and draft.id in h.by for h in scene.functional.hazards):
             return kind, draft.braking_mps2(HARD_BRAKING_MPS2[0])
     return None, draft.braking_mps2(LATE_BRAKING_MPS2)
-
-
-def brake_behind(scene: Scene, draft: DriveDraft, place_m: float, pace_mps: float) -> None:
-    """Come down to another's pace, late, by the place where it is close behind; then keep to it.
-
-    Raises:
-        NeedsLongerArms: there is no room to brake.
-    """
-    hazard, rate = braking_of(scene, draft)
-    before = draft.cruise_mps
-    if before <= pace_mps:
-        return
-    begins = place_m - (before**2 - pace_mps**2) / (2 * rate)
-    if begins < draft.body.rear_m + before:
-        raise NeedsLongerArms(before - begins + 10.0, draft.id)
-    draft.add_mark(Mark(begins, pace_mps, rate, hazard))
-    draft.approach_mps = draft.resume_mps = pace_mps
-    draft.comes_up = True
 
 
 def event_s_m(scene: Scene, draft: DriveDraft, hazard: Hazard) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from scegen.concretization.amounts import GAINING
 from scegen.concretization.drafts import DriveDraft, Scene
 from scegen.concretization.hazards.rule import Rule, culprits, event_s_m, same_arm, victims
 from scegen.concretization.limits import SUDDEN_ACCELERATION_MPS2
@@ -23,8 +24,17 @@ _BEFORE_S = 1.5
 
 
 def _slows_first(scene: Scene, hazard: Hazard, draft: DriveDraft) -> bool:
-    """One who follows its sufferer must not fall back from it before it accelerates."""
+    """One who follows its sufferer must not fall back from it before it accelerates.
+
+    Nor does one whose speed, or whose acceleration, is said.
+    """
+    if scene.has_said_speed(draft.id) or _as_said(scene, draft):
+        return False
     return not any(same_arm(draft, victim) for victim in victims(scene, hazard, draft))
+
+
+def _as_said(scene: Scene, draft: DriveDraft) -> bool:
+    return any(act.kind in GAINING for act in scene.speed_acts(draft.id))
 
 
 def _prepare(scene: Scene, hazard: Hazard) -> None:
@@ -43,6 +53,8 @@ def _prepare(scene: Scene, hazard: Hazard) -> None:
 
 def _act(scene: Scene, hazard: Hazard) -> None:
     for draft in culprits(scene, hazard):
+        if _as_said(scene, draft):
+            continue
         rate = draft.acceleration_mps2(float(scene.rng.uniform(*SUDDEN_ACCELERATION_MPS2)))
         first = _slows_first(scene, hazard, draft)
         target = draft.cruise_mps * (_TO / _FROM if first else _TO_CLOSE_UP)

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from math import hypot
-
 from scegen.concretization.drafts import DriveDraft, Scene
-from scegen.concretization.hazards.rule import Rule, brake_behind, pairs, same_arm
-from scegen.concretization.limits import HARD_BRAKING_MPS2, TAILGATING_HEADWAY_S
+from scegen.concretization.hazards.rule import Rule, pairs, same_arm
+from scegen.concretization.limits import TAILGATING_HEADWAY_S
 from scegen.concretization.meetings import STRUCTURAL, Meeting
-from scegen.scenario.concrete import DistanceBelow, SpeedPhase, StoodStill
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
 
@@ -37,8 +34,6 @@ def _shape(scene: Scene, hazard: Hazard) -> list[Meeting]:
         gap = max(_LEAST_GAP_M, headway * leader.cruise_mps)
         bodies = leader.body.rear_m + follower.body.front_m
         place = leader.junction_s_m * _PLACE
-        if comes_up:
-            brake_behind(scene, follower, place - gap - bodies, leader.cruise_mps)
         scene.note(f"{follower.id}.headway_s", headway, f"tailgating {leader.id}")
         meetings.append(
             Meeting(
@@ -62,43 +57,4 @@ def _comes_up_fast(scene: Scene, follower: DriveDraft, leader: DriveDraft) -> bo
     return fast and alone and follower.cruise_mps > leader.cruise_mps
 
 
-def _distance_m(follower: DriveDraft, leader: DriveDraft, time_s: float) -> float:
-    """Straight distance of the reference points at a time of the scenario."""
-    poses = []
-    for draft in (follower, leader):
-        begun = draft.course.time_at(draft.start_m)
-        poses.append(draft.laid.path.pose(draft.course.s_at(begun + time_s)))
-    a, b = poses
-    return hypot(a.x_m - b.x_m, a.y_m - b.y_m)
-
-
-def _react(scene: Scene, hazard: Hazard) -> None:
-    """Brake hard and late where the leader brakes to a stop; go on after it."""
-    for follower, leader in _couples(scene, hazard):
-        marks = leader.all_marks()
-        stops = [i for i in leader.course.resumes_s if marks[i].target_mps == 0.0]
-        if not stops:
-            continue
-        brake_s = leader.course.time_at(marks[stops[0]].s_m) - leader.course.time_at(leader.start_m)
-        apart = _distance_m(follower, leader, brake_s)
-        bodies = leader.body.rear_m + follower.body.front_m
-        stands = marks[stops[0]].hold_s or 0.0
-        follower.reactions += [
-            SpeedPhase(
-                trigger=DistanceBelow(
-                    participant=leader.id, distance_m=bodies + _NOTICES * (apart - bodies)
-                ),
-                target_speed_mps=0.0,
-                rate_mps2=follower.braking_mps2(HARD_BRAKING_MPS2[1]),
-                hazard=HazardKind.TAILGATING,
-            ),
-            SpeedPhase(
-                trigger=StoodStill(participant=follower.id, duration_s=stands + _SLOWER_START_S),
-                target_speed_mps=marks[stops[0]].resume_mps,
-                rate_mps2=marks[stops[0]].resume_rate_mps2,
-            ),
-        ]
-        follower.reacts_at_s_m = marks[stops[0]].s_m
-
-
-TAILGATING = Rule(shape=_shape, react=_react, meets=False)
+TAILGATING = Rule(shape=_shape, meets=False)

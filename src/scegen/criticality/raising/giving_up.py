@@ -20,7 +20,9 @@ def out_of_reach(problem: Problem, before: Evidence, rng: np.random.Generator) -
         return frozenset()
     space = problem.space
     points = folded(halton(_POINTS, len(space.low), rng.random(len(space.low))))
-    return problem.out_of_reach(space.low + points * (space.high - space.low))
+    fixed = {claim.id for claim in problem.claims if claim.fixed}
+    missed = {claim.id for claim in before.claims if not claim.holds}
+    return problem.out_of_reach(space.low + points * (space.high - space.low)) | (fixed & missed)
 
 
 def give_up(stage: Stage, problem: Problem, claims: Collection[str]) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,6 +22,7 @@ from scegen.criticality.search.problem import SEARCH_DT_S, Problem
 from scegen.criticality.search.proving import PROOF_DT_S, Evidence
 from scegen.criticality.search.rebuild import rebuilt
 from scegen.criticality.target import NEAR_MISS, parse_target
+from scegen.errors import InputError
 from scegen.motion.ties import clear_of_ties
 from scegen.road import build_network
 from scegen.scenario.concrete import ConcreteScenario
@@ -54,6 +56,7 @@ def raise_criticality(
     seed: int = 0,
     solutions: int = 1,
     proposer: Proposer | None = None,
+    progress: Callable[[str], None] = lambda _: None,
 ) -> Raised:
     """Make every danger asked for happen at once, and bring the pair's measure into its band.
 
@@ -70,6 +73,7 @@ def raise_criticality(
         seed: of the search; the same seed gives the same result.
         solutions: how many different ones to look for.
         proposer: who proposes where to begin; None for a search without proposals.
+        progress: told how far the search is.
 
     Raises:
         InputError: the target is none.
@@ -90,6 +94,7 @@ def raise_criticality(
         if solutions == 1:
             return Raised(*found[0])
     problem = stage.problem()
+    problem.progress = progress
     advice = None
     if found:
         problem.known.append(problem.space.origin)
@@ -112,6 +117,29 @@ def raise_criticality(
     return Raised(*found[0], others=tuple(found[1:]))
 
 
+def prove_as_it_is(
+    functional: FunctionalScenario, concrete: ConcreteScenario, *, target: str = NEAR_MISS
+) -> Proof:
+    """What numbers that somebody gave show, none of them changed.
+
+    Raises:
+        InputError: the target is none, or somebody who is described does not take part.
+        MotionInfeasibleError, RoadInfeasibleError: the scenario itself cannot be built.
+    """
+    missing = {p.id for p in functional.participants} - {p.id for p in concrete.participants}
+    if missing:
+        raise InputError(
+            f"{', '.join(sorted(missing))} is described, but does not take part",
+            where=concrete.name,
+            hint="To make it without its description, copy concrete.yaml to a place of its own.",
+        )
+    network = build_network(concrete.road, name=concrete.name)
+    between = _between(functional, concrete)
+    stage = Stage(functional, concrete, network, parse_target(target), between)
+    found = stage.examine(concrete)
+    return stage.proof(found, found, 1, stage.blocked)
+
+
 def _between(functional: FunctionalScenario | None, concrete: ConcreteScenario) -> Pair | None:
     """The pair that the description's outcome names, if both have a way of their own here."""
     between = functional.outcome.between if functional and functional.outcome else ()
@@ -132,7 +160,7 @@ def _by_braking(
         other.given_up = stage.given_up
         if other.blocked is None:
             tried = other.problem()
-            tried.evaluations = problem.evaluations
+            tried.evaluations, tried.progress = problem.evaluations, problem.progress
             _fill(found, solutions, other, tried, other.examine(stage.concrete), rng, None)
             problem.evaluations = tried.evaluations
         if found:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -46,9 +46,6 @@ AFTER_S = 1.0
 LATERAL_ROOM = 1.03
 _NEVER = 3.0
 _SAME = 1e-6
-_ELSEWHERE = frozenset({ClaimKind.CONTACT, ClaimKind.BODY, ClaimKind.ROAD})
-"""Claims that other demands stand for, the bounds of the variables, or what never changes; the
-proof looks at them too."""
 _STRANGE = 0.02
 _SPREAD = 0.12
 
@@ -82,14 +79,22 @@ class Outcome:
         """Which candidates miss nothing (c,)."""
         return self.total <= 0.0
 
+    def in_words(self) -> str:
+        """How far the best of these is."""
+        best = int(self.loss.argmin())
+        lacking = sum(bool(missed[best] > 0.0) for missed in self.missing.values())
+        return f"the best of these misses {lacking} demands" if lacking else "found"
+
 
 @dataclass
 class Problem:
     """One search: what is wanted of whom, and what it runs on.
 
-    Every claim is a demand, but those ``given_up``; the target is none if ``untargeted``. A search
+    Every claim is a demand, but those ``given_up``, those that are ``fixed`` (everybody gets to the
+    end of its way, or ``finish`` is missing) and that on contacts; the proof judges them too. The
+    target is none if ``untargeted``. A search
     that fails tells in ``never`` which claims nothing met. It stays near ``home`` (n,), or near the
-    scenario as it was concretized.
+    scenario as it was concretized. ``progress`` is told how far it is after every batch.
     """
 
     concrete: ConcreteScenario
@@ -111,6 +116,7 @@ class Problem:
     evaluations: int = 0
     known: list[Floats] = field(default_factory=list)
     home: Floats | None = None
+    progress: Callable[[str], None] = lambda _: None
 
     def evaluate(self, x: Floats) -> Outcome:
         """Everything about candidates with these values of the variables (c, n)."""
@@ -137,14 +143,16 @@ class Problem:
             if claim.id in margins
         }
         strangeness = self.space.strangeness(x, self.home)
-        return Outcome(missing, strangeness, made, duration, margins)
+        outcome = Outcome(missing, strangeness, made, duration, margins)
+        self.progress(f"{self.evaluations:,} candidates tried, {outcome.in_words()}")
+        return outcome
 
     def _margins(self, view: View) -> dict[str, Floats]:
         """Of every claim that is a demand here."""
         return {
             claim.id: claim.judge(view).margin
             for claim in self.claims
-            if claim.kind not in _ELSEWHERE and claim.id not in self.given_up
+            if not (claim.fixed or claim.kind is ClaimKind.CONTACT or claim.id in self.given_up)
         }
 
     def _claim_missing(self, claim: Claim, margin: Floats) -> Floats:

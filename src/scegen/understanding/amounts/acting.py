@@ -71,8 +71,8 @@ def _acts_of(scene: Scene, text: Sentences, context: Context) -> list[Doing]:
             and not _forced(event)
         )
         always = always and not (kind is ActKind.STOP and not entity.is_vehicle)
-        doing = Doing(kind, entity, basis, event.i, always=always)
-        _aside(doing, scene, context)
+        doing = Doing(kind, entity, basis, event.i, always=always, nominal=event.nominal)
+        _aside(doing, scene, text, context)
         _to_standstill(doing, text)
         made.append(doing)
     return made
@@ -91,6 +91,8 @@ def _kind(kind: ActKind, entity: Entity, event: Event, text: Sentences) -> ActKi
     afoot = not entity.is_vehicle
     if kind in _DRIVEN and afoot:
         return None
+    if kind is ActKind.SET_OFF and afoot and event.name != "move":
+        return ActKind.CROSS if Maneuver.CROSS in entity.maneuvers else None
     if kind is ActKind.OVERTAKE and Maneuver.OVERTAKE not in entity.maneuvers:
         return None
     if kind is ActKind.CROSS and not afoot and Maneuver.CROSS not in entity.maneuvers:
@@ -109,9 +111,9 @@ def _kind(kind: ActKind, entity: Entity, event: Event, text: Sentences) -> ActKi
         return ActKind.OVERTAKE
     if kind is ActKind.SET_OFF and not (entity.pulls_out or entity.was_parked or entity.stands):
         return None
-    if event.name == "merge" and Maneuver.LANE_CHANGE not in entity.maneuvers:
+    if event.name in {"merge", "cut_off"} and Maneuver.LANE_CHANGE not in entity.maneuvers:
         return None
-    if event.name == "cut_off" and Maneuver.LANE_CHANGE not in entity.maneuvers:
+    if event.name == "return" and Maneuver.OVERTAKE not in entity.maneuvers:
         return None
     return kind
 
@@ -130,14 +132,18 @@ def _stands_then(entity: Entity, event: Event) -> bool:
     )
 
 
-def _aside(doing: Doing, scene: Scene, context: Context) -> None:
+def _aside(doing: Doing, scene: Scene, text: Sentences, context: Context) -> None:
     """To which side, and into whose lane."""
     if doing.kind not in {ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.TURN, ActKind.OVERTAKE}:
         return
     event, entity = scene.event, doing.entity
     goals = [event.object, *(p.target for p in event.pps if p.value in {"into", "to", "for", "in"})]
     sides = [(d.value, Basis(d.i, d.j)) for d in event.dirs]
-    sides += [(d, Basis(p.i, p.j)) for p in goals if isinstance(p, Place) for d in p.dirs]
+    lanes = [c for c in text.chunks if isinstance(c, Place) and c.kind == "lane"]
+    for goal in [p for p in goals if isinstance(p, Place)]:
+        within = any(c is not goal and c.i < goal.i <= c.j + 1 for c in lanes)
+        named = [] if within else goal.dirs  # "from the lane to its right": from there
+        sides += [(d, Basis(goal.i, goal.j)) for d in named]
     for value, basis in sides:
         if value in _SIDES and doing.side is None:
             doing.side, doing.side_basis = _SIDES[value], basis
@@ -256,8 +262,13 @@ def _told_again(doing: Doing, found: list[Doing], text: Sentences) -> bool:
     """Whether the same is only told another time: no words of order, and no other sentence part."""
     before = next((d for d in reversed(found) if d.entity is doing.entity), None)
     if before is None or before.kind is not doing.kind:
-        alike = before is not None and {before.kind, doing.kind} <= _SLOWING
-        return alike and before is not None and before.kind is ActKind.BRAKE and not doing.always
+        if before is None or not {before.kind, doing.kind} <= _SLOWING:
+            return False
+        if before.kind is ActKind.STOP:  # "stops with a deceleration of 3 m/s²"
+            same = text.bounds(before.i) == text.bounds(doing.i) and doing.nominal
+            before.told += [doing.i] if same else []
+            return same
+        return not doing.always
     if before.i == doing.i:
         return True
     before.told.append(doing.i)

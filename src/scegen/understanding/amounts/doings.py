@@ -6,15 +6,16 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import Side
 from scegen.understanding.amounts.sentences import Sentences
+from scegen.understanding.chunks import Event
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured
 from scegen.understanding.frames import acts as frames
 from scegen.understanding.happenings import Amount, Doing, Happenings, Trigger, amount_of, exactly
-from scegen.understanding.meaning.context import Scene
 
 _ALONG = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.STOP, ActKind.SET_OFF})
 _ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE})
 _ANY = frozenset(ActKind)
+_GAINING = frozenset({ActKind.ACCELERATE, ActKind.SET_OFF})
 FIELDS: dict[str, tuple[str, frozenset[ActKind]]] = {
     "rate": ("rate_mps2", _ALONG),
     "speed_after": ("target_speed_mps", _ALONG),
@@ -47,18 +48,23 @@ class Filler:
         """
         role = number.frame.role
         name, kinds = FIELDS[role]
-        doing = self._act(number, kinds, name)
+        event = self._text.verb_at(number.i, number.j)
+        waits = role == "duration" and event is not None and event.name in {"wait", "match"}
+        if waits and self._before_the_next(number):
+            return True
+        doing = self._act(number, kinds, name, event)
         if doing is None and role == "duration":
             doing = self._said_of_it(number)
             if doing is None:
                 return self._before_the_next(number)
-        doing = doing or self._made(number, role)
+        doing = doing or self._made(number, role, event)
         return doing is not None and self._give(doing, number, name)
 
     def _give(self, doing: Doing, number: Measured, name: str) -> bool:
         """Gives a number to a field of an act."""
         role = number.frame.role
         plain = role.startswith("lateral") or role in {"duration", "distance"}
+        plain = plain or number.around.before.endswith(" up to ")  # where it ends, no bound
         amount = exactly(number) if plain else amount_of(number)
         if role == "rate" and doing.kind is ActKind.STOP:
             doing.kind = ActKind.BRAKE
@@ -83,17 +89,20 @@ class Filler:
         """``both brake with 6 m/s²``: each of them."""
         return [a for a in self._happenings.acts if a.i == doing.i and a.kind is doing.kind]
 
-    def _act(self, number: Measured, kinds: frozenset[ActKind], name: str) -> Doing | None:
+    def _act(
+        self, number: Measured, kinds: frozenset[ActKind], name: str, event: Event | None
+    ) -> Doing | None:
         """The act of a number: the last before it in its sentence, else the next, else the last."""
         start, end = self._text.bounds(number.i)
         fitting = [a for a in self._happenings.acts if a.kind in kinds]
         here = [a for a in fitting if start <= a.i < end]
-        scene = self._text.scene_at(number.i, number.j)
-        if number.frame.role == "duration" and scene is not None:
-            own = [a for a in here if scene.event.i in (a.i, *a.told)]
+        if number.frame.role == "duration" and event is not None:
+            own = [a for a in here if event.i in (a.i, *a.told)]
             if not own:
-                own = self._named_by(scene, fitting)
+                own = self._named_by(event, fitting)
             return own[-1] if own else None
+        if event is not None and self._unread(event, number, kinds):
+            return None
         before = [a for a in here if a.i < number.i]
         free = [a for a in before if name not in a.amounts]
         if number.frame.role == "lateral_move" and before:
@@ -110,28 +119,45 @@ class Filler:
         same = [a for a in earlier if not spoken or a.entity in self._text.subject_before(number.i)]
         return same[-1] if same and (not here) else None
 
+    def _unread(self, event: Event, number: Measured, kinds: frozenset[ActKind]) -> bool:
+        """``pulls away at 1 m/s² and then stops``: said of a doing that is no act yet."""
+        frame = frames().get(event.name)
+        known = any(event.i in (a.i, *a.told) for a in self._happenings.acts)
+        own = frame is not None and frame.kind in kinds and event.i < number.i
+        own = own and event.name != "move"
+        return own and not known and not event.nominal
+
     def _said_of_it(self, number: Measured) -> Doing | None:
         """``the manoeuvre lasts 4 s``: what was told last, if nobody is named."""
         start, _ = self._text.bounds(number.i)
+        marks = [k + 1 for k in range(start, number.i) if self._text.tokens[k].low in {",", "and"}]
+        start = max([start, *marks])
         named = any(m.entities for m in self._text.mentions if start <= m.i < number.i)
         before = [a for a in self._happenings.acts if a.i < start and a.always]
         return before[-1] if before and not named else None
 
-    def _named_by(self, scene: Scene, acts: list[Doing]) -> list[Doing]:
+    def _named_by(self, event: Event, acts: list[Doing]) -> list[Doing]:
         """``the lane change takes 5 s``: of the act that a noun names."""
-        noun = scene.event if scene.event.nominal else scene.event.parent
+        noun = event if event.nominal else event.parent
         frame = frames().get(noun.name) if noun is not None and noun.nominal else None
         return [a for a in acts if frame is not None and a.kind is frame.kind]
 
-    def _made(self, number: Measured, role: str) -> Doing | None:
+    def _made(self, number: Measured, role: str, event: Event | None) -> Doing | None:
         """``lead car, deceleration 6 m/s²``: an act that only its amount tells of."""
-        kind = {"rate": ActKind.BRAKE, "lateral_move": ActKind.SWERVE}.get(role)
+        kind = ActKind.SWERVE if role == "lateral_move" else None
+        frame = frames().get(event.name) if event is not None and event.name != "move" else None
+        gains = frame is not None and frame.kind in _GAINING
+        if role == "rate":
+            words = f"{number.around.before}{' '.join(number.around.after.split()[:1])}"
+            gains = gains or any(w in words for w in ("accelerat", " start", " sets "))
+            kind = ActKind.ACCELERATE if gains else ActKind.BRAKE
+        elif role == "speed_after" and gains:
+            kind = ActKind.ACCELERATE
         who = self._text.subject_before(number.i)
         if kind is None or not who:
             return None
-        accelerates = any(w in number.around.before for w in ("accelerat", "start", "sets off"))
-        kind = ActKind.ACCELERATE if role == "rate" and accelerates else kind
         doing = Doing(kind, who[0], amount_of(number).basis, number.i)
+        doing.told += [event.i] if event is not None and event.i < number.i else []
         _, end = self._text.bounds(number.i)
         if kind is ActKind.BRAKE and self._text.says("standstill", number.i, end) is not None:
             doing.amounts["target_speed_mps"] = Amount(_still(), doing.basis)
@@ -171,7 +197,7 @@ class Filler:
 
     def _before_the_next(self, number: Measured) -> bool:
         """``holds it for 5 s and then slows``: how long until the next act."""
-        later = [a for a in self._happenings.acts if a.i > number.i and a.always]
+        later = [a for a in self._happenings.acts if a.i > number.i]
         who: list[Entity] = self._text.subject_before(number.i)
         own = [a for a in later if a.entity in who]
         if not own or own[0].when is not None:

@@ -45,8 +45,9 @@ class Judge:
             if told:
                 self._happenings.ending = told[0]
                 break
-        if self._happenings.ending is not None:
-            self._where(self._happenings.ending)
+        ending = self._happenings.ending
+        if ending is not None and ending.kind is not OutcomeKind.AVOIDED:
+            self._where(ending)
         self._overlaps()
 
     def _of_verb(self, scene: Scene) -> Ending | None:
@@ -146,7 +147,7 @@ class Judge:
         i = ending.basis.i or 0
         start, end = self._text.bounds(i)
         ego = ego_of(self._context)
-        for place in self._text.places(start, end, {"side", "front"}):
+        for place in self._text.places(start, end, {"side", "front", "flank"}):
             part = next((_PARTS[d] for d in place.dirs if d in _PARTS), None)
             if place.kind == "front":
                 part = BodySide.FRONT
@@ -155,6 +156,10 @@ class Judge:
             hit_by = place.prep is not None and place.prep.value in {"by", "with"}
             on = place.prep is not None and place.prep.value == "in" and place.head is not None
             hit_by = hit_by or (on and ego is not None and self._is_hit(ego, i))
+            into = place.prep is not None and place.prep.value in {"in", "into"}
+            hit_by = hit_by or (into and place.owner is not None and whose is ego)
+            direct = any(s.event.i == i and s.event.object is place for s in self._text.scenes)
+            hit_by = hit_by or (direct and whose is ego)
             if part is None or whose is None or (flank and not (hit_by and whose is ego)):
                 continue
             basis = Basis(place.i, place.j)
@@ -210,6 +215,8 @@ class Judge:
         direct = scene.event.object is place
         if direct and scene.targets:
             return scene.targets[0]
+        if direct and own and scene.actors:  # "a car behind hits its rear"
+            return None if scene.actors[0].ego else ego_of(self._context)
         if own and scene.event.passive and place.prep is not None and place.prep.value == "in":
             return scene.targets[0] if scene.targets else None  # "is hit on its right side"
         if own or not direct:
@@ -220,8 +227,10 @@ class Judge:
 
     def _middle(self, ending: Ending, place: NounPhrase, start: int) -> None:
         """``with the middle of its front``."""
+        tokens = self._text.tokens
         for k in range(max(start, place.i - _REACH), place.i):
-            if self._text.tokens[k].low in words()["middle"]:
+            part = k + 1 == place.i or tokens[k + 1].low in {"of", "front"}
+            if part and tokens[k].low in words()["middle"]:
                 value = Interval(low=_HALF, high=_HALF)
                 ending.impact = Amount(value, Basis(k, place.j))
 

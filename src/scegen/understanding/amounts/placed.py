@@ -6,12 +6,14 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
 from scegen.scenario.spacings import CONTACT, START, Measure
 from scegen.scenario.vocabulary import Approach, Maneuver, Side
+from scegen.understanding.amounts.pairs import pair_of, passed, row_of
+from scegen.understanding.amounts.releasing import JUNCTION, Releaser
 from scegen.understanding.amounts.sentences import Sentences
-from scegen.understanding.amounts.whom import counterpart, ego_of, in_file
-from scegen.understanding.chunks import Mention, Place, Word
+from scegen.understanding.amounts.whom import behind_or_ahead, ego_of, in_file
+from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
-from scegen.understanding.happenings import Amount, Apart, Doing, Happenings, Trigger, amount_of
+from scegen.understanding.happenings import Amount, Apart, Doing, Happenings, amount_of
 from scegen.understanding.meaning.context import Context
 
 MEASURES = {
@@ -23,8 +25,11 @@ MEASURES = {
     "overlap": Measure.OVERLAP_PERCENT,
 }
 _APART = 4
+_ARMS_LENGTH = 3
+"""Nearer than so many metres, who drives by somebody parked is beside them."""
+_PLACES = frozenset({"crosswalk", "bus_stop", "parking", "exit", "ramp"})
+_WHOLE = 100
 _SIDE_REACH = 14
-_JUNCTION = frozenset({"junction", "signal", "stop_line", "stop_sign", "yield_sign"})
 _ALONG = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
 _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
 _LANED = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE})
@@ -43,6 +48,7 @@ class Spacer:
         self._text = text
         self._context = context
         self._happenings = happenings
+        self._releaser = Releaser(text, context, happenings)
 
     def read(self, number: Measured) -> bool:
         """One number that lies between two; whether a place was found for it.
@@ -51,47 +57,63 @@ class Spacer:
             number: the number.
         """
         measure = MEASURES[number.frame.role]
-        if measure in _ALONG and self._sets_off(number, measure):
+        if measure in _ALONG and self._releaser.sets_off(number, measure):
             return True
         after = self._text.phrase_after(number.j)
-        if after is not None and isinstance(after[1], Place) and after[1].kind in _JUNCTION:
+        place = after[1] if after is not None else None
+        if isinstance(place, Place) and place.kind in JUNCTION | _PLACES:
             return False  # so far from the junction: between no two
-        if self._where_it_stops(number) or self._until(number):
+        if self._where_it_stops(number) or self._releaser.until(number):
             return False
         if measure is Measure.GAP_M and self._to_a_thing(number):
             return True
-        pair = self._pair(number)
+        row = row_of(number, self._text, self._context)
+        pair = row[-1] if row else pair_of(number, self._text, self._context)
         if pair is None:
             return False
-        entity, reference = pair
-        past = self._verb(number) in {"pass", "bypass"} and (entity.parked or reference.parked)
-        if measure is Measure.GAP_M and past:
-            measure = Measure.LATERAL_GAP_M
-        sideways = number.around.after.startswith(
-            (" away ", " apart ", " from ", " between ", " off ")
-        )
-        if measure is Measure.GAP_M and sideways and self._beside(entity, reference):
-            measure = Measure.LATERAL_GAP_M
-        amount, side = self._with_place(amount_of(number), number), None
+        measure = self._sideways(measure, number, *pair)
+        at = self._moment(number, measure, *pair)
+        if row:
+            amount = amount_of(number)
+            self._happenings.spacings += [Apart(measure, a, b, amount, at) for a, b in row]
+        else:
+            self._happenings.spacings.append(self._between(number, measure, *pair, at))
+        return True
+
+    def _sideways(self, measure: Measure, number: Measured, one: Entity, other: Entity) -> Measure:
+        """``passes the parked van at 1 m``, ``drives beside it, 1 m away``: from side to side."""
+        near = number.quantity.exact.high <= _ARMS_LENGTH and self._verb(number) == "move"
+        past = near or self._verb(number) in {"pass", "bypass"}
+        past = past and (one.parked or other.parked)
+        along = number.around.after.startswith((" ahead ", " in front ", " behind ", " before "))
+        lateral = past or (not along and self._beside(one, other))
+        return Measure.LATERAL_GAP_M if measure is Measure.GAP_M and lateral else measure
+
+    def _between(
+        self, number: Measured, measure: Measure, one: Entity, other: Entity, at: Doing | str
+    ) -> Apart:
+        """The spacing of two, the one whose it is first."""
+        entity, reference, side = one, other, None
+        amount = self._with_place(amount_of(number), number)
         if len(number.quantity.parts) > 1 and number.around.preceded("from"):
             amount = Amount(number.quantity.parts[0], amount.basis)  # "closes from 40 m to 15 m"
-        if measure is Measure.LATERAL_OFFSET_M:
+        if measure is Measure.LATERAL_GAP_M:
+            entity, reference = passed(number, one, other, self._text)
+        elif measure is Measure.LATERAL_OFFSET_M:
             amount = self._signed(number)
-        if measure in {Measure.HEADWAY_S, Measure.TTC_S}:
-            entity, reference = in_file(entity, reference, self._context)
-        if measure is Measure.OVERLAP_PERCENT:
-            side = self._half(number) if amount.value.high < 100 else None
-            entity, reference = self._ego_last(entity, reference)
+        elif measure in {Measure.HEADWAY_S, Measure.TTC_S}:
+            entity, reference = in_file(one, other, self._context)
+        elif measure is Measure.OVERLAP_PERCENT:
+            side = self._half(number) if amount.value.high < _WHOLE else None
+            entity, reference = (other, one) if one.ego else (one, other)
             self._happenings.spacings[:] = [
                 s
                 for s in self._happenings.spacings
                 if s.measure is not measure or s.entity is not entity
             ]  # "with full overlap (100 %)"
-        self._behind_or_ahead(number, *pair)
+        behind_or_ahead(number, one, other, self._context)
         self._in_file(measure, entity, reference, amount)
-        at = self._moment(number, measure, entity, reference)
-        self._happenings.spacings.append(Apart(measure, entity, reference, amount, at, side))
-        return True
+        return Apart(measure, entity, reference, amount, at, side)
 
     def _to_a_thing(self, number: Measured) -> bool:
         """``a mattress lies 60 m ahead``, ``60 m ahead of the ego lies a mattress``."""
@@ -113,20 +135,6 @@ class Spacer:
         self._happenings.spacings.append(apart)
         return True
 
-    def _behind_or_ahead(self, number: Measured, one: Entity, other: Entity) -> None:
-        """``15 m behind``: who is said to be there, if no place of the two is said."""
-        draft, after = self._context.draft, number.around.after
-        way = {" behind ": Approach.BEHIND, " ahead ": Approach.AHEAD, " in front ": Approach.AHEAD}
-        said = next((a for w, a in way.items() if after.startswith(w)), None)
-        known = any(
-            {p.entity, p.reference or ego_of(self._context)} == {one, other}
-            for p in draft.placements
-        )
-        vehicles = one.is_vehicle and other.is_vehicle and not (one.parked or other.parked)
-        sideways = {Maneuver.CROSS, Maneuver.LANE_CHANGE} & (one.maneuvers | other.maneuvers)
-        if said is not None and not known and vehicles and not sideways:
-            draft.place(one, other, {said}, amount_of(number).basis)
-
     def _in_file(self, measure: Measure, one: Entity, other: Entity, amount: Amount) -> None:
         """``ego and target at 50 km/h, gap 12 m``: the other is ahead, if no place is said."""
         two = [e for e in (one, other) if not e.ego]
@@ -143,15 +151,6 @@ class Spacer:
             )
             draft.place(entity, None, {Approach.AHEAD}, basis)
 
-    def _until(self, number: Measured) -> bool:
-        """``drifts until only 0.3 m remain``: how far apart they end up."""
-        clause = self._text.subordinate(number.i)
-        if clause is None or clause[2] not in {"until", "till"}:
-            return False
-        return not any(
-            a.i >= clause[1] for a in self._happenings.acts if a.i < clause[1] + _SIDE_REACH
-        )
-
     def _verb(self, number: Measured) -> str:
         scene = self._text.scene_at(number.i, number.j)
         return scene.event.name if scene is not None else ""
@@ -161,7 +160,8 @@ class Spacer:
         scene = self._text.scene_at(number.i, number.j)
         name = scene.event.name if scene is not None else ""
         stops = name in {"stop", "wait"} or (name == "pass" and not (scene and scene.targets))
-        stops = stops and scene is not None and not any(e.still for e in scene.actors)
+        who = scene.actors if scene is not None else []
+        stops = stops and bool(who) and not any(e.still for e in who)
         return stops and number.around.after.startswith((" before ", " short ", " in front "))
 
     def _beside(self, one: Entity, other: Entity) -> bool:
@@ -170,7 +170,7 @@ class Spacer:
             p.approaches == {Approach.ADJACENT}
             and {p.entity, p.reference or ego_of(self._context)} == {one, other}
             for p in self._context.draft.placements
-        ) and not any(a.entity in (one, other) for a in self._happenings.acts if a.kind in _LANED)
+        ) and not (one.maneuvers | other.maneuvers) & {Maneuver.LANE_CHANGE, Maneuver.OVERTAKE}
 
     def _with_place(self, amount: Amount, number: Measured) -> Amount:
         """The words of a number with those of place after it: "15 m in front of"."""
@@ -185,72 +185,11 @@ class Spacer:
         end = min(end, self._text.bounds(number.i)[1])
         return Amount(amount.value, Basis(basis.i, end, basis.reason))
 
-    def _ego_last(self, entity: Entity, reference: Entity) -> tuple[Entity, Entity]:
-        return (reference, entity) if entity.ego else (entity, reference)
-
-    def _pair(self, number: Measured) -> tuple[Entity, Entity] | None:
-        """Who lies how far from whom."""
-        text = self._text
-        after = text.phrase_after(number.j)
-        noun = after[1] if after is not None else None
-        own = noun is not None and any(m.cat == "possessive" for m in noun.mods)
-        named = text.named(noun) if not own else []
-        located = after is not None and isinstance(after[0], Word) and after[0].cat == "locus"
-        scene = text.scene_at(number.i, number.j)
-        subject = text.subject_before(number.i)
-        if isinstance(noun, Mention) and noun.pronoun is not None and named == subject:
-            named = []  # "and the ego, 15 m behind it": not behind itself
-        bracketed = self._bracketed(number)
-        if bracketed is not None and subject and bracketed not in subject:
-            return subject[0], bracketed
-        if noun is None and located:
-            behind = self._named_in_front(number)
-            if behind is not None and subject and behind not in subject:
-                return behind, subject[0]
-        by_verb = number.frame.role in {"overlap", "headway", "ttc"} or not (named or located)
-        if by_verb and scene is not None and scene.actors and scene.targets:
-            return scene.actors[0], scene.targets[0]
-        subject = [e for e in subject if e not in named]
-        if not subject and scene is not None:
-            subject = [e for e in scene.actors if e not in named]
-        if subject and named and (located or number.frame.role != "overlap"):
-            return subject[0], named[0]
-        near = [e for m in text.mentions if m.i < number.i for e in m.entities]
-        first = subject[0] if subject else named[0] if named else ego_of(self._context)
-        if first is None:
-            return None
-        other = counterpart(first, self._context, near)
-        return (first, other) if other is not None and other is not first else None
-
-    def _bracketed(self, number: Measured) -> Entity | None:
-        """``in front of a stationary target (TTC 3 s)``: to whom it is."""
-        tokens = self._text.tokens
-        opening = next(
-            (k for k in range(number.i - 1, max(-1, number.i - 4), -1) if tokens[k].low == "("),
-            None,
-        )
-        if opening is None:
-            return None
-        before = [m for m in self._text.mentions if m.j == opening and m.entities]
-        first: Entity | None = before[0].entities[0] if before else None
-        return first
-
-    def _named_in_front(self, number: Measured) -> Entity | None:
-        """``changes lanes in front of a car, 20 m behind``: the car is behind."""
-        if not number.around.after.startswith(" behind "):
-            return None
-        start, _ = self._text.bounds(number.i)
-        before = [m for m in self._text.mentions if start <= m.i < number.i and m.entities]
-        last = before[-1] if before else None
-        ahead = last is not None and last.prep is not None and last.prep.value == "ahead"
-        first: Entity | None = last.entities[0] if last is not None and ahead else None
-        return first
-
     def _signed(self, number: Measured) -> Amount:
         """To the left is positive, to the right negative; the left where no side is said."""
         start, end = self._text.bounds(number.i)
-        right = self._toward(number, start, end)
-        value, basis = number.quantity.exact, Basis(number.i, number.j)
+        right, basis = self._toward(number, start, end)
+        value = number.quantity.exact
         if right is None:
             reason = "the side is not said; the left is taken"
             return Amount(value, Basis(number.i, number.j, reason))
@@ -260,22 +199,23 @@ class Spacer:
             else Amount(value, basis)
         )
 
-    def _toward(self, number: Measured, start: int, end: int) -> bool | None:
-        """Whether the side named next to a number is the right one."""
+    def _toward(self, number: Measured, start: int, end: int) -> tuple[bool | None, Basis]:
+        """Whether the side named next to a number is the right one, and the words for both."""
+        tokens = self._text.tokens
         for k in range(number.j, min(number.j + 8, end)):
-            if self._text.tokens[k].low in {"left", "right"}:
-                return self._text.tokens[k].low == "right"
-            if self._text.tokens[k].kind in {"number", "punct"}:
+            if tokens[k].low in {"left", "right"}:
+                return tokens[k].low == "right", Basis(number.i, k + 1)
+            if tokens[k].kind in {"number", "punct"}:
                 break
         for k in range(number.i - 1, max(start, number.i - _SIDE_REACH) - 1, -1):
-            if self._text.tokens[k].low in {"left", "right"}:
-                return self._text.tokens[k].low == "right"
-        return None
+            if tokens[k].low in {"left", "right"}:
+                return tokens[k].low == "right", Basis(number.i, number.j)
+        return None, Basis(number.i, number.j)
 
     def _half(self, number: Measured) -> Side | None:
         """``the left 50 %``, ``the right half of its front (50 % overlap)``."""
         start, end = self._text.bounds(number.i)
-        right = self._toward(number, start, end)
+        right, _ = self._toward(number, start, end)
         return None if right is None else Side.RIGHT if right else Side.LEFT
 
     def _moment(
@@ -302,10 +242,16 @@ class Spacer:
         if begun:
             return begun[0]
         trigger = self._text.subordinate(number.i)
-        here = [a for a in acts if start <= a.i < end and a.i < number.i]
+        here = [a for a in acts if any(start <= i < number.i for i in (a.i, *a.told))]
         if trigger is not None and trigger[2] in words()["triggers"] and here:
             return here[-1]
         laned = [a for a in here if a.kind in _LANED or a.kind is ActKind.CROSS]
+        own = self._text.verb_at(number.i, number.j)
+        laned = laned or [
+            a
+            for a in here
+            if measure is Measure.TTC_S and own is not None and own.i in (a.i, *a.told)
+        ]  # "brakes at a TTC of 3 s"
         if laned:
             return laned[-1]
         one, other = entity.speed, reference.speed
@@ -326,117 +272,3 @@ class Spacer:
             if clause[2] in words()["triggers"] and told >= clause[0]:
                 return True
         return False
-
-    def _sets_off(self, number: Measured, measure: Measure) -> bool:
-        """``when the gap is 20 m``, ``50 m before the junction``: what sets an act off."""
-        text = self._text
-        start, end = text.bounds(number.i)
-        clause = text.subordinate(number.i)
-        opened = clause is not None and clause[2] in words()["triggers"]
-        if opened and self._until(number):
-            return False
-        after = text.phrase_after(number.j)
-        noun = after[1] if after is not None else None
-        word = (
-            text.tokens[after[0].i].low if after is not None and isinstance(after[0], Word) else ""
-        )
-        short = word in {"before", "short", "from", "away", "off", "of", "in", "ahead", "prior"}
-        junction = isinstance(noun, Place) and noun.kind in _JUNCTION and short
-        before = word == "before" and isinstance(noun, Mention)
-        if not (opened or junction or before):
-            return False
-        doing = self._main(clause if opened else None, number, start, end)
-        if doing is None and opened:
-            doing = self._starts_crossing(start, number.i)
-        if doing is None or (before and not opened and doing.kind is ActKind.STOP):
-            return False
-        if doing.when is not None:
-            if doing.when.kind == "measure" and opened and doing.when.amount is not None:
-                pair = (doing.when.entity, doing.when.reference)
-                self._also(number, measure, doing, pair)
-                return True
-            return False
-        subject = self._subject(number, clause if opened else None, doing)
-        if opened and clause is not None and self._acts_inside(clause, number, subject):
-            return False  # "when the truck moves over 30 m in front of it"
-        if junction:
-            if subject is not doing.entity:
-                return False
-            doing.when = Trigger("junction", amount_of(number).basis, amount_of(number))
-            return True
-        own = noun is not None and any(m.cat == "possessive" for m in noun.mods)
-        named = [e for e in (text.named(noun) if not own else []) if e is not subject]
-        other = named[0] if named else doing.entity if subject is not doing.entity else None
-        near = [e for m in text.mentions if m.i < number.i for e in m.entities if e is not subject]
-        other = other or doing.into or counterpart(subject, self._context, near)
-        if other is None or other is subject:
-            return False
-        entity, reference = subject, other
-        self._behind_or_ahead(number, subject, other)
-        if measure is not Measure.GAP_M:
-            entity, reference = in_file(entity, reference, self._context)
-        doing.when = Trigger("measure", amount_of(number).basis, amount_of(number))
-        doing.when.measure, doing.when.entity, doing.when.reference = measure, entity, reference
-        return True
-
-    def _starts_crossing(self, start: int, i: int) -> Doing | None:
-        """``followed by a child when the ego is 18 m away``: when it crosses."""
-        for mention in (m for m in self._text.mentions if start <= m.i < i):
-            crossers = [e for e in mention.entities if Maneuver.CROSS in e.maneuvers]
-            if crossers:
-                basis = crossers[0].maneuver_basis or Basis(mention.i, mention.j)
-                doing = Doing(ActKind.CROSS, crossers[0], basis, mention.i, always=False)
-                self._happenings.acts.append(doing)
-                self._happenings.acts.sort(key=lambda a: a.i)
-                return doing
-        return None
-
-    def _acts_inside(self, clause: tuple[int, int, str], number: Measured, subject: Entity) -> bool:
-        acts = self._happenings.acts
-        return any(clause[0] <= a.i < number.i and a.entity is subject for a in acts)
-
-    def _also(
-        self,
-        number: Measured,
-        measure: Measure,
-        doing: Doing,
-        pair: tuple[Entity | None, Entity | None],
-    ) -> None:
-        """``3.6 s (60 m) away``: the same moment in another measure."""
-        entity, reference = pair
-        if entity is None or reference is None:
-            return
-        self._happenings.spacings.append(
-            Apart(measure, entity, reference, amount_of(number), doing)
-        )
-
-    def _main(
-        self, clause: tuple[int, int, str] | None, number: Measured, start: int, end: int
-    ) -> Doing | None:
-        """The act that a clause sets off: before it, or after it where it opens the sentence."""
-        acts = self._happenings.acts
-        if clause is None:
-            here = [a for a in acts if start <= a.i < end]
-            before = [a for a in here if a.i < number.i]
-            return before[-1] if before else here[0] if here else None
-        begin, stop, _ = clause
-        inside = [a for a in acts if start <= a.i < end and not begin <= a.i < stop]
-        before = [a for a in inside if a.i < begin]
-        after = [a for a in inside if a.i >= stop]
-        if not (before or after) and begin == start:  # no comma: "when it is 20 m away it brakes"
-            after = [a for a in acts if number.i < a.i < end]
-        return before[-1] if before else next(iter(after), None)
-
-    def _subject(
-        self, number: Measured, clause: tuple[int, int, str] | None, doing: Doing
-    ) -> Entity:
-        """Whose distance sets it off: who is named in that clause, else who acts."""
-        if clause is None:
-            return doing.entity
-        inside = [m for m in self._text.mentions if clause[0] <= m.i < number.i and m.entities]
-        free = [m for m in inside if m.prep is None and not m.possessor]
-        chosen = free[-1] if free else inside[-1] if inside else None
-        if chosen is not None:
-            first: Entity = chosen.entities[0]
-            return first
-        return doing.entity

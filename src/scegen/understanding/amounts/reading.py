@@ -78,8 +78,10 @@ def read_amounts(
 
 
 def _measured(quantity: Quantity, numbers: Numbers, text: Sentences) -> Measured:
-    scene = text.scene_at(quantity.i, quantity.j)
-    return numbers.measured(quantity, scene.event.name if scene is not None else "")
+    event = text.verb_at(quantity.i, quantity.j)
+    if event is None:
+        return numbers.measured(quantity)
+    return numbers.measured(quantity, event.name, None if event.perfect else event.i)
 
 
 def _note(number: Measured, context: Context) -> None:
@@ -160,6 +162,12 @@ def _from_to(number: Measured, text: Sentences, found: Happenings) -> Doing | No
     first, last = quantity.parts
     kind = ActKind.BRAKE if last.low < first.low else ActKind.ACCELERATE
     here = [a for a in found.acts if start <= a.i < end and a.kind in {kind, ActKind.STOP}]
+    who = text.subject_before(number.i)
+    if not here and kind is ActKind.BRAKE and who:  # "slowing of the van from 90 to 36 km/h"
+        event = text.verb_at(number.i, number.j)
+        told = [event.i] if event is not None else []
+        here = [Doing(kind, who[0], Basis(number.i, number.j), number.i, told=told)]
+        found.acts = sorted([*found.acts, *here], key=lambda a: a.i)
     if not here:
         return None
     doing = [*[a for a in here if a.i < number.i], *here][-1 if here[-1].i < number.i else 0]
@@ -177,6 +185,7 @@ def _whose(number: Measured, text: Sentences, context: Context) -> list[Entity]:
     before = {t.low for t in tokens[max(start, number.i - 3) : number.i]}
     if before & {*words()["each"]}:
         named = [e for m in text.mentions if start <= m.i < number.i for e in m.entities]
+        named = named or [e for m in text.mentions if m.i < number.i for e in m.entities][-_PAIR:]
         pair = list(dict.fromkeys([e for e in reversed(named) if not e.still]))
         ego = ego_of(context)
         pair += [ego] if ego is not None and ego not in pair and len(pair) < _PAIR else []
@@ -189,7 +198,9 @@ def _whose(number: Measured, text: Sentences, context: Context) -> list[Entity]:
     if inside:
         return inside
     movers = [e for e in (scene.actors if scene is not None else []) if not e.parked]
-    if movers:
+    owned = text.tokens[start].low in words()["whose"]
+    later = scene is not None and scene.event.i > number.i and owned
+    if movers and not later:
         return movers
     return text.subject_before(number.i)
 
@@ -223,7 +234,7 @@ def _alike(text: Sentences, context: Context) -> None:
                 who += [other] if other is not None and other not in who else []
             known = [e for e in who if e.speed is not None]
             for entity in who if known else []:
-                if entity.speed is None and entity.is_vehicle:
+                if entity.speed is None and entity.is_vehicle and not entity.still:
                     entity.speed = known[0].speed
                     entity.speed_basis = Basis(k, k + len(wanted), "as fast as the other")
 

@@ -67,6 +67,23 @@ class Sentences:
         before = [s for s in here if s.event.i < i]
         return before[-1] if before else next(iter(here), None)
 
+    def verb_at(self, i: int, j: int) -> Event | None:
+        """What happens in the clause of a number; None where it only is somewhere.
+
+        Args:
+            i: index of the first token of the number.
+            j: index after the last one.
+        """
+        scene = self.scene_at(i, j)
+        clause = self.subordinate(i)
+        if clause is not None and clause[2] in {"until", "till"}:  # "brakes until it does 30 km/h"
+            main = self.within(self.bounds(i)[0], clause[0])
+            told = [s for s in self.within(clause[0], i) if s.event.name != "move"] or main
+            return told[-1].event if told else None
+        if scene is None or clause is None or any((m.i, m.j) == (i, j) for m in scene.event.mods):
+            return scene.event if scene is not None else None
+        return scene.event if clause[0] <= scene.event.i else None
+
     def subordinate(self, i: int) -> tuple[int, int, str] | None:
         """The clause that sets something off in which a token stands: begin, end, opening words."""
         start, stop = self.bounds(i)
@@ -113,10 +130,14 @@ class Sentences:
             if chunk.j <= start:
                 return []
             if isinstance(chunk, Mention):
-                return [] if chunk.possessor else list(chunk.entities)
+                owns = self.low(chunk.j, i).split() in (["'s"], ["'"])  # "the ego's 60 km/h"
+                return list(chunk.entities) if owns or not chunk.possessor else []
             if not isinstance(chunk, Word):
                 return []
-            if chunk.cat not in {"aux", "manner", "unknown"} and chunk.value not in {"(", ":"}:
+            if chunk.cat not in {"aux", "manner", "unknown", "possessive"} and chunk.value not in {
+                "(",
+                ":",
+            }:
                 return []
         return []
 
@@ -127,7 +148,7 @@ class Sentences:
             i: index of a token.
         """
         start, _ = self.bounds(i)
-        own = self.adjacent(i)
+        own = self.adjacent(i) or self._owner(start, i)
         if own:
             return own
         before = [s for s in self.within(start, i) if s.actors]
@@ -142,6 +163,21 @@ class Sentences:
         if last is not None:
             return list(last.actors)
         return list((free or named)[-1].entities) if (free or named) else []
+
+    def _owner(self, start: int, i: int) -> list[Entity]:
+        """``its speed is 50 km/h``, ``my speed``: whose a measure is that opens a sentence."""
+        word = self.tokens[start].low
+        if word not in words()["whose"]:
+            return []
+        acting = any(s.actors or not s.event.nominal for s in self.within(start, i))
+        if acting or any(start < m.i < i for m in self.mentions):
+            return []
+        if word in {"my", "our"}:
+            return [e for m in self.mentions for e in m.entities if e.ego][:1]
+        before = [m for m in self.mentions if m.i < start and m.entities and not m.possessor]
+        opening = self.bounds(start - 2)[0] if start > 1 else start
+        said = [m for m in before if m.i >= opening and m.prep is None]
+        return list((said or before)[0 if said else -1].entities) if before else []
 
     def phrase_after(self, j: int) -> tuple[Word, NounPhrase | None] | None:
         """A phrase of place right after a number: "ahead of the ego", "from the junction".

@@ -36,8 +36,25 @@ class Clock:
             return False
         basis = amount_of(number).basis
         base, since = self._base(number, doing)
+        if base is None and self._after_another(number):
+            return False
         doing.when = Trigger("after" if base else "start", basis, amount_of(number), base, since)
         return True
+
+    def _after_another(self, number: Measured) -> bool:
+        """``2 s after the car has passed the sign``: since something that is no act."""
+        _, end = self._text.bounds(number.i)
+        told = bool(self._text.within(number.j, end))
+        return self._since(number) == "after" and told
+
+    def _since(self, number: Measured) -> str:
+        """The word after a time: "after" only where it opens a clause."""
+        after = self._text.low(number.j, number.j + 4)
+        if after.startswith(" after ") and (
+            after.startswith(" after that ") or self._text.says("starts", number.j, number.j + 4)
+        ):
+            return "that" if after.startswith(" after that ") else "start"
+        return after.split()[0] if after.split() else ""
 
     def _delayed(self, number: Measured) -> Doing | None:
         """The act that is delayed: the one before the time in its clause, else the next."""
@@ -56,8 +73,7 @@ class Clock:
         )
         before = [a for a in here if opening <= a.i < number.i]
         after = [a for a in here if a.i > number.i]
-        following = self._text.tokens[number.j].low if number.j < len(self._text.tokens) else ""
-        if following == "after" and len(after) > 1 and not before:
+        if self._since(number) == "after" and len(after) > 1 and not before:
             return after[1]
         if before:
             return before[-1]
@@ -69,8 +85,10 @@ class Clock:
         """Since when a delay counts."""
         tokens = self._text.tokens
         _, end = self._text.bounds(number.i)
-        following = tokens[number.j].low if number.j < len(tokens) else ""
-        if following == "after":
+        since = self._since(number)
+        if since == "start":
+            return None, "end"
+        if since == "after":
             clause = [a for a in self._happenings.acts if number.j <= a.i < end and a is not doing]
             if clause:
                 begins = self._text.low(number.j, clause[0].i)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach
+from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.draft import Entity
+from scegen.understanding.frames import Measured
+from scegen.understanding.happenings import amount_of
 from scegen.understanding.meaning.context import Context
 
 
@@ -51,3 +53,24 @@ def in_file(one: Entity, other: Entity, context: Context) -> tuple[Entity, Entit
         if placement.approaches == {Approach.BEHIND}:
             return placement.entity, reference
     return (one, other) if one.ego or not other.ego else (other, one)
+
+
+def behind_or_ahead(number: Measured, one: Entity, other: Entity, context: Context) -> None:
+    """``15 m behind``: who is said to be there, if no place of the two is said.
+
+    Args:
+        number: the distance.
+        one: who is there.
+        other: from whom.
+        context: the scenario in the making.
+    """
+    draft, after = context.draft, number.around.after
+    way = {" behind ": Approach.BEHIND, " ahead ": Approach.AHEAD, " in front ": Approach.AHEAD}
+    said = next((a for w, a in way.items() if after.startswith(w)), None)
+    known = any(
+        {p.entity, p.reference or ego_of(context)} == {one, other} for p in draft.placements
+    )
+    vehicles = one.is_vehicle and other.is_vehicle and not (one.parked or other.parked)
+    sideways = {Maneuver.CROSS, Maneuver.LANE_CHANGE} & (one.maneuvers | other.maneuvers)
+    if said is not None and not known and vehicles and not sideways:
+        draft.place(one, other, {said}, amount_of(number).basis)

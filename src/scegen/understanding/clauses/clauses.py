@@ -96,6 +96,7 @@ class ClauseReader:
             state.between |= {"neg:not"} if word.term.data.get("denies") else set()
         placed = phrase_follows(k, self._chunks)  # "is half here and half in the next lane"
         if word.cat == "conj" and word.value in {"and", "but"} and not placed:
+            state.being = state.candidate if "aux:be" in state.between else None
             state.between.discard("aux:be")  # "was tired and did not notice the van"
         if word.value == "where":
             self._where(k)
@@ -194,6 +195,8 @@ class ClauseReader:
         state = self._state
         if state.candidate is None or state.anchor is not state.candidate:
             return False
+        if state.events and state.events[-1].object is state.candidate and not state.between:
+            return False  # "the car that the ego overtakes at 60 km/h"
         return not any(state.candidate in event.subject for event in state.events)
 
     def _inverted(self, event: Event, k: int) -> bool:

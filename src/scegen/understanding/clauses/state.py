@@ -33,6 +33,7 @@ class State:
         verb_follows: another verb makes the clause after the participle just read.
         where: a clause has been opened that says what takes place somewhere.
         trailing: the ego where it opens a clause after that of another ("…, as the ego turns").
+        being: who is said to be somewhere before an "and" ("is 20 m away and doing 30 km/h").
         relative: who acts in a relative clause, and on whom ("the van that the ego follows").
     """
 
@@ -57,3 +58,4 @@ class State:
     trailing: list[Mention] = field(default_factory=list)
     relative: tuple[Mention, NounPhrase] | None = None
     relating: Mention | None = None
+    being: Mention | None = None

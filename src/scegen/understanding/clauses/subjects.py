@@ -166,7 +166,9 @@ def _antecedent(state: State) -> Mention:
 def _subjectless(event: Event, state: State) -> None:
     """``while turning``: the subject of the clause before, or of the one that follows."""
     candidate = state.candidate
-    if candidate is not None and not state.candidate_done and event.finite:
+    if {"sub", "aux:be", ","} <= state.between and state.main and event.form == "s":
+        event.subject = state.main  # "steps out when the ego is 30 m away, walks on and stops"
+    elif candidate is not None and not state.candidate_done and event.finite:
         event.subject = chain(candidate)
     elif state.events and not event.finite and "," not in state.between:
         event.subject = state.main or state.events[-1].subject

@@ -19,7 +19,6 @@ class AmountFrame:
     role: str
     before: tuple[str, ...] = ()
     next: tuple[str, ...] = ()
-    after: tuple[str, ...] = ()
     near: tuple[str, ...] = ()
     verb: frozenset[str] = frozenset()
     most: float | None = None
@@ -48,7 +47,6 @@ def amounts() -> tuple[AmountFrame, ...]:
             role=row["role"],
             before=tuple(row.get("before", ())),
             next=tuple(row.get("next", ())),
-            after=tuple(row.get("after", ())),
             near=tuple(row.get("near", ())),
             verb=frozenset(row.get("verb", ())),
             most=row.get("most"),

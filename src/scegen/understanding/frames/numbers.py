@@ -49,14 +49,17 @@ class Numbers:
         self.quantities = sorted(found, key=lambda q: q.i)
         self._ends = {q.j: q.i for q in found}
 
-    def measured(self, quantity: Quantity, verb: str) -> Measured:
+    def measured(self, quantity: Quantity, verb: str = "", at: int | None = None) -> Measured:
         """A number with its role.
 
         Args:
             quantity: the number.
             verb: what happens in its clause; empty if nothing does.
+            at: the word for it, unless it is told as over ("has covered").
         """
+        lemma = [f"to {self._tokens[at].forms[-1][0]}"] if at is not None else []
         around = window(self._tokens, quantity.i, quantity.j, self._ends)
+        low = quantity.value.low
         return Measured(
-            quantity, around, frame_of(quantity.dimension, quantity.value.low, around, verb)
+            quantity, around, frame_of(quantity.dimension, low, around, frozenset([verb, *lemma]))
         )

@@ -12,6 +12,8 @@ _JOINTS = frozenset({"while", "when", "which", "who", "that", "but", "and", "whe
 _CLOSE = frozenset({"to", "by", "for", "in", "over", "at", "with", "after", "within", "until",
                     "till", "from", "only", "just", "following"})  # fmt: skip
 """Words that mean something only right before the number."""
+_FURTHER = frozenset({"with", "at", "by"})
+"""Words that begin another statement after a number."""
 _FILLERS = frozenset({"a", "an", "the", "about", "around", "only", "just", "some", "roughly",
                       "approximately", "constant", "steady", "speed", "of", "exactly", "approx",
                       "up", "further", "another", "clear", "well", "almost", "nearly", "than",
@@ -26,23 +28,22 @@ class Window:
     before: str
     after: str
 
-    def fits(self, frame: AmountFrame, verb: str) -> bool:
+    def fits(self, frame: AmountFrame, verbs: frozenset[str]) -> bool:
         """Whether all that a frame asks for is there.
 
         Args:
             frame: a row.
-            verb: what happens in the clause of the number.
+            verbs: what happens in the clause of the number, in the names of the frames.
         """
-        if frame.verb and verb not in frame.verb:
+        if frame.verb and not verbs & frame.verb:
             return False
         if frame.near and not any(self._near(p) for p in frame.near):
             return False
-        if not (frame.before or frame.next or frame.after):
+        if not (frame.before or frame.next):
             return True
-        return (
-            any(self.preceded(p) for p in frame.before)
-            or any(self.after.startswith(f" {p} ") for p in frame.next)
-            or any(f" {p} " in self.after for p in frame.after)
+        after = self.after.removeprefix(" of")
+        return any(self.preceded(p) for p in frame.before) or any(
+            after.startswith(f" {p} ") for p in frame.next
         )
 
     def _near(self, phrase: str) -> bool:
@@ -74,7 +75,16 @@ def window(tokens: list[Token], i: int, j: int, ends: dict[int, int]) -> Window:
     bracketed = i > 0 and tokens[i - 1].low == "(" and i - 1 in ends
     if bracketed and j < len(tokens) and tokens[j].low == ")":
         return window(tokens, ends[i - 1], j + 1, {})  # "26.7 m (1.6 s) behind": as the first
-    return Window(_before(tokens, i, ends), _after(tokens, j))
+    aside = tokens[j : j + 1] and tokens[j].low == "," and _opens_aside(tokens, i)
+    return Window(_before(tokens, i, ends), _after(tokens, j + bool(aside)))
+
+
+def _opens_aside(tokens: list[Token], i: int) -> bool:
+    """``three lengths, roughly 50 feet, behind a car``: whether a comma stands before it."""
+    k = i - 1
+    while k >= 0 and tokens[k].low in _FILLERS:
+        k -= 1
+    return k >= 0 and tokens[k].low == ","
 
 
 def _before(tokens: list[Token], i: int, ends: dict[int, int]) -> str:
@@ -84,11 +94,28 @@ def _before(tokens: list[Token], i: int, ends: dict[int, int]) -> str:
     words: list[str] = []
     while k >= 0 and len(words) < _REACH:
         token = tokens[k]
+        pair = _both_ends(tokens, k)
+        if pair is not None:
+            words.insert(0, "between")
+            k = pair - 1
+            continue
         if token.kind in {"punct", "number"} or token.low in _JOINTS or k + 1 in ends:
             break
         words.insert(0, token.low)
         k -= 1
     return f" {' '.join(words)} "
+
+
+def _both_ends(tokens: list[Token], k: int) -> int | None:
+    """``between the ego and the bus``: where it begins, if an "and" joins its ends."""
+    if tokens[k].low != "and":
+        return None
+    for b in range(k - 1, max(-1, k - _REACH), -1):
+        if tokens[b].low == "between":
+            return b
+        if tokens[b].kind in {"punct", "number"} or tokens[b].low in _JOINTS:
+            break
+    return None
 
 
 def _after(tokens: list[Token], j: int) -> str:
@@ -101,27 +128,27 @@ def _after(tokens: list[Token], j: int) -> str:
     words: list[str] = []
     while k < len(tokens) and len(words) < _REACH:
         token = tokens[k]
-        if token.kind in {"punct", "number"} or token.low in _JOINTS:
+        if token.kind in {"punct", "number"} or token.low in _JOINTS | _FURTHER:
             break
-        words.append(token.low)
+        words += [token.low] if token.kind != "clitic" or words else []  # "2 seconds' distance"
         k += 1
     return f" {' '.join(words)} "
 
 
-def frame_of(dimension: str, value: float, around: Window, verb: str) -> AmountFrame:
+def frame_of(dimension: str, value: float, around: Window, verbs: frozenset[str]) -> AmountFrame:
     """The first frame that fits a number.
 
     Args:
         dimension: what the number measures.
         value: how much it is, in SI units.
         around: the words around it.
-        verb: what happens in its clause; empty if nothing does.
+        verbs: what happens in its clause, in the names of the frames; empty if nothing does.
     """
     rest = AmountFrame(dimension, "other", instead="a measure that no rule could attach; left out")
     fitting = (
         f
         for f in amounts()
         if f.dimension == dimension and (f.most is None or value <= f.most)
-        if around.fits(f, verb)
+        if around.fits(f, verbs)
     )
     return next(fitting, rest)

@@ -10,7 +10,7 @@ from scegen.understanding.phrases.on_sides import each_side
 
 _WITHIN = frozenset({"in", "inside", "within", "through", "near", "around", "past", "by"})
 _LEAVING = frozenset({"reverse", "pull_out", "leave", "unpark"})
-_COMING = frozenset({"move", "approach", "appear", "enter"})
+_COMING = frozenset({"move", "approach", "appear", "enter", "cross"})
 
 
 _ROADS = frozenset({"road", "street", "stem", "turning", "arm", "leg", "approach", "driveway"})

@@ -161,8 +161,11 @@ class Chunker:
             return self._mention(mods, m, owner)
         if head is not None and head.cat in {"place", "view", "thing", "inert", "leg"}:
             return self._thing(mods, head, m, owner)
-        if head is not None and is_nominal(
-            mods, head, self._term(m + 1), self._chunks, self._tokens
+        rest = bool(mods) and self._tokens[mods[0].j - 1].low == "others"  # "the others go left"
+        if (
+            not rest
+            and head is not None
+            and is_nominal(mods, head, self._term(m + 1), self._chunks, self._tokens)
         ):
             coming = head.form == "ing" and mods[-1].value in _COMING_FROM
             if any(mod.cat == "num" for mod in mods) and (coming or not has_dir(mods)):
@@ -192,6 +195,8 @@ class Chunker:
         if not mods:
             return None
         first = mods[0]
+        if first.cat == "det" and self._tokens[first.j - 1].low == "others":
+            return self._stand_alone(first, "others", k)
         if first.cat == "num" and len(mods) == 1 and self._low(k + 1) == "others":
             self._chunks.append(Mention(first.i, first.j + 1, [first], None, pronoun="others"))
             return k + 2  # "two others"

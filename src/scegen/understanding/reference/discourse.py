@@ -8,7 +8,7 @@ from scegen.understanding.clauses.located import as_the_ego_sees, loci_of
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.reference.groups import Group, of_both, opened, vehicle_around
 from scegen.understanding.reference.mention_words import DEFAULT_COUNT, Reading, read_mention
-from scegen.understanding.reference.pronouns import Pronouns
+from scegen.understanding.reference.pronouns import Pronouns, picked
 from scegen.understanding.reference.reference import (
     elsewhere,
     is_pronoun,
@@ -19,6 +19,7 @@ from scegen.understanding.reference.reference import (
     tells,
 )
 from scegen.understanding.reference.roster import Roster
+from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.tokens import Token
 
 _MOST = 20
@@ -78,8 +79,9 @@ class Discourse:
             found = self._we(mention) or self._pronouns.resolve(mention, exclude)
         else:
             reading = read_mention(mention, self.tokens, self._arms if sides == 0 else sides)
-            one = of_both(reading, self._roster.groups, self._draft.entities)
+            one = of_both(reading, loci_of(mention), self._roster.groups, self._draft.entities)
             found = one or self._noun(reading, mention, exclude)
+        found = self._share(mention, found)
         mention.entities = list(found)
         if mention.landmark:
             self._roster.landmark = list(found)
@@ -89,6 +91,19 @@ class Discourse:
         self._roster.spoken_of(found, subject=subject, settled=settled)
         return found
 
+    def _share(self, mention: Mention, whole: list[Entity]) -> list[Entity]:
+        """``half of them``: so many, no matter which; ``some of them`` says not how many."""
+        words = [*mention.mods, *([mention.head] if mention.head is not None else [])]
+        share = next((m.data["share"] for m in words if "share" in m.data), None)
+        if share is None or not whole:
+            return whole
+        count = len(whole) * share
+        if not count or count != int(count):
+            instead = "how many of them is not said; what they do is left out"
+            self._draft.note(mention.i, mention.j, instead)
+            return []
+        return picked([e for e in whole if not e.claimed][: int(count)])
+
     def _their_own_queue(self, mention: Mention) -> bool:
         """``five cars wait in a queue``: they are the queue."""
         mass = bool(mention.head and mention.head.data.get("mass"))
@@ -97,7 +112,10 @@ class Discourse:
         return mass and ((within and len(self._roster.subject) > 1) or end)
 
     def _of_a_size(self, mention: Mention) -> bool:
-        """``half a vehicle's width``, ``two car lengths``: a measure, nobody."""
+        """``half a vehicle's width``, ``and one of 12 m/s``: a measure, nobody."""
+        of = [t.low for t in self.tokens[mention.j : mention.j + 2]]
+        if mention.j - mention.i == 1 and len(of) > 1 and of[0] == "of":
+            return quantity_at(self.tokens, mention.j + 1) is not None
         after = {t.low for t in self.tokens[mention.j : mention.j + 2]}
         indefinite = any((m.cat, m.value) == ("det", "indef") for m in mention.mods)
         return mention.possessor and indefinite and bool(after & {"width", "length", "widths"})
@@ -153,7 +171,9 @@ class Discourse:
             self._roster.enrich(known, reading)
             return known
         found = self._roster.introduce(reading, basis)
-        both = mention.mods and (mention.mods[0].cat, mention.mods[0].value) == ("quant", "both")
+        opened_by = [(m.cat, m.value) for m in mention.mods[:1]]
+        numbered = mention.mod("num") is not None and reading.generic and not reading.parked
+        both = opened_by == [("quant", "both")] or (opened_by == [("det", "def")] and numbered)
         if both and len(found) == _A_PAIR:
             self._roster.groups[-1].both = True
         return found
@@ -201,8 +221,8 @@ class Discourse:
         included = self._roster.included(reading, mention)
         if included:
             return included
-        if reading.plural and det == "other" and mention.mod("num") is not None:
-            return self._roster.claim(reading.count, exclude, reading)
+        if reading.plural and det == "other":
+            return self._other_ones(reading, mention, exclude)
         if reading.plural:
             return self._known_plural(reading, mention)
         if det == "def" and not reading.driver:
@@ -222,6 +242,17 @@ class Discourse:
             member = self._member(reading, mention, exclude)
             return member or self._roster.from_title(reading, mention)
         return self._definite(reading, mention, exclude)
+
+    def _other_ones(
+        self, reading: Reading, mention: Mention, exclude: list[Entity]
+    ) -> list[Entity]:
+        if mention.mod("num") is not None:
+            return self._roster.claim(reading.count, exclude, reading)
+        rest = [g.members for g in self._roster.groups[-1:]]
+        others = [e for e in (rest[0] if rest else []) if e not in exclude]
+        if others and all(self._roster.compatible(e, reading) for e in others):
+            return others  # "three other cars …; one of the other cars"
+        return self._known_plural(reading, mention)
 
     def _known_plural(self, reading: Reading, mention: Mention) -> list[Entity]:
         quantity = mention.mod("quant")
@@ -309,6 +340,7 @@ class Discourse:
         own = own and not (reading.dirs or reading.labels or reading.plural or mention.sides)
         ego = next((e for e in only if e.ego and "speaks" not in e.named_by), None)
         car = reading.kind is ParticipantKind.CAR and not reading.driver and mention.i > 0
+        own = own and ego not in exclude
         if own and car and len(only) == 1 and ego is not None and reading.det == "def":
             return [ego]  # "the ego reverses; a child stands behind the car"
         seen_by = mention.prep is not None and mention.prep.value == "by" and reading.driver

@@ -78,17 +78,28 @@ def in_list(groups: list[Group], tokens: list[Token], mention: Mention) -> bool:
     return bool(colons) and not any(k > colons[0] for k in stops)
 
 
-def of_both(reading: Reading, groups: list[Group], entities: list[Entity]) -> list[Entity]:
+def of_both(
+    reading: Reading, loci: set[str], groups: list[Group], entities: list[Entity]
+) -> list[Entity]:
     """``both vehicles go straight, the adversary from the left``: one of them, one the ego.
 
     Args:
         reading: what the words of a role ("the ego", "the adversary") say.
+        loci: where words after the noun put it.
         groups: those named together so far.
         entities: everybody so far.
     """
     ego = next((e for e in entities if e.ego), None)
-    placed = bool(reading.dirs) and reading.dirs <= {"ahead", "behind"} and reading.det == "def"
-    if reading.plural or not (reading.ego or placed or "adversary" in reading.labels):
+    places = reading.dirs | loci
+    placed = bool(places) and places <= {"ahead", "behind"} and reading.det == "def"
+    if reading.plural:
+        return []
+    named = [g.free for g in groups if g.both and not g.specific and ego in g.members]
+    other = named[0] if named and not (reading.generic or reading.parked) else []
+    if len(other) == 1 and reading.det == "def" and reading.kind in _MOTOR:
+        other[0].kind, other[0].claimed = reading.kind, True
+        return other  # "the two vehicles meet, the ego …, the van …"
+    if not (reading.ego or placed or "adversary" in reading.labels):
         return []
     for group in groups:
         taken = [e for e in group.members if e.claimed and e is not ego]

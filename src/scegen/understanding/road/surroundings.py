@@ -77,7 +77,7 @@ def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
             found.bases.setdefault(term.data["field"], basis)
         elif term.cat == "side" and found.side is None:
             found.side, found.side_basis = DrivingSide(term.value), basis
-        elif term.cat == "limit":
+        elif term.cat == "limit" or ("pace" in term.data and tokens[term.j - 1].low == "limit"):
             _limit(found, terms, k)
         elif term.cat == "quantity" and _zone(tokens, term):
             _limit(found, [*terms[: k + 1], term], k)

@@ -64,6 +64,17 @@ def _clause_follows(tokens: list[Token], j: int) -> bool:
     return False
 
 
+def _no_verb_before(tokens: list[Token], previous: Term | None) -> bool:
+    """``ego and preceding vehicle at 50 km/h``: no verb goes before that it could be joined to."""
+    k = previous.i - 1 if previous is not None else -1
+    while k >= 0 and tokens[k].kind != "punct":
+        match = longest_match(tokens, k)
+        if match is not None and match.has("verb", "aux"):
+            return False
+        k -= 1
+    return True
+
+
 def is_adverb(token: Token) -> bool:
     """Whether a word ends like an adverb."""
     return token.low.endswith("ly")
@@ -91,7 +102,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     attributive = _attributive(match, tokens, previous)
     if participle and before in {"conj", "sub"} and match.has("dir"):
         # "turning left and following vehicle B": without an article it is no adjective
-        attributive = _clause_follows(tokens, match.j)
+        attributive = _clause_follows(tokens, match.j) or _no_verb_before(tokens, previous)
     if match.has("place", "dir") and match.get("place").value == "junction":
         shaped = before in {"shape", "control", "det"} and not attributive
         return (match.get("place") if shaped else _without_place(match, attributive)), attributive
@@ -162,7 +173,8 @@ def _noun_slot(match: Match, tokens: list[Token], previous: Term | None) -> bool
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
     compound = previous.cat == "place" and match.form == "base" and match.has("inert")
     compound = compound or tokens[previous.i].low == "whose"
-    return (previous.cat in _NOMINAL_BEFORE and not adverb) or preposed or compound
+    told = previous.cat == "quantity" and match.form == "s"  # "at t = 4 s brakes"
+    return (previous.cat in _NOMINAL_BEFORE and not (adverb or told)) or preposed or compound
 
 
 def _verb_slot(previous: Term | None) -> bool:
@@ -247,6 +259,14 @@ def _describes_a_noun(match: Match, tokens: list[Token], previous: Term | None) 
     return match.form in {"ing", "ed"} and _attributive(match, tokens, previous)
 
 
+def _with_a_verb(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
+    if match.has("prep") and previous is not None and previous.cat == "verb":
+        return match.get("prep"), False  # "rides near the kerb"
+    if _listed_quality(match, tokens, previous):
+        return match.get("manner"), False
+    return _verb_or_other(match, tokens, previous)
+
+
 def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
     """The meaning that fits the words around, and whether it is a participle before a noun.
 
@@ -263,9 +283,7 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
     if len(match.entries) == 1:
         return match.entries[0], _describes_a_noun(match, tokens, previous)
     if match.has("verb"):
-        listed = _listed_quality(match, tokens, previous)
-        other = _verb_or_other(match, tokens, previous)
-        return (match.get("manner"), False) if listed else other
+        return _with_a_verb(match, tokens, previous)
     if match.has("rel") and match.has("det"):
         return match.get("rel" if _relates(match, tokens, previous) else "det"), False
     if match.has("label") and match.has("place"):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from scegen.understanding.words.ahead import noun_follows
+from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -22,6 +23,8 @@ def named_at(tokens: list[Token], i: int) -> Term | None:
         tokens: the tokens of the text.
         i: where it may begin.
     """
+    if i + 1 < len(tokens) and tokens[i + 1].kind == "number" and quantity_at(tokens, i + 1):
+        return None  # "v0 = 60 km/h"
     return (
         _labelled(tokens[i], i)
         or _hyphened(tokens, i)

@@ -113,8 +113,8 @@ def _half_a(tokens: list[Token], i: int) -> Number | None:
 def _tolerance_mark(tokens: list[Token], j: int) -> int | None:
     """Where a tolerance begins after ``±``; None if none is marked."""
     lows = [t.low for t in tokens[j : j + 3]]
-    if lows[:1] == ["±"]:
-        return j + 1
+    if lows[:1] == ["±"] or lows[:2] == ["(", "±"]:
+        return j + 1 + (lows[0] == "(")
     return j + 3 if lows == ["plus", "or", "minus"] else None
 
 
@@ -190,6 +190,23 @@ def _build(tokens: list[Token], i: int, j: int, values: list[float], dimension: 
         note = f"'{last}' is read as 10 % to either side"
         value = Interval(low=low * (1 - _SPREAD), high=high * (1 + _SPREAD))
     return Quantity(dimension, value, i, j, note, parts)
+
+
+def as_written(tokens: list[Token], i: int, j: int, other: Quantity) -> Quantity | None:
+    """A number without a unit, in the unit of another quantity.
+
+    Args:
+        tokens: the tokens of the text.
+        i: index of its first token.
+        j: index after the last one.
+        other: the quantity with the unit.
+    """
+    number = number_at(tokens, i)
+    units = [u for k in range(other.i, other.j) if (u := _unit_at(tokens, k)) is not None]
+    if number is None or not units:
+        return None
+    value = _si(number.value, other.dimension, units[0][1])
+    return _build(tokens, i, j, [value], other.dimension)
 
 
 def after_a_measure(tokens: list[Token], i: int) -> bool:

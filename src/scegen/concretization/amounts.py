@@ -1,0 +1,70 @@
+"""By how much: the speed at which an act ends, and how fast its speed changes on the way."""
+
+from __future__ import annotations
+
+from scegen.concretization.limits import (
+    COMFORTABLE_ACCELERATION_MPS2,
+    HARD_BRAKING_MPS2,
+    STOPPING_MPS2,
+    SUDDEN_ACCELERATION_MPS2,
+)
+from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.bodies import Body
+from scegen.scenario.vocabulary import HazardKind
+
+SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
+GAINING = frozenset({ActKind.ACCELERATE, ActKind.SET_OFF})
+_GAINS_MPS = 8.0
+_OF_GRIP = 0.95
+
+
+def change_of_speed(
+    act: Act,
+    before_mps: float,
+    body: Body,
+    grip_mps2: float,
+    hazard: HazardKind | None,
+    usual_mps: float,
+) -> tuple[float, float]:
+    """(the speed that an act ends at, its rate): as the text says, else as is usual.
+
+    Args:
+        act: a change of speed.
+        before_mps: the speed at which it begins.
+        body: whose limits hold.
+        grip_mps2: what the tyres hold on this road.
+        hazard: the danger that the act is.
+        usual_mps: how fast one who sets off becomes, where nobody says.
+    """
+    rate = act.rate_mps2.middle if act.rate_mps2 else None
+    target = _target_mps(act, before_mps, body, rate, usual_mps)
+    change = abs(target - before_mps)
+    if rate is None and act.duration_s is not None and change > 0.1:
+        rate = change / max(act.duration_s.middle, 0.1)
+    if rate is None and act.distance_m is not None and change > 0.1:
+        rate = abs(target**2 - before_mps**2) / (2 * max(act.distance_m.middle, 0.1))
+    if rate is None:
+        best = body.max_acceleration_mps2 if act.kind in GAINING else body.max_deceleration_mps2
+        rate = min(_usual_rate_mps2(act.kind, hazard), best, _OF_GRIP * grip_mps2)
+    return target, rate
+
+
+def _target_mps(
+    act: Act, before_mps: float, body: Body, rate: float | None, usual_mps: float
+) -> float:
+    if act.target_speed_mps is not None:
+        return act.target_speed_mps.middle
+    if act.duration_s is not None and rate is not None:
+        change = rate * act.duration_s.middle
+        return max(0.0, before_mps + (change if act.kind in GAINING else -change))
+    if act.kind is ActKind.ACCELERATE:
+        return min(before_mps + _GAINS_MPS, body.top_speed_mps)
+    return usual_mps if act.kind is ActKind.SET_OFF else 0.0
+
+
+def _usual_rate_mps2(kind: ActKind, hazard: HazardKind | None) -> float:
+    if hazard is HazardKind.HARD_BRAKING:
+        return HARD_BRAKING_MPS2[0]
+    if hazard is HazardKind.SUDDEN_ACCELERATION:
+        return SUDDEN_ACCELERATION_MPS2[0]
+    return STOPPING_MPS2 if kind in SLOWING else COMFORTABLE_ACCELERATION_MPS2

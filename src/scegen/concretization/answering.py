@@ -1,0 +1,190 @@
+"""Who would run into somebody brakes as a driver does, as late as the text leaves it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from scegen.claims.boxes import apart, same_way, seen
+from scegen.concretization.amounts import SLOWING
+from scegen.concretization.asked import contact_wanted
+from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.hazards.rule import BRAKES
+from scegen.concretization.limits import (
+    COMFORTABLE_ACCELERATION_MPS2,
+    HARD_BRAKING_MPS2,
+    LATE_BRAKING_MPS2,
+    REACTION_S,
+)
+from scegen.concretization.marks import Mark, Sort
+from scegen.concretization.moments import Moments
+from scegen.motion.model import Array
+
+_CLOSEST_M = 0.65
+"""How near one who may not touch the other comes: a near miss."""
+_STEP_S = 0.05
+_AFTER_S = 8.0
+_ROUNDS = 16
+_BEFORE_S = 1.0
+_ALONG = 0.5
+_HARDER = (1.0, 1.2, 1.4, 9.0)
+_GOES_ON_S = (1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0)
+
+
+@dataclass(frozen=True, slots=True)
+class _Contact:
+    """``who`` touches ``other``, or ``runs_in``: from behind, or into one who crosses."""
+
+    time_s: float
+    who: str
+    other: str
+    runs_in: bool
+
+
+def answer(scene: Scene, moments: Moments) -> None:
+    """Let everybody brake who would run into somebody ahead, or who crosses as the text says."""
+    settled: set[tuple[str, str]] = set()
+    for _ in range(2 * len(scene.drives)):
+        found = [
+            contact
+            for contact in _contacts(scene, moments)
+            if contact.runs_in and (contact.who, contact.other) not in settled
+        ]
+        if not found:
+            return
+        first = min(found, key=lambda c: (c.time_s, c.who))
+        _brake_for(scene, moments, scene.drives[first.who], first)
+        settled.add((first.who, first.other))
+
+
+def touching(scene: Scene, moments: Moments) -> bool:
+    """Whether two touch all the same who are not to."""
+    return any(True for _ in _contacts(scene, moments))
+
+
+def _times(moments: Moments) -> Array:
+    """From the start until everybody has arrived where it goes."""
+    drives = moments.scene.drives
+    ends = max(moments.offsets_s[n] + float(d.course.time_s[-1]) for n, d in drives.items())
+    return np.arange(0.0, ends + _AFTER_S, _STEP_S)
+
+
+def _contacts(scene: Scene, moments: Moments) -> Iterator[_Contact]:
+    """Unwanted contacts; with walkers only where the text says when they set off."""
+    times = _times(moments)
+    tracks = {n: moments.track(n, times)[0] for n in (*scene.drives, *scene.walks)}
+    for name in scene.drives:
+        for other, there in tracks.items():
+            if other == name or contact_wanted(scene.functional, name, other):
+                continue
+            if other in scene.walks and other not in moments.sets_off_s:
+                continue
+            touching = np.flatnonzero(apart(tracks[name], there) <= 0.0)
+            if not touching.size:
+                continue
+            before = moments.track(name, times[:1] + times[touching[0]] - _BEFORE_S)[0]
+            then = moments.track(other, times[:1] + times[touching[0]] - _BEFORE_S)[0]
+            ahead = float(seen(before, then).x[0]) > 0.0
+            along = float(same_way(before, then)[0]) > _ALONG
+            runs_in = ahead and (along or other in scene.walks)
+            yield _Contact(float(times[touching[0]]), name, other, runs_in)
+
+
+def _least_m(moments: Moments, who: str, other: str) -> float:
+    """How near two come."""
+    times = _times(moments)
+    return float(apart(moments.track(who, times)[0], moments.track(other, times)[0]).min())
+
+
+def _brake_for(scene: Scene, moments: Moments, who: DriveDraft, contact: _Contact) -> None:
+    """Brake as late as leaves a little room; not at all where nothing does."""
+    own = _loose(scene, who)
+    before = who.deeds
+    rest = [mark for mark in before if mark is not own]
+    kinds = [h.kind for h in scene.functional.hazards if h.kind in BRAKES and who.id in h.by]
+    target = _slowest_mps(scene, moments, contact)
+    who.deeds, who.course_ = rest, None
+    free = who.course
+    late = moments.offsets_s[who.id]
+    low = max(_seen_s(scene, moments, contact.other) + REACTION_S, late, 0.0)
+
+    def brake(begins_s: float, rate: float) -> float:
+        place = free.s_at(begins_s - late)
+        if own is not None:
+            mark = replace(own, s_m=place, target_mps=min(own.target_mps, target))
+        else:
+            hazard = next(iter(kinds), None)
+            mark = Mark(place, target, rate, hazard, sort=Sort.ACT)
+        who.deeds, who.course_ = [*rest, mark], None
+        return _least_m(moments, who.id, contact.other)
+
+    for rate in _rates_mps2(scene, who, own, hard=bool(kinds)):
+        if brake(low, rate) < _CLOSEST_M / 2:
+            continue
+        early, after = low, max(contact.time_s, low)
+        for _ in range(_ROUNDS):
+            middle = (early + after) / 2
+            early, after = (middle, after) if brake(middle, rate) >= _CLOSEST_M else (early, middle)
+        brake(early, rate)
+        if own is None:
+            _go_on(moments, who, contact.other)
+            reason = f"brakes for {contact.other}, as a driver who sees it does"
+            scene.note(f"{who.id}.rate_mps2", rate, reason)
+        return
+    who.deeds, who.course_ = before, None
+
+
+def _go_on(moments: Moments, who: DriveDraft, other: str) -> None:
+    """Drive on as soon as that is free; where it never is, stay as slow."""
+    own = {mark.act for mark in who.deeds if mark.act is not None}
+    if own:
+        return
+    kept = who.deeds
+    rate = who.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2)
+    for then in _GOES_ON_S:
+        on = Mark(kept[-1].s_m, who.cruise_mps, rate, sort=Sort.ACT, then_s=then)
+        who.deeds, who.course_ = [*kept, on], None
+        if _least_m(moments, who.id, other) >= _CLOSEST_M - 0.1:
+            return
+    who.deeds, who.course_ = kept, None
+
+
+def _loose(scene: Scene, who: DriveDraft) -> Mark | None:
+    """Its own braking of which nothing says when it begins: the answer to who is ahead."""
+    for mark in who.deeds:
+        slows = mark.act is not None and scene.act(mark.act).kind in SLOWING
+        if slows and mark.then_s is None and scene.is_loose(mark.act):
+            said = {spacing.at for spacing in scene.functional.spacings}
+            return None if mark.act in said else mark
+    return None
+
+
+def _slowest_mps(scene: Scene, moments: Moments, contact: _Contact) -> float:
+    """How slow whoever it runs into becomes."""
+    if contact.other in scene.walks:
+        return 0.0
+    times = np.arange(0.0, contact.time_s + _AFTER_S, _STEP_S)
+    slowest = float(moments.track(contact.other, times)[1].min())
+    return slowest if slowest > 0.1 else 0.0
+
+
+def _seen_s(scene: Scene, moments: Moments, other: str) -> float:
+    """When somebody becomes a danger: as it slows down, comes into the lane, or steps out."""
+    if other in scene.walks:
+        return moments.leaves_s(other)
+    draft = scene.drives[other]
+    late, course = moments.offsets_s[other], draft.course
+    slowing = [p.begins_s for p in course.phases if p.target_mps < course.speed_then(p.begins_s)]
+    places = [draft.laid.path_s_m(change.position_m) for change in draft.lane_changes]
+    begins = [*slowing, *(course.time_at(place) for place in places)]
+    return late + min(begins, default=-late)
+
+
+def _rates_mps2(scene: Scene, who: DriveDraft, own: Mark | None, *, hard: bool) -> list[float]:
+    """How hard it may brake, the usual first; as the text says, if it does."""
+    if own is not None and scene.act(own.act or "").rate_mps2 is not None:
+        return [own.rate_mps2]
+    usual = HARD_BRAKING_MPS2[0] if hard else LATE_BRAKING_MPS2
+    return sorted({who.braking_mps2(usual * harder) for harder in _HARDER})

@@ -1,0 +1,64 @@
+"""What the two levels above ask for, where several parts need it alike."""
+
+from __future__ import annotations
+
+from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.functional import FunctionalScenario, Hazard
+from scegen.scenario.logical import LogicalScenario
+from scegen.scenario.outcome import OutcomeKind
+from scegen.scenario.vocabulary import HazardKind, Side
+
+_HAZARDS_OF = {
+    ActKind.BRAKE: (HazardKind.HARD_BRAKING, HazardKind.STOPPING, HazardKind.LOSS_OF_CONTROL),
+    ActKind.STOP: (HazardKind.STOPPING, HazardKind.HARD_BRAKING),
+    ActKind.ACCELERATE: (HazardKind.SUDDEN_ACCELERATION,),
+    ActKind.CHANGE_LANE: (
+        HazardKind.CUT_IN,
+        HazardKind.MERGING_CONFLICT,
+        HazardKind.FAILURE_TO_YIELD,
+        HazardKind.ONCOMING_LANE,
+        HazardKind.SUDDEN_TURN,
+    ),
+    ActKind.SWERVE: (
+        HazardKind.SWERVING,
+        HazardKind.LOSS_OF_CONTROL,
+        HazardKind.ONCOMING_LANE,
+        HazardKind.SUDDEN_TURN,
+    ),
+    ActKind.OVERTAKE: (HazardKind.OVERTAKING, HazardKind.ONCOMING_LANE),
+}
+"""The dangers that an act may be."""
+
+
+def dangers(functional: FunctionalScenario, logical: LogicalScenario) -> tuple[Hazard, ...]:
+    """The dangers of a logical scenario; of one made by hand, as the description has them."""
+    return logical.hazards or functional.hazards
+
+
+def outward(functional: FunctionalScenario, side: Side) -> int:
+    """1 if that side of one who drives is towards the kerb, -1 if towards the centre line."""
+    return 1 if side.value == functional.junction.driving_side.value else -1
+
+
+def allowed(logical: LogicalScenario, name: str, speed_mps: float) -> float:
+    """The nearest speed that the logical scenario allows."""
+    for parameter in logical.parameters:
+        if parameter.name == f"{name}.speed_mps":
+            return min(max(speed_mps, parameter.low), parameter.high)
+    return speed_mps
+
+
+def hazard_of(asked: tuple[Hazard, ...], act: Act) -> HazardKind | None:
+    """The danger that an act is, of those asked for, if it is one."""
+    kinds = [hazard.kind for hazard in asked if act.participant in hazard.by]
+    return next((kind for kind in _HAZARDS_OF.get(act.kind, ()) if kind in kinds), None)
+
+
+def contact_wanted(functional: FunctionalScenario, first: str, second: str) -> bool:
+    """Whether the text says that these two touch."""
+    outcome = functional.outcome
+    if outcome is None or outcome.kind is not OutcomeKind.COLLISION:
+        return False
+    if outcome.between:
+        return {first, second} == {*outcome.between}
+    return functional.ego.id in {first, second}

@@ -1,0 +1,177 @@
+"""What the text says that drives do at a junction: its acts as marks of their courses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+from scegen.concretization.amounts import GAINING, change_of_speed
+from scegen.concretization.asked import hazard_of
+from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.hazards.braking import stops_for_walkers
+from scegen.concretization.hazards.rule import event_s_m
+from scegen.concretization.limits import FAST_LATERAL_MPS2, LEAD_IN_S
+from scegen.concretization.marks import Mark, Sort
+from scegen.concretization.moments import Moments
+from scegen.concretization.profile import Profile
+from scegen.concretization.room import NeedsLongerArms
+from scegen.scenario.acts import AfterAct, AfterStart, BeforeJunction
+from scegen.scenario.concrete import AtTime, Travelled, Trigger
+from scegen.scenario.functional import Hazard
+from scegen.scenario.vocabulary import HazardKind
+
+STOOD_S = 200.0
+"""One that stands at first has stood so long on its course."""
+_HOLDS_S = 1.5
+"""Between two acts of one driver, where no time is said: long enough to see the speed held."""
+_BEFORE_LINE_M = 1.0
+_CLEAR_OF_OTHER_M = 3.0
+_BEFORE_S = 1.5
+"""Who gains speed begins to so long before the place where it matters."""
+
+
+def usual_speed_mps(scene: Scene, name: str) -> float:
+    """How fast one goes that sets off, where nobody says."""
+    said = scene.functional.participant(name).speed_mps
+    if said is not None and said.high > 0:
+        return said.middle
+    return scene.limit_mps
+
+
+def do_acts(scene: Scene, offsets_s: Mapping[str, float]) -> dict[str, float]:
+    """Give everybody who drives the marks of its acts; places that are open are usual ones.
+
+    Returns how late everybody is, with those who stand at first setting off when they would have
+    come by.
+    """
+    late = dict(offsets_s)
+    for draft in scene.drives.values():
+        if draft.stands:
+            late[draft.id] = -STOOD_S
+            continue
+        marks = list(_marks(scene, draft))
+        if not marks:
+            continue
+        draft.stops_at_line = False
+        if any(a.kind in GAINING and a.target_speed_mps for a in scene.speed_acts(draft.id)):
+            draft.lateral_mps2 = max(draft.lateral_mps2, FAST_LATERAL_MPS2)
+        came_s = draft.course.time_at(draft.junction_s_m - draft.body.front_m - _BEFORE_LINE_M)
+        draft.deeds = marks
+        draft.course_ = None
+        if scene.sets_off(draft.id):
+            phase = draft.course.phase_of(marks[1].act or "")
+            late[draft.id] += came_s - (phase.begins_s if phase is not None else came_s)
+        else:
+            _place(scene, draft)
+    return late
+
+
+def lead_in_missing_s(scene: Scene, moments: Moments) -> float:
+    """How much too early the first act comes, where the text does not say when."""
+    begins = [
+        moments.begins_s(act)
+        for draft in scene.drives.values()
+        for act in (scene.act(mark.act) for mark in draft.deeds if mark.act is not None)
+        if not isinstance(act.when, AfterStart)
+    ]
+    return max(0.0, LEAD_IN_S - min(begins, default=LEAD_IN_S))
+
+
+def _marks(scene: Scene, draft: DriveDraft) -> Iterator[Mark]:
+    """The marks of one's acts, the first of each chain at place 0."""
+    before = draft.cruise_mps
+    own: set[str] = set()
+    took_s = 0.0
+    if scene.sets_off(draft.id):
+        line = draft.junction_s_m - draft.body.front_m - _BEFORE_LINE_M
+        rate = draft.braking_mps2(5.0)
+        yield Mark(line - before**2 / (2 * rate), 0.0, rate, sort=Sort.ACT)
+        before = 0.0
+    for act in scene.speed_acts(draft.id):
+        hazard = hazard_of(scene.functional.hazards, act)
+        target, rate = change_of_speed(
+            act, before, draft.body, draft.grip_mps2, hazard, usual_speed_mps(scene, draft.id)
+        )
+        then: float | None = None
+        when = act.when
+        follows_own = isinstance(when, AfterAct) and when.act in own
+        if not own and before == 0.0:
+            then = STOOD_S
+        elif follows_own and isinstance(when, AfterAct):
+            then = when.delay_s.middle or _HOLDS_S
+            if when.since == "begin":
+                then = max(0.0, then - took_s)
+        elif own and when is None:
+            then = _HOLDS_S
+        place = 0.0
+        if isinstance(when, BeforeJunction) and then is None:
+            place = draft.junction_s_m - draft.body.front_m - when.distance_m.middle
+        yield Mark(place, target, rate, hazard, sort=Sort.ACT, then_s=then, act=act.id)
+        took_s = abs(target - before) / rate
+        before = target
+        own.add(act.id)
+
+
+def is_open(scene: Scene, mark: Mark) -> bool:
+    """Whether the place of an act is free: neither said, nor that of the act before it."""
+    if mark.act is None or mark.then_s is not None:
+        return False
+    return not isinstance(scene.act(mark.act).when, BeforeJunction)
+
+
+def _place(scene: Scene, draft: DriveDraft) -> None:
+    """Put the first of each chain where its last is done in time for what it is about."""
+    way = _way_m(draft.cruise_mps, draft.deeds)
+    first = draft.deeds[0]
+    place = first.s_m
+    if is_open(scene, first):
+        place = _event_s_m(scene, draft, first) - way
+    least = draft.body.rear_m + LEAD_IN_S * draft.cruise_mps
+    if place < least:
+        raise NeedsLongerArms(least - place + 5.0, draft.id)
+    later = [
+        replace(mark, s_m=place + way) if is_open(scene, mark) else mark for mark in draft.deeds[1:]
+    ]
+    draft.deeds = [replace(first, s_m=place), *later]
+    draft.course_ = None
+
+
+def _way_m(speed_mps: float, marks: list[Mark]) -> float:
+    """The way from the beginning of a chain until its last act is done."""
+    profile, ready = Profile(speed_mps), 0.0
+    for mark in marks:
+        begins = ready + (mark.then_s or 0.0)
+        profile.change(begins, mark.target_mps, mark.rate_mps2)
+        ready = profile.settles_s(begins)
+    return profile.way_m(ready)
+
+
+def _event_s_m(scene: Scene, draft: DriveDraft, mark: Mark) -> float:
+    """Where a chain of acts is to be over, as far as nobody says."""
+    kind = mark.hazard or HazardKind.HARD_BRAKING
+    to = [h.to for h in scene.functional.hazards if draft.id in h.by and h.kind is kind]
+    hazard = Hazard(kind=kind, by=(draft.id,), to=to[0] if to else ())
+    place = event_s_m(scene, draft, hazard)
+    if scene.act(mark.act or "").kind in GAINING:
+        return place - _BEFORE_S * draft.cruise_mps
+    walkers = stops_for_walkers(scene, draft)
+    if walkers is not None:
+        return walkers[0]
+    if draft is scene.ego and draft.rests_at_m is None:
+        place -= draft.body.length_m / 2 + _CLEAR_OF_OTHER_M
+    return place
+
+
+def set_triggers(scene: Scene, moments: Moments) -> None:
+    """Who stands until it sets off does so as another comes, or at its time."""
+    for draft in scene.drives.values():
+        for mark in draft.deeds[1:2] if scene.sets_off(draft.id) else ():
+            act = scene.act(mark.act or "")
+            time_s = moments.begins_s(act)
+            trigger: Trigger = AtTime(time_s=round(max(time_s, 0.0), 3))
+            other = scene.ego if scene.ego is not draft else None
+            if other is not None and not isinstance(act.when, AfterStart):
+                place = other.course.s_at(time_s - other.offset_s) - other.start_m
+                if place > 0.0:
+                    trigger = Travelled(participant=other.id, distance_m=round(place, 3))
+            draft.triggers[act.id] = trigger

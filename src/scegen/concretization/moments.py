@@ -1,0 +1,186 @@
+"""When acts begin and end, and how far apart two then are, while numbers are being chosen."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from scegen.claims.boxes import Boxes, gap_m, same_way, seen
+from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.meetings import Meeting
+from scegen.concretization.walkers import partner_of, rendezvous, walking_time_s, way_walked_m
+from scegen.motion.model import Array, Path
+from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.bodies import Body
+from scegen.scenario.spacings import Measure
+
+_LENGTHWISE = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
+_TWICE = frozenset({ActKind.SWERVE, ActKind.OVERTAKE})
+_ASIDE = _TWICE | {ActKind.CHANGE_LANE}
+
+
+def is_lengthwise(measure: Measure) -> bool:
+    """Whether a measure is one along the road."""
+    return measure in _LENGTHWISE
+
+
+@dataclass
+class Moments:
+    """Everybody in time: how late drives are, and when walkers set off of whom that is said."""
+
+    scene: Scene
+    offsets_s: dict[str, float]
+    sets_off_s: dict[str, float] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self._partners = {name: partner_of(self.scene, w) for name, w in self.scene.walks.items()}
+
+    def begins_s(self, act: Act) -> float:
+        """When an act begins on the scenario's clock."""
+        return self._during(act)[0]
+
+    def ends_s(self, act: Act) -> float:
+        """When it is over."""
+        return self._during(act)[1]
+
+    def _during(self, act: Act) -> tuple[float, float]:
+        name = act.participant
+        if name in self.scene.walks:
+            begins = self.leaves_s(name)
+            walk = self.scene.walks[name]
+            return begins, begins + walking_time_s(walk, walk.path.length_m)
+        if name not in self.scene.drives:
+            return 0.0, 0.0
+        draft, late = self.scene.drives[name], self.offsets_s[name]
+        if act.kind in _ASIDE:
+            places = self._aside_m(act)
+            return late + draft.course.time_at(places[0]), late + draft.course.time_at(places[1])
+        phase = draft.course.phase_of(act.id)
+        if phase is not None:
+            ends = draft.course.profile.settles_s(phase.begins_s)
+            return late + phase.begins_s, late + ends
+        marked = [mark.s_m for mark in draft.deeds if mark.act == act.id]
+        place = marked[0] if marked else draft.junction_s_m
+        begins = late + draft.course.time_at(place)
+        return begins, begins
+
+    def _aside_m(self, act: Act) -> tuple[float, float]:
+        """From where to where on its path somebody moves to the side by an act."""
+        draft = self.scene.drives[act.participant]
+        changes = list(draft.lane_changes)
+        for earlier in self.scene.acts:
+            if earlier.id == act.id or earlier.participant != act.participant:
+                if earlier.id == act.id:
+                    break
+                continue
+            if earlier.kind in _ASIDE and len(changes) > 1:
+                changes = changes[2 if earlier.kind in _TWICE else 1 :] or changes[-1:]
+        if not changes:
+            return draft.junction_s_m, draft.junction_s_m
+        last = changes[min(1, len(changes) - 1)] if act.kind in _TWICE else changes[0]
+        ends = draft.laid.path_s_m(last.position_m + last.length_m)
+        return draft.laid.path_s_m(changes[0].position_m), ends
+
+    def leaves_s(self, name: str) -> float:
+        """When one who crosses sets off: as is said, or to arrive when whom it meets does."""
+        if name in self.sets_off_s:
+            return self.sets_off_s[name]
+        if self._partners[name] is None:
+            return 1.0
+        return self._arrives_s(name) - self._walks_s(name)
+
+    def _arrives_s(self, name: str) -> float:
+        """When whom it meets is where they meet, or would be if it did not answer it."""
+        draft, place, _ = self._rendezvous(name)
+        late, course = self.offsets_s[draft.id], draft.course
+        stops = [m for m in draft.deeds if m.target_mps == 0.0 and m.act is not None]
+        answers = [m for m in stops if m.s_m < place and not self.scene.is_loose(m.act)]
+        if not answers:
+            return late + course.time_at(place)
+        begins = course.time_at(answers[0].s_m)
+        return late + begins + (place - answers[0].s_m) / max(course.speed_then(begins), 0.5)
+
+    def _walks_s(self, name: str) -> float:
+        walk = self.scene.walks[name]
+        return walking_time_s(walk, min(self._rendezvous(name)[2], walk.path.length_m))
+
+    def _rendezvous(self, name: str) -> tuple[DriveDraft, float, float]:
+        found = self._partners[name]
+        if found is None:
+            raise KeyError(name)
+        return found[0], *rendezvous(self.scene, found[0], self.scene.walks[name], found[1])
+
+    def walks_late_s(self, name: str) -> float:
+        """How much later than whom it meets one who crosses is where they meet."""
+        if name not in self.sets_off_s or self._partners[name] is None:
+            return 0.0
+        return self.sets_off_s[name] + self._walks_s(name) - self._arrives_s(name)
+
+    def late_s(self, meeting: Meeting) -> float:
+        """How much too late the second of a meeting is."""
+        first, second = self.scene.drives[meeting.first], self.scene.drives[meeting.second]
+        came = self.offsets_s[first.id] + first.course.time_at(meeting.first_s_m)
+        comes = self.offsets_s[second.id] + second.course.time_at(meeting.second_s_m)
+        return comes - came - meeting.lag_s
+
+    def state(self, name: str, time_s: float) -> tuple[Boxes, float]:
+        """The box of somebody at a time, and its speed."""
+        scene = self.scene
+        if name in scene.drives:
+            draft = scene.drives[name]
+            own = time_s - self.offsets_s[name]
+            place = draft.course.s_at(own)
+            return box_on(draft.laid.path, draft.body, place), draft.course.speed_then(own)
+        if name in scene.walks:
+            walk = scene.walks[name]
+            way, speed = way_walked_m(walk, time_s - self.leaves_s(name))
+            return box_on(walk.path, walk.body, way), speed
+        stand = scene.stands[name]
+        return box_on(stand.path, stand.body, 0.0), 0.0
+
+    def track(self, name: str, times_s: Array) -> tuple[Boxes, Array]:
+        """The boxes of somebody over time, and its speeds."""
+        scene = self.scene
+        if name in scene.drives:
+            draft = scene.drives[name]
+            own = times_s - self.offsets_s[name]
+            way, speed = draft.course.profile.at_times(np.maximum(own, 0.0))
+            way = way + np.minimum(own, 0.0) * speed
+            return box_on(draft.laid.path, draft.body, way), speed
+        if name in scene.walks:
+            walk = scene.walks[name]
+            walked = [way_walked_m(walk, time) for time in times_s - self.leaves_s(name)]
+            way, speed = np.array(walked).reshape(-1, 2).T
+            return box_on(walk.path, walk.body, np.minimum(way, walk.path.length_m)), speed
+        stand = scene.stands[name]
+        still = np.zeros(len(times_s))
+        return box_on(stand.path, stand.body, still), still
+
+    def missing_m(
+        self, measure: Measure, who: str, reference: str, value: float, time_s: float
+    ) -> float:
+        """How much longer the free length between two is than a measure says (m)."""
+        ego = self.scene.functional.ego.id
+        own, other = (who, reference) if who == ego else (reference, who)
+        (frame, speed), (box, others) = self.state(own, time_s), self.state(other, time_s)
+        gap = float(gap_m(frame, box))
+        if measure is Measure.GAP_M:
+            return gap - value
+        along = float(same_way(frame, box))
+        follows = float(seen(frame, box).x) > 0.0 or along < 0.0
+        if measure is Measure.HEADWAY_S:
+            return gap - value * (speed if follows else others)
+        return gap - value * ((speed - others * along) if follows else (others * along - speed))
+
+
+def box_on(path: Path, body: Body, s_m: float | Array) -> Boxes:
+    """Boxes of a body whose reference point is at places of a path, or on its prolongation."""
+    x, y, heading = (
+        np.interp(s_m, path.s_m, row) for row in (path.x_m, path.y_m, path.heading_rad)
+    )
+    beyond = np.minimum(s_m, 0.0) + np.maximum(s_m - path.length_m, 0.0)
+    cos, sin = np.cos(heading), np.sin(heading)
+    ahead = body.centre_ahead_m + beyond
+    half = body.length_m / 2, body.width_m / 2
+    return Boxes(x + ahead * cos, y + ahead * sin, cos, sin, *half)

@@ -1,0 +1,85 @@
+"""The way travelled over time, by phases of steady acceleration."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from math import sqrt
+
+import numpy as np
+
+from scegen.motion.model import Array
+
+NEVER_S = 1e6
+
+
+class Profile:
+    """Phases of steady acceleration, one after another from time 0 and place 0 on."""
+
+    def __init__(self, speed_mps: float) -> None:
+        self._phases: list[tuple[float, float, float, float]] = [(0.0, 0.0, speed_mps, 0.0)]
+        self._times = [0.0]
+
+    def change(self, begins_s: float, target_mps: float, rate_mps2: float) -> None:
+        """From a time on, go over to another speed; what was under way then is given up."""
+        while len(self._phases) > 1 and self._phases[-1][0] >= begins_s:
+            self._phases.pop()
+        way, speed = self._state(self._phases[-1], begins_s)
+        change = target_mps - speed
+        if abs(change) < 1e-9:
+            self._phases.append((begins_s, way, speed, 0.0))
+        else:
+            rate = rate_mps2 if change > 0 else -rate_mps2
+            self._phases.append((begins_s, way, speed, rate))
+            ends_s = begins_s + change / rate
+            way, _ = self._state(self._phases[-1], ends_s)
+            self._phases.append((ends_s, way, target_mps, 0.0))
+        self._times = [phase[0] for phase in self._phases]
+
+    @staticmethod
+    def _state(phase: tuple[float, float, float, float], time_s: float) -> tuple[float, float]:
+        begins, way, speed, rate = phase
+        after = time_s - begins
+        return way + speed * after + rate * after * after / 2, speed + rate * after
+
+    def _at(self, time_s: float) -> tuple[float, float]:
+        return self._state(self._phases[max(0, bisect_right(self._times, time_s) - 1)], time_s)
+
+    @property
+    def times_s(self) -> list[float]:
+        """When its phases begin."""
+        return self._times
+
+    def way_m(self, time_s: float) -> float:
+        """The way travelled since the start."""
+        return self._at(time_s)[0]
+
+    def speed_mps(self, time_s: float) -> float:
+        """The speed at a time."""
+        return self._at(time_s)[1]
+
+    def at_times(self, times_s: Array) -> tuple[Array, Array]:
+        """(way, speed) at many times."""
+        begins, ways, speeds, rates = np.array(self._phases).T
+        n = np.maximum(np.searchsorted(begins, times_s, side="right") - 1, 0)
+        after = times_s - begins[n]
+        speed = speeds[n] + rates[n] * after
+        return ways[n] + (speeds[n] + speed) / 2 * after, speed
+
+    def time_s(self, way_m: float) -> float:
+        """When that way has been travelled; ``NEVER_S`` if it never is."""
+        for n, phase in enumerate(self._phases):
+            begins, way, speed, rate = phase
+            later = self._phases[n + 1] if n + 1 < len(self._phases) else None
+            if later is not None and later[1] < way_m:
+                continue
+            left = way_m - way
+            if abs(rate) < 1e-9:
+                return begins + left / speed if speed > 1e-9 else NEVER_S
+            root = speed * speed + 2 * rate * left
+            return begins + (sqrt(max(root, 0.0)) - speed) / rate
+        return NEVER_S
+
+    def settles_s(self, after_s: float) -> float:
+        """When the change of speed under way at a time is over."""
+        n = max(0, bisect_right(self._times, after_s + 1e-9) - 1)
+        return self._phases[n + 1][0] if n + 1 < len(self._phases) else after_s

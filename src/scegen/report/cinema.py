@@ -1,0 +1,100 @@
+"""Films as files: animated GIF with Pillow, video with ffmpeg."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from importlib import import_module
+from io import BytesIO
+from pathlib import Path
+
+from PIL import Image
+
+from scegen.errors import MissingToolError
+from scegen.report.film import Film
+from scegen.report.raster import png_of
+
+Watch = Callable[[Iterable[int]], Iterable[int]]
+_COLOURS, _SAMPLED = 96, 6
+_LEAST_CS = 2
+"""Hundredths of a second; players slow down what is faster."""
+_QUIET = ("-loglevel", "error")
+_SAME_BYTES = ("-threads", "1", "-fflags", "+bitexact", "-flags:v", "+bitexact",
+               "-map_metadata", "-1")  # fmt: skip
+
+
+def gif_of(film: Film, watch: Watch = iter) -> bytes:
+    """A film as an animated GIF that plays for ever; the same film gives the same bytes.
+
+    Args:
+        film: what to draw.
+        watch: told of every picture's number, to show how far it is.
+    """
+    pictures = [_image(film, number) for number in watch(range(len(film)))]
+    palette = _palette(pictures)
+    frames = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in pictures]
+    durations = [max(round(lasts * 100), _LEAST_CS) * 10 for lasts in film.lasts_s.tolist()]
+    buffer = BytesIO()
+    frames[0].save(
+        buffer,
+        "GIF",
+        save_all=True,
+        append_images=frames[1:],
+        duration=durations,
+        loop=0,
+        disposal=1,
+        optimize=False,
+    )
+    return buffer.getvalue()
+
+
+def write_mp4(film: Film, path: Path, fps: float, watch: Watch = iter) -> None:
+    """A film as H.264 video.
+
+    Raises:
+        MissingToolError: imageio-ffmpeg is not installed.
+    """
+    try:
+        ffmpeg = import_module("imageio_ffmpeg")
+    except ImportError as error:
+        raise MissingToolError(
+            "video needs imageio-ffmpeg", hint="pip install 'ml-scegen[video]', or use --gif"
+        ) from error
+    writer = ffmpeg.write_frames(
+        str(path),
+        film.size,
+        pix_fmt_in="rgb24",
+        fps=fps,
+        codec="libx264",
+        macro_block_size=2,
+        output_params=[*_QUIET, *_SAME_BYTES],
+    )
+    writer.send(None)
+    try:
+        for picture in _held(film, fps, watch):
+            writer.send(picture)
+    finally:
+        writer.close()
+
+
+def _held(film: Film, fps: float, watch: Watch) -> Iterator[bytes]:
+    """Every picture as often as it lasts."""
+    for number in watch(range(len(film))):
+        picture = _image(film, number).tobytes()
+        for _ in range(max(1, round(float(film.lasts_s[number]) * fps))):
+            yield picture
+
+
+def _image(film: Film, number: int) -> Image.Image:
+    with Image.open(BytesIO(png_of(film.picture(number)))) as drawn:
+        return drawn.convert("RGB")
+
+
+def _palette(pictures: list[Image.Image]) -> Image.Image:
+    """One palette for all, from some of them: colours do not flicker."""
+    every = max(1, len(pictures) // _SAMPLED)
+    sample = pictures[::every][:_SAMPLED]
+    width, height = sample[0].size
+    together = Image.new("RGB", (width, height * len(sample)))
+    for place, picture in enumerate(sample):
+        together.paste(picture, (0, place * height))
+    return together.quantize(_COLOURS, method=Image.Quantize.MEDIANCUT)

@@ -1,0 +1,105 @@
+"""The still part of a scene: surfaces, marks, crosswalks, signs and lights."""
+
+from __future__ import annotations
+
+from math import copysign, pi
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scegen.report.lane_shapes import road_shapes
+from scegen.report.player.series import points
+from scegen.report.world import entry_of
+from scegen.road.geometry import Pose
+from scegen.road.model import LaneType, RoadNetwork
+from scegen.scenario.concrete import ConcreteScenario, DriveMotion
+from scegen.scenario.control import signal_phases
+from scegen.scenario.functional import Junction
+from scegen.scenario.vocabulary import Control, HazardKind
+
+Data = dict[str, Any]
+_BESIDE_M = 0.9
+_SIGNS = {Control.YIELD: "yield", Control.STOP: "stop", Control.ALL_WAY_STOP: "stop"}
+_OUTER = (
+    LaneType.SIDEWALK,
+    LaneType.BORDER,
+    LaneType.SHOULDER,
+    LaneType.PARKING,
+    LaneType.DRIVING,
+)
+"""Carriageways lie on top where roads overlap."""
+
+
+def road_data(concrete: ConcreteScenario, network: RoadNetwork) -> Data:
+    """Polygons and lines in the world (m), x and y in turn."""
+    shapes = road_shapes(network)
+    marks = [("centre", line) for line in shapes.centre_lines]
+    marks += [("lane", line) for line in shapes.lane_lines]
+    marks += [("edge", line) for line in shapes.edge_lines]
+    entries = [(arm, *entry_of(network, arm)) for arm in sorted(concrete.road.controlled_arms)]
+    control = concrete.road.control
+    across = "yield_line" if control is Control.YIELD else "stop_line"
+    red = _red(concrete)
+    return {
+        "kind": concrete.road.kind.value,
+        "side": network.driving_side.value,
+        "surfaces": [
+            {"type": kind.value, "points": _flat(polygon)}
+            for kind in _OUTER
+            for polygon in shapes.lanes.get(kind, ())
+        ],
+        "marks": [
+            *({"kind": kind, "points": _flat(line)} for kind, line in marks),
+            *({"kind": across, "points": _line(pose, reach)} for _, pose, reach in entries),
+        ],
+        "stripes": [_flat(stripe) for stripe in shapes.stripes],
+        "signs": [
+            {"kind": _SIGNS[control], **_beside(*entry)} for entry in entries if control in _SIGNS
+        ],
+        "lights": [
+            {"states": [[0.0, "red" if entry[0] in red else "green"]], **_beside(*entry)}
+            for entry in entries
+            if control is Control.SIGNALS
+        ],
+    }
+
+
+def _red(concrete: ConcreteScenario) -> set[int]:
+    """Arms with red: those of who is said to run it, else those that wait for the ego."""
+    road = concrete.road
+    angles = tuple(arm.angle_deg for arm in road.arms)
+    phases = signal_phases(Junction(kind=road.kind, arms=len(angles), arm_angles_deg=angles))
+    entries = {
+        p.id: p.motion.entry for p in concrete.participants if isinstance(p.motion, DriveMotion)
+    }
+    run = {
+        phases[entries[name]]
+        for hazard in concrete.hazards
+        if hazard.kind is HazardKind.RED_LIGHT_RUNNING
+        for name in hazard.by
+        if name in entries
+    }
+    stopped = run or {*phases} - {phases[entries.get(concrete.ego.id, 0)]}
+    return {arm for arm, phase in enumerate(phases) if phase in stopped}
+
+
+def _flat(shape: NDArray[np.float64]) -> list[float]:
+    return points(shape.ravel().tolist())
+
+
+def _line(pose: Pose, reach_m: float) -> list[float]:
+    """Across the lanes that lead to the junction; ``reach_m`` is how far they go to the left."""
+    ends = [pose, pose.shifted(left_m=reach_m)]
+    return points(value for end in ends for value in (end.x_m, end.y_m))
+
+
+def _beside(arm: int, pose: Pose, reach_m: float) -> Data:
+    """Where a sign stands, facing who enters; its heading is theirs."""
+    place = pose.shifted(left_m=reach_m + copysign(_BESIDE_M, reach_m))
+    return {
+        "arm": arm,
+        "x_m": round(place.x_m, 2),
+        "y_m": round(place.y_m, 2),
+        "heading_rad": round((pose.heading_rad + pi) % (2 * pi) - pi, 4),
+    }

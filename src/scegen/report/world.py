@@ -1,0 +1,263 @@
+"""The world from above: roads, marks, signs and objects in metres, and the view of them.
+
+What is drawn here goes into :meth:`View.picture`, which turns metres (x east, y north) into
+pixels; widths are in metres too, with a least width in pixels where the world is drawn small.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from math import atan2, cos, degrees, pi, sin
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from scegen.report.corners import thing_corners
+from scegen.report.drawing import area, areas, box, circle, element, group, line, lines, number
+from scegen.report.lane_shapes import RoadShapes, road_shapes
+from scegen.report.theme import Theme
+from scegen.road.geometry import Pose
+from scegen.road.model import LaneType, RoadNetwork
+from scegen.scenario.concrete import RoadParameters
+from scegen.scenario.objects import ObjectCategory, StaticObject
+from scegen.scenario.vocabulary import Control
+
+Array = NDArray[np.float64]
+
+_MARK_M, _DASHES = 0.15, "3 4.5"
+_STOPPING = frozenset({Control.STOP, Control.ALL_WAY_STOP, Control.SIGNALS})
+_SIGN_M, _SIGN_PX = 0.9, 5.0
+_PLANTS = frozenset({ObjectCategory.TREE, ObjectCategory.VEGETATION})
+_HATCH_M, _FAR_M = 0.6, 1e5
+_BEYOND_M, _SIZE_M = 2.0, 12.0
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """A part of the world (middle and width, m) on a part of the picture (px)."""
+
+    x_m: float
+    y_m: float
+    width_m: float
+    left: float
+    top: float
+    width: float
+    height: float
+
+    @property
+    def scale(self) -> float:
+        """Pixels per metre."""
+        return self.width / self.width_m
+
+    @property
+    def height_m(self) -> float:
+        """How much of the world is seen from bottom to top."""
+        return self.height / self.scale
+
+    def at_least(self, width_m: float, width_px: float) -> float:
+        """A width in metres that is no thinner than so many pixels."""
+        return max(width_m, width_px / self.scale)
+
+    def seen(self, points: Array) -> Array:
+        """Points of the world (…, 2) as places on the picture."""
+        x, y = points[..., 0], points[..., 1]
+        return np.stack(
+            (
+                self.left + self.width / 2 + (x - self.x_m) * self.scale,
+                self.top + self.height / 2 - (y - self.y_m) * self.scale,
+            ),
+            axis=-1,
+        )
+
+    def picture(self, world: str, ground: str, name: str | None = None) -> str:
+        """What is drawn in metres, on this ground, where this view shows it.
+
+        With a name, which tells several views apart, nothing is drawn beyond the view's edges.
+        """
+        place = (self.left, self.top, self.width, self.height)
+        x, y = self.seen(np.zeros(2)).tolist()
+        k = f"{self.scale:.5f}"
+        inside = group(world, transform=f"matrix({k} 0 0 -{k} {x:.3f} {y:.3f})")
+        drawn = box(*place, ground) + inside
+        if name is None:
+            return drawn
+        clip = element("clipPath", box(*place, "#000000"), id=f"in-{name}")
+        return clip + group(drawn, clip_path=f"url(#in-{name})")
+
+    def shows(self, x_m: float, y_m: float) -> bool:
+        """Whether something there may be seen: a margin is left for its size."""
+        return (
+            abs(x_m - self.x_m) < self.width_m / 2 + _SIZE_M
+            and abs(y_m - self.y_m) < self.height_m / 2 + _SIZE_M
+        )
+
+    def cut(self, many: Iterable[Array], *, closed: bool = False) -> list[Array]:
+        """The parts of lines or polygons that are seen; what lies outside costs time to clip."""
+        make = shapely.polygons if closed else shapely.linestrings
+        shapes = shapely.make_valid([make(points) for points in many])
+        w, h = self.width_m / 2 + _BEYOND_M, self.height_m / 2 + _BEYOND_M
+        kept = shapely.clip_by_rect(shapes, self.x_m - w, self.y_m - h, self.x_m + w, self.y_m + h)
+        wanted = "Polygon" if closed else "LineString"
+        parts = [g for g in shapely.get_parts(kept) if g.geom_type == wanted and not g.is_empty]
+        return [np.asarray((g.exterior if closed else g).coords) for g in parts]
+
+    def frame(self, other: View) -> tuple[float, float, float, float]:
+        """What another view shows, as a rectangle on this one: left, top, width, height."""
+        x, y = self.seen(np.array([other.x_m, other.y_m])).tolist()
+        width, height = other.width_m * self.scale, other.height_m * self.scale
+        return x - width / 2, y - height / 2, width, height
+
+
+class Surroundings:
+    """All that never moves, drawn once and shown in every view and frame.
+
+    Args:
+        network: the roads.
+        road: what they are made from; it says where signs and lights stand.
+        things: the objects.
+        theme: the colours.
+    """
+
+    def __init__(
+        self,
+        network: RoadNetwork,
+        road: RoadParameters,
+        things: Iterable[StaticObject],
+        theme: Theme,
+    ) -> None:
+        self._theme = theme
+        self._shapes: RoadShapes = road_shapes(network)
+        self._entries = [
+            entry_of(network, arm)
+            for arm in sorted(road.controlled_arms)
+            if road.control not in {Control.UNCONTROLLED, Control.PRIORITY_TO_RIGHT}
+        ]
+        self._control = road.control
+        self._things = tuple(things)
+
+    def across(self, west_m: float, east_m: float) -> tuple[float, float]:
+        """How far south and north the roads reach between two places."""
+        lanes = [
+            shapely.make_valid(shapely.Polygon(p)) for k in self._shapes.lanes.values() for p in k
+        ]
+        _, south, _, north = shapely.total_bounds(
+            shapely.clip_by_rect(lanes, west_m, -_FAR_M, east_m, _FAR_M)
+        ).tolist()
+        return south, north
+
+    def drawn(self, view: View, *, cut: bool = True) -> str:
+        """Roads, marks, signs and objects, in metres; not cut to the view, it may move on."""
+        theme, shapes = self._theme, self._shapes
+        beside = {
+            LaneType.SIDEWALK: theme.sidewalk,
+            LaneType.BORDER: theme.shoulder,
+            LaneType.SHOULDER: theme.shoulder,
+            LaneType.PARKING: theme.parking,
+        }
+
+        def lanes(kind: LaneType) -> list[Array]:
+            found = shapes.lanes.get(kind, [])
+            return view.cut(found, closed=True) if cut else found
+
+        def marks(found: list[Array]) -> list[Array]:
+            return view.cut(found) if cut else found
+
+        # The same colour around each lane closes hairline seams between roads.
+        layers = [
+            areas(lanes(kind), paint, stroke=paint, stroke_width=0.06)
+            for kind, paint in beside.items()
+        ]
+        driving = lanes(LaneType.DRIVING)
+        kerb, width = view.at_least(0.3, 1.6), view.at_least(_MARK_M, 0.9)
+        layers.append(areas(driving, theme.kerb, stroke=theme.kerb, stroke_width=kerb))
+        layers.append(areas(driving, theme.road, stroke=theme.road, stroke_width=0.06))
+        layers.append(lines(marks(shapes.centre_lines + shapes.edge_lines), theme.mark, width))
+        layers.append(lines(marks(shapes.lane_lines), theme.mark, width, stroke_dasharray=_DASHES))
+        layers.append(areas(shapes.stripes, theme.mark))
+        layers += [
+            self._entry_marks(pose, half_m, view)
+            for pose, half_m in self._entries
+            if not cut or view.shows(pose.x_m, pose.y_m)
+        ]
+        layers += [
+            self._thing(thing, view)
+            for thing in self._things
+            if not cut or view.shows(thing.x_m, thing.y_m)
+        ]
+        return "".join(layers)
+
+    def _entry_marks(self, pose: Pose, half_m: float, view: View) -> str:
+        """The line to stop at and what stands beside it, for traffic that enters."""
+        theme, size = self._theme, view.at_least(_SIGN_M, _SIGN_PX)
+        ends = [_beside(pose, t) for t in (0.2 * half_m / abs(half_m), half_m)]
+        dashes = None if self._control in _STOPPING else "0.5 0.35"
+        stop = line(ends, theme.mark, view.at_least(0.4, 1.2), stroke_dasharray=dashes)
+        x, y = _beside(pose, half_m + size * (1.6 if half_m > 0 else -1.6))
+        if self._control is Control.SIGNALS:
+            lamps = (theme.signal_red, theme.signal_amber, theme.signal_green)
+            drawn = box(-size * 0.6, -size * 1.5, size * 1.2, size * 3, theme.outline, rx=0.3)
+            drawn += "".join(
+                circle(0, size * (1 - n), size * 0.36, colour) for n, colour in enumerate(lamps)
+            )
+        elif self._control is Control.YIELD:
+            drawn = area(
+                _regular(3, size * 1.25, -pi / 2),
+                theme.mark,
+                stroke=theme.signal_red,
+                stroke_width=size * 0.4,
+                stroke_linejoin="round",
+            )
+        else:
+            drawn = area(
+                _regular(8, size, pi / 8),
+                theme.signal_red,
+                stroke=theme.mark,
+                stroke_width=size * 0.2,
+            )
+        return stop + group(drawn, transform=f"translate({number(x)} {number(y)})")
+
+    def _thing(self, thing: StaticObject, view: View) -> str:
+        """An object: plants green and round, everything else a hatched box."""
+        theme, corners = self._theme, thing_corners(thing)
+        edge = view.at_least(0.1, 0.9)
+        if thing.category in _PLANTS:
+            return area(
+                corners,
+                theme.plant,
+                stroke=theme.plant,
+                stroke_width=min(thing.length_m, thing.width_m) * 0.3,
+                stroke_linejoin="round",
+            )
+        a, b, c, d = corners
+        count = max(2, round(float(np.hypot(*(a - d))) / _HATCH_M))
+        rungs = [np.stack((d + (a - d) * u, c + (b - c) * u)) for u in np.linspace(0, 1, count + 1)]
+        return area(corners, theme.thing) + lines(
+            [*rungs, np.stack((a, b, c, d, a))], theme.outline, edge, stroke_linejoin="round"
+        )
+
+
+def placed(content: str, x_m: float, y_m: float, heading_rad: float) -> str:
+    """What is drawn in the frame of a body (x ahead, y left), where the body is."""
+    turn = degrees(atan2(sin(heading_rad), cos(heading_rad)))
+    return group(content, transform=f"translate({x_m:.3f} {y_m:.3f}) rotate({turn:.2f})")
+
+
+def entry_of(network: RoadNetwork, arm: int) -> tuple[Pose, float]:
+    """The inner end of an arm, looking in, and how far its entering lanes reach to the left."""
+    road = network.arm_road(arm)
+    sign = -1 if network.driving_side == "right" else 1
+    back = max((road.length_m - c.s_m + c.width_m / 2 + 1.0 for c in road.crosswalks), default=0.0)
+    return road.line.pose(road.length_m - min(back, 12.0) - 0.4), road.edge_t_m(sign)
+
+
+def _beside(pose: Pose, left_m: float) -> tuple[float, float]:
+    shifted = pose.shifted(left_m=left_m)
+    return shifted.x_m, shifted.y_m
+
+
+def _regular(corners: int, radius: float, first: float) -> list[tuple[float, float]]:
+    """A regular polygon around the origin."""
+    turns = [first + 2 * pi * n / corners for n in range(corners)]
+    return [(radius * cos(turn), radius * sin(turn)) for turn in turns]

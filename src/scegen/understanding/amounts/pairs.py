@@ -1,0 +1,130 @@
+"""Between whom a distance or a time lies, by the words around it."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from scegen.scenario.vocabulary import Approach
+from scegen.understanding.amounts.sentences import Sentences
+from scegen.understanding.amounts.whom import counterpart, ego_of
+from scegen.understanding.chunks import Mention, Word
+from scegen.understanding.draft import Entity
+from scegen.understanding.frames import Measured
+from scegen.understanding.meaning.context import Context
+
+_PAIR = 2
+
+
+def row_of(number: Measured, text: Sentences, context: Context) -> list[tuple[Entity, Entity]]:
+    """``two cars drive ahead of the ego with 20 m between each``: from one to the next.
+
+    Args:
+        number: the distance or time.
+        text: the text with its clauses.
+        context: the scenario in the making.
+    """
+    if not number.around.after.startswith((" between each ", " between them ", " apart ")):
+        return []
+    start, _ = text.bounds(number.i)
+    named = [e for m in text.mentions if start <= m.i < number.i for e in m.entities]
+    members = list(dict.fromkeys(named))
+    leaders = {
+        id(e): {
+            id(p.entity)
+            for p in context.draft.placements
+            if p.approaches == {Approach.AHEAD} and (p.reference or ego_of(context)) is e
+        }
+        for e in members
+    }
+    members.sort(key=lambda e: len(leaders[id(e)] & set(leaders)), reverse=True)
+    pairs = list(pairwise(members))
+    known = all(id(b) in leaders[id(a)] for a, b in pairs)
+    return pairs if known and len(pairs) > 1 else []
+
+
+def pair_of(number: Measured, text: Sentences, context: Context) -> tuple[Entity, Entity] | None:
+    """Who lies how far from whom.
+
+    Args:
+        number: the distance or time.
+        text: the text with its clauses.
+        context: the scenario in the making.
+    """
+    if " the next " in f"{' '.join(number.around.after.split()[:4])} ":
+        return None  # "each 3 m clear of the next"
+    after = text.phrase_after(number.j)
+    noun = after[1] if after is not None else None
+    own = noun is not None and any(m.cat == "possessive" for m in noun.mods)
+    named = text.named(noun) if not own else []
+    located = after is not None and isinstance(after[0], Word) and after[0].cat == "locus"
+    scene = text.scene_at(number.i, number.j)
+    subject = text.subject_before(number.i)
+    if isinstance(noun, Mention) and noun.pronoun is not None and named == subject:
+        named = []  # "and the ego, 15 m behind it": not behind itself
+    pairs = [m.entities for m in text.mentions if m.i < number.i and len(m.entities) == _PAIR]
+    if number.around.after.startswith(" between them ") and pairs:
+        return pairs[-1][0], pairs[-1][1]
+    bracketed = _bracketed(number, text)
+    if bracketed is not None and subject and bracketed not in subject:
+        return subject[0], bracketed
+    if noun is None and located:
+        behind = _named_in_front(number, text)
+        if behind is not None and subject and behind not in subject:
+            return behind, subject[0]
+    by_verb = number.frame.role in {"overlap", "headway", "ttc"} or not (named or located)
+    if by_verb and scene is not None and scene.actors and scene.targets:
+        return scene.actors[0], scene.targets[0]
+    subject = [e for e in subject if e not in named]
+    if not subject and scene is not None:
+        subject = [e for e in scene.actors if e not in named]
+    if subject and named and (located or number.frame.role != "overlap"):
+        return subject[0], named[0]
+    near = [e for m in text.mentions if m.i < number.i for e in m.entities]
+    first = subject[0] if subject else named[0] if named else ego_of(context)
+    if first is None:
+        return None
+    other = counterpart(first, context, near)
+    return (first, other) if other is not None and other is not first else None
+
+
+def _bracketed(number: Measured, text: Sentences) -> Entity | None:
+    """``in front of a stationary target (TTC 3 s)``: to whom it is."""
+    tokens = text.tokens
+    opening = next(
+        (k for k in range(number.i - 1, max(-1, number.i - 4), -1) if tokens[k].low == "("),
+        None,
+    )
+    if opening is None:
+        return None
+    before = [m for m in text.mentions if m.j == opening and m.entities]
+    first: Entity | None = before[0].entities[0] if before else None
+    return first
+
+
+def _named_in_front(number: Measured, text: Sentences) -> Entity | None:
+    """``changes lanes in front of a car, 20 m behind``: the car is behind."""
+    if not number.around.after.startswith(" behind "):
+        return None
+    start, _ = text.bounds(number.i)
+    before = [m for m in text.mentions if start <= m.i < number.i and m.entities]
+    last = before[-1] if before else None
+    ahead = last is not None and last.prep is not None and last.prep.value == "ahead"
+    first: Entity | None = last.entities[0] if last is not None and ahead else None
+    return first
+
+
+def passed(number: Measured, one: Entity, other: Entity, text: Sentences) -> tuple[Entity, Entity]:
+    """``a bus overtakes the cyclist, passing with 1 m``: to the cyclist.
+
+    Args:
+        number: the width between them.
+        one: who passes.
+        other: from whom it seems to be.
+        text: the text with its clauses.
+    """
+    start, end = text.bounds(number.i)
+    for scene in text.within(start, end):
+        past = scene.event.name in {"overtake", "pass", "bypass"} and scene.targets
+        if past and scene.actors[:1] == [one] and other not in scene.targets:
+            return one, scene.targets[0]
+    return one, other

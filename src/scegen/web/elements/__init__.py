@@ -1,0 +1,171 @@
+"""The page's own elements: each a small component that keeps what is typed in the browser."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import nicegui.elements.scene
+from nicegui.element import Element
+from nicegui.elements.mixins.text_element import TextElement
+from nicegui.events import GenericEventArguments
+
+_SCENE = Path(nicegui.elements.scene.__file__).parent / "dist"
+"""three.js, as the framework brings it for its own scenes."""
+Handler = Callable[[Any], object]
+
+
+def node(tag: str, classes: str = "", text: str = "", **attributes: object) -> TextElement:
+    """A plain element of the page; its text is shown as it is, never as markup.
+
+    Attributes of Python's spelling (``aria_label``) become HTML's; those that are None are left
+    out.
+    """
+    element = TextElement(tag=tag, text=text)
+    if classes:
+        element.classes(classes)
+    for name, value in attributes.items():
+        if value is not None:
+            element.props[name.rstrip("_").replace("_", "-")] = value
+    return element
+
+
+def button(
+    text: str, done: Callable[[], object], classes: str = "", **attributes: object
+) -> TextElement:
+    """A button; ``done`` is called on every click."""
+    made = node("button", f"button {classes}", text, type="button", **attributes)
+    made.on("click", lambda _: done(), [])
+    return made
+
+
+def drawn(svg: str, classes: str = "", tag: str = "div") -> Element:
+    """A picture of the project's own making, which escapes what comes from outside itself."""
+    element = Element(tag).classes(classes)
+    element.props["innerHTML"] = svg
+    return element
+
+
+class Description(Element, component="description.js"):
+    """The text box with the standing of its words."""
+
+    def __init__(self, *, longest: int, placeholder: str) -> None:
+        super().__init__()
+        self.props["longest"] = longest
+        self.props["placeholder"] = placeholder
+        self.show("", [])
+
+    def show(self, text: str, spans: list[dict[str, Any]]) -> None:
+        """Put in a text and what became of its words."""
+        self.props["spans"] = spans
+        self.props["value"] = text
+
+    def when(self, *, draft: Handler, submit: Handler) -> None:
+        """Call these with the text: while it is typed, and when it is to be understood."""
+        self.on("draft", lambda event: draft(event.args))
+        self.on("submit", lambda event: submit(event.args))
+
+
+class Entry(Element, component="entry.js"):
+    """One labelled input."""
+
+    def __init__(self, value: object, changed: Handler, **props: object) -> None:
+        super().__init__()
+        self.props["value"] = value
+        for name, prop in props.items():
+            if prop is not None:
+                self.props[name] = prop
+        self.on("value", lambda event: changed(event.args))
+
+
+def choice(options: Sequence[tuple[str, str]]) -> list[dict[str, str]]:
+    """The options of an :class:`Entry`, from values and what is shown for them."""
+    return [{"value": value, "label": label} for value, label in options]
+
+
+class Form(Element, component="form.js"):
+    """The functional scenario as a form."""
+
+    def __init__(self, spec: list[dict[str, Any]], sections: Sequence[str]) -> None:
+        super().__init__()
+        self.props["spec"] = spec
+        self.props["sections"] = list(sections)
+
+    def show(
+        self,
+        scenario: dict[str, Any],
+        standings: dict[str, Any],
+        colours: dict[str, str],
+        wrong: str | None,
+    ) -> None:
+        """Put in a scenario; ``wrong`` says what keeps the form from being one."""
+        with self.props.suspend_updates():
+            self.props["scenario"] = scenario
+            self.props["standings"] = standings
+            self.props["colours"] = colours
+        self.props["wrong"] = wrong
+
+    def when(self, *, edit: Handler, forget: Handler, confirm: Handler) -> None:
+        """Call these: with all data, with the name of who goes, with the path of a field."""
+        self.on("edit", lambda event: edit(event.args))
+        self.on("forget", lambda event: forget(event.args))
+        self.on("confirm", lambda event: confirm(event.args))
+
+
+class Gallery(Element, component="gallery.js"):
+    """All logical scenarios as tiles, fetched from ``source`` as they come into sight."""
+
+    def __init__(self, source: str, ratio: float) -> None:
+        super().__init__()
+        self.props["source"] = source
+        self.props["ratio"] = ratio
+        self.show([], [], 0)
+
+    def show(self, indices: list[int], picked: list[int], edition: int) -> None:
+        """Show these scenarios; a new ``edition`` throws away the pictures of the old."""
+        with self.props.suspend_updates():
+            self.props["indices"] = indices
+            self.props["picked"] = picked
+        self.props["edition"] = edition
+
+    def when(self, *, pick: Handler, only: Handler) -> None:
+        """Call these when scenarios are picked, or one alone."""
+        self.on("pick", lambda event: pick(event.args))
+        self.on("only", lambda event: only(event.args))
+
+
+class Cinema(
+    Element,
+    component="cinema.js",
+    esm={"nicegui-scene": str(_SCENE), "scegen-seat": "seat"},
+):
+    """The player of one scenario, with the view from the driver's seat beside it.
+
+    Args:
+        script: address of the player's module.
+    """
+
+    def __init__(self, script: str) -> None:
+        super().__init__()
+        self.props["script"] = script
+        self.show("")
+
+    def show(self, source: str) -> None:
+        """Play what lies at this address; nothing if it is empty."""
+        self.props["source"] = source
+
+
+__all__ = [
+    "Cinema",
+    "Description",
+    "Element",
+    "Entry",
+    "Form",
+    "Gallery",
+    "GenericEventArguments",
+    "button",
+    "choice",
+    "drawn",
+    "node",
+]

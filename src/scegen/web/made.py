@@ -1,0 +1,126 @@
+"""What lies in a folder that was made: read from its files, whoever made it."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from pydantic import TypeAdapter
+
+from scegen.criticality.careful_driver import Verdict
+from scegen.errors import InputError
+from scegen.pipeline.export import CONCRETE_FILE
+from scegen.pipeline.folder import SUMMARY_FILE
+from scegen.pipeline.options import Options
+from scegen.pipeline.raising import PROOF_FILE
+from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.files import from_data, load, read_text
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.parsing import parse
+from scegen.scenario.proof import Proof
+from scegen.scenario.vocabulary import ArmsMode, Reduction
+from scegen.web.project import FUNCTIONAL_FILE
+
+_SCENARIOS = "scenarios"
+
+
+@dataclass(frozen=True, slots=True)
+class MadeScenario:
+    """One concrete scenario with its proof, and what the summary says of it."""
+
+    name: str
+    concrete: ConcreteScenario
+    proof: Proof | None
+    summary: dict[str, Any]
+
+    @property
+    def ok(self) -> bool:
+        """Whether no check failed and everything said holds."""
+        checks = self.summary.get("checks", {}).values()
+        return "failed" not in checks and not (self.proof and self.proof.missed)
+
+    @property
+    def verdict(self) -> Verdict | None:
+        """What a careful driver could have done; None if nobody judged it."""
+        data = self.summary.get("verdict")
+        if not isinstance(data, dict):
+            return None
+        far = data.get("distance_m")
+        whole = {**data, "distance_m": float("inf") if far is None else far}
+        return TypeAdapter(Verdict).validate_python(whole)
+
+
+@dataclass(frozen=True, slots=True)
+class Made:
+    """A folder of ``scegen generate``, or one that holds a functional scenario alone."""
+
+    folder: Path
+    functional: FunctionalScenario | None
+    reduction: Reduction
+    arms: ArmsMode
+    scenarios: tuple[MadeScenario, ...]
+    skipped: dict[str, str]
+    summary: dict[str, Any]
+
+    def options(self) -> Options:
+        """Options that make these scenarios again, as far as the files tell."""
+        picked = ",".join(str(s.summary.get("logical_index", 0)) for s in self.scenarios)
+        targets = {s.proof.target for s in self.scenarios if s.proof is not None}
+        return Options(
+            pick=picked or None,
+            seed=int(self.summary.get("seed", 0)),
+            reduction=self.reduction,
+            arms=self.arms,
+            target=min(targets) if targets else "none",
+        )
+
+
+def read_made(folder: Path) -> Made:
+    """Read a folder.
+
+    Raises:
+        InputError: a file in it cannot be used; names it by its place in the folder.
+    """
+    functional = None
+    if (folder / FUNCTIONAL_FILE).is_file():
+        functional = load(folder / FUNCTIONAL_FILE, FunctionalScenario)
+    summary = _summary(folder)
+    enumeration = summary.get("enumeration") or {}
+    scenarios = []
+    for row in summary.get("scenarios", []):
+        place = folder / _SCENARIOS / str(row["name"])
+        if place.resolve().parent != (folder / _SCENARIOS).resolve():
+            raise InputError("names a scenario outside its folder", where=SUMMARY_FILE)
+        concrete = load(place / CONCRETE_FILE, ConcreteScenario)
+        scenarios.append(MadeScenario(str(row["name"]), concrete, _proof(place), row))
+    return Made(
+        folder,
+        functional,
+        Reduction(enumeration.get("reduction", Reduction.EXACT)),
+        ArmsMode(enumeration.get("arms", ArmsMode.DISTINCT)),
+        tuple(scenarios),
+        {str(k): str(v) for k, v in summary.get("skipped", {}).items()},
+        summary,
+    )
+
+
+def _proof(place: Path) -> Proof | None:
+    file = place / PROOF_FILE
+    if not file.is_file():
+        return None
+    return from_data(Proof, parse(read_text(file), where=PROOF_FILE), where=PROOF_FILE)
+
+
+def _summary(folder: Path) -> dict[str, Any]:
+    file = folder / SUMMARY_FILE
+    if not file.is_file():
+        return {}
+    try:
+        found = json.loads(file.read_text(encoding="utf-8"))
+    except (OSError, ValueError, RecursionError) as error:
+        raise InputError("cannot be read", where=SUMMARY_FILE) from error
+    if not isinstance(found, dict):
+        raise InputError("is no summary", where=SUMMARY_FILE)
+    return found

@@ -1,0 +1,167 @@
+"""The page of one browser window: five steps over one piece of work."""
+
+from __future__ import annotations
+
+import asyncio
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib.resources import files
+
+from nicegui import ui
+from nicegui.elements.mixins.text_element import TextElement
+
+from scegen.errors import ScegenError
+from scegen.report.player.bundle import player_css
+from scegen.report.theme import css
+from scegen.web.elements import button, node
+from scegen.web.steps.choose import Choose
+from scegen.web.steps.danger import Danger
+from scegen.web.steps.describe import Describe
+from scegen.web.steps.opening import Opening
+from scegen.web.steps.step import StepView
+from scegen.web.steps.take_away import TakeAway
+from scegen.web.steps.watch import Watch
+from scegen.web.work import Work
+
+_TICK_S = 0.3
+"""How often the seconds of what is under way are told; changes are drawn at once."""
+
+
+@dataclass(frozen=True, slots=True)
+class _StepKind:
+    name: str
+    label: str
+    view: Callable[[Work, Callable[[str], None]], StepView]
+
+
+_STEPS = (
+    _StepKind("describe", "Describe", Describe),
+    _StepKind("choose", "Choose", Choose),
+    _StepKind("danger", "Make dangerous", Danger),
+    _StepKind("watch", "Watch", Watch),
+    _StepKind("take", "Take away", TakeAway),
+)
+
+
+class Page:
+    """The frame, the step that is shown, and what is drawn again when the work has changed.
+
+    Args:
+        work: of this browser; other windows may show the same.
+    """
+
+    def __init__(self, work: Work) -> None:
+        self._work = work
+        self._seen: Counter[str] = Counter()
+        self._step = ""
+        self._view: StepView | None = None
+        self._due = False
+        self._marks: dict[str, tuple[TextElement, TextElement]] = {}
+
+    def build(self) -> None:
+        """Make the elements."""
+        ui.add_head_html(
+            f"<style>{css()}{player_css()}{_own('page.css')}</style><script>{_own('page.js')}</script>"
+        )
+        ui.context.client.on_exception(self._complain)
+        with node("header", "topbar"):
+            node("a", "brand", "ML-SceGen", href="/", aria_label="ML-SceGen, start page")
+            with node("nav", "steps", aria_label="Steps"):
+                for number, step in enumerate(_STEPS, start=1):
+                    self._build_mark(number, step)
+            with node("div", "topbar-end"):
+                self._place = node("span", "place")
+                button("Open", Opening(self._work, self.go).show, "quiet")
+                node(
+                    "button",
+                    "button quiet round",
+                    "◐",
+                    type="button",
+                    aria_label="Light or dark",
+                    data_tip="Light or dark",
+                ).on("click", js_handler="() => scegenTheme()")
+        self._stage = node("main", "workspace")
+        self.go(self._work.step)
+        ui.timer(_TICK_S, self._tick)
+        ui.context.client.on_delete(self._work.listen(self._soon))
+
+    def _soon(self) -> None:
+        """Draw when what is being done now is done, once for all that it changes."""
+        if not self._due:
+            self._due = True
+            asyncio.get_running_loop().call_soon(self._tick)
+
+    def go(self, step: str) -> None:
+        """Show a step."""
+        self._work.step = step
+        if step == self._step:
+            return
+        self._step = step
+        self._stage.clear()
+        kind = next(kind for kind in _STEPS if kind.name == step)
+        with self._stage:
+            self._view = kind.view(self._work, self.go)
+            self._view.build()
+        self._seen = Counter(self._work.revision)
+        self._show_marks()
+
+    def _build_mark(self, number: int, step: _StepKind) -> None:
+        made = node("button", "stepmark", type="button")
+        made.on("click", lambda _: self.go(step.name), [])
+        with made:
+            node("span", "stepmark-number", str(number))
+            node("span", "stepmark-label", step.label)
+            self._marks[step.name] = (made, node("span", "stepmark-note"))
+
+    def _tick(self) -> None:
+        self._due = False
+        if self._work.step != self._step:
+            self.go(self._work.step)
+            return
+        now = self._work.revision
+        changed = {part for part, count in now.items() if count != self._seen[part]}
+        if self._view is not None and (changed or self._work.working):
+            self._seen = Counter(now)
+            with self._stage:
+                self._view.refresh(changed)
+            self._show_marks()
+
+    def _show_marks(self) -> None:
+        """What has come of each step, beside its name."""
+        work = self._work
+        notes = dict.fromkeys(self._marks, "")
+        if work.functional is not None:
+            notes["describe"] = f"{len(work.functional.participants)} participants"
+        if work.listing is not None and work.listing.certificate is not None:
+            notes["choose"] = f"{len(work.picked)} of {work.listing.certificate.count:,}"
+        if work.busy("making"):
+            notes["danger"] = "searching"
+        if work.made is not None and work.made.scenarios:
+            notes["watch"] = f"{len(work.made.scenarios)} made"
+        possible = {
+            "describe": True,
+            "choose": work.listing is not None,
+            "danger": work.functional is not None or work.concrete is not None,
+            "watch": work.made is not None and bool(work.made.scenarios),
+            "take": work.made is not None and bool(work.made.scenarios),
+        }
+        for name, (mark, note) in self._marks.items():
+            note.text = notes[name]
+            mark.classes(add="here" if name == self._step else "", remove="here")
+            mark.props.set_bool("disabled", not possible[name] and name != self._step)
+            mark.props.set_optional("aria-current", "step" if name == self._step else None)
+            if name == self._step:
+                mark.classes(add="here")
+        self._place.text = work.folder.name if work.folder is not None else ""
+
+    def _complain(self, error: Exception) -> None:
+        """What a click could not do, in words; anything unexpected stays on the terminal."""
+        if isinstance(error, ScegenError):
+            ui.notify(error.render(), type="warning", position="bottom", multi_line=True)
+        else:
+            ui.notify("Something went wrong; see the server's terminal.", type="negative")
+
+
+def _own(name: str) -> str:
+    return (files("scegen.web.elements") / name).read_text(encoding="utf-8")

@@ -1,0 +1,103 @@
+"""What fields rest on after somebody has changed them by hand."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from scegen.scenario.functional import Evidence, FunctionalScenario
+from scegen.scenario.vocabulary import EvidenceSource
+
+BY_HAND, CONFIRMED = "set by hand", "confirmed by hand"
+_NOWHERE = object()
+_NAMING = frozenset({"by", "to", "hides", "in_way_of", "into", "between"})
+"""Fields that name participants, objects or acts and can do without."""
+
+
+def carried_over(old: FunctionalScenario, new: FunctionalScenario) -> tuple[Evidence, ...]:
+    """The evidence of ``old`` for ``new``: fields that were changed rest on whoever changed them.
+
+    Fields that are gone have none; fields that had none get none.
+    """
+    before, after = old.model_dump(mode="json"), new.model_dump(mode="json")
+    kept = []
+    for item in old.evidence:
+        value = value_at(after, item.field)
+        if value is _NOWHERE:
+            continue
+        same = value == value_at(before, item.field)
+        kept.append(item if same else _from_hand(item.field, BY_HAND))
+    return tuple(kept)
+
+
+def confirmed(scenario: FunctionalScenario, field: str) -> FunctionalScenario:
+    """The scenario where a field that was assumed counts as meant."""
+    evidence = tuple(
+        _from_hand(field, CONFIRMED)
+        if item.field == field and item.source is not EvidenceSource.STATED
+        else item
+        for item in scenario.evidence
+    )
+    return scenario.model_copy(update={"evidence": evidence})
+
+
+def _from_hand(field: str, reason: str) -> Evidence:
+    return Evidence(field=field, source=EvidenceSource.INFERRED, reason=reason)
+
+
+def value_at(data: Any, path: str) -> Any:  # noqa: ANN401 - JSON-able data
+    """What stands at the path of a field; :data:`_NOWHERE` if nothing does.
+
+    Hazards are named by kind: the value is all of that kind.
+    """
+    head, _, rest = path.partition(".")
+    if head == "hazards" and rest:
+        kind, _, part = rest.partition(".")
+        alike = [h for h in data["hazards"] if h["kind"] == kind]
+        if not alike:
+            return _NOWHERE
+        return [h.get(part) for h in alike] if part else alike
+    here = data
+    for part in path.split("."):
+        if isinstance(here, dict):
+            here = here.get(part, _NOWHERE)
+        elif isinstance(here, list):
+            named = [x for x in here if isinstance(x, dict) and x.get("id") == part]
+            index = int(part) if part.isdigit() else len(here)
+            here = named[0] if named else here[index] if index < len(here) else _NOWHERE
+        else:
+            return _NOWHERE
+    return here
+
+
+def without(data: Any, name: str) -> Any:  # noqa: ANN401 - JSON-able data
+    """The data of a functional scenario without a participant, an object or an act.
+
+    The name is taken out of lists of names; what needs it (a hazard nobody causes any more keeps
+    its kind, a spacing does not go without its reference) goes with it.
+    """
+    if isinstance(data, dict):
+        return {
+            key: _forgotten(value, name) if key in _NAMING else without(value, name)
+            for key, value in data.items()
+        }
+    if not isinstance(data, list):
+        return data
+    return [without(item, name) for item in data if not _needs(item, name)]
+
+
+def _forgotten(value: Any, name: str) -> Any:  # noqa: ANN401 - JSON-able data
+    """A field that names somebody, without the name."""
+    if isinstance(value, list):
+        return [item for item in value if item != name]
+    return None if value == name else value
+
+
+def _needs(item: Any, name: str) -> bool:  # noqa: ANN401 - JSON-able data
+    """Whether an item of a list is that of the name, or is about it alone."""
+    if not isinstance(item, dict):
+        return False
+    own = (item.get(key) for key in ("id", "participant", "reference", "at"))
+    when = item.get("when") or {}
+    needed = (when.get(key) for key in ("act", "participant", "reference"))
+    members = item.get("members")
+    return name in {*own, *needed} or (isinstance(members, list) and name in members)

@@ -1,0 +1,34 @@
+"""The README of what is taken away."""
+
+from __future__ import annotations
+
+from scegen import __version__
+from scegen.web.steps.take_away import again
+from scegen.web.work import Work
+
+
+def readme(work: Work) -> str:
+    """What lies in the folder, what was said, and how to make it again."""
+    if work.made is None:
+        return ""
+    made = work.made
+    description = made.functional.description if made.functional is not None else ""
+    quoted = "\n".join(f"> {line}" for line in description.splitlines())
+    rows = "\n".join(f"- `scenarios/{s.name}/`: {_outcome(s.ok)}" for s in made.scenarios)
+    return (
+        f"# {made.folder.name}\n\n{quoted}\n\n"
+        f"Made by ML-SceGen {__version__}. Open `report.html`; it needs no network.\n\n"
+        f"{rows}\n\n"
+        "Each scenario folder holds `road.xodr` (OpenDRIVE) and `scenario.xosc` (OpenSCENARIO), "
+        "`concrete.yaml` with every number, and `proof.json` with every statement of the "
+        "description and whether it holds. `functional.yaml` is what was understood, "
+        "`logical.json` every way in which it can happen.\n\n"
+        f"The same files again, byte for byte:\n\n    {again(work)}\n\n"
+        "Check and play them:\n\n    scegen check .\n    scegen play .\n"
+    )
+
+
+def _outcome(ok: bool) -> str:
+    return (
+        "every check passed and all that was said holds" if ok else "see its checks in the report"
+    )

@@ -1,0 +1,260 @@
+"""Step 3: what is to happen, the search for it, and what it found."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import Any
+
+from scegen.criticality.target import AVOIDED, BANDS, COLLISION, NEAR_MISS
+from scegen.pipeline.options import CheckDepth, EgoMode, OscVersion
+from scegen.pipeline.raising import NO_SEARCH
+from scegen.report.theme import LIGHT
+from scegen.web.elements import Entry, Form, button, choice, drawn, node
+from scegen.web.form import form_spec, standings
+from scegen.web.jobs import Step
+from scegen.web.pictures import tile
+from scegen.web.steps.outcome import outcome_cards
+from scegen.web.steps.step import Activity, Go
+from scegen.web.work import Work
+
+_TARGETS = {
+    "": ("As described", "the outcome that the text tells, a near miss if it tells none"),
+    NEAR_MISS: ("Near miss", "as close as in a serious conflict, and nobody touches"),
+    COLLISION: ("Collision", "the pair touches"),
+    AVOIDED: ("Avoided", "nobody touches anybody"),
+    "band": ("A measure", "in a band of your own"),
+    NO_SEARCH: ("No search", "the first numbers that keep what was said"),
+}
+_UNITS = {"pet": "s", "ttc": "s", "distance": "m", "headway": "s", "drac": "m/s²"}
+_USUAL = {
+    "pet": (0.3, 1.0),
+    "ttc": (0.5, 1.5),
+    "distance": (0.2, 1.0),
+    "headway": (0.3, 0.8),
+    "drac": (3.0, 6.0),
+}
+_BAND = re.compile(r"([a-z]+)=(.+)\.\.(.+)")
+_NUMBERS = re.compile(r"[0-9.,]+")
+_MOST_TILES, _MOST_STEPS = 24, 12
+
+
+class Danger:
+    """The demands on the left, the chosen scenarios and what came of them on the right."""
+
+    def __init__(self, work: Work, go: Go) -> None:
+        self._work, self._go = work, go
+
+    def build(self) -> None:
+        """Make the elements."""
+        work = self._work
+        with node("div", "danger"):
+            with node("section", "pane demands", aria_label="Target and hazards"):
+                node("h1", "", "Make it dangerous")
+                self._targets = node("div", "targets", role="radiogroup", aria_label="Target")
+                self._band = node("div", "band-box")
+                self._hazards = Form(form_spec(), ("hazards", "outcome"))
+                self._hazards.when(edit=work.edit, forget=work.forget, confirm=work.confirm)
+                with node("details", "more-options"):
+                    node("summary", "", "Files and search")
+                    self._more()
+            with node("section", "pane results", aria_label="Search"):
+                with node("div", "lead"):
+                    self._title = node("h1")
+                    with node("div", "row"):
+                        self._watch = button("Watch", lambda: self._go("watch"), "primary")
+                        self._make = button("Search", work.make, "primary")
+                self._activity = Activity(work, "making", "looking")
+                self._steps = node("ol", "log", aria_label="Progress")
+                self._chosen = node("div", "strip")
+                self._results = node("div", "cards")
+        self.refresh({"form", "options", "choice", "made", "making"})
+
+    def refresh(self, changed: set[str]) -> None:
+        """Draw again what has changed."""
+        self._activity.refresh()
+        if changed & {"options"}:
+            self._show_targets()
+        if changed & {"form"}:
+            self._show_hazards()
+        if changed & {"choice", "listing"}:
+            self._show_chosen()
+        if changed & {"making", "looking", "choice", "listing", "made", "form"}:
+            self._show_head()
+            self._show_log()
+        if changed & {"made", "form", "choice"}:
+            self._results.clear()
+            with self._results:
+                outcome_cards(self._work)
+
+    def _show_targets(self) -> None:
+        target = self._work.options.target or ""
+        kind = "band" if "=" in target else target
+        self._targets.clear()
+        with self._targets:
+            for word, (label, told) in _TARGETS.items():
+                made = node(
+                    "button",
+                    "target",
+                    type="button",
+                    role="radio",
+                    aria_checked="true" if word == kind else "false",
+                )
+                made.classes("on" if word == kind else "")
+                made.on("click", lambda _, word=word: self._aim(word), [])
+                with made:
+                    node("strong", "", label)
+                    node("span", "soft", told)
+        self._band.clear()
+        match = _BAND.fullmatch(target)
+        self._band.set_visibility(match is not None)
+        if match is None:
+            return
+        measure, low, high = match.groups()
+        with self._band:
+            Entry(
+                measure,
+                lambda word: self._set_band(str(word), *_USUAL[str(word)]),
+                label="measure",
+                options=choice([(name, name.upper() if len(name) < 5 else name) for name in BANDS]),
+            )
+            least, most = BANDS[measure]
+            Entry(
+                low,
+                lambda v: self._set_band(measure, v, high),
+                kind="number",
+                label="from",
+                unit=_UNITS[measure],
+                min=least,
+                max=most,
+                step="any",
+            )
+            Entry(
+                high,
+                lambda v: self._set_band(measure, low, v),
+                kind="number",
+                label="to",
+                unit=_UNITS[measure],
+                min=least,
+                max=most,
+                step="any",
+            )
+
+    def _aim(self, word: str) -> None:
+        if word == "band":
+            self._set_band("pet", *_USUAL["pet"])
+        else:
+            self._work.set_options(target=word or None)
+
+    def _set_band(self, measure: str, low: Any, high: Any) -> None:  # noqa: ANN401 - as typed
+        self._work.set_options(target=f"{measure}={float(low):g}..{float(high):g}")
+
+    def _more(self) -> None:
+        work, options = self._work, self._work.options
+        with node("div", "grid"):
+            Entry(
+                options.seed,
+                lambda v: work.set_options(seed=_whole(v, 0)),
+                kind="number",
+                label="seed",
+                min=0,
+                step=1,
+                tip="The same seed gives the same bytes",
+            )
+            Entry(
+                options.solutions,
+                lambda v: work.set_options(solutions=max(1, _whole(v, 1))),
+                kind="number",
+                label="solutions",
+                min=1,
+                max=20,
+                step=1,
+                tip="Different ways to reach the target",
+            )
+            Entry(
+                options.osc.value,
+                lambda v: work.set_options(osc=OscVersion(v)),
+                label="OpenSCENARIO",
+                options=_words(OscVersion),
+            )
+            Entry(
+                options.ego.value,
+                lambda v: work.set_options(ego=EgoMode(v)),
+                label="ego",
+                options=_words(EgoMode),
+                tip="external: your own driver steers the ego",
+            )
+            Entry(
+                options.depth.value,
+                lambda v: work.set_options(depth=CheckDepth(v)),
+                label="checks",
+                options=_words(CheckDepth),
+                tip="full adds the ASAM checkers; none leaves all out",
+            )
+
+    def _show_hazards(self) -> None:
+        functional = self._work.functional
+        self._hazards.set_visibility(functional is not None)
+        if functional is not None:
+            colours = LIGHT.colours((p.id for p in functional.participants), functional.ego.id)
+            self._hazards.show(
+                functional.model_dump(mode="json"),
+                standings(self._work.report),
+                colours,
+                self._work.form_trouble,
+            )
+
+    def _show_chosen(self) -> None:
+        work = self._work
+        self._chosen.clear()
+        if work.listing is None:
+            return
+        with self._chosen:
+            for index in work.picked[:_MOST_TILES]:
+                drawn(tile(work.scenario(index), work.listing.functional)["svg"], "paper small")
+            if len(work.picked) > _MOST_TILES:
+                node("p", "soft", f"and {len(work.picked) - _MOST_TILES} more")
+
+    def _show_head(self) -> None:
+        work = self._work
+        busy = work.busy("making") or work.busy("looking")
+        ready = work.concrete is not None or bool(work.picked)
+        count = len(work.picked)
+        fresh = work.made is not None and bool(work.made.scenarios) and not work.stale
+        self._title.text = (
+            "1 scenario" if count == 1 else f"{count} scenarios" if count else "Given numbers"
+        )
+        self._make.text = "Search again" if fresh else "Search"
+        self._make.props.set_bool("disabled", busy or not ready)
+        self._make.classes(add="secondary" if fresh else "", remove="" if fresh else "secondary")
+        self._watch.set_visibility(fresh and not busy)
+        self._chosen.set_visibility(not fresh or busy)
+        self._results.set_visibility(not busy)
+
+    def _show_log(self) -> None:
+        job = self._work.under_way.get("making")
+        self._steps.clear()
+        if job is None or not job.under_way:
+            return
+        with self._steps:
+            for step in told_once(job.steps)[-_MOST_STEPS:]:
+                with node("li", ""):
+                    node("span", "log-time", f"{step.after_s:5.1f} s")
+                    node("span", "", step.text)
+
+
+def told_once(steps: Sequence[Step]) -> list[Step]:
+    """Of steps that follow one another and differ in numbers alone, the last."""
+    kept: list[Step] = []
+    for step in steps:
+        alike = kept and _NUMBERS.sub("", kept[-1].text) == _NUMBERS.sub("", step.text)
+        kept[-1:] = [step] if alike else [*kept[-1:], step]
+    return kept
+
+
+def _words(words: Any) -> list[dict[str, str]]:  # noqa: ANN401 - an enumeration
+    return choice([(word.value, word.value) for word in words])
+
+
+def _whole(value: Any, otherwise: int) -> int:  # noqa: ANN401 - as typed
+    return int(value) if isinstance(value, int | float) and value >= 0 else otherwise

@@ -1,0 +1,243 @@
+"""Step 1: the description, what was understood, and the form to correct it."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from scegen.report.theme import LIGHT
+from scegen.understanding import MAX_CHARACTERS, Finding, Standing, stretches
+from scegen.web.elements import Description, Form, button, drawn, node
+from scegen.web.form import form_spec, standings
+from scegen.web.pictures import tile
+from scegen.web.steps.models import model_line
+from scegen.web.steps.opening import entry_row
+from scegen.web.steps.step import Activity, Go
+from scegen.web.work import Work, by_richness
+
+_SECTIONS = (
+    "participants",
+    "acts",
+    "spacings",
+    "hazards",
+    "outcome",
+    "objects",
+    "junction",
+    "environment",
+    "relations",
+    "groups",
+)
+EXAMPLES = {
+    "Left turn": "The ego turns left at a four-way intersection while an oncoming truck goes "
+    "straight and a pedestrian crosses the road it turns into.",
+    "Hard braking": "The ego follows a car at 100 km/h with a headway of 1.5 s. The car brakes "
+    "with 5 m/s2 to 40 km/h.",
+    "Hidden child": "A child runs out from behind a parked van, 15 m ahead of the ego, which "
+    "drives 50 km/h.",
+    "Red light": "At a four-way intersection with traffic lights, a van from the right runs the "
+    "red light as the ego goes straight at 50 km/h.",
+    "Every way": "Four cars meet at an uncontrolled four-way intersection.",
+}
+_PROMISE = (
+    "One sentence becomes every distinct traffic scenario that it can mean, and moving traffic in "
+    "OpenDRIVE and OpenSCENARIO, in which every statement of it is checked."
+)
+_RECENT = 4
+_MEANINGS = {
+    Standing.UNDERSTOOD: "said in the text",
+    Standing.INFERRED: "concluded from the text",
+    Standing.ASSUMED: "not said: a default",
+    Standing.CONTRADICTED: "said in two ways",
+    Standing.UNSUPPORTED: "matters, but cannot be expressed",
+}
+
+
+class Describe:
+    """The text on the left, the form in the middle, the plan on the right."""
+
+    def __init__(self, work: Work, go: Go) -> None:
+        self._work, self._go = work, go
+        self._spec = form_spec()
+
+    def build(self) -> None:
+        """Make the elements."""
+        self._whole = node("div", "describe")
+        with self._whole:
+            with node("section", "pane words", aria_label="Description"):
+                node("h1", "", "Describe a driving situation")
+                node("p", "promise", _PROMISE)
+                self._text = Description(
+                    longest=MAX_CHARACTERS,
+                    placeholder="In plain English: who drives where, what happens, how fast.",
+                )
+                self._text.when(draft=self._draft, submit=self._work.understand)
+                with node("div", "row"):
+                    self._button = node("button", "button primary", "Understand", type="button")
+                    self._button.on(
+                        "click", js_handler=f"() => getElement({self._text.id}).submit()"
+                    )
+                    node("span", "hint", "Ctrl + Enter")
+                self._activity = Activity(self._work, "understanding", "opening", "looking")
+                self._examples = node("div", "examples-list")
+                self._recent = node("div", "recent")
+                self._found = node("div", "found")
+                model_line(self._work)
+            with node("section", "pane fields", aria_label="What was understood"):
+                self._form = Form(self._spec, _SECTIONS)
+                self._form.when(
+                    edit=self._work.edit, forget=self._work.forget, confirm=self._work.confirm
+                )
+                self._wrong = node("div", "problem", role="alert")
+            with node("section", "pane plan", aria_label="Plan"):
+                self._plan = node("div", "plan-box")
+        self._build_examples()
+        self._show_all()
+
+    def refresh(self, changed: set[str]) -> None:
+        """Draw again what has changed."""
+        self._activity.refresh()
+        if changed & {"text", "form"}:
+            self._show_all()
+        elif changed & {"listing", "choice"}:
+            self._show_plan()
+
+    def _draft(self, text: str) -> None:
+        self._work.draft = text[:MAX_CHARACTERS]
+
+    def _build_examples(self) -> None:
+        with self._examples:
+            for name, text in EXAMPLES.items():
+                example = node("button", "tag example", type="button", data_tip=text)
+                with example:
+                    node("strong", "", name)
+                    node("span", "", text)
+                example.on(
+                    "click",
+                    js_handler=f"() => getElement({self._text.id}).put({json.dumps(text)})",
+                )
+        entries = self._work.project.entries()[:_RECENT]
+        if entries:
+            with self._recent:
+                node("h2", "", "Go on with")
+                for entry in entries:
+                    entry_row(entry, self._work.open)
+
+    def _show_all(self) -> None:
+        work = self._work
+        self._text.show(work.draft, _spans(work))
+        blank = work.functional is None and work.report is None
+        self._whole.classes(add="blank" if blank else "", remove="" if blank else "blank")
+        self._button.classes(
+            add="" if work.functional is None else "secondary",
+            remove="secondary" if work.functional is None else "",
+        )
+        self._show_found()
+        functional = work.functional
+        self._form.set_visibility(functional is not None)
+        self._wrong.set_visibility(work.form_trouble is not None)
+        self._wrong.text = work.form_trouble or ""
+        if functional is not None:
+            colours = LIGHT.colours((p.id for p in functional.participants), functional.ego.id)
+            self._form.show(
+                functional.model_dump(mode="json"),
+                standings(work.report),
+                colours,
+                work.form_trouble,
+            )
+        self._show_plan()
+
+    def _show_found(self) -> None:
+        """Counts by standing, then what needs a look: assumptions, contradictions, the rest."""
+        self._found.clear()
+        report, understood = self._work.report, self._work.understood
+        if report is None:
+            return
+        with self._found:
+            if understood is not None and understood.trouble is not None:
+                node("div", "problem", understood.trouble, role="alert")
+            with node("ul", "legend"):
+                for standing in Standing:
+                    count = len(report.of(standing))
+                    if count:
+                        with node("li", "", data_tip=_MEANINGS[standing]):
+                            node("span", f"dot {standing}")
+                            node("span", "", f"{count} {standing}")
+            for standing in (Standing.CONTRADICTED, Standing.UNSUPPORTED):
+                for finding in report.of(standing):
+                    with node("div", "remark"):
+                        node("span", f"dot {standing}")
+                        words = f"“{finding.words}” " if finding.words else ""
+                        node("span", "", f"{words}{finding.reason or standing}")
+            assumed = report.of(Standing.ASSUMED)
+            if assumed:
+                with node("details", "assumptions", open=True):
+                    node("summary", "", f"{len(assumed)} assumptions")
+                    for finding in assumed:
+                        self._assumption(finding)
+            for note in understood.notes if understood else ():
+                node("p", "note", note)
+
+    def _assumption(self, finding: Finding) -> None:
+        with node("div", "remark"):
+            path = finding.field or ""
+            button(
+                "✓",
+                lambda: self._work.confirm(path),
+                "small round",
+                aria_label=f"Confirm {path}",
+                data_tip="Right so: it counts as meant",
+            )
+            value = f" = {finding.value}" if finding.value else ""
+            node("span", "", f"{path.replace('_', ' ').replace('.', ' › ')}{value}")
+            node("span", "soft", finding.reason or "")
+
+    def _show_plan(self) -> None:
+        work = self._work
+        self._plan.clear()
+        listing = work.listing
+        with self._plan:
+            if listing is None or work.functional is None:
+                node("p", "empty", "Here the junction appears, with everybody's way.")
+                return
+            trouble = work.trouble("listing")
+            if trouble is not None:
+                node("div", "problem", f"{trouble.message} {trouble.hint or ''}", role="alert")
+                return
+            richest = work.picked[:1] or by_richness(work)[:1]
+            if richest:
+                drawn(tile(work.scenario(richest[0]), listing.functional)["svg"], "paper")
+            certificate = listing.certificate
+            if certificate is None:
+                node("p", "empty", "counting …")
+                return
+            with node("div", "tally"):
+                node("span", "number", f"{certificate.count:,}")
+                node(
+                    "span",
+                    "",
+                    "distinct scenario" if certificate.count == 1 else "distinct scenarios",
+                )
+            node("p", "soft", f"of {certificate.total:,} assignments")
+            button("See them all", lambda: self._go("choose"), "primary wide")
+
+
+def _spans(work: Work) -> list[dict[str, Any]]:
+    """The description cut where its standing changes."""
+    if work.report is None or work.report.text != work.draft:
+        return []
+    return [
+        {
+            "text": work.report.text[s.start : s.end],
+            "kind": s.standing.value if s.standing else "",
+            "fields": [f.field for f in s.findings if f.field],
+            "tip": "\n".join(dict.fromkeys(_told(f) for f in s.findings)),
+        }
+        for s in stretches(work.report)
+    ]
+
+
+def _told(finding: Finding) -> str:
+    """What came of words, in a line."""
+    field = (finding.field or "").replace("_", " ").replace(".", " › ")
+    value = f"{field} = {finding.value}" if finding.value else field
+    return ": ".join(part for part in (finding.standing, value, finding.reason or "") if part)

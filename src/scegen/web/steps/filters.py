@@ -1,0 +1,125 @@
+"""Filters as chips: each writes a part of the expression that ``--where`` takes too."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+
+from scegen.scenario.logical import Drive, LogicalScenario
+from scegen.web.elements import Element, Entry, node
+from scegen.web.work import Listing, Work
+
+
+@dataclass(frozen=True, slots=True)
+class Facet:
+    """A group of values of which any may hold.
+
+    ``test`` makes the condition of several values at once; ``found`` counts the scenarios of each.
+    """
+
+    label: str
+    values: tuple[str, ...]
+    terms: tuple[str, ...]
+    found: tuple[int, ...]
+
+
+class Filters:
+    """The facets of one listing and the expression that they add up to."""
+
+    def __init__(self, work: Work, listing: Listing, facets: Element, expression: Element) -> None:
+        self._work = work
+        self._facets = facets_of(listing)
+        self._on: set[tuple[str, str]] = set()
+        self._chips: dict[tuple[str, str], Element] = {}
+        with facets:
+            for facet in self._facets:
+                self._build(facet)
+        with expression:
+            self._entry = Entry(
+                work.where,
+                self._typed,
+                label="where",
+                hint="conflicts(crossing) >= 2",
+                wide=True,
+                tip="Any expression of --where; the chips above write it",
+            )
+            self._trouble = node("div", "problem", role="alert")
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Show the expression and what is wrong with it."""
+        self._entry.props["value"] = self._work.where
+        self._entry.props["wrong"] = self._work.where_trouble is not None
+        self._trouble.set_visibility(self._work.where_trouble is not None)
+        self._trouble.text = self._work.where_trouble or ""
+
+    def _build(self, facet: Facet) -> None:
+        with node("div", "facet"):
+            node("span", "facet-label", facet.label)
+            with node("span", "chips"):
+                for value, term, count in zip(facet.values, facet.terms, facet.found, strict=True):
+                    key = (facet.label, term)
+                    chip = node("button", "tag", type="button", aria_pressed="false")
+                    with chip:
+                        node("span", "", value)
+                        node("span", "tag-count", f"{count}")
+                    chip.on("click", lambda _, key=key: self._toggle(key), [])
+                    self._chips[key] = chip
+
+    def _toggle(self, key: tuple[str, str]) -> None:
+        self._on ^= {key}
+        self._mark()
+        self._work.filter(self._written())
+
+    def _typed(self, text: str) -> None:
+        """An expression of one's own takes the place of the chips."""
+        self._on.clear()
+        self._mark()
+        self._work.filter(str(text or ""))
+
+    def _mark(self) -> None:
+        for key, chip in self._chips.items():
+            on = key in self._on
+            chip.classes(add="on" if on else "", remove="" if on else "on")
+            chip.props["aria-pressed"] = "true" if on else "false"
+
+    def _written(self) -> str:
+        parts = []
+        for facet in self._facets:
+            chosen = [t for t in facet.terms if (facet.label, t) in self._on]
+            if chosen:
+                either = " or ".join(chosen)
+                parts.append(f"({either})" if len(chosen) > 1 else either)
+        return " and ".join(parts)
+
+
+def facets_of(listing: Listing) -> list[Facet]:
+    """What the scenarios of a listing differ in: turns, meetings, and who gives way."""
+    functional, scenarios = listing.functional, listing.scenarios
+    names = [p.id for p in functional.participants]
+    facets = [_turns(name, scenarios) for name in names]
+    kinds: Counter[str] = Counter()
+    yielding: Counter[str] = Counter()
+    for scenario in scenarios:
+        kinds.update({c.kind.value for c in scenario.conflicts})
+        yielding.update({c.yields for c in scenario.conflicts if c.yields})
+    facets.append(_facet("conflicts", {k: f"conflicts({k}) >= 1" for k in sorted(kinds)}, kinds))
+    facets.append(_facet("gives way", {n: f"yields({n})" for n in names if yielding[n]}, yielding))
+    stuck = sum(bool(s.deadlock) for s in scenarios)
+    facets.append(_facet("deadlock", {"possible": "deadlock"}, Counter({"possible": stuck})))
+    every = len(scenarios)
+    return [f for f in facets if len(f.values) > 1 or 0 < sum(f.found) < every]
+
+
+def _turns(name: str, scenarios: list[LogicalScenario]) -> Facet:
+    found: Counter[str] = Counter()
+    for scenario in scenarios:
+        assignment = scenario.assignment(name)
+        if isinstance(assignment, Drive):
+            found[assignment.turn.value] += 1
+    return _facet(name, {turn: f"{name}.turn == {turn}" for turn in sorted(found)}, found)
+
+
+def _facet(label: str, terms: dict[str, str], found: Counter[str]) -> Facet:
+    values = tuple(value.replace("_", " ") for value in terms)
+    return Facet(label, values, tuple(terms.values()), tuple(found[value] for value in terms))

@@ -1,0 +1,96 @@
+"""What the search made of each scenario: before and after, what was said, the verdict."""
+
+from __future__ import annotations
+
+from scegen.report.judgement import verdict_words
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.proof import Proof
+from scegen.web.elements import drawn, node
+from scegen.web.made import MadeScenario
+from scegen.web.pictures import tile
+from scegen.web.work import Work
+
+_MARKS = {"passed": "held", "failed": "failed", "not_run": "open"}
+
+
+def outcome_cards(work: Work) -> None:
+    """A card for each scenario that was made, and a line for each that was passed over."""
+    if work.made is None:
+        return
+    if work.stale:
+        node("p", "note", "Made before your last change; search again to make it anew.")
+    for made in work.made.scenarios:
+        outcome_card(made, work.made.functional)
+    for name, reason in work.made.skipped.items():
+        with node("div", "remark"):
+            node("span", "dot open")
+            node("span", "", f"{name}: {reason}")
+
+
+def outcome_card(made: MadeScenario, functional: FunctionalScenario | None) -> None:
+    """One scenario: whether it is what was asked for, in figures."""
+    with node("article", "card"):
+        with node("h3", ""):
+            node("span", f"dot {'held' if made.ok else 'failed'}")
+            node("span", "", made.name)
+        with node("div", "card-body"):
+            if functional is not None:
+                drawn(tile(made.concrete.logical, functional)["svg"], "paper")
+            with node("div", ""):
+                _figures(made)
+
+
+def _figures(made: MadeScenario) -> None:
+    if made.proof is not None:
+        _proof(made.proof)
+    if made.verdict is not None:
+        node("p", "verdict", verdict_words(made.verdict))
+    with node("ul", "chips checks", aria_label="Checks"):
+        for checker, status in made.summary.get("checks", {}).items():
+            node(
+                "li", f"check {_MARKS.get(status, 'open')}", f"{checker} {status.replace('_', ' ')}"
+            )
+
+
+def _proof(proof: Proof) -> None:
+    measure = proof.of(proof.measure)
+    pair = " and ".join(proof.pair)
+    with node("p", "headline"):
+        reached = proof.in_band
+        node(
+            "span",
+            f"check {'held' if reached else 'failed'}",
+            proof.target if reached else f"{proof.target} not reached",
+        )
+        if pair:
+            node("span", "", pair)
+    if measure is not None:
+        with node("div", "before-after"):
+            node("span", "measure", measure.name.upper() if len(measure.name) < 5 else measure.name)
+            node("span", "number", _value(measure.before))
+            node("span", "arrow", "→", aria_label="becomes")
+            node("span", "number", _value(measure.after))
+            node("span", "unit", measure.unit)
+    if proof.blocked_by and not proof.in_band:
+        node("p", "note", proof.blocked_by)
+    if proof.hazards:
+        with node("ul", "chips", aria_label="Dangers"):
+            for hazard in proof.hazards:
+                state = "held" if hazard.happened else "failed"
+                when = f" at {hazard.time_s:.1f} s" if hazard.time_s is not None else ""
+                kind = hazard.kind.replace("_", " ")
+                node(
+                    "li", f"check {state}", kind + (when if hazard.happened else " does not happen")
+                )
+    hold = len(proof.claims) - len(proof.missed)
+    if proof.claims:
+        node("p", "", f"{hold} of {len(proof.claims)} statements hold")
+    for claim in proof.missed:
+        with node("div", "remark"):
+            node("span", "dot failed")
+            words = f" (“{claim.words}”)" if claim.words else ""
+            node("span", "", f"{claim.statement}{words}: {claim.found}")
+
+
+def _value(value: float | None) -> str:
+    return "–" if value is None else f"{value:.2f}"

@@ -1,0 +1,67 @@
+"""What every step of the page is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Protocol
+
+from scegen.web.elements import button, node
+from scegen.web.jobs import JobState, Trouble
+from scegen.web.work import Work
+
+Go = Callable[[str], None]
+"""Shows another step, by name."""
+
+
+class StepView(Protocol):
+    """A step while it is shown."""
+
+    def build(self) -> None:
+        """Make its elements in the present slot."""
+
+    def refresh(self, changed: set[str]) -> None:
+        """Draw again what has changed, by the parts of the work's revision."""
+
+
+class Activity:
+    """A line that says what is being done, how long it has taken, and lets it be cancelled.
+
+    Args:
+        work: whose jobs it tells of.
+        kinds: of the jobs, the one to be told first comes first.
+    """
+
+    def __init__(self, work: Work, *kinds: str) -> None:
+        self._work, self._kinds = work, kinds
+        self._line = node("div", "activity", role="status", aria_live="polite")
+        with self._line:
+            node("span", "spinner")
+            self._text = node("span", "activity-text")
+            button("Cancel", self._cancel, "small")
+        self._problem = node("div", "problem", role="alert")
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Say what is under way now."""
+        jobs = [self._work.under_way.get(kind) for kind in self._kinds]
+        job = next((job for job in jobs if job is not None and job.under_way), None)
+        self._line.set_visibility(job is not None)
+        if job is not None:
+            step = job.steps[-1].text if job.steps else "waiting"
+            waiting = job.state is JobState.WAITING
+            said = "waiting for its turn" if waiting else step
+            self._text.text = f"{said} · {job.seconds:.0f} s"
+        troubles = [self._work.trouble(kind) for kind in self._kinds]
+        self.complain(next((trouble for trouble in troubles if trouble is not None), None))
+
+    def complain(self, trouble: Trouble | None) -> None:
+        """Show why something failed, or nothing."""
+        self._problem.set_visibility(trouble is not None)
+        if trouble is not None:
+            where = f"{trouble.where}: " if trouble.where else ""
+            hint = f" {trouble.hint}" if trouble.hint else ""
+            self._problem.text = f"{where}{trouble.message}{hint}"
+
+    def _cancel(self) -> None:
+        self._work.cancel(*self._kinds)
+        self.refresh()

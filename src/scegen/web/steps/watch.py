@@ -1,0 +1,52 @@
+"""Step 4: the scenario as it moves, and what the ego's driver sees."""
+
+from __future__ import annotations
+
+from urllib.parse import quote
+
+from scegen.report.player.bundle import ENTRY
+from scegen.web.elements import Cinema, button, node
+from scegen.web.steps.step import Activity, Go
+from scegen.web.work import Work
+
+
+class Watch:
+    """The player of the scenario that is chosen among those made."""
+
+    def __init__(self, work: Work, go: Go) -> None:
+        self._work, self._go = work, go
+
+    def build(self) -> None:
+        """Make the elements."""
+        with node("div", "watch"):
+            with node("div", "lead"):
+                self._tabs = node("div", "tabs", role="tablist", aria_label="Scenarios")
+                button("Take away", lambda: self._go("take"), "primary")
+            self._activity = Activity(self._work, "making", "looking", "opening", "filming")
+            self._cinema = Cinema(f"/player/{ENTRY}")
+        self.refresh({"made", "watched"})
+
+    def refresh(self, changed: set[str]) -> None:
+        """Draw again what has changed."""
+        self._activity.refresh()
+        if not changed & {"made", "watched"}:
+            return
+        work = self._work
+        self._tabs.clear()
+        with self._tabs:
+            for made in work.made.scenarios if work.made else ():
+                here = made.name == work.watched
+                tab = node(
+                    "button",
+                    "tag on" if here else "tag",
+                    type="button",
+                    role="tab",
+                    aria_selected="true" if here else "false",
+                )
+                tab.on("click", lambda _, name=made.name: work.watch(name), [])
+                with tab:
+                    node("span", f"dot {'held' if made.ok else 'failed'}")
+                    node("span", "", made.name)
+        ready = work.watched if work.watched in work.films else None
+        source = f"/film?name={quote(ready)}&edition={work.revision['made']}" if ready else ""
+        self._cinema.show(source)

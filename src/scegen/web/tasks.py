@@ -1,0 +1,169 @@
+"""The long work of the page, each a function that runs in a process of its own.
+
+They call what the command line calls, with the same arguments.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from scegen.enumeration import LIST_LIMIT, open_listing
+from scegen.enumeration.choosing.covering import smallest_cover
+from scegen.enumeration.choosing.sampling import diverse_sample
+from scegen.errors import InfeasibleError
+from scegen.llm import LlmSettings, Session
+from scegen.pipeline.generate import generate
+from scegen.pipeline.options import Options
+from scegen.pipeline.place import scenario_file
+from scegen.pipeline.playing import has_screen, play
+from scegen.pipeline.rendering import rendered
+from scegen.pipeline.source import Source
+from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.logical import LogicalScenario, LogicalSet
+from scegen.scenario.vocabulary import ArmsMode, Reduction
+from scegen.understanding import ParseReport, read, report_on, report_on_contradiction
+from scegen.understanding.agents import understand_in
+from scegen.web.filming import film
+from scegen.web.jobs import Teller
+from scegen.web.made import Made, MadeScenario, read_made
+from scegen.web.uploads import read_upload
+
+_PART = 40
+"""So many scenarios are handed over at once while they are listed."""
+
+
+@dataclass(frozen=True, slots=True)
+class Understood:
+    """A description, understood, with what became of its words.
+
+    ``functional`` is None where the text contradicts itself; ``trouble`` says how. ``speaker`` is
+    who understood it, ``notes`` what is to be said about that, ``cost`` what it took.
+    """
+
+    report: ParseReport
+    functional: FunctionalScenario | None
+    trouble: str | None = None
+    speaker: str = "offline reader"
+    notes: tuple[str, ...] = ()
+    cost: str | None = None
+    cost_usd: float = 0.0
+
+
+def understand(text: str, models: LlmSettings | None, tell: Teller) -> Understood:
+    """Read a description; by language models if there are settings for them."""
+    tell.progress("understanding")
+    try:
+        if models is None:
+            functional = read(text)
+            return Understood(report_on(functional), functional)
+        session = Session(models)
+        heard = understand_in(session, text, tell.progress)
+    except InfeasibleError as error:
+        return Understood(report_on_contradiction(text, error), None, error.render())
+    notes = [fault.in_words() for fault in heard.faults]
+    notes += [f"{o.about}: {o.problem}" for o in heard.objections]
+    return Understood(
+        report_on(heard.functional, heard.disagreements),
+        heard.functional,
+        None,
+        heard.speaker,
+        (*notes, *heard.notes),
+        heard.usage.in_words(),
+        heard.usage.cost_usd,
+    )
+
+
+def enumerate_all(
+    functional: FunctionalScenario, reduction: Reduction, arms: ArmsMode, tell: Teller
+) -> LogicalSet:
+    """List all logical scenarios, handing them over as they are found; the set comes without."""
+    tell.progress("enumerating")
+    listing = open_listing(functional, reduction=reduction, arms=arms, limit=LIST_LIMIT)
+    tell.part(listing.certificate())
+    scenarios: list[LogicalScenario] = []
+    for scenario in listing:
+        scenarios.append(scenario)
+        if len(scenarios) == _PART:
+            tell.part(tuple(scenarios))
+            scenarios.clear()
+    tell.part(tuple(scenarios))
+    return LogicalSet(
+        functional=functional,
+        reduction=reduction,
+        arms=arms,
+        certificate=listing.certificate(),
+        notes=listing.notes,
+        scenarios=(),
+    )
+
+
+def cover(
+    scenarios: tuple[LogicalScenario, ...], functional: FunctionalScenario, tell: Teller
+) -> tuple[tuple[int, ...], str]:
+    """The fewest scenarios that hold every meeting, by number, and whether no fewer do."""
+    tell.progress("choosing the fewest that cover every meeting")
+    found = smallest_cover(scenarios, functional)
+    proof = "no fewer do" if found.proved else "fewer may do"
+    note = f"{len(found.scenarios)} scenarios cover every meeting; {proof}"
+    return tuple(s.index for s in found.scenarios), note
+
+
+def sample(
+    scenarios: tuple[LogicalScenario, ...],
+    functional: FunctionalScenario,
+    size: int,
+    tell: Teller,
+) -> tuple[tuple[int, ...], str]:
+    """So many scenarios that differ as much as possible, by number."""
+    tell.progress("choosing scenarios that differ")
+    found = diverse_sample(scenarios, functional, size)
+    return tuple(s.index for s in found), f"{len(found)} scenarios, as far apart as possible"
+
+
+def make(source: Source, folder: Path, options: Options, tell: Teller) -> bool:
+    """All stages after the choice, into the folder; whether all that was asked for holds."""
+    return generate(source, folder, options, tell.progress).ok
+
+
+def look(folder: Path, tell: Teller) -> Made:
+    """Read what lies in a folder of the project."""
+    tell.progress(f"reading {folder.name}")
+    return read_made(folder)
+
+
+def film_one(made: MadeScenario, functional: FunctionalScenario | None, tell: Teller) -> bytes:
+    """What the player plays of one scenario."""
+    tell.progress("drawing the movement")
+    return film(made, functional)
+
+
+def render_one(concrete: ConcreteScenario, ending: str, tell: Teller) -> bytes:
+    """A scenario as a moving picture."""
+    return rendered(concrete, ending, watch=lambda numbers: _counted(list(numbers), tell))
+
+
+def _counted(numbers: list[int], tell: Teller) -> Iterator[int]:
+    for done, number in enumerate(numbers):
+        tell.progress(f"drawing picture {done + 1} of {len(numbers)}")
+        yield number
+
+
+def play_one(folder: Path, name: str, tell: Teller) -> int:
+    """Play a scenario in esmini, in a window where there is a screen; its exit code."""
+    tell.progress("playing in esmini" if has_screen() else "playing in esmini, without a screen")
+    file = scenario_file(folder, "scenario.xosc", name)
+    return play(file, window=has_screen()).returncode
+
+
+def take_in(name: str, content: bytes, tell: Teller) -> Source | str:
+    """Read a file from the browser."""
+    tell.progress(f"reading {name[-80:]}")
+    return read_upload(name, content)
+
+
+def warm(tell: Teller) -> None:
+    """Nothing: who asks for it first has everything loaded."""
+    tell.progress("ready")
