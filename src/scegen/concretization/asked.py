@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import LogicalScenario
@@ -62,3 +64,8 @@ def contact_wanted(functional: FunctionalScenario, first: str, second: str) -> b
     if outcome.between:
         return {first, second} == {*outcome.between}
     return functional.ego.id in {first, second}
+
+
+def slug_name(logical: LogicalScenario) -> str:
+    """The name of a scenario: number and slug of the logical one."""
+    return re.sub(r"[^A-Za-z0-9_-]", "-", f"{logical.index:03d}-{logical.slug}")[:100]
