@@ -12,7 +12,7 @@ from scegen.scenario.vocabulary import HazardKind, Side
 
 _HAZARDS_OF = {
     ActKind.BRAKE: (HazardKind.HARD_BRAKING, HazardKind.STOPPING, HazardKind.LOSS_OF_CONTROL),
-    ActKind.STOP: (HazardKind.STOPPING, HazardKind.HARD_BRAKING),
+    ActKind.STOP: (HazardKind.HARD_BRAKING, HazardKind.STOPPING),
     ActKind.ACCELERATE: (HazardKind.SUDDEN_ACCELERATION,),
     ActKind.CHANGE_LANE: (
         HazardKind.CUT_IN,

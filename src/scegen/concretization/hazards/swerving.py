@@ -26,7 +26,7 @@ from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, Side
 
 _STAYS_M = 1.0
-_IN_LANE_M = 0.8
+_IN_LANE_M, _IN_LANE_S = 0.85, 0.75
 
 
 def swerve(scene: Scene, draft: DriveDraft, hazard: Hazard) -> list[Meeting]:
@@ -41,12 +41,13 @@ def swerve(scene: Scene, draft: DriveDraft, hazard: Hazard) -> list[Meeting]:
     beside = sufferer_beside(scene, hazard, draft)
     width = act.lateral_m.middle if act is not None and act.lateral_m is not None else 0.0
     aside = draft.entry_lane
+    usual = max(8.0 / draft.cruise_mps, ABRUPT_LANE_CHANGE_S)
     if not width and act is not None and act.side is not None:
         outward = act.side.value == scene.functional.junction.driving_side.value
         aside += 1 if outward else -1
         if aside > lanes_in(scene, draft):
             # Towards the kerb, where there is no lane: as far as its own one lets it.
-            aside, width = draft.entry_lane, _IN_LANE_M
+            aside, width, usual = draft.entry_lane, _IN_LANE_M, _IN_LANE_S
     elif not width and beside is not None:
         aside = beside.entry_lane
     elif not width and meet_at_centre_line(scene, hazard, draft):
@@ -55,7 +56,6 @@ def swerve(scene: Scene, draft: DriveDraft, hazard: Hazard) -> list[Meeting]:
         ring = scene.road.kind is JunctionKind.ROUNDABOUT
         aside = neighbour_lane(scene, draft, oncoming=not ring)
     offset = width if act is not None and act.side is Side.LEFT else -width
-    usual = max(8.0 / draft.cruise_mps, ABRUPT_LANE_CHANGE_S)
     lasts = usual if act is None else lasting_s(act, width or LANE_WIDTH_M, usual)
     length = lasts * draft.cruise_mps
     out = stray(scene, draft, aside, length, _STAYS_M, hazard.kind, offset_m=offset)
