@@ -177,9 +177,8 @@ def _raised(
     if not isinstance(source, ConcreteScenario):  # a source is of one of the three levels
         raise InputError("has no logical scenarios")
     seed, solutions = options.seed, options.solutions
-    if origin.functional is not None and options.target is None:
-        goal = origin.target or chosen_target(options, origin.functional, numbers_given=False)
-        return prove_all(origin.functional, [source], goal)
+    if origin.functional and origin.target and options.target is None:
+        return prove_all(origin.functional, [source], origin.target)
     return raise_all(
         origin.functional, [source], target, seed, progress, session, solutions=solutions
     )
