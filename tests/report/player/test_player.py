@@ -181,7 +181,8 @@ def test_a_straight_road_fills_the_picture(open_page):
 
 
 def test_an_ego_alone_is_played_as_well(open_page):
-    only = concrete(objects=[], hazards=[], participants=concrete().model_dump(mode="json")["participants"][:1])
+    people = concrete().model_dump(mode="json")["participants"][:1]
+    only = concrete(objects=[], hazards=[], participants=people)
     page = open_page(document(scene(only, proof=None)[0]))
     page.evaluate("player.play()")
     page.wait_for_function("player.time > 0.2")

@@ -178,7 +178,7 @@ export class Stage {
     for (const one of everybody) {
       const middle = recording.middle(one.id, time);
       const [x, y] = camera.toScreen(middle.x, middle.y);
-      if (x < -40 || y < -40 || x > camera.width + 40 || y > camera.height + 40) continue;
+      if (x < 0 || y < 0 || x > camera.width || y > camera.height) continue;
       const corners = recording.corners(one.id, time).map(([u, v]) => camera.toScreen(u, v));
       const xs = corners.map((c) => c[0]), ys = corners.map((c) => c[1]);
       taken.push([Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)]);
@@ -199,7 +199,7 @@ export class Stage {
         context.lineWidth = 1;
         context.beginPath();
         context.moveTo(...anchor);
-        context.lineTo(left + (anchor[0] > left ? context.measureText(text).width : 0), top + 7);
+        context.lineTo(Math.min(Math.max(anchor[0], left), left + context.measureText(text).width), anchor[1] > top ? top + 15 : top);
         context.stroke();
       }
       context.strokeStyle = shared.paint("--halo");
