@@ -65,11 +65,11 @@ def test_editing_changes_what_is_enumerated_and_made(server, visit, tmp_path):
     form = visitor.page.locator(".s-participants")
     form.get_by_role("button", name="add").click()
     visitor.page.wait_for_function(
-        f"() => +document.querySelector('.plan .tally .number')?.textContent > {before}"
+        f"() => +document.querySelector('.plan .tally .figure')?.textContent > {before}"
     )
     form.get_by_role("button", name="Remove").last.click()
     visitor.page.wait_for_function(
-        f"() => +document.querySelector('.plan .tally .number')?.textContent === {before}"
+        f"() => +document.querySelector('.plan .tally .figure')?.textContent === {before}"
     )
     speed = form.get_by_role("spinbutton", name="speed").first
     speed.fill("36")

@@ -82,7 +82,7 @@ def make_stage(
         concrete,
         paths,
         traces,
-        Surroundings(network, concrete.road, concrete.objects, theme),
+        Surroundings(concrete, network, theme),
         theme.colours((p.id for p in concrete.participants), concrete.ego.id),
         theme,
     )

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from scegen.errors import InputError
-from scegen.pipeline.folder import SUMMARY_FILE, digest
+from scegen.pipeline.folder import SUMMARY_FILE, digest, made_files
 
 FUNCTIONAL_FILE = "functional.yaml"
 _WORDS_IN_NAME = 5
@@ -107,15 +107,6 @@ def changed_outside(folder: Path, kept: str | None) -> bool:
         if made.get(name) != digest(path.read_bytes()):
             return True
     return False
-
-
-def made_files(folder: Path) -> dict[str, str]:
-    """The files that ``scegen generate`` made there, with their digests; none if it did not."""
-    try:
-        summary = json.loads((folder / SUMMARY_FILE).read_text(encoding="utf-8"))
-        return {str(name): str(value) for name, value in summary["files"].items()}
-    except (OSError, ValueError, KeyError, AttributeError, RecursionError):
-        return {}
 
 
 def zipped(folder: Path, readme: str) -> bytes:

@@ -20,6 +20,7 @@ from scegen.web import tasks
 from scegen.web.deliveries import deliver
 from scegen.web.guard import LOOPBACK, Guard
 from scegen.web.jobs import Jobs
+from scegen.web.models import Models
 from scegen.web.page import Page
 from scegen.web.project import Project
 from scegen.web.sessions import Sessions
@@ -99,7 +100,8 @@ def serve(
 
 def build(project: Project, jobs: Jobs, models: LlmSettings | None) -> FastAPI:
     """The application without its guard; once in a process."""
-    sessions = Sessions(lambda: Work(project, jobs, models))
+    shared = None if models is None else Models(models)
+    sessions = Sessions(lambda: Work(project, jobs, shared))
     application = FastAPI(docs_url=None, redoc_url=None, openapi_url=None)
 
     @ui.page("/", title=TITLE)

@@ -16,7 +16,6 @@ from typing import Any
 from scegen.enumeration.choosing.ranking import richest_first
 from scegen.enumeration.choosing.where import where as where_test
 from scegen.errors import InputError, ScegenError
-from scegen.llm import LlmSettings
 from scegen.pipeline.folder import digest
 from scegen.pipeline.options import Options
 from scegen.pipeline.picking import pick
@@ -29,6 +28,7 @@ from scegen.understanding import ParseReport, report_on
 from scegen.web import tasks
 from scegen.web.jobs import Job, Jobs, JobState, Task, Trouble
 from scegen.web.made import Made, MadeScenario
+from scegen.web.models import Models
 from scegen.web.project import FUNCTIONAL_FILE, Project, changed_outside, keep
 from scegen.web.provenance import carried_over, confirmed, without
 
@@ -66,7 +66,7 @@ class Work:
     again: ``text``, ``form``, ``listing``, ``choice``, ``making``, ``made``, ``step``.
     """
 
-    def __init__(self, project: Project, jobs: Jobs, models: LlmSettings | None) -> None:
+    def __init__(self, project: Project, jobs: Jobs, models: Models | None) -> None:
         self.project, self.jobs, self.models = project, jobs, models
         self.revision: Counter[str] = Counter()
         self.step = "describe"
@@ -94,7 +94,6 @@ class Work:
         self.films: dict[str, bytes] = {}
         self.pictures: dict[str, bytes] = {}
         self.played: int | None = None
-        self.cost_usd = 0.0
         self.under_way: dict[str, Job] = {}
         self._loop = asyncio.get_running_loop()
         self._listeners: list[Callable[[], None]] = []
@@ -105,7 +104,8 @@ class Work:
         """Read a description anew; what was corrected by hand is read over."""
         self.draft = text
         self.cancel("listing", "choosing", "making")
-        self._begin("understanding", self._understood, tasks.understand, text, self.models)
+        models = self.models.settings_of_a_run() if self.models is not None else None
+        self._begin("understanding", self._understood, tasks.understand, text, models)
 
     def take_in(self, name: str, content: bytes) -> None:
         """Begin from a file."""
@@ -136,10 +136,11 @@ class Work:
         if self.functional is not None:
             self.edit(without(self.functional.model_dump(mode="json"), name))
 
-    def confirm(self, path: str) -> None:
-        """What was assumed of a field is meant."""
+    def confirm(self, *paths: str) -> None:
+        """What was assumed of fields is meant."""
         if self.functional is not None:
-            self.functional = confirmed(self.functional, path)
+            for path in paths:
+                self.functional = confirmed(self.functional, path)
             self.report = report_on(self.functional)
             self._changed("form", "text")
 
@@ -153,7 +154,8 @@ class Work:
     def _understood(self, job: Job) -> None:
         found: tasks.Understood = job.result
         self.understood, self.report, self.edited = found, found.report, False
-        self.cost_usd += found.cost_usd
+        if self.models is not None and found.usage is not None:
+            self.models.spend(found.usage)
         self.folder = self.kept = None
         if found.functional is not None:
             self.take(found.functional)

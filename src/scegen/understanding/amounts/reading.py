@@ -50,6 +50,7 @@ def read_amounts(
     _joined(text)
     _alike(text, context)
     _followed(text, context)
+    _in_one_lane(text, context)
     found.items = items_in(text, context)
     filler, clock = Filler(text, found), Clock(text, found)
     spacer = Spacer(text, context, found)
@@ -268,6 +269,24 @@ def _followed(text: Sentences, context: Context) -> None:
         other.speed = known[0].speed
         basis = known[0].speed_basis or scene.words
         other.speed_basis = Basis(basis.i, basis.j, "who follows drives as fast as the other")
+
+
+def _in_one_lane(text: Sentences, context: Context) -> None:
+    """``ego 50 km/h, target 20 km/h, same lane``: whom the faster one comes up to is ahead."""
+    lows = [t.low for t in text.tokens]
+    k = next((k for k in range(len(lows) - 1) if lows[k : k + 2] == ["same", "lane"]), None)
+    ego = ego_of(context)
+    others = [e for e in context.draft.entities if e is not ego and e.is_vehicle]
+    if k is None or ego is None or ego.speed is None or len(others) != 1:
+        return
+    other = others[0]
+    free = other.speed is not None and not (other.maneuvers or other.parked or other.heading)
+    placed = any(other in (p.entity, p.reference) for p in context.draft.placements)
+    if other.speed is None or not free or placed or other.speed == ego.speed:
+        return
+    where = Approach.AHEAD if other.speed.high < ego.speed.high else Approach.BEHIND
+    basis = Basis(k, k + 2, "in one lane, the slower one is in front")
+    context.draft.place(other, None, {where}, basis)
 
 
 def _kept_apart(found: Happenings, context: Context) -> None:

@@ -31,7 +31,8 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     named = next((e for e in draft.entities if e.ego), None)
     if named is not None:
         named.parked = False
-        return named, Basis(named.basis.i, named.basis.j)
+        words = named.basis.i is not None
+        return named, Basis(named.basis.i, named.basis.j) if words else named.basis
     movers = [e for e in draft.entities if e.moving_vehicle]
     motor = [e for e in movers if e.kind is not ParticipantKind.BICYCLE]
     crossers = {

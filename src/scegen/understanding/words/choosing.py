@@ -97,6 +97,8 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     participle = match.form in {"ing", "ed"}
     infinitive = previous is not None and previous.value == "to" and match.form == "base"
     named = match.has("actor") and not creeps(match, tokens, previous)
+    told = before == "locus" and match.form == "s"  # "the car behind dodges to the left"
+    named = named and not told
     if named and not (participle or infinitive) and before not in _VERBAL_BEFORE:
         return match.get("actor"), False  # "a cycle", not "they cycle"
     attributive = _attributive(match, tokens, previous)

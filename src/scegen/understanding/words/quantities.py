@@ -209,6 +209,18 @@ def as_written(tokens: list[Token], i: int, j: int, other: Quantity) -> Quantity
     return _build(tokens, i, j, [value], other.dimension)
 
 
+def ends_a_quantity(tokens: list[Token], i: int) -> Quantity | None:
+    """The quantity that ends right before a token, if one does.
+
+    Args:
+        tokens: the tokens of the text.
+        i: index of the token.
+    """
+    begins = range(max(0, i - _LONGEST_UNIT - 1), max(0, i))
+    found = (quantity_at(tokens, k) for k in begins)
+    return next((q for q in found if q is not None and q.j == i), None)
+
+
 def after_a_measure(tokens: list[Token], i: int) -> bool:
     """``0.5 m to the left``, ``50 % on the right``: whether such a number ends before a token.
 
@@ -216,8 +228,5 @@ def after_a_measure(tokens: list[Token], i: int) -> bool:
         tokens: the tokens of the text.
         i: index of the token.
     """
-    for k in range(max(0, i - _LONGEST_UNIT - 1), i):
-        found = quantity_at(tokens, k)
-        if found is not None and found.j == i:
-            return found.dimension in {"length", "percentage"}
-    return False
+    found = ends_a_quantity(tokens, i)
+    return found is not None and found.dimension in {"length", "percentage"}

@@ -6,11 +6,11 @@ from urllib.parse import quote
 
 from scegen.checking.environment import esmini
 from scegen.pipeline.command import command_line
+from scegen.pipeline.folder import made_files
 from scegen.pipeline.playing import has_screen
 from scegen.pipeline.rendering import GIF, MP4, has_video
 from scegen.web.elements import button, node
 from scegen.web.made import Made
-from scegen.web.project import made_files
 from scegen.web.steps.outcome import outcome_cards
 from scegen.web.steps.step import Activity, Go
 from scegen.web.work import Work
