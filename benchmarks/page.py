@@ -70,8 +70,6 @@ def measure(playwright, url: str, text: str) -> None:
         "() => !document.querySelector('.spinner')?.checkVisibility()", timeout=120_000
     )
     steps = page.get_by_role("navigation")
-    timed(page, "confirm an assumption", lambda _: page.locator(".assumptions button").first.click(),
-          ".assumptions button", "found.length < 99")  # fmt: skip
     steps.get_by_role("button", name="Choose").click()
     page.wait_for_selector(".tile svg")
     title = page.inner_text(".tiles h1")
@@ -80,23 +78,50 @@ def measure(playwright, url: str, text: str) -> None:
     def go(turn: int) -> None:
         steps.get_by_role("button", name="Describe" if turn % 2 == 0 else "Choose").click()
 
-    timed(page, "another step", go, ".describe, .choose",
-          "found[0].classList.contains(TURN % 2 ? 'choose' : 'describe')")  # fmt: skip
+    timed(
+        page,
+        "another step",
+        go,
+        ".describe, .choose",
+        "found[0].classList.contains(TURN % 2 ? 'choose' : 'describe')",
+    )
     steps.get_by_role("button", name="Choose").click()
     page.wait_for_selector(".tile svg")
-    timed(page, "choose a tile", lambda turn: page.locator(".tile").nth(turn + 1).click(),
-          ".tile", "found.filter((t) => t.classList.contains('picked')).length > TURN")  # fmt: skip
+    timed(
+        page,
+        "choose a tile",
+        lambda turn: page.locator(".tile").nth(turn + 1).click(),
+        ".tile",
+        "found.filter((t) => t.classList.contains('picked')).length > TURN",
+    )
     chips = page.locator(".facet").first.get_by_role("button")
-    timed(page, "filter", lambda turn: chips.first.click(), ".tiles h1",
-          "found[0].textContent.includes('shown') === (TURN % 2 === 0)")  # fmt: skip
+    timed(
+        page,
+        "filter",
+        lambda _: chips.first.click(),
+        ".tiles h1",
+        "found[0].textContent.includes('shown') === (TURN % 2 === 0)",
+    )
     chips.first.click()
     page.wait_for_timeout(500)
-    timed(page, "choose all shown", lambda turn: page.get_by_role(
-        "button", name="All shown" if turn % 2 == 0 else "None", exact=True).click(),
-        ".lead .primary", "found[0].disabled === (TURN % 2 === 1)")  # fmt: skip
-    timed(page, "scroll to other tiles", lambda turn: page.evaluate(
-        "(y) => document.querySelector('.gallery').scrollTo(0, y)", 3000 * (turn + 1)),
-        ".tile", "found.length && found.every((t) => t.querySelector('svg'))")  # fmt: skip
+    timed(
+        page,
+        "choose all shown",
+        lambda turn: page.get_by_role(
+            "button", name="All shown" if turn % 2 == 0 else "None", exact=True
+        ).click(),
+        ".lead .primary",
+        "found[0].disabled === (TURN % 2 === 1)",
+    )
+    timed(
+        page,
+        "scroll to other tiles",
+        lambda turn: page.evaluate(
+            "(y) => document.querySelector('.gallery').scrollTo(0, y)", 3000 * (turn + 1)
+        ),
+        ".tile",
+        "found.length && found.every((t) => t.querySelector('svg'))",
+    )
     browser.close()
 
 

@@ -50,7 +50,7 @@ def require_usable(folder: Path, *, force: bool) -> None:
 
 
 def _in_the_way(folder: Path) -> list[tuple[str, str]]:
-    made = _made(folder)
+    made = made_files(folder)
     if not made:
         return [("the folder", "is not empty and was not made by scegen generate")]
     changed = []
@@ -63,7 +63,7 @@ def _in_the_way(folder: Path) -> list[tuple[str, str]]:
     return changed
 
 
-def _made(folder: Path) -> dict[str, str]:
+def made_files(folder: Path) -> dict[str, str]:
     """The files that the summary says were made here, and the digest of each."""
     try:
         listed = json.loads((folder / SUMMARY_FILE).read_text(encoding="utf-8"))["files"]
@@ -79,7 +79,7 @@ def record(file: Path) -> None:
     """
     place = file.absolute()
     for folder in place.parents[:_DEEPEST]:
-        made = _made(folder)
+        made = made_files(folder)
         if not made:
             continue
         summary = folder / SUMMARY_FILE
@@ -101,7 +101,7 @@ def replace_content(folder: Path, staged: Path) -> None:
         InputError: the folder cannot be written; it is as it was before.
     """
     made_here = not folder.exists()
-    earlier = {name.split("/")[0] for name in _made(folder)} - {".", "..", ""}
+    earlier = {name.split("/")[0] for name in made_files(folder)} - {".", "..", ""}
     stale = sorted(n for n in earlier if (folder / n).exists() and not (staged / n).exists())
     moved: list[tuple[Path, Path | None]] = []
     try:

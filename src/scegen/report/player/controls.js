@@ -25,7 +25,7 @@ const LAYERS = [
   ["names", "Names", "names and speeds"],
 ];
 
-/** Follow, layers, comparison, zoom; the player keeps what it changes later. */
+/** Follow, layers, comparison; the player keeps what it changes later. */
 export function viewBar(player) {
   const { recording, shared } = player;
   const pair = recording.pair.length === 2 ? [["pair", recording.pair.join(" and ")]] : [];
@@ -45,10 +45,14 @@ export function viewBar(player) {
     title: "the first timing beside the one that was found",
   }, "Before and after") : null;
   return h("div", { class: "bar view", role: "toolbar", "aria-label": "View" },
-    h("label", { class: "choice" }, "Follow ", player.followed), ...player.layers, player.compareButton,
-    h("span", { class: "space" }),
-    iconButton("Smaller (−)", ICONS.minus, () => player.camera({ zoom: 0.8 })),
+    h("label", { class: "choice" }, "Follow ", player.followed), ...player.layers, player.compareButton);
+}
+
+/** In a corner of the picture: larger, smaller, all that matters, the whole screen. */
+export function zoomBar(player) {
+  return h("div", { class: "zoom", role: "toolbar", "aria-label": "Zoom" },
     iconButton("Larger (+)", ICONS.plus, () => player.camera({ zoom: 1.25 })),
+    iconButton("Smaller (−)", ICONS.minus, () => player.camera({ zoom: 0.8 })),
     iconButton("Show what matters (0)", ICONS.home, () => player.camera({ home: true })),
     iconButton("Fill the screen (F)", ICONS.full, () => player.fullscreen()));
 }

@@ -15,7 +15,7 @@ export class Panel {
     const people = [...recording.participants, ...recording.objects].map((one) => this.person(one, actions));
     const marked = new Set(recording.data.moments.map((moment) => moment.claim));
     // What does not hold comes first, what is so all the time last.
-    const worth = ({ id, holds }) => (holds ? (marked.has(id) ? 1 : 2) : 0);
+    const worth = ({ id, holds, shown_s }) => (holds ? (marked.has(id) && shown_s > NEAR_S ? 1 : 2) : 0);
     const statements = [...recording.data.claims].sort((a, b) => worth(a) - worth(b) || (a.shown_s ?? 0) - (b.shown_s ?? 0)).map((one) => this.statement(one, actions));
     const hold = recording.data.claims.filter((one) => one.holds).length;
     this.element = h("div", { class: "side" },

@@ -1,7 +1,7 @@
 // The player: mount(element, scene, { before }) shows a scene that `player_scene` has written.
 
 import { Clock, RATES } from "./clock.js";
-import { ICONS, playBar, viewBar } from "./controls.js";
+import { ICONS, playBar, viewBar, zoomBar } from "./controls.js";
 import { h, number, setIcon, setText } from "./dom.js";
 import { keyListener, keySheet, keyTable } from "./keys.js";
 import { Panel } from "./panel.js";
@@ -56,7 +56,7 @@ class Player {
     });
     this.keys = keyTable(this);
     this.sheet = keySheet(this.keys);
-    this.pictures = h("div", { class: "stages" }, ...this.stages.map((stage) => stage.element));
+    this.pictures = h("div", { class: "stages" }, ...this.stages.map((stage) => stage.element), zoomBar(this));
     this.main = h("div", { class: "main" }, viewBar(this), this.pictures, playBar(this),
       h("div", { class: "course" }, this.timeline.element, this.plots.element));
     this.element = h("section", { class: "player", "aria-label": `Player: ${recording.data.name}` }, this.main, this.panel.element, this.sheet);
