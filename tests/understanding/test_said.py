@@ -140,6 +140,9 @@ def test_the_same_traffic_is_counted_once():
         ("Ein Auto fährt vor dem Ego und bremst auf der Straße.", "German"),
         ("Une voiture tourne à gauche devant un piéton.", "French"),
         ("Un coche gira a la izquierda y un peatón cruza la carretera.", "Spanish"),
+        ("El ego sigue a un camión a 50 km/h.", "Spanish"),
+        ("Un'auto taglia la strada all'ego a 50 km/h.", "Italian"),
+        ("Auto odbočuje vlevo, chodec přechází.", "English"),
         ("Автомобиль поворачивает налево.", "Latin"),
     ],
 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import unicodedata
 
 from scegen.errors import InputError
-from scegen.understanding.lexicon import load_languages
+from scegen.understanding.lexicon import load, load_languages
 from scegen.understanding.words.tokens import Token
 
 _ENGLISH = "English"
@@ -30,9 +30,19 @@ def require_english(tokens: list[Token], text: str) -> None:
         msg = "the description is not written in Latin letters; only English is read"
         raise InputError(msg, where="description", hint=_HINT)
     words = [t.text.lower() for t in tokens if t.kind == "word"]
+    strange = [t for t in tokens if t.kind == "word" and _strange(t)]
     counts = {name: sum(w in common for w in words) for name, common in load_languages().items()}
     english = counts.pop(_ENGLISH)
     likeliest = max(counts, key=lambda name: counts[name])
     if counts[likeliest] >= _FEWEST and counts[likeliest] > english + len(words) * 0.1:
         msg = f"the description seems to be written in {likeliest}; only English is read"
         raise InputError(msg, where="description", hint=_HINT)
+    if not english and len(strange) >= _FEWEST and len(strange) > _HALF * len(words):
+        msg = "the description does not seem to be written in English; only English is read"
+        raise InputError(msg, where="description", hint=_HINT)
+
+
+def _strange(token: Token) -> bool:
+    """Whether no form of a word is known to the lexicon."""
+    known = load().words
+    return token.low not in known and not any(form in known for form, _ in token.forms)
