@@ -69,3 +69,9 @@ def test_where_some_come_from_does_not_bind_the_ego():
     scenario = read("Four cars meet at a crossroads; two of the four cars come from the left.")
     assert sum(bool(p.approaches) for p in scenario.participants) == 2
     assert not scenario.ego.approaches
+
+
+def test_the_ego_is_none_of_those_who_come_towards_it():
+    scenario = read("One of the two oncoming cars turns left in front of the ego.")
+    ways = [(p.id, sorted(a.value for a in p.approaches)) for p in scenario.participants]
+    assert ways == [("car_1", ["opposite"]), ("car_2", ["opposite"]), ("ego", [])]

@@ -23,6 +23,8 @@ def own_measures(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
         if not isinstance(chunk, Word) or (chunk.cat, chunk.value) != ("quantity", "speed"):
             continue
         owner = _possessor(chunks, k) or _likewise(chunks, k, tokens)
+        told_by = [e for e in events if any(m is chunk.term for m in e.mods)]
+        owner = owner or _awaited(chunks, k, told_by)
         if owner is None:
             continue
         for holder in holders:
@@ -50,6 +52,15 @@ def _likewise(chunks: list[Chunk], k: int, tokens: list[Token]) -> Mention | Non
     comma = next((m for m in range(k - 1, max(0, k - 4), -1) if _is_comma(chunks[m])), None)
     before = chunks[comma - 1] if comma else None
     return before if said and isinstance(before, Mention) else None
+
+
+def _awaited(chunks: list[Chunk], k: int, holders: list[Event]) -> Mention | None:
+    """``waits for a van at 50 km/h``: the van's, for who waits has no speed."""
+    who, at = (chunks[m] if m >= 0 else None for m in (k - 2, k - 1))
+    waits = any(e.name in {"wait", "yield"} for e in holders)
+    said = isinstance(at, Word) and at.cat == "prep"
+    governed = isinstance(who, Mention) and who.prep is not None and not who.possessor
+    return who if waits and said and governed and isinstance(who, Mention) else None
 
 
 def _is_comma(chunk: Chunk) -> bool:

@@ -176,6 +176,7 @@ class Discourse:
         opened_by = [(m.cat, m.value) for m in mention.mods[:1]]
         numbered = mention.mod("num") is not None and not reading.parked
         numbered = numbered and reading.kind is ParticipantKind.CAR
+        numbered = numbered and not (reading.dirs or mention.pps or mention.prep is not None)
         both = opened_by == [("quant", "both")] or (opened_by == [("det", "def")] and numbered)
         if both and len(found) == _A_PAIR:
             self._roster.groups[-1].both = True
