@@ -115,6 +115,32 @@ CASES = {
         ],
         spacings=[apart("x", "ego", "gap_m", 8, "c")],
     ),
+    "pulls out as one comes": told(
+        "four_way",
+        [ego(50), who("x", "car", AHEAD, ["straight"], parked=True)],
+        acts=[
+            act(
+                "g",
+                "x",
+                "set_off",
+                when=as_soon_as("ego", "x", "gap_m", 30),
+                rate_mps2=2.5,
+                target_speed_mps=kmh(30),
+            ),
+        ],
+    ),  # fmt: skip
+    "swerves to its right, by so much": told(
+        "t",
+        [ego(40, ["right"]), other(30, ["left"], [])],
+        [("swerving", "x", "ego")],
+        acts=[act("w", "x", "swerve", side="right", lateral_m=0.6)],
+    ),
+    "swerves to its right where there is no lane": told(
+        "t",
+        [ego(40, ["right"]), other(30, ["left"], [])],
+        [("swerving", "x", "ego")],
+        acts=[act("w", "x", "swerve", side="right")],
+    ),
     "brakes before the ring at a gap": told(
         "roundabout",
         [ego(30, ["exit_2"]), other(30, AHEAD, ["exit_2"])],

@@ -75,7 +75,7 @@ def test_the_ego_and_ten_others_differ_for_everybody(name, seen_by):
     theme = THEMES[name]
     seen = [oklab(SEEN_BY[seen_by] @ linear(c)) for c in (theme.ego, *theme.participants)]
     assert len(theme.participants) == 10
-    least = 0.16 if seen_by == "everybody" else 0.085  # 0.02 is just seen
+    least = 0.16 if seen_by == "everybody" else 0.08  # 0.02 is just seen
     assert min(np.linalg.norm(a - b) for a, b in combinations(seen, 2)) > least
 
 

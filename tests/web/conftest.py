@@ -79,7 +79,7 @@ class Visitor:
         self.page.wait_for_function("() => !document.querySelector('.spinner')?.checkVisibility()")
 
     def count(self):
-        return int(self.page.inner_text(".plan .tally .number").replace(",", ""))
+        return int(self.page.inner_text(".plan .tally .figure").replace(",", ""))
 
     def go(self, step):
         self.page.get_by_role("navigation").get_by_role("button", name=step).click()

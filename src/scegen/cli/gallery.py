@@ -34,6 +34,7 @@ def gallery(
 
     Many are folded by their moves, and paged.
     """
+    from scegen.pipeline.folder import record
     from scegen.pipeline.source import recounted
     from scegen.scenario.files import load
     from scegen.scenario.logical import LogicalSet
@@ -49,6 +50,7 @@ def gallery(
         )
     logical = recounted(load(path, LogicalSet))
     write_picture(logical, picture, page, None if moves is None else _moves(moves))
+    record(picture)
     result(str(picture))
 
 

@@ -61,6 +61,7 @@ def render(
     theme: Annotated[ThemeName, typer.Option(help="Colours.")] = ThemeName.LIGHT,
 ) -> None:
     """Render a scenario as animated GIF, video or a still picture."""
+    from scegen.pipeline.folder import record
     from scegen.pipeline.rendering import RATES, rendered
     from scegen.report.film import Cut
     from scegen.report.theme import THEMES
@@ -78,6 +79,7 @@ def render(
     cut = Cut(begin, end, fps or RATES[ending], speed, 2 * (width // 2))
     with counting() as watch:
         write_bytes(rendered(concrete, ending, cut, THEMES[theme], watch), target)
+    record(target)
     result(str(target))
 
 

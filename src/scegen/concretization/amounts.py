@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import pi
+
 from scegen.concretization.limits import (
     COMFORTABLE_ACCELERATION_MPS2,
     HARD_BRAKING_MPS2,
@@ -68,3 +70,12 @@ def _usual_rate_mps2(kind: ActKind, hazard: HazardKind | None) -> float:
     if hazard is HazardKind.SUDDEN_ACCELERATION:
         return SUDDEN_ACCELERATION_MPS2[0]
     return STOPPING_MPS2 if kind in SLOWING else COMFORTABLE_ACCELERATION_MPS2
+
+
+def lasting_s(act: Act, width_m: float, usual_s: float) -> float:
+    """How long a move to the side takes: a cosine's greatest speed is pi/2 of its mean."""
+    if act.duration_s is not None:
+        return max(act.duration_s.middle, 0.2)
+    if act.lateral_mps is not None:
+        return width_m * pi / 2 / max(act.lateral_mps.middle, 0.1)
+    return usual_s

@@ -11,7 +11,7 @@ from scegen.claims.boxes import apart, same_way, seen
 from scegen.concretization.amounts import SLOWING
 from scegen.concretization.asked import contact_wanted
 from scegen.concretization.drafts import DriveDraft, Scene
-from scegen.concretization.hazards.rule import BRAKES
+from scegen.concretization.hazards.rule import BRAKES, same_arm
 from scegen.concretization.limits import (
     COMFORTABLE_ACCELERATION_MPS2,
     HARD_BRAKING_MPS2,
@@ -74,7 +74,7 @@ def _times(moments: Moments) -> Array:
 def _contacts(scene: Scene, moments: Moments) -> Iterator[_Contact]:
     """Unwanted contacts; with walkers only where the text says when they set off."""
     times = _times(moments)
-    tracks = {n: moments.track(n, times)[0] for n in (*scene.drives, *scene.walks)}
+    tracks = {n: moments.track(n, times)[0] for n in (*scene.drives, *scene.walks, *scene.pulls)}
     for name in scene.drives:
         for other, there in tracks.items():
             if other == name or contact_wanted(scene.functional, name, other):
@@ -88,7 +88,12 @@ def _contacts(scene: Scene, moments: Moments) -> Iterator[_Contact]:
             then = moments.track(other, times[:1] + times[touching[0]] - _BEFORE_S)[0]
             ahead = float(seen(before, then).x[0]) > 0.0
             along = float(same_way(before, then)[0]) > _ALONG
-            runs_in = ahead and (along or other in scene.walks)
+            follows = (
+                along
+                and other in scene.drives
+                and same_arm(scene.drives[name], scene.drives[other])
+            )
+            runs_in = ahead and (follows or other not in scene.drives)
             yield _Contact(float(times[touching[0]]), name, other, runs_in)
 
 
@@ -165,6 +170,8 @@ def _slowest_mps(scene: Scene, moments: Moments, contact: _Contact) -> float:
     """How slow whoever it runs into becomes."""
     if contact.other in scene.walks:
         return 0.0
+    if contact.other in scene.pulls:
+        return float(moments.track(contact.other, np.array([contact.time_s]))[1][0])
     times = np.arange(0.0, contact.time_s + _AFTER_S, _STEP_S)
     slowest = float(moments.track(contact.other, times)[1].min())
     return slowest if slowest > 0.1 else 0.0
@@ -172,7 +179,7 @@ def _slowest_mps(scene: Scene, moments: Moments, contact: _Contact) -> float:
 
 def _seen_s(scene: Scene, moments: Moments, other: str) -> float:
     """When somebody becomes a danger: as it slows down, comes into the lane, or steps out."""
-    if other in scene.walks:
+    if other not in scene.drives:
         return moments.leaves_s(other)
     draft = scene.drives[other]
     late, course = moments.offsets_s[other], draft.course

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import LogicalScenario
@@ -10,7 +12,7 @@ from scegen.scenario.vocabulary import HazardKind, Side
 
 _HAZARDS_OF = {
     ActKind.BRAKE: (HazardKind.HARD_BRAKING, HazardKind.STOPPING, HazardKind.LOSS_OF_CONTROL),
-    ActKind.STOP: (HazardKind.STOPPING, HazardKind.HARD_BRAKING),
+    ActKind.STOP: (HazardKind.HARD_BRAKING, HazardKind.STOPPING),
     ActKind.ACCELERATE: (HazardKind.SUDDEN_ACCELERATION,),
     ActKind.CHANGE_LANE: (
         HazardKind.CUT_IN,
@@ -62,3 +64,8 @@ def contact_wanted(functional: FunctionalScenario, first: str, second: str) -> b
     if outcome.between:
         return {first, second} == {*outcome.between}
     return functional.ego.id in {first, second}
+
+
+def slug_name(logical: LogicalScenario) -> str:
+    """The name of a scenario: number and slug of the logical one."""
+    return re.sub(r"[^A-Za-z0-9_-]", "-", f"{logical.index:03d}-{logical.slug}")[:100]

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import re
-
 import numpy as np
 
+from scegen.concretization.asked import slug_name
 from scegen.concretization.boxes import overlap
 from scegen.concretization.drafts import DriveDraft, Scene
 from scegen.concretization.limits import LONGEST_DURATION_S, MAX_DURATION_S
@@ -42,7 +41,7 @@ def assemble(scene: Scene, seed: int) -> ConcreteScenario:
     """
     participants = tuple(_participant(scene, p) for p in scene.functional.participants)
     concrete = ConcreteScenario(
-        name=_name(scene),
+        name=slug_name(scene.logical),
         description=scene.functional.description,
         seed=seed,
         logical=scene.logical,
@@ -68,11 +67,6 @@ def assemble(scene: Scene, seed: int) -> ConcreteScenario:
         )
     timed = clear_of_ties(concrete.model_copy(update={"duration_s": duration}), paths)
     return settle(timed, scene.network)
-
-
-def _name(scene: Scene) -> str:
-    logical = scene.logical
-    return re.sub(r"[^A-Za-z0-9_-]", "-", f"{logical.index:03d}-{logical.slug}")[:100]
 
 
 def _participant(scene: Scene, participant: Participant) -> ConcreteParticipant:

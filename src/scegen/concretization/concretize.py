@@ -154,7 +154,7 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
         if rule.react is not None:
             rule.react(scene, hazard)
     program_walkers(scene, moments.leaves_s)
-    program_pulls(scene)
+    program_pulls(scene, moments.leaves_s)
     return hide(scene.functional, assemble(scene, seed), scene.network)
 
 
@@ -221,7 +221,11 @@ def _with_lead_in(
     """Starts and acts as is said, everybody undisturbed for a moment before the first act."""
     for _ in range(_AGAIN):
         moments = Moments(scene, dict(offsets_s))
-        moments.sets_off_s = {n: moments.leaves_s(n) for n in scene.walks if conditioned(scene, n)}
+        moments.sets_off_s = {
+            name: moments.leaves_s(name)
+            for name in (*scene.walks, *scene.pulls)
+            if conditioned(scene, name)
+        }
         fit(scene, moments, meetings, later_s)
         early = lead_in_missing_s(scene, moments)
         if early <= 0.0:

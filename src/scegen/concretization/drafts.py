@@ -285,6 +285,12 @@ class Scene:
             raise MotionInfeasibleError("the ego must drive through the junction", where=name)
         return self.drives[name]
 
+    def concerned(self, name: str) -> list[DriveDraft]:
+        """Whose way somebody may come into: named sufferers first, then the ego, then others."""
+        named = [to for hazard in self.functional.hazards if name in hazard.by for to in hazard.to]
+        ranked = dict.fromkeys([*named, self.ego.id, *self.drives])
+        return [self.drives[other] for other in ranked if other in self.drives]
+
     def allowed(self, name: str, default: tuple[float, float]) -> tuple[float, float]:
         """The range of a parameter of the logical scenario."""
         for parameter in self.logical.parameters:
@@ -304,6 +310,10 @@ class Scene:
     def speed_acts(self, name: str) -> list[Act]:
         """The changes of speed that the text tells of somebody, in order."""
         return [a for a in self.acts if a.participant == name and a.kind in SLOWING | GAINING]
+
+    def first_act(self, name: str, kind: ActKind) -> Act | None:
+        """The first act of somebody that is of a kind."""
+        return next((a for a in self.acts if a.participant == name and a.kind is kind), None)
 
     def sets_off(self, name: str) -> bool:
         """Whether the first that one does is to set off: it stands until then."""

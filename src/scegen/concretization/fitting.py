@@ -121,7 +121,7 @@ def _move(draft: DriveDraft, n: int, place_m: float) -> None:
 
 def _said(scene: Scene) -> Iterator[Residual]:
     """What the text says of distances and moments."""
-    known = {*scene.drives, *scene.walks, *scene.stands}
+    known = {*scene.drives, *scene.walks, *scene.pulls, *scene.stands}
     for spacing in scene.functional.spacings:
         pair = spacing.participant, spacing.reference
         if is_lengthwise(spacing.measure) and spacing.at != CONTACT and known >= {*pair}:
@@ -192,7 +192,8 @@ def _meetings(scene: Scene, meetings: Sequence[Meeting], later_s: float) -> Iter
 
 
 def conditioned(scene: Scene, name: str) -> bool:
-    """Whether the text says when somebody who crosses sets off."""
-    crosses = [a for a in scene.acts if a.participant == name and a.kind is ActKind.CROSS]
+    """Whether the text says when somebody who stands at first, to cross or pull out, sets off."""
+    goes = {ActKind.CROSS, ActKind.SET_OFF}
+    crosses = [a for a in scene.acts if a.participant == name and a.kind in goes]
     named = {spacing.at for spacing in scene.functional.spacings}
     return any(act.when is not None or act.id in named for act in crosses)

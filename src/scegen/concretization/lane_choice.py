@@ -92,15 +92,21 @@ def change_lanes(
     draft: DriveDraft,
     changes: Sequence[tuple[float, float, int]],
     hazard: HazardKind | None = None,
+    *,
+    offset_m: float = 0.0,
 ) -> None:
-    """Add lane changes (position, length, lane after) and lay the drive out anew."""
+    """Add lane changes (position, length, lane after) and lay the drive out anew.
+
+    The first ends ``offset_m`` to the left of its lane's centre.
+    """
     draft.lane_changes += [
         LaneChange(
             position_m=round(max(0.0, position), 3),
             length_m=round(length, 3),
             lane_after=lane,
+            offset_m=offset_m if n == 0 else 0.0,
             hazard=hazard,
         )
-        for position, length, lane in changes
+        for n, (position, length, lane) in enumerate(changes)
     ]
     draft.lay(scene.network)

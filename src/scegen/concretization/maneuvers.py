@@ -135,8 +135,6 @@ def _free_change(scene: Scene, draft: DriveDraft) -> list[Meeting]:
             other.lay(scene.network)
     length = change_length_m(draft.cruise_mps)
     end = slowing_s_m(draft) - 3.0
-    if not scene.network.junctions:
-        end = (draft.laid.path.length_m + length) / 2
     if end - length < 10.0:
         raise NeedsLongerArms(15.0 - (end - length), draft.id)
     change_lanes(scene, draft, [(end - length, length, goal)])

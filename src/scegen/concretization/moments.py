@@ -8,11 +8,13 @@ import numpy as np
 
 from scegen.claims.boxes import Boxes, gap_m, same_way, seen
 from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.limits import LEAD_IN_S
 from scegen.concretization.meetings import Meeting
-from scegen.concretization.walkers import partner_of, rendezvous, walking_time_s, way_walked_m
+from scegen.concretization.others import gained
+from scegen.concretization.walkers import partner_of, rendezvous, walking_time_s
 from scegen.motion.model import Array, Path
 from scegen.scenario.acts import Act, ActKind
-from scegen.scenario.bodies import Body
+from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.spacings import Measure
 
 _LENGTHWISE = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
@@ -50,6 +52,9 @@ class Moments:
             begins = self.leaves_s(name)
             walk = self.scene.walks[name]
             return begins, begins + walking_time_s(walk, walk.path.length_m)
+        if name in self.scene.pulls:
+            pull, begins = self.scene.pulls[name], self.leaves_s(name)
+            return begins, begins + pull.speed_mps / pull.rate_mps2
         if name not in self.scene.drives:
             return 0.0, 0.0
         draft, late = self.scene.drives[name], self.offsets_s[name]
@@ -69,13 +74,9 @@ class Moments:
         """From where to where on its path somebody moves to the side by an act."""
         draft = self.scene.drives[act.participant]
         changes = list(draft.lane_changes)
-        for earlier in self.scene.acts:
-            if earlier.id == act.id or earlier.participant != act.participant:
-                if earlier.id == act.id:
-                    break
-                continue
-            if earlier.kind in _ASIDE and len(changes) > 1:
-                changes = changes[2 if earlier.kind in _TWICE else 1 :] or changes[-1:]
+        own = [a for a in self.scene.acts if a.participant == act.participant and a.kind in _ASIDE]
+        for earlier in own[: own.index(act)]:
+            changes = changes[2 if earlier.kind in _TWICE else 1 :] or changes[-1:]
         if not changes:
             return draft.junction_s_m, draft.junction_s_m
         last = changes[min(1, len(changes) - 1)] if act.kind in _TWICE else changes[0]
@@ -83,9 +84,15 @@ class Moments:
         return draft.laid.path_s_m(changes[0].position_m), ends
 
     def leaves_s(self, name: str) -> float:
-        """When one who crosses sets off: as is said, or to arrive when whom it meets does."""
+        """When one who stands at first sets off: as is said, or to meet whom it is to meet."""
         if name in self.sets_off_s:
             return self.sets_off_s[name]
+        pull = self.scene.pulls.get(name)
+        if pull is not None:
+            met = self.scene.drives.get(pull.waits_for or "")
+            if met is None:
+                return LEAD_IN_S
+            return self.offsets_s[met.id] + met.course.time_at(pull.place_m) - pull.takes_s
         if self._partners[name] is None:
             return 1.0
         return self._arrives_s(name) - self._walks_s(name)
@@ -113,7 +120,7 @@ class Moments:
 
     def walks_late_s(self, name: str) -> float:
         """How much later than whom it meets one who crosses is where they meet."""
-        if name not in self.sets_off_s or self._partners[name] is None:
+        if name not in self.sets_off_s or self._partners.get(name) is None:
             return 0.0
         return self.sets_off_s[name] + self._walks_s(name) - self._arrives_s(name)
 
@@ -123,21 +130,6 @@ class Moments:
         came = self.offsets_s[first.id] + first.course.time_at(meeting.first_s_m)
         comes = self.offsets_s[second.id] + second.course.time_at(meeting.second_s_m)
         return comes - came - meeting.lag_s
-
-    def state(self, name: str, time_s: float) -> tuple[Boxes, float]:
-        """The box of somebody at a time, and its speed."""
-        scene = self.scene
-        if name in scene.drives:
-            draft = scene.drives[name]
-            own = time_s - self.offsets_s[name]
-            place = draft.course.s_at(own)
-            return box_on(draft.laid.path, draft.body, place), draft.course.speed_then(own)
-        if name in scene.walks:
-            walk = scene.walks[name]
-            way, speed = way_walked_m(walk, time_s - self.leaves_s(name))
-            return box_on(walk.path, walk.body, way), speed
-        stand = scene.stands[name]
-        return box_on(stand.path, stand.body, 0.0), 0.0
 
     def track(self, name: str, times_s: Array) -> tuple[Boxes, Array]:
         """The boxes of somebody over time, and its speeds."""
@@ -150,9 +142,12 @@ class Moments:
             return box_on(draft.laid.path, draft.body, way), speed
         if name in scene.walks:
             walk = scene.walks[name]
-            walked = [way_walked_m(walk, time) for time in times_s - self.leaves_s(name)]
-            way, speed = np.array(walked).reshape(-1, 2).T
+            way, speed = gained(walk.speed_mps, walk.rate_mps2, times_s - self.leaves_s(name))
             return box_on(walk.path, walk.body, np.minimum(way, walk.path.length_m)), speed
+        if name in scene.pulls:
+            pull = scene.pulls[name]
+            way, speed = gained(pull.speed_mps, pull.rate_mps2, times_s - self.leaves_s(name))
+            return box_on(pull.laid.path, BODIES[pull.kind], way), speed
         stand = scene.stands[name]
         still = np.zeros(len(times_s))
         return box_on(stand.path, stand.body, still), still
@@ -163,18 +158,20 @@ class Moments:
         """How much longer the free length between two is than a measure says (m)."""
         ego = self.scene.functional.ego.id
         own, other = (who, reference) if who == ego else (reference, who)
-        (frame, speed), (box, others) = self.state(own, time_s), self.state(other, time_s)
-        gap = float(gap_m(frame, box))
+        at = np.array([time_s])
+        (frame, own_mps), (box, other_mps) = self.track(own, at), self.track(other, at)
+        speed, others = float(own_mps[0]), float(other_mps[0])
+        gap = float(gap_m(frame, box)[0])
         if measure is Measure.GAP_M:
             return gap - value
-        along = float(same_way(frame, box))
-        follows = float(seen(frame, box).x) > 0.0 or along < 0.0
+        along = float(same_way(frame, box)[0])
+        follows = float(seen(frame, box).x[0]) > 0.0 or along < 0.0
         if measure is Measure.HEADWAY_S:
             return gap - value * (speed if follows else others)
         return gap - value * ((speed - others * along) if follows else (others * along - speed))
 
 
-def box_on(path: Path, body: Body, s_m: float | Array) -> Boxes:
+def box_on(path: Path, body: Body, s_m: Array) -> Boxes:
     """Boxes of a body whose reference point is at places of a path, or on its prolongation."""
     x, y, heading = (
         np.interp(s_m, path.s_m, row) for row in (path.x_m, path.y_m, path.heading_rad)

@@ -4,15 +4,25 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from scegen.concretization.limits import WALKING_START_MPS2
 from scegen.concretization.things import Shape
-from scegen.motion.model import Path
+from scegen.motion.model import Array, Path
 from scegen.motion.polyline import LaidDrive
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.concrete import CrossingMotion, DriveMotion, SpeedPhase, StandingMotion
 from scegen.scenario.functional import Hazard
 from scegen.scenario.logical import Crossing, Standing
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind
+
+
+def gained(speed_mps: float, rate_mps2: float, since_s: Array) -> tuple[Array, Array]:
+    """(way, speed) of one who gains speed from rest, by the time since it was to go."""
+    since = np.maximum(since_s, 0.0)
+    gaining = np.minimum(since, speed_mps / rate_mps2)
+    way = rate_mps2 * gaining**2 / 2 + speed_mps * (since - gaining)
+    return way, rate_mps2 * gaining
 
 
 @dataclass

@@ -87,10 +87,7 @@ def pass_drive(
     back = passer.entry_lane in lanes and (comes_back or aside not in lanes)
     relative = max(passer.cruise_mps - passed.cruise_mps, 1.0)
     half = (passer.body.length_m + passed.body.length_m) / 2
-    if scene.network.junctions:
-        latest = min(slowing_s_m(passer), slowing_s_m(passed)) - _BEFORE_TURNING_M
-    else:
-        latest = passer.laid.path.length_m * 0.7
+    latest = min(slowing_s_m(passer), slowing_s_m(passed)) - _BEFORE_TURNING_M
     change = change_length_m(passer.cruise_mps)
     after = passer.cruise_mps * (half + _AHEAD_M) / relative + change if back else 0.0
     middle = latest - after

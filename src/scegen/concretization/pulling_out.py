@@ -6,20 +6,21 @@ it is in the lane; that one brakes late, down to the pace that it has by then.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import pi, sqrt
 
+from scegen.concretization.amounts import change_of_speed
 from scegen.concretization.drafts import DriveDraft, Scene
-from scegen.concretization.hazards.rule import braking_of
-from scegen.concretization.limits import LEAD_IN_S, SUDDEN_ACCELERATION_MPS2
-from scegen.concretization.marks import Mark
+from scegen.concretization.limits import LATE_BRAKING_MPS2, LEAD_IN_S, SUDDEN_ACCELERATION_MPS2
 from scegen.concretization.meetings import nearest_s_m
 from scegen.concretization.others import PullDraft
-from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.standers import towards_junction
 from scegen.concretization.walkers import Appointment
 from scegen.errors import MotionInfeasibleError
+from scegen.motion.friction import GRAVITY_MPS2, friction_of
 from scegen.motion.paths import lay_drive
+from scegen.scenario.acts import ActKind, AfterStart
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import AtTime, DriveMotion, LaneChange, SpeedPhase, Travelled
 from scegen.scenario.vocabulary import HazardKind
@@ -31,9 +32,6 @@ _LONG_CHANGE = 1.4
 _LONG_M = 7.0
 _ACCELERATION_MPS2 = 2.0
 _GAP_M = 1.5
-_FOLLOWS_S = 1.0
-_RESUMES_MPS2 = 1.5
-_SLOWER = 0.9
 _SHARE = 0.8
 _LANE_M = 1.0
 _TURNS = (
@@ -51,7 +49,6 @@ class _Rendezvous:
     draft: DriveDraft
     place_m: float
     takes_s: float
-    pace_mps: float
 
 
 def pull_out(scene: Scene) -> None:
@@ -64,7 +61,6 @@ def pull_out(scene: Scene) -> None:
             scene.pulls[name] = pull
             met = _meet(scene, pull)
             if met is not None:
-                _brake(scene, met)
                 pull.waits_for = met.draft.id
                 pull.place_m = met.place_m
                 pull.takes_s = met.takes_s
@@ -122,13 +118,19 @@ def _draft(scene: Scene, name: str, from_junction_m: float) -> PullDraft:
     if HazardKind.SUDDEN_ACCELERATION in own:
         rate = SUDDEN_ACCELERATION_MPS2[1]
     rate = min(rate, body.max_acceleration_mps2)
+    speed = min(_SHARE * scene.limit_mps, body.top_speed_mps)
+    act = scene.first_act(name, ActKind.SET_OFF)
+    if act is not None:
+        grip = friction_of(scene.functional.environment) * GRAVITY_MPS2
+        target, said = change_of_speed(act, 0.0, body, grip, None, speed)
+        speed, rate = target, said if act.rate_mps2 is not None else rate
     scene.note(f"{name}.start_m", start, "is parked, and pulls out")
     return PullDraft(
         id=name,
         kind=participant.kind,
         motion=motion,
         laid=laid,
-        speed_mps=min(_SHARE * scene.limit_mps, body.top_speed_mps),
+        speed_mps=speed,
         rate_mps2=rate,
         in_lane_m=laid.path_s_m(start + _ROLLS_M + length),
         hazard=next(iter(sorted(own)), None),
@@ -143,42 +145,20 @@ def _bend_rad(scene: Scene, entry: int, exit_: int, lane: int) -> float:
 
 
 def _meet(scene: Scene, pull: PullDraft) -> _Rendezvous | None:
-    """The one in whose way it pulls out: named sufferers first, then the ego, then others."""
-    named = [
-        name
-        for hazard in scene.functional.hazards
-        if pull.id in hazard.by
-        for name in hazard.to
-        if name in scene.drives
-    ]
+    """The one in whose way it pulls out."""
     pose = pull.laid.path.pose(pull.in_lane_m)
-    for name in dict.fromkeys([*named, scene.ego.id, *scene.drives]):
-        draft = scene.drives[name]
+    for draft in scene.concerned(pull.id):
         place, apart = nearest_s_m(draft.laid.path, pose.x_m, pose.y_m)
         if apart > _LANE_M:
             continue
         body = BODIES[pull.kind]
         pace = min(sqrt(2 * pull.rate_mps2 * pull.in_lane_m), pull.speed_mps)
         takes = pace / pull.rate_mps2 + (pull.in_lane_m - pace**2 / (2 * pull.rate_mps2)) / pace
-        behind = place - body.rear_m - _GAP_M - draft.body.front_m
-        return _Rendezvous(draft, behind, takes + 0.1, pace)
+        closing = max(0.0, draft.cruise_mps - pace)
+        gap = _GAP_M + closing**2 / (2 * LATE_BRAKING_MPS2)
+        behind = max(1.0, place - body.rear_m - gap - draft.body.front_m)
+        return _Rendezvous(draft, behind, takes + 0.1)
     return None
-
-
-def _brake(scene: Scene, met: _Rendezvous) -> None:
-    """Come down to the other's pace close behind it, and follow no faster than it goes."""
-    draft = met.draft
-    before = draft.course.speed_at(max(0.0, met.place_m - draft.cruise_mps))
-    if before <= met.pace_mps:
-        return
-    hazard, rate = braking_of(scene, draft)
-    begins = met.place_m - (before**2 - met.pace_mps**2) / (2 * rate)
-    if begins < draft.body.rear_m + draft.cruise_mps:
-        raise NeedsLongerArms(draft.cruise_mps - begins + 10.0, draft.id)
-    draft.marks = [mark for mark in draft.marks if mark.hazard is None or mark.hazard is not hazard]
-    draft.add_mark(Mark(begins, met.pace_mps, rate, hazard))
-    later = draft.laid.path_s_m(draft.laid.station_m(met.place_m)) + met.pace_mps * _FOLLOWS_S
-    draft.add_mark(Mark(later, min(before, _SLOWER * _SHARE * scene.limit_mps), _RESUMES_MPS2))
 
 
 def pull_appointments(scene: Scene) -> list[Appointment]:
@@ -190,14 +170,15 @@ def pull_appointments(scene: Scene) -> list[Appointment]:
     ]
 
 
-def program_pulls(scene: Scene) -> None:
-    """Set off when the one in whose way it is has come so far that both arrive together."""
+def program_pulls(scene: Scene, leaves_s: Callable[[str], float]) -> None:
+    """Set off at its moment, as the one in whose way it is has come so far."""
     for pull in scene.pulls.values():
-        trigger: Travelled | AtTime = AtTime(time_s=LEAD_IN_S)
-        if pull.waits_for is not None:
+        go = leaves_s(pull.id)
+        act = scene.first_act(pull.id, ActKind.SET_OFF)
+        trigger: Travelled | AtTime = AtTime(time_s=round(max(go, 0.0), 3))
+        if pull.waits_for is not None and not (act and isinstance(act.when, AfterStart)):
             draft = scene.drives[pull.waits_for]
-            go = draft.course.time_at(pull.place_m) - pull.takes_s
-            distance = max(0.0, draft.course.s_at(go) - draft.start_m)
+            distance = max(0.0, draft.course.s_at(go - draft.offset_s) - draft.start_m)
             trigger = Travelled(participant=draft.id, distance_m=round(distance, 3))
             scene.note(f"{pull.id}.sets_off_at_m", distance, f"pulls out in front of {draft.id}")
         pull.program = [
@@ -206,5 +187,6 @@ def program_pulls(scene: Scene) -> None:
                 target_speed_mps=round(pull.speed_mps, 3),
                 rate_mps2=pull.rate_mps2,
                 hazard=pull.hazard,
+                act=None if act is None else act.id,
             )
         ]

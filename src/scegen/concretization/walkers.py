@@ -130,16 +130,8 @@ def _from_junction_m(scene: Scene, crossing: Crossing) -> float:
 
 
 def partner_of(scene: Scene, walk: WalkDraft) -> tuple[DriveDraft, MeetingPoint] | None:
-    """The drive into whose way a walker steps: named sufferers first, then the ego, then others."""
-    named = [
-        name
-        for hazard in scene.functional.hazards
-        if walk.id in hazard.by
-        for name in hazard.to
-        if name in scene.drives
-    ]
-    for name in dict.fromkeys([*named, scene.ego.id, *scene.drives]):
-        draft = scene.drives[name]
+    """The drive into whose way a walker steps."""
+    for draft in scene.concerned(walk.id):
         point = meeting_point(draft.laid.path, walk.path)
         if point is not None:
             return draft, point
@@ -149,15 +141,6 @@ def partner_of(scene: Scene, walk: WalkDraft) -> tuple[DriveDraft, MeetingPoint]
 def walking_time_s(walk: WalkDraft, distance_m: float) -> float:
     """From the order to go until ``distance_m`` are covered, with the start from rest."""
     return distance_m / walk.speed_mps + walk.speed_mps / (2 * walk.rate_mps2) + 0.1
-
-
-def way_walked_m(walk: WalkDraft, since_s: float) -> tuple[float, float]:
-    """(way, speed) of one so long after the order to go."""
-    gaining = walk.speed_mps / walk.rate_mps2
-    since = max(0.0, since_s)
-    if since < gaining:
-        return walk.rate_mps2 * since**2 / 2, walk.rate_mps2 * since
-    return walk.speed_mps * (since - gaining / 2), walk.speed_mps
 
 
 def appointments(scene: Scene) -> list[Appointment]:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from time import perf_counter
 
-from scegen.criticality import OfflineProposer, raise_criticality
+from scegen.criticality import OfflineProposer, prove_as_it_is, raise_criticality
 from scegen.criticality.agent import ParameterAgent
 from scegen.criticality.target import AVOIDED, COLLISION, NEAR_MISS, parse_target
 from scegen.llm import Session
@@ -101,6 +101,16 @@ def raise_all(
             if proof.changed:
                 raising.firsts[name] = concrete
     return raising
+
+
+def prove_all(
+    functional: FunctionalScenario, concretes: list[ConcreteScenario], target: str
+) -> Raising:
+    """Scenarios as they are, each with what it shows of its description."""
+    proofs = {
+        concrete.name: prove_as_it_is(functional, concrete, target=target) for concrete in concretes
+    }
+    return Raising(concretes, proofs)
 
 
 def proof_summary(proof: Proof | None) -> dict[str, object]:

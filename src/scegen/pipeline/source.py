@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 
+from scegen.checking.subject import CONCRETE_FILE, FUNCTIONAL_FILE, PROOF_FILE, read_proof
 from scegen.enumeration import count_scenarios
 from scegen.errors import InputError
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.files import load_any, read_text
+from scegen.scenario.files import load, load_any, read_text
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
 from scegen.understanding import read
@@ -17,6 +19,7 @@ Source = FunctionalScenario | LogicalSet | ConcreteScenario
 Understand = Callable[[str], FunctionalScenario]
 _FILE_ENDINGS = (".yaml", ".yml", ".json", ".txt", ".md")
 _LONGEST_PATH = 1024
+LOGICAL_FILE = "logical.json"
 
 
 def resolve_source(text_or_path: str, understand: Understand = read) -> Source:
@@ -34,6 +37,36 @@ def resolve_source(text_or_path: str, understand: Understand = read) -> Source:
         return understand(text_or_path)
     found = load_any(path) or understand(read_text(path))
     return recounted(found) if isinstance(found, LogicalSet) else found
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """What a concrete.yaml was made from, and to which target; None where that is not there."""
+
+    functional: FunctionalScenario | None = None
+    logical: LogicalSet | None = None
+    target: str | None = None
+
+
+def origin_of(text_or_path: str) -> Origin:
+    """What lies around a concrete.yaml in a folder made by generate; nothing around all else.
+
+    Raises:
+        InputError: a file there cannot be used.
+    """
+    path = _as_path(text_or_path)
+    if path is None or path.name != CONCRETE_FILE:
+        return Origin()
+    top = path.absolute().parent.parent.parent
+    functional, logical = top / FUNCTIONAL_FILE, top / LOGICAL_FILE
+    if not functional.is_file():
+        return Origin()
+    proof = path.with_name(PROOF_FILE)
+    return Origin(
+        load(functional, FunctionalScenario),
+        recounted(load(logical, LogicalSet)) if logical.is_file() else None,
+        read_proof(proof).target if proof.is_file() else None,
+    )
 
 
 def recounted(logical: LogicalSet) -> LogicalSet:

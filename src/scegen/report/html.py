@@ -28,7 +28,7 @@ from scegen.understanding import Standing
 __all__ = ["CheckRow", "ConcreteEntry", "ReportInput", "report_html"]
 
 MOST_TILES_BYTES = 700_000
-"""So much of the gallery lies in the report; all of it is in gallery.svg."""
+"""So much of the gallery lies in the report; ``scegen gallery`` pages through the rest."""
 _LEGEND = {
     Standing.UNDERSTOOD: "said in the text",
     Standing.INFERRED: "concluded from the text",

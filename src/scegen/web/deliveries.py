@@ -14,9 +14,9 @@ from fastapi.responses import JSONResponse, PlainTextResponse, Response
 from nicegui import app as pages
 
 from scegen.errors import InputError
-from scegen.pipeline.folder import SUMMARY_FILE
+from scegen.pipeline.folder import SUMMARY_FILE, made_files
 from scegen.web.pictures import tile
-from scegen.web.project import made_files, zipped
+from scegen.web.project import zipped
 from scegen.web.readme import readme
 from scegen.web.sessions import Sessions
 from scegen.web.work import Work

@@ -13,7 +13,7 @@ from scegen.enumeration import LIST_LIMIT, open_listing
 from scegen.enumeration.choosing.covering import smallest_cover
 from scegen.enumeration.choosing.sampling import diverse_sample
 from scegen.errors import InfeasibleError
-from scegen.llm import LlmSettings, Session
+from scegen.llm import LlmSettings, Session, Usage
 from scegen.pipeline.generate import generate
 from scegen.pipeline.options import Options
 from scegen.pipeline.place import scenario_file
@@ -40,7 +40,7 @@ class Understood:
     """A description, understood, with what became of its words.
 
     ``functional`` is None where the text contradicts itself; ``trouble`` says how. ``speaker`` is
-    who understood it, ``notes`` what is to be said about that, ``cost`` what it took.
+    who understood it, ``notes`` what is to be said about that, ``usage`` what it took.
     """
 
     report: ParseReport
@@ -48,8 +48,7 @@ class Understood:
     trouble: str | None = None
     speaker: str = "offline reader"
     notes: tuple[str, ...] = ()
-    cost: str | None = None
-    cost_usd: float = 0.0
+    usage: Usage | None = None
 
 
 def understand(text: str, models: LlmSettings | None, tell: Teller) -> Understood:
@@ -71,8 +70,7 @@ def understand(text: str, models: LlmSettings | None, tell: Teller) -> Understoo
         None,
         heard.speaker,
         (*notes, *heard.notes),
-        heard.usage.in_words(),
-        heard.usage.cost_usd,
+        heard.usage,
     )
 
 

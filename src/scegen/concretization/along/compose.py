@@ -17,12 +17,12 @@ from scegen.concretization.along.writing import (
     ends_s,
     frame_of,
     road_of,
-    slug_name,
     walk_motion,
     written_parked,
     written_runner,
     written_walk,
 )
+from scegen.concretization.asked import slug_name
 from scegen.concretization.objects import (
     made_of,
     shape_of,
@@ -87,7 +87,7 @@ def compose_along(
     lasts = min(closest_s(story, ends_s(story, walks)) + _AFTER_S, _LONGEST_S)
     frame = frame_of(story, walks, parked, [], min(_SPARE * lasts, _LONGEST_S))
     parameters = road_of(road or plan(functional, logical, _PLAIN_M, story.lane_count), frame)
-    network = build_network(parameters, slug_name(story))
+    network = build_network(parameters, slug_name(story.logical))
     standing = [written_parked(frame, p, functional.participant(p.id)) for p in parked]
     made = _written(story, frame, parameters, network, walks, seed, lasts, standing)
     return hide(functional, made, network)
@@ -113,7 +113,7 @@ def _written(
         _thing(story, frame, network, name) for name, r in story.runners.items() if r.box
     )
     concrete = ConcreteScenario(
-        name=slug_name(story),
+        name=slug_name(story.logical),
         description=story.functional.description,
         seed=seed,
         logical=story.logical,

@@ -27,6 +27,7 @@ _SAID, _LIKELY, _USUAL = 100.0, 10.0, 1.0
 _LANE, _INSIDE = 0.1, 0.01
 """What one lane more costs, and what driving one lane farther inside does."""
 _INNERMOST = frozenset({1})
+_OVER_THE_LINE = frozenset({HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL})
 _FROM_BESIDE = FROM_BESIDE | {HazardKind.CUT_IN}
 _IN_LINE = frozenset(
     {
@@ -250,11 +251,14 @@ def _from_hazards(
     wishes: list[Wish] = []
     for hazard in dangers(functional, logical):
         for by, to in product(hazard.by, hazard.to):
-            both = {by, to} <= runners.keys() and by != to
-            if not both or runners[by].forward != runners[to].forward:
+            if not {by, to} <= runners.keys() or by == to:
                 continue
             words = f"{hazard.kind} of {by} to {to}"
-            if hazard.kind in _FROM_BESIDE:
+            if runners[by].forward != runners[to].forward:
+                if hazard.kind in _OVER_THE_LINE:
+                    near = (Wish((n,), _LIKELY, _among(n, _INNERMOST), words) for n in (by, to))
+                    wishes += near
+            elif hazard.kind in _FROM_BESIDE:
                 wishes.append(Wish((by, to), _LIKELY, _beside(by, to, None), words))
             elif hazard.kind in _IN_LINE:
                 wishes.append(Wish((by, to), _LIKELY / 2, _beside(by, to, 0), words))

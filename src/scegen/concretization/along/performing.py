@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from math import pi
-
 from scegen.concretization.along.runner import Move, Runner, Step
 from scegen.concretization.along.story import Story
-from scegen.concretization.amounts import change_of_speed
+from scegen.concretization.amounts import change_of_speed, lasting_s
 from scegen.concretization.asked import outward
 from scegen.concretization.limits import (
     ABRUPT_LANE_CHANGE_S,
@@ -57,7 +55,7 @@ def _sideways(story: Story, act: Act, runner: Runner, begins_s: float) -> list[M
     lane = _lane_after(story, act, runner, now)
     width = abs(lane - now) * LANE_WIDTH_M or LANE_WIDTH_M
     usual = ABRUPT_LANE_CHANGE_S if hazard in _ABRUPT else LANE_CHANGE_S
-    lasts = _lasting_s(act, width, usual)
+    lasts = lasting_s(act, width, usual)
     return [Move(begins_s, lasts, lane, 0.0, act.id, hazard)]
 
 
@@ -71,12 +69,12 @@ def _swerve(
         if aside > story.lane_count:
             side = Side.LEFT if side is Side.RIGHT else Side.RIGHT
             aside = max(0, lane + outward(story.functional, side))
-        lasts = _lasting_s(act, LANE_WIDTH_M, ABRUPT_LANE_CHANGE_S)
+        lasts = lasting_s(act, LANE_WIDTH_M, ABRUPT_LANE_CHANGE_S)
         out = Move(begins_s, lasts, aside, 0.0, act.id, hazard)
         return [out, Move(out.ends_s + 0.1, lasts, lane, 0.0, act.id, hazard)]
     width = act.lateral_m.middle
     offset = width if side is Side.LEFT else -width
-    lasts = _lasting_s(act, width, LANE_CHANGE_S)
+    lasts = lasting_s(act, width, LANE_CHANGE_S)
     start = runner.moves[-1].offset_m if runner.moves else runner.offset_m
     out = Move(begins_s, lasts, lane, start + offset, act.id, hazard)
     if act.kind is not ActKind.SWERVE:
@@ -119,12 +117,3 @@ def _free_side(story: Story, runner: Runner, now: int) -> Side:
             if other is not None and other.forward != runner.forward:
                 return centre
     return centre if now > 1 or now == story.lane_count else kerb
-
-
-def _lasting_s(act: Act, width_m: float, usual_s: float) -> float:
-    """How long a move to the side takes: a cosine's greatest speed is pi/2 of its mean."""
-    if act.duration_s is not None:
-        return max(act.duration_s.middle, 0.2)
-    if act.lateral_mps is not None:
-        return width_m * pi / 2 / max(act.lateral_mps.middle, 0.1)
-    return usual_s

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import ceil
@@ -114,12 +113,6 @@ def road_of(road: RoadParameters, frame: Frame) -> RoadParameters:
         for arm in road.arms
     )
     return road.model_copy(update={"arms": arms})
-
-
-def slug_name(story: Story) -> str:
-    """The name of the scenario: number and slug of the logical one."""
-    logical = story.logical
-    return re.sub(r"[^A-Za-z0-9_-]", "-", f"{logical.index:03d}-{logical.slug}")[:100]
 
 
 def written_runner(story: Story, frame: Frame, participant: Participant) -> ConcreteParticipant:

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from scegen.concretization.drafts import Scene
-from scegen.concretization.hazards.cut_in import come_in, on_arm
+from scegen.concretization.hazards.cut_in import on_arm
 from scegen.concretization.hazards.rule import Rule, culprits, pairs, same_arm
 from scegen.concretization.hazards.swerving import swerve
 from scegen.concretization.lane_choice import lanes_in
 from scegen.concretization.meetings import Meeting, drives_meet
-from scegen.errors import MotionInfeasibleError
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import Maneuver
 
@@ -18,23 +17,7 @@ def _keep_going(scene: Scene, hazard: Hazard) -> None:
         draft.stops_at_line = False
 
 
-def _from_beside(scene: Scene, hazard: Hazard) -> list[Meeting]:
-    """Where no junction is, one merges from the lane beside, unless it changes lanes anyway."""
-    changes = any(draft.lane_changes for draft in culprits(scene, hazard))
-    if scene.network.junctions or changes:
-        return []
-    for culprit, victim in pairs(scene, hazard):
-        if same_arm(culprit, victim) and lanes_in(scene, culprit) == 1:
-            raise MotionInfeasibleError(
-                f"the road has one lane per direction: no lane from which {culprit.id} could come "
-                f"into that of {victim.id}",
-                where=culprit.id,
-                hint="Say that the road has more lanes, or where else it comes from.",
-            )
-    return come_in(scene, hazard)
-
-
-ARRIVES_TOGETHER = Rule(prepare=_keep_going, shape=_from_beside)
+ARRIVES_TOGETHER = Rule(prepare=_keep_going)
 """Merging conflict, unprotected left turn, red-light running, failure to yield."""
 
 

@@ -8,6 +8,7 @@ front of another: they meet.
 from __future__ import annotations
 
 from scegen.concretization.abreast import is_outward
+from scegen.concretization.amounts import lasting_s
 from scegen.concretization.drafts import DriveDraft, Scene
 from scegen.concretization.hazards.rule import (
     Rule,
@@ -38,6 +39,8 @@ from scegen.concretization.room import NeedsLongerArms
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import is_ring
 from scegen.motion.stretches import Stretch
+from scegen.road.defaults import LANE_WIDTH_M
+from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, ParticipantKind
 
@@ -91,10 +94,10 @@ def on_arm(
     victim.lay(scene.network)
     culprit.entry_lane = start
     length = change_length_m(culprit.cruise_mps, ABRUPT_LANE_CHANGE_S)
-    if scene.network.junctions:
-        end = min(slowing_s_m(culprit), slowing_s_m(victim)) - 5.0
-    else:
-        end = culprit.laid.path.length_m / 2
+    act = scene.first_act(culprit.id, ActKind.CHANGE_LANE)
+    if act is not None:
+        length = culprit.cruise_mps * lasting_s(act, LANE_WIDTH_M, length / culprit.cruise_mps)
+    end = min(slowing_s_m(culprit), slowing_s_m(victim)) - 5.0
     if end - length < 10.0:
         raise NeedsLongerArms(15.0 - (end - length), culprit.id)
     change_lanes(scene, culprit, [(end - length, length, target)], kind)

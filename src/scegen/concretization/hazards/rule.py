@@ -80,7 +80,7 @@ def event_s_m(scene: Scene, draft: DriveDraft, hazard: Hazard) -> float:
     """Where on its way a driver's danger happens.
 
     Short of a thing in its way; where it meets a sufferer; else two thirds along its entry arm,
-    before it slows to turn; on a road without a junction, in the middle.
+    before it slows to turn.
     """
     if draft.rests_at_m is not None:
         return draft.rests_at_m
@@ -88,7 +88,5 @@ def event_s_m(scene: Scene, draft: DriveDraft, hazard: Hazard) -> float:
         point = drives_meet(draft, victim)
         if point is not None:
             return point.first_s_m
-    if not scene.network.junctions:
-        return draft.laid.path.length_m / 2
     base = [mark.s_m for mark in draft.base_marks() if mark.s_m > 1.0]
     return min([draft.junction_s_m - 10.0, *base]) - 5.0

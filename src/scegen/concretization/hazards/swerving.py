@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+from scegen.concretization.amounts import lasting_s
 from scegen.concretization.drafts import DriveDraft, Scene
 from scegen.concretization.hazards.rule import Rule, culprits, same_arm, victims
-from scegen.concretization.lane_choice import change_lanes, entry_lanes, neighbour_lane
+from scegen.concretization.lane_choice import (
+    change_lanes,
+    entry_lanes,
+    lanes_in,
+    neighbour_lane,
+)
 from scegen.concretization.limits import (
     ABRUPT_LANE_CHANGE_S,
     CUT_IN_HEADWAY_S,
@@ -12,43 +18,75 @@ from scegen.concretization.limits import (
 )
 from scegen.concretization.marks import Mark
 from scegen.concretization.meetings import STRUCTURAL, Meeting
-from scegen.concretization.passing import change_length_m, slowing_s_m
+from scegen.concretization.passing import slowing_s_m
 from scegen.concretization.room import NeedsLongerArms
+from scegen.road.defaults import LANE_WIDTH_M
+from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Hazard
-from scegen.scenario.vocabulary import HazardKind, JunctionKind
+from scegen.scenario.vocabulary import HazardKind, JunctionKind, Side
 
 _STAYS_M = 1.0
+_IN_LANE_M, _IN_LANE_S = 0.85, 0.75
 
 
 def swerve(scene: Scene, draft: DriveDraft, hazard: Hazard) -> list[Meeting]:
-    """Out of the lane and back before the junction, or around the middle of a plain road.
+    """Out of the lane and back before the junction: as is said, else towards the sufferer.
 
-    Towards the sufferer, if it drives in a lane beside, and close before it. One that leaves its
-    lane for another danger (cuts in, strays into oncoming traffic) does both in one.
+    Close before it, if it drives in a lane beside. One that leaves its lane for another danger
+    (cuts in, strays into oncoming traffic) does both in one.
     """
     if draft.lane_changes:
         return []
-    length = change_length_m(draft.cruise_mps, ABRUPT_LANE_CHANGE_S)
-    whole = 2 * length + _STAYS_M
-    if scene.network.junctions:
-        end = slowing_s_m(draft) - 2.0
-    else:
-        end = (draft.laid.path.length_m + whole) / 2
+    act = scene.first_act(draft.id, ActKind.SWERVE)
+    beside = sufferer_beside(scene, hazard, draft)
+    width = act.lateral_m.middle if act is not None and act.lateral_m is not None else 0.0
+    aside = draft.entry_lane
+    usual = max(8.0 / draft.cruise_mps, ABRUPT_LANE_CHANGE_S)
+    if not width and act is not None and act.side is not None:
+        outward = act.side.value == scene.functional.junction.driving_side.value
+        aside += 1 if outward else -1
+        if aside > lanes_in(scene, draft):
+            # Towards the kerb, where there is no lane: as far as its own one lets it.
+            aside, width, usual = draft.entry_lane, _IN_LANE_M, _IN_LANE_S
+    elif not width and beside is not None:
+        aside = beside.entry_lane
+    elif not width and meet_at_centre_line(scene, hazard, draft):
+        aside = 0
+    elif not width:
+        ring = scene.road.kind is JunctionKind.ROUNDABOUT
+        aside = neighbour_lane(scene, draft, oncoming=not ring)
+    offset = width if act is not None and act.side is Side.LEFT else -width
+    lasts = usual if act is None else lasting_s(act, width or LANE_WIDTH_M, usual)
+    length = lasts * draft.cruise_mps
+    out = stray(scene, draft, aside, length, _STAYS_M, hazard.kind, offset_m=offset)
+    if beside is None or beside.entry_lane != aside:
+        return []
+    return [close_before(scene, draft, beside, out + length)]
+
+
+def stray(
+    scene: Scene,
+    draft: DriveDraft,
+    aside: int,
+    length_m: float,
+    stays_m: float,
+    kind: HazardKind,
+    *,
+    offset_m: float = 0.0,
+) -> float:
+    """Out to the side and back into its lane before it slows down; returns where it begins.
+
+    Raises:
+        NeedsLongerArms: the arm is too short for it.
+    """
+    whole = 2 * length_m + stays_m
+    end = slowing_s_m(draft) - 2.0
     start = end - whole
     if start < 10.0:
         raise NeedsLongerArms(15.0 - start, draft.id)
-    lane = draft.entry_lane
-    beside = sufferer_beside(scene, hazard, draft)
-    if beside is not None:
-        aside = beside.entry_lane
-    elif meet_at_centre_line(scene, hazard, draft):
-        lane, aside = draft.entry_lane, 0
-    else:
-        ring = scene.road.kind is JunctionKind.ROUNDABOUT
-        aside = neighbour_lane(scene, draft, oncoming=not ring)
-    ways = [(start, length, aside), (end - length, length, lane)]
-    change_lanes(scene, draft, ways, hazard.kind)
-    return [] if beside is None else [close_before(scene, draft, beside, start + length)]
+    ways = [(start, length_m, aside), (end - length_m, length_m, draft.entry_lane)]
+    change_lanes(scene, draft, ways, kind, offset_m=offset_m)
+    return start
 
 
 def sufferer_beside(scene: Scene, hazard: Hazard, draft: DriveDraft) -> DriveDraft | None:

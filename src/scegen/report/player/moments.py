@@ -51,7 +51,8 @@ def moments(
         found += _danger(hazard)
     for claim in proof.claims if proof else ():
         data = claim_data(claim, concrete, traces)
-        if data["shown_s"] is None or (claim.kind in _LASTING and claim.holds):
+        lasts = claim.kind in _LASTING or data["shown_s"] == 0.0
+        if data["shown_s"] is None or (lasts and claim.holds):
             continue
         found.append(
             {

@@ -13,6 +13,9 @@ export class Panel {
     this.claims = new Map();
     this.timed = [];
     const people = [...recording.participants, ...recording.objects].map((one) => this.person(one, actions));
+    const marked = new Set(recording.data.moments.map((moment) => moment.claim));
+    // What does not hold comes first, what is so all the time last.
+    const worth = ({ id, holds, shown_s }) => (holds ? (marked.has(id) && shown_s > NEAR_S ? 1 : 2) : 0);
     const statements = [...recording.data.claims].sort((a, b) => worth(a) - worth(b) || (a.shown_s ?? 0) - (b.shown_s ?? 0)).map((one) => this.statement(one, actions));
     const hold = recording.data.claims.filter((one) => one.holds).length;
     this.element = h("div", { class: "side" },
@@ -32,7 +35,7 @@ export class Panel {
   }
 
   statement(claim, actions) {
-    const button = h("button", { type: "button", class: claim.holds ? "held" : "failed", onclick: () => actions.claim(claim) },
+    const button = h("button", { type: "button", class: claim.holds ? "held" : "failed", title: claim.words && `“${claim.words}”`, onclick: () => actions.claim(claim) },
       h("span", { class: "verdict", "aria-hidden": "true" }, claim.holds ? "✓" : "✕"),
       h("span", { class: "said" }, claim.statement, h("span", { class: "visually-hidden" }, claim.holds ? ": holds" : ": does not hold")),
       h("span", { class: "when" }, measured(claim)));
@@ -66,12 +69,6 @@ export class Panel {
       setText(doing, pace);
     }
   }
-}
-
-/** What does not hold comes first, what is so from the start last. */
-function worth(claim) {
-  if (!claim.holds) return 0;
-  return claim.shown_s ? 1 : 2;
 }
 
 function measured(claim) {

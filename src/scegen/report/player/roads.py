@@ -9,14 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scegen.report.lane_shapes import road_shapes
+from scegen.report.lights import red_arms
 from scegen.report.player.series import points
 from scegen.report.world import entry_of
 from scegen.road.geometry import Pose
 from scegen.road.model import LaneType, RoadNetwork
-from scegen.scenario.concrete import ConcreteScenario, DriveMotion
-from scegen.scenario.control import signal_phases
-from scegen.scenario.functional import Junction
-from scegen.scenario.vocabulary import Control, HazardKind
+from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.vocabulary import Control
 
 Data = dict[str, Any]
 _BESIDE_M = 0.9
@@ -40,7 +39,7 @@ def road_data(concrete: ConcreteScenario, network: RoadNetwork) -> Data:
     entries = [(arm, *entry_of(network, arm)) for arm in sorted(concrete.road.controlled_arms)]
     control = concrete.road.control
     across = "yield_line" if control is Control.YIELD else "stop_line"
-    red = _red(concrete)
+    red = red_arms(concrete)
     return {
         "kind": concrete.road.kind.value,
         "side": network.driving_side.value,
@@ -63,25 +62,6 @@ def road_data(concrete: ConcreteScenario, network: RoadNetwork) -> Data:
             if control is Control.SIGNALS
         ],
     }
-
-
-def _red(concrete: ConcreteScenario) -> set[int]:
-    """Arms with red: those of who is said to run it, else those that wait for the ego."""
-    road = concrete.road
-    angles = tuple(arm.angle_deg for arm in road.arms)
-    phases = signal_phases(Junction(kind=road.kind, arms=len(angles), arm_angles_deg=angles))
-    entries = {
-        p.id: p.motion.entry for p in concrete.participants if isinstance(p.motion, DriveMotion)
-    }
-    run = {
-        phases[entries[name]]
-        for hazard in concrete.hazards
-        if hazard.kind is HazardKind.RED_LIGHT_RUNNING
-        for name in hazard.by
-        if name in entries
-    }
-    stopped = run or {*phases} - {phases[entries.get(concrete.ego.id, 0)]}
-    return {arm for arm, phase in enumerate(phases) if phase in stopped}
 
 
 def _flat(shape: NDArray[np.float64]) -> list[float]:

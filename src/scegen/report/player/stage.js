@@ -5,7 +5,7 @@ import { colourName } from "./bodies.js";
 import { h, number } from "./dom.js";
 import { Ground } from "./ground.js";
 import { placeLabels } from "./labels.js";
-import { drawTraffic } from "./traffic.js";
+import { drawTraffic, drawWay } from "./traffic.js";
 
 const WIDEST_M = 70, NEAR_M = 34, NARROW = 0.85;
 const ROUND_M = [1, 2, 5, 10, 20, 50, 100, 200, 500];
@@ -64,6 +64,14 @@ export class Stage {
     const points = this.interesting();
     this.camera.angle = this.bestAngle(points);
     this.camera.fit(points);
+    // Not the middle of all ways counts, but where they meet.
+    const around = this.recording.data.moment_s, met = this.recording.pair.map((id) => this.recording.middle(id, around));
+    if (around !== null && met.length) {
+      for (const axis of ["x", "y"]) {
+        const place = met.reduce((sum, one) => sum + one[axis] / met.length, 0);
+        this.camera[axis] += (place - this.camera[axis]) / 2;
+      }
+    }
     this.drawn = "";
     return this.recording.data.road.kind === "straight";
   }
@@ -134,7 +142,7 @@ export class Stage {
     this.time = time;
     this.track(time);
     const { camera, shared, ratio } = this, matrix = camera.matrix(ratio);
-    const key = `${matrix.map((v) => v.toFixed(3))} ${this.below.width} ${shared.paintKey()}`;
+    const key = `${matrix.map((v) => v.toFixed(3))} ${this.below.width} ${shared.paintKey()} ${shared.show.ways}`;
     if (key !== this.drawn) {
       this.drawn = key;
       const context = this.below.getContext("2d", { alpha: false });
@@ -143,6 +151,9 @@ export class Stage {
       context.fillRect(0, 0, this.below.width, this.below.height);
       context.setTransform(...matrix);
       this.ground.draw(context, shared.paint);
+      if (shared.show.ways) {
+        for (const one of this.recording.movers) drawWay(context, one, shared.paint, 1 / camera.scale);
+      }
     }
     const context = this.above.getContext("2d");
     context.setTransform(1, 0, 0, 1, 0, 0);
@@ -161,12 +172,13 @@ export class Stage {
     context.font = "600 12px system-ui, sans-serif";
     const matter = new Set([recording.ego, ...recording.pair, shared.selected]);
     const everybody = [...recording.participants, ...recording.objects];
-    const taken = [[0, camera.height - 34, 120, camera.height]];
+    // The scale, the caption and the buttons for zooming lie on the picture, too.
+    const taken = [[0, camera.height - 34, 120, camera.height], [0, 0, 130, 34], [camera.width - 48, 0, camera.width, 146]];
     const wanted = [];
     for (const one of everybody) {
       const middle = recording.middle(one.id, time);
       const [x, y] = camera.toScreen(middle.x, middle.y);
-      if (x < -40 || y < -40 || x > camera.width + 40 || y > camera.height + 40) continue;
+      if (x < 0 || y < 0 || x > camera.width || y > camera.height) continue;
       const corners = recording.corners(one.id, time).map(([u, v]) => camera.toScreen(u, v));
       const xs = corners.map((c) => c[0]), ys = corners.map((c) => c[1]);
       taken.push([Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)]);
@@ -187,7 +199,7 @@ export class Stage {
         context.lineWidth = 1;
         context.beginPath();
         context.moveTo(...anchor);
-        context.lineTo(left + (anchor[0] > left ? context.measureText(text).width : 0), top + 7);
+        context.lineTo(Math.min(Math.max(anchor[0], left), left + context.measureText(text).width), anchor[1] > top ? top + 15 : top);
         context.stroke();
       }
       context.strokeStyle = shared.paint("--halo");

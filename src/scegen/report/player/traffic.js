@@ -10,7 +10,6 @@ export function drawTraffic(context, recording, time, { paint, pixel, show, sele
   const hidden = new Set(recording.hiddenFrom(recording.ego, time).map(([target]) => target));
   if (show.areas) drawAreas(context, recording, time, paint, pixel, selected);
   if (show.sight) drawShadows(context, recording, time, paint, reach);
-  if (show.ways) for (const one of recording.movers) drawWay(context, one, paint, pixel);
   if (show.trails) for (const one of recording.movers) drawTrail(context, recording, one, time, paint, pixel);
   for (const light of recording.data.road.lights) drawLight(context, light, time, paint);
   for (const one of [...recording.objects, ...recording.participants]) {
@@ -106,7 +105,8 @@ function drawSightLines(context, recording, time, paint, pixel, selected) {
   }
 }
 
-function drawWay(context, one, paint, pixel) {
+/** A planned way: it lies still, as the road does. */
+export function drawWay(context, one, paint, pixel) {
   if (!one.way.length) return;
   context.beginPath();
   for (let i = 0; i < one.way.length; i += 2) context.lineTo(one.way[i], one.way[i + 1]);

@@ -3,11 +3,15 @@
 const PER_PAGE = 20, LEAD_S = 1.5, REST_S = 1;
 const players = [];
 
-function open(article) {
+let current = null;
+
+function playerOf(article) {
   if (article.player) return article.player;
   const [scene, before] = JSON.parse(article.querySelector("script[type='application/json']").textContent);
   article.player = mount(article.querySelector(".player-here"), scene, { before });
   players.push(article.player);
+  current ??= article.player;
+  article.addEventListener("pointerdown", () => { current = article.player; });
   article.player.on("claim", (id) => markWords([id]));
   article.player.on("playing", (playing) => {
     // One scenario plays at a time.
@@ -18,7 +22,7 @@ function open(article) {
 
 document.addEventListener("keydown", (event) => {
   // Keys that are meant for nothing else are meant for the picture.
-  if (event.target === document.body) players[0]?.key(event);
+  if (event.target === document.body) current?.key(event);
 });
 
 const words = [...document.querySelectorAll(".text mark[data-claims]")];
@@ -34,7 +38,7 @@ for (const mark of words) {
   const go = () => {
     const ids = claimsOf(mark), first = document.querySelector(".scenario");
     if (!first) return;
-    const player = open(first), claim = scenesClaim(player, ids);
+    const player = playerOf(first), claim = scenesClaim(player, ids);
     player.claim(claim.id);
     player.panel.mark(ids);
     markWords(ids);
@@ -59,8 +63,8 @@ function scenesClaim(player, ids) {
 
 for (const [number, article] of [...document.querySelectorAll(".scenario")].entries()) {
   const fold = article.closest("details");
-  if (number === 0 || !fold) open(article);
-  else fold.addEventListener("toggle", () => fold.open && open(article));
+  if (number === 0 || !fold) playerOf(article);
+  else fold.addEventListener("toggle", () => fold.open && playerOf(article));
 }
 
 for (const list of document.querySelectorAll(".tiles[data-paged]")) {

@@ -91,6 +91,8 @@ def _kind(kind: ActKind, entity: Entity, event: Event, text: Sentences) -> ActKi
     afoot = not entity.is_vehicle
     if kind in _DRIVEN and afoot:
         return None
+    if kind is ActKind.SET_OFF and afoot and event.name != "move":
+        return ActKind.CROSS if Maneuver.CROSS in entity.maneuvers else None
     if kind is ActKind.OVERTAKE and Maneuver.OVERTAKE not in entity.maneuvers:
         return None
     if kind is ActKind.CROSS and not afoot and Maneuver.CROSS not in entity.maneuvers:

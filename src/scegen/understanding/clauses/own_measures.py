@@ -34,6 +34,8 @@ def _possessor(chunks: list[Chunk], k: int) -> Mention | None:
     """``at 80 % of the ego's speed of 100 km/h``: the ego's."""
     for m in range(k - 1, max(0, k - _FARTHEST), -1):
         chunk, before = chunks[m], chunks[m - 1]
+        if isinstance(chunk, Thing) and chunk.owner is not None:
+            return chunk.owner
         if isinstance(chunk, Word) and chunk.value == "genitive":
             return before if isinstance(before, Mention) and before.possessor else None
         if not isinstance(chunk, Thing) and getattr(chunk, "value", "") not in _LINKS:

@@ -23,8 +23,6 @@ from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.tokens import Token
 
 _MOST = 20
-_TOGETHER = (("quant", "both"), ("det", "def"))
-"""How a pair is opened beside whom there is nobody: "both cars", "the two cars"."""
 _A_PAIR = 2
 _ALONG = {"front": "ahead", "rear": "behind"}
 
@@ -115,6 +113,8 @@ class Discourse:
 
     def _of_a_size(self, mention: Mention) -> bool:
         """``half a vehicle's width``, ``and one of 12 m/s``: a measure, nobody."""
+        if mention.i and self.tokens[mention.i - 1].low == "(" and not mention.mods:
+            return mention.head is not None and bool(mention.head.data.get("driver"))
         of = [t.low for t in self.tokens[mention.j : mention.j + 2]]
         if mention.j - mention.i == 1 and len(of) > 1 and of[0] == "of":
             return quantity_at(self.tokens, mention.j + 1) is not None
@@ -173,7 +173,10 @@ class Discourse:
             self._roster.enrich(known, reading)
             return known
         found = self._roster.introduce(reading, basis)
-        both = mention.mods and (mention.mods[0].cat, mention.mods[0].value) in _TOGETHER
+        opened_by = [(m.cat, m.value) for m in mention.mods[:1]]
+        numbered = mention.mod("num") is not None and not reading.parked
+        numbered = numbered and reading.kind is ParticipantKind.CAR
+        both = opened_by == [("quant", "both")] or (opened_by == [("det", "def")] and numbered)
         if both and len(found) == _A_PAIR:
             self._roster.groups[-1].both = True
         return found

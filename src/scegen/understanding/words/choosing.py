@@ -97,6 +97,8 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     participle = match.form in {"ing", "ed"}
     infinitive = previous is not None and previous.value == "to" and match.form == "base"
     named = match.has("actor") and not creeps(match, tokens, previous)
+    told = before == "locus" and match.form == "s"  # "the car behind dodges to the left"
+    named = named and not told
     if named and not (participle or infinitive) and before not in _VERBAL_BEFORE:
         return match.get("actor"), False  # "a cycle", not "they cycle"
     attributive = _attributive(match, tokens, previous)
@@ -173,7 +175,8 @@ def _noun_slot(match: Match, tokens: list[Token], previous: Term | None) -> bool
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
     compound = previous.cat == "place" and match.form == "base" and match.has("inert")
     compound = compound or tokens[previous.i].low == "whose"
-    return (previous.cat in _NOMINAL_BEFORE and not adverb) or preposed or compound
+    told = previous.cat == "quantity" and match.form == "s"  # "at t = 4 s brakes"
+    return (previous.cat in _NOMINAL_BEFORE and not (adverb or told)) or preposed or compound
 
 
 def _verb_slot(previous: Term | None) -> bool:

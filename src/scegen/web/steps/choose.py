@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 from collections import Counter
+from html import escape
 from typing import Any
 
 from scegen.enumeration.choosing.coverage import Meeting, meetings
 from scegen.scenario.glossary import meaning_of
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.vocabulary import ArmsMode, Reduction
-from scegen.web.elements import Entry, Gallery, button, choice, node
+from scegen.web.elements import Entry, Gallery, button, choice, drawn, node
 from scegen.web.pictures import tile_ratio
 from scegen.web.steps.filters import Filters
 from scegen.web.steps.step import Activity, Go
 from scegen.web.work import Work
 
 _DIVERSE = 8
-_MOST_MEETINGS = 200
 
 
 class Choose:
@@ -25,6 +25,7 @@ class Choose:
     def __init__(self, work: Work, go: Go) -> None:
         self._work, self._go = work, go
         self._filters: Filters | None = None
+        self._only = False
         self._told: tuple[int, bool] | None = None
         self._meetings: dict[int, frozenset[Meeting]] = {}
 
@@ -50,6 +51,7 @@ class Choose:
                             data_tip="Choose every scenario that is shown",
                         )
                         button("None", lambda: work.choose([]), "small")
+                        self._chosen_only = button("Chosen", self._turn, "small")
                         button(
                             "Pick for coverage",
                             work.choose_covering,
@@ -78,10 +80,25 @@ class Choose:
         self._activity.refresh()
         if changed & {"listing", "choice"}:
             self._show_head()
-            self._gallery.show(self._work.shown, self._work.picked, self._work.edition)
+            self._show_tiles()
             self._show_filters()
             if not self._work.busy("listing"):
                 self._show_coverage()
+
+    def _turn(self) -> None:
+        """Show the chosen ones alone, or all again."""
+        self._only = not self._only
+        self._show_tiles()
+
+    def _show_tiles(self) -> None:
+        work = self._work
+        self._only = self._only and bool(work.picked)
+        self._chosen_only.classes(
+            add="on" if self._only else "", remove="" if self._only else "on"
+        ).props(f"aria-pressed={'true' if self._only else 'false'}")
+        self._chosen_only.text = f"Chosen ({len(work.picked)})"
+        shown = sorted(work.picked) if self._only else work.shown
+        self._gallery.show(shown, work.picked, work.edition)
 
     def _counting(self) -> None:
         work = self._work
@@ -173,14 +190,18 @@ class Choose:
                 node("p", "note", work.choice_note)
             covered = sum(1 for meeting in possible if chosen[meeting])
             with node("div", "tally"):
-                node("span", "number", f"{covered}")
+                node("span", "figure", f"{covered}")
                 node("span", "", f"of {len(possible)} meetings")
             if not possible:
                 return
             node("progress", "meter", value=covered, max=len(possible), aria_label="covered")
-            with node("ul", "meetings"):
-                rows = sorted(possible, key=lambda m: (bool(chosen[m]), -possible[m], m))
-                for meeting in rows[:_MOST_MEETINGS]:
-                    with node("li", "" if chosen[meeting] else "missing"):
-                        node("span", "meeting-count", f"{chosen[meeting]}/{possible[meeting]}")
-                        node("span", "", meeting.in_words())
+            rows = sorted(possible, key=lambda m: (bool(chosen[m]), -possible[m], m))
+            # one element for all rows: several hundred of them would be felt at every click
+            drawn("".join(_row(m, chosen[m], possible[m]) for m in rows), "meetings", "ul")
+
+
+def _row(meeting: Meeting, chosen: int, possible: int) -> str:
+    """A meeting as a line of the list."""
+    state = "" if chosen else ' class="missing"'
+    count = f'<span class="meeting-count">{chosen}/{possible}</span>'
+    return f"<li{state}>{count}<span>{escape(meeting.in_words())}</span></li>"

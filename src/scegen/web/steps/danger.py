@@ -9,11 +9,10 @@ from typing import Any
 from scegen.criticality.target import AVOIDED, BANDS, COLLISION, NEAR_MISS
 from scegen.pipeline.options import CheckDepth, EgoMode, OscVersion
 from scegen.pipeline.raising import NO_SEARCH
-from scegen.report.theme import LIGHT
 from scegen.web.elements import Entry, Form, button, choice, drawn, node
 from scegen.web.form import form_spec, standings
 from scegen.web.jobs import Step
-from scegen.web.pictures import tile
+from scegen.web.pictures import participant_colours, tile_picture
 from scegen.web.steps.outcome import outcome_cards
 from scegen.web.steps.step import Activity, Go
 from scegen.web.work import Work
@@ -196,7 +195,7 @@ class Danger:
         functional = self._work.functional
         self._hazards.set_visibility(functional is not None)
         if functional is not None:
-            colours = LIGHT.colours((p.id for p in functional.participants), functional.ego.id)
+            colours = participant_colours(functional)
             self._hazards.show(
                 functional.model_dump(mode="json"),
                 standings(self._work.report),
@@ -211,14 +210,14 @@ class Danger:
             return
         with self._chosen:
             for index in work.picked[:_MOST_TILES]:
-                drawn(tile(work.scenario(index), work.listing.functional)["svg"], "paper small")
+                drawn(tile_picture(work.scenario(index), work.listing.functional), "paper small")
             if len(work.picked) > _MOST_TILES:
                 node("p", "soft", f"and {len(work.picked) - _MOST_TILES} more")
 
     def _show_head(self) -> None:
         work = self._work
         busy = work.busy("making") or work.busy("looking")
-        ready = work.concrete is not None or bool(work.picked)
+        ready = work.given is not None or bool(work.picked)
         count = len(work.picked)
         fresh = work.made is not None and bool(work.made.scenarios) and not work.stale
         self._title.text = (

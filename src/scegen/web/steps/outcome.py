@@ -7,7 +7,7 @@ from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.proof import Proof
 from scegen.web.elements import drawn, node
 from scegen.web.made import MadeScenario
-from scegen.web.pictures import tile
+from scegen.web.pictures import tile_picture
 from scegen.web.work import Work
 
 _MARKS = {"passed": "held", "failed": "failed", "not_run": "open"}
@@ -35,7 +35,7 @@ def outcome_card(made: MadeScenario, functional: FunctionalScenario | None) -> N
             node("span", "", made.name)
         with node("div", "card-body"):
             if functional is not None:
-                drawn(tile(made.concrete.logical, functional)["svg"], "paper")
+                drawn(tile_picture(made.concrete.logical, functional), "paper")
             with node("div", ""):
                 _figures(made)
 
@@ -67,9 +67,9 @@ def _proof(proof: Proof) -> None:
     if measure is not None:
         with node("div", "before-after"):
             node("span", "measure", measure.name.upper() if len(measure.name) < 5 else measure.name)
-            node("span", "number", _value(measure.before))
+            node("span", "figure", _value(measure.before))
             node("span", "arrow", "→", aria_label="becomes")
-            node("span", "number", _value(measure.after))
+            node("span", "figure", _value(measure.after))
             node("span", "unit", measure.unit)
     if proof.blocked_by and not proof.in_band:
         node("p", "note", proof.blocked_by)
