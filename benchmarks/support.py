@@ -22,9 +22,11 @@ import json
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass, field
+from importlib import import_module
 from multiprocessing import get_context
 from pathlib import Path
 from types import CodeType, ModuleType
+from typing import Any
 
 from scegen.errors import ScegenError
 from scegen.scenario.functional import FunctionalScenario
@@ -34,6 +36,8 @@ NO_RULES = ("scegen.understanding.agents", "scegen.understanding.report")
 """What compares readings, or reports on them, reads nothing itself."""
 ENOUGH = 2
 """Texts that a rule needs."""
+FEWEST_WORDS = 4
+"""What is shorter is no sentence."""
 _PROBE = "_asked_"
 _SKIP = "_skipped_"
 _GIVE = "_given_"
@@ -127,6 +131,12 @@ class _Instrument(ast.NodeTransformer):
         return ast.copy_location(self._call(_PROBE, number, self.visit(node)), node)
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:
+        # what is kept from one text to the next would be asked in the first one alone
+        node.decorator_list = [
+            d
+            for d in node.decorator_list
+            if "cache" not in (kept := ast.unparse(d)) or "=1)" in kept
+        ]
         empty = nothing(node)
         if empty is None or node.name.startswith("__"):
             return self.generic_visit(node)
@@ -158,7 +168,7 @@ class _Instrument(ast.NodeTransformer):
                 setattr(node, name, self.visit(value))
         return node
 
-    visit_If = visit_While = visit_IfExp = _test
+    visit_If = visit_While = visit_IfExp = _test  # noqa: N815 - the names that ast calls
 
     def visit_BoolOp(self, node: ast.BoolOp) -> ast.AST:
         kind = type(node.op).__name__.lower()
@@ -207,9 +217,8 @@ class _Finder(importlib.machinery.PathFinder):
 def instrument() -> Callable[[str], FunctionalScenario]:
     """The reader, every condition noted; must come before anything else imports it."""
     sys.meta_path.insert(0, _Finder())
-    from scegen.understanding.reader import read
-
-    return read
+    found: Callable[[str], FunctionalScenario] = import_module("scegen.understanding.reader").read
+    return found
 
 
 def outcome(read: Callable[[str], FunctionalScenario], text: str) -> str:
@@ -257,24 +266,23 @@ def effect(
 def sentences(path: Path) -> Iterator[str]:
     """What reads like a sentence among the strings of a Python file."""
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.Constant) and isinstance(node.value, str):
-            if len(node.value.split()) >= 4 and "{" not in node.value:
-                yield node.value
+        text = node.value if isinstance(node, ast.Constant) else None
+        if isinstance(text, str) and len(text.split()) >= FEWEST_WORDS and "{" not in text:
+            yield text
 
 
 def rows(texts: Sequence[str]) -> dict[str, set[int]]:
     """Every row of the lexicon with the texts in which a phrase of it stands."""
-    from scegen.understanding.lexicon import Entry, load
-    from scegen.understanding.lexicon.loader import Node
-    from scegen.understanding.words.terms import longest_match
-    from scegen.understanding.words.tokens import tokenize
+    load = import_module("scegen.understanding.lexicon").load
+    longest_match = import_module("scegen.understanding.words.terms").longest_match
+    tokenize = import_module("scegen.understanding.words.tokens").tokenize
 
-    def entries(node: Node) -> Iterator[Entry]:
+    def entries(node: Any) -> Iterator[Any]:
         yield from node.entries
         for following in node.following.values():
             yield from entries(following)
 
-    def named(entry: Entry) -> str:
+    def named(entry: Any) -> str:
         return f"{entry.cat} {entry.value} {entry.data or ''}".rstrip()
 
     found: dict[str, set[int]] = {named(entry): set() for entry in entries(load().root)}

@@ -111,7 +111,11 @@ def test_a_folder_with_somebody_elses_files(scegen, tmp_path):
         (("--pick", "99999"), "names no logical scenario"),
         (("--count", "0"), "--count"),
         (("--seed", "-1"), "--seed"),
-        (("--reduction", "total"), "--reduction"),
+        (("--reduction", "total"), "--reduction': 'total' is not one of"),
+        (("--seed", "1.5"), "--seed': it must be a whole number"),
+        (("--solutions", "0"), "--solutions': it must be at least 1"),
+        (("--llm-timeout", "soon"), "--llm-timeout': it must be a number"),
+        (("--rules", "nowhere.lp"), "nowhere.lp: cannot be read"),
     ],
 )
 def test_options_out_of_range(scegen, tmp_path, options, words):
@@ -120,6 +124,17 @@ def test_options_out_of_range(scegen, tmp_path, options, words):
     assert words in done.stderr
     assert "Traceback" not in done.stderr
     assert not (tmp_path / "out").exists()
+
+
+def test_what_a_command_does_not_take(scegen, tmp_path):
+    for level, data in WHOLE.items():
+        (tmp_path / f"{level}.json").write_text(json.dumps(data))
+    assert_refused(scegen("concretize", "functional.json", "--index", "0"), "scegen enumerate")
+    assert_refused(scegen("concretize", "logical.json", "--index", "7"), "--index: '7' names no")
+    assert_refused(scegen("simulate", "functional.json"), "scegen concretize writes one")
+    assert_refused(scegen("enumerate", "concrete.json"), "name the functional.yaml")
+    assert_refused(scegen("generate", "concrete.json", "-o", "out", "--pick", "3"), "nothing to")
+    assert_refused(scegen("play", "logical.json"), "or a scenario.xosc in it")
 
 
 def test_maneuvers_that_no_arm_allows(scegen, tmp_path):

@@ -58,6 +58,24 @@ def test_work_lies_where_the_command_line_reads_it_and_the_other_way_round(serve
     assert visitor.page.input_value("textarea") == CROSSING
 
 
+def test_numbers_from_a_file_are_made_and_made_again(server, visit, tmp_path):
+    made = scegen("generate", CROSSING, "-o", tmp_path / "made", "--check", "none")
+    assert made.returncode == 0
+    visitor = visit(server.url)
+    visitor.page.get_by_role("button", name="Open").click()
+    visitor.page.wait_for_selector(".sheet")
+    visitor.page.set_input_files(
+        "input[type=file]", next((tmp_path / "made").glob("scenarios/*/concrete.yaml"))
+    )
+    visitor.page.wait_for_selector("text=Given numbers")
+    visitor.search()
+    folder = visitor.download(tmp_path)
+    command = visitor.page.inner_text("#again").split()
+    assert scegen(*command[1:], cwd=folder).returncode == 0
+    road = next(folder.glob("scenarios/*/road.xodr")).relative_to(folder)
+    assert (folder / "again" / road).read_bytes() == (folder / road).read_bytes()
+
+
 def test_editing_changes_what_is_enumerated_and_made(server, visit, tmp_path):
     visitor = visit(server.url)
     visitor.understood(CROSSING)

@@ -104,7 +104,16 @@ def generate(
         if not logical.scenarios:
             raise NoScenarioError("no scenario is as asked for", where=f"--where {options.where}")
     elif options.where or options.rules:
-        raise InputError("--where and --rules narrow the enumeration of a functional scenario")
+        raise InputError(
+            "--where and --rules narrow the enumeration of a functional scenario",
+            hint="Name a functional.yaml or a description, or leave them out.",
+        )
+    elif options.pick and isinstance(source, ConcreteScenario):
+        raise InputError(
+            "a concrete scenario is one: there is nothing to pick",
+            where="--pick",
+            hint="Name a logical.json, or leave it out.",
+        )
     if logical is not None:
         functional = logical.functional
     origin = origin if isinstance(source, ConcreteScenario) and origin is not None else Origin()
@@ -177,9 +186,8 @@ def _raised(
     if not isinstance(source, ConcreteScenario):  # a source is of one of the three levels
         raise InputError("has no logical scenarios")
     seed, solutions = options.seed, options.solutions
-    if origin.functional is not None and options.target is None:
-        goal = origin.target or chosen_target(options, origin.functional, numbers_given=False)
-        return prove_all(origin.functional, [source], goal)
+    if origin.functional and origin.target and options.target is None:
+        return prove_all(origin.functional, [source], origin.target)
     return raise_all(
         origin.functional, [source], target, seed, progress, session, solutions=solutions
     )

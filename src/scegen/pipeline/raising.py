@@ -104,12 +104,11 @@ def raise_all(
 
 
 def prove_all(
-    functional: FunctionalScenario, concretes: list[ConcreteScenario], target: str | None
+    functional: FunctionalScenario, concretes: list[ConcreteScenario], target: str
 ) -> Raising:
     """Scenarios as they are, each with what it shows of its description."""
     proofs = {
-        concrete.name: prove_as_it_is(functional, concrete, target=target or NEAR_MISS)
-        for concrete in concretes
+        concrete.name: prove_as_it_is(functional, concrete, target=target) for concrete in concretes
     }
     return Raising(concretes, proofs)
 

@@ -118,7 +118,7 @@ def overview(stage: Stage, view: View, encounter: Encounter | None, framed: View
     ]
     labels += [Label(o.id, _around(view, thing_corners(o))) for o in stage.concrete.objects]
     bar, where = _scale_bar(view, theme)
-    frames = [] if framed is None else [_from_frame(view.frame(framed))]
+    frames = [] if framed is None else _edges(view.frame(framed))
     return drawn + bar + _labelled(stage, view, labels, [where, *frames])
 
 
@@ -237,6 +237,13 @@ def _inside(view: View, at: Rectangle) -> bool:
     return 0.0 <= x <= view.width and 0.0 <= y <= view.height
 
 
-def _from_frame(frame: tuple[float, float, float, float]) -> Rectangle:
+def _edges(frame: tuple[float, float, float, float]) -> list[Rectangle]:
+    """The four sides of a frame, which no label may lie across."""
     left, top, width, height = frame
-    return left, top, left + width, top + height
+    right, bottom = left + width, top + height
+    return [
+        (left, top, right, top),
+        (left, bottom, right, bottom),
+        (left, top, left, bottom),
+        (right, top, right, bottom),
+    ]

@@ -142,7 +142,7 @@ class Page:
         possible = {
             "describe": True,
             "choose": work.listing is not None,
-            "danger": work.functional is not None or work.concrete is not None,
+            "danger": work.functional is not None or work.given is not None,
             "watch": work.made is not None and bool(work.made.scenarios),
             "take": work.made is not None and bool(work.made.scenarios),
         }

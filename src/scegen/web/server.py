@@ -68,7 +68,8 @@ def serve(
         show: open it in a browser too.
     """
     jobs = Jobs()
-    guarded = Guard(build(Project(project), jobs, models), place.token)
+    application = build(Project(project), jobs, models, cookie=f"scegen_{place.port}")
+    guarded = Guard(application, place.token, cookie=f"scegen_key_{place.port}")
     server = uvicorn.Server(
         uvicorn.Config(
             guarded,
@@ -98,8 +99,8 @@ def serve(
         jobs.close()
 
 
-def build(project: Project, jobs: Jobs, models: LlmSettings | None) -> FastAPI:
-    """The application without its guard; once in a process."""
+def build(project: Project, jobs: Jobs, models: LlmSettings | None, *, cookie: str) -> FastAPI:
+    """The application without its guard; once in a process. ``cookie`` names its sessions."""
     shared = None if models is None else Models(models)
     sessions = Sessions(lambda: Work(project, jobs, shared))
     application = FastAPI(docs_url=None, redoc_url=None, openapi_url=None)
@@ -118,7 +119,7 @@ def build(project: Project, jobs: Jobs, models: LlmSettings | None) -> FastAPI:
         language="en-US",
         tailwind=False,
         storage_secret=secrets.token_urlsafe(32),
-        session_middleware_kwargs={"same_site": "strict"},
+        session_middleware_kwargs={"same_site": "lax", "session_cookie": cookie},
         show_welcome_message=False,
         reconnect_timeout=10.0,
     )

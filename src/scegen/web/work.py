@@ -20,7 +20,7 @@ from scegen.pipeline.folder import digest
 from scegen.pipeline.options import Options
 from scegen.pipeline.picking import pick
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.files import from_data, to_yaml
+from scegen.scenario.files import from_data, to_json, to_yaml
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Certificate, LogicalScenario, LogicalSet
 from scegen.scenario.vocabulary import ArmsMode, Reduction
@@ -29,7 +29,7 @@ from scegen.web import tasks
 from scegen.web.jobs import Job, Jobs, JobState, Task, Trouble
 from scegen.web.made import Made, MadeScenario
 from scegen.web.models import Models
-from scegen.web.project import FUNCTIONAL_FILE, Project, changed_outside, keep
+from scegen.web.project import FUNCTIONAL_FILE, GIVEN_FILE, Project, changed_outside, keep
 from scegen.web.provenance import carried_over, confirmed, without
 
 
@@ -84,7 +84,7 @@ class Work:
         self.picked: list[int] = []
         self.choice_note: str | None = None
         self.options = Options()
-        self.concrete: ConcreteScenario | None = None
+        self.given: LogicalSet | ConcreteScenario | None = None
         self.folder: Path | None = None
         self.kept: str | None = None
         self.made: Made | None = None
@@ -146,7 +146,7 @@ class Work:
 
     def take(self, functional: FunctionalScenario) -> None:
         """Go on with this functional scenario: its scenarios are listed at once."""
-        self.functional, self.form_trouble, self.concrete = functional, None, None
+        self.functional, self.form_trouble, self.given = functional, None, None
         self.report = report_on(functional)
         self._changed("form", "text")
         self.list_all()
@@ -178,16 +178,31 @@ class Work:
             self._take_concrete(job.result)
 
     def _take_listed(self, logical: LogicalSet) -> None:
-        """Go on with a list of logical scenarios from a file."""
+        """Go on with the logical scenarios of a file, and with no others."""
         self.draft = logical.functional.description
         self.reduction, self.arms = logical.reduction, logical.arms
         self.take(logical.functional)
+        self.cancel("listing")
+        self.given = logical
+        scenarios = list(logical.scenarios)
+        self.listing = Listing(
+            logical.functional,
+            logical.reduction,
+            logical.arms,
+            logical.certificate,
+            logical.notes,
+            scenarios,
+            whole=True,
+        )
+        self.shown = [s.index for s in scenarios]
+        self.picked = [pick(logical, None)[0].index] if scenarios else []
+        self._changed("listing", "choice", "edition")
 
     def _take_concrete(self, concrete: ConcreteScenario) -> None:
         """Go on with numbers from a file: nothing is enumerated."""
         self.draft = concrete.description
         self.functional = self.report = self.listing = None
-        self.concrete = concrete
+        self.given = concrete
         self.step = "danger"
         self._changed("form", "text", "listing", "choice", "step")
 
@@ -316,15 +331,14 @@ class Work:
         Raises:
             InputError: nothing is chosen, or the folder cannot be written.
         """
-        source: Any = self.functional or self.concrete
-        if source is None or (self.functional is not None and not self.picked):
+        source = self.given or self.functional
+        listed = self.functional is not None
+        if source is None or (listed and not self.picked):
             raise InputError("choose at least one scenario first")
-        picked = ",".join(str(i) for i in self.picked) if self.functional is not None else None
-        options = replace(
-            self.options, pick=picked, reduction=self.reduction, arms=self.arms, force=True
-        )
-        if isinstance(source, ConcreteScenario):
-            options = replace(options, reduction=Reduction.EXACT, arms=ArmsMode.DISTINCT)
+        picked = ",".join(str(i) for i in self.picked) if listed else None
+        options = replace(self.options, pick=picked, force=True)
+        if self.given is None:
+            options = replace(options, reduction=self.reduction, arms=self.arms)
         self.cancel("making", "opening")
         self._own_folder()
         self.made_with, self.made_of = options, self.functional
@@ -416,6 +430,10 @@ class Work:
             content = to_yaml(self.functional).encode()
             keep(self.folder, FUNCTIONAL_FILE, content)
             self.kept = digest(content)
+        if self.given is not None:
+            keep(self.folder, GIVEN_FILE, to_json(self.given).encode())
+        else:
+            (self.folder / GIVEN_FILE).unlink(missing_ok=True)
 
     @property
     def stale(self) -> bool:

@@ -55,10 +55,10 @@ def test_a_danger_that_lacks_something_gets_more_of_it(ready):
     assert quicker.reason == "speeding by car_1 is 1.50 m/s short"
 
 
-def made(text):
+def made(text, which=0):
     functional = read(text)
     logical = enumerate_scenarios(functional)
-    return functional, concretize(functional, pick(logical, None)[0], seed=0)
+    return functional, concretize(functional, pick(logical, None)[which], seed=0)
 
 
 @pytest.mark.parametrize("case", paper_cases(), ids=lambda case: case.id)
@@ -103,7 +103,7 @@ def test_without_advice_the_search_is_as_it_was(says):
 
 
 def test_nobody_is_asked_where_nothing_has_to_change(says):
-    functional, concrete = made(paper_cases()[7].text)
+    functional, concrete = made(paper_cases()[2].text, 1)
     asked = says()
     raised = raise_criticality(functional, concrete, proposer=asked)
     assert raised.proof.in_band_before

@@ -162,7 +162,8 @@ class Judge:
             on = place.prep is not None and place.prep.value == "in" and place.head is not None
             hit_by = hit_by or (on and ego is not None and self._is_hit(ego, i))
             into = place.prep is not None and place.prep.value in {"in", "into"}
-            hit_by = hit_by or (into and place.owner is not None and whose is ego)
+            told = place.owner is not None or any(m.cat == "possessive" for m in place.mods)
+            hit_by = hit_by or (into and told and whose is ego)
             direct = any(s.event.i == i and s.event.object is place for s in self._text.scenes)
             hit_by = hit_by or (direct and whose is ego)
             if part is None or whose is None or (flank and not (hit_by and whose is ego)):
@@ -221,7 +222,9 @@ class Judge:
         direct = scene.event.object is place
         if direct and scene.targets:
             return scene.targets[0]
-        if direct and own and scene.actors:  # "a car behind hits its rear"
+        flank = bool({"left", "right"} & set(place.dirs))
+        met = direct or (flank and place.prep is not None and place.prep.value == "into")
+        if met and own and scene.actors:  # "a car behind hits its rear"
             return None if scene.actors[0].ego else ego_of(self._context)
         if own and scene.event.passive and place.prep is not None and place.prep.value == "in":
             return scene.targets[0] if scene.targets else None  # "is hit on its right side"

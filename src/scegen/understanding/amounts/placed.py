@@ -252,6 +252,14 @@ class Spacer:
             for a in here
             if measure is Measure.TTC_S and own is not None and own.i in (a.i, *a.told)
         ]  # "brakes at a TTC of 3 s"
+        changes = [a for a in acts if a.kind is ActKind.CHANGE_LANE]
+        beside = any(
+            p.entity in (entity, reference) and p.approaches == {Approach.ADJACENT}
+            for p in self._context.draft.placements
+        )
+        moving = not (entity.still or reference.still)
+        if not laned and beside and moving and len(changes) == 1:
+            laned = changes  # "gap 30 m; the van changes lane": when it does
         if laned:
             return laned[-1]
         one, other = entity.speed, reference.speed

@@ -93,7 +93,8 @@ def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
         return None if opened else _build(tokens, i, end, values, dimension)
     joiner = j < len(tokens) and tokens[j].low in _RANGE_WORDS
     second = _second_number(tokens, j + 1 if joiner else j)
-    if second is not None and (joiner or tokens[i].kind == "number"):
+    named = i > 0 and tokens[i - 1].low == "lane"  # "in lane 2 65 ft ahead"
+    if second is not None and (joiner or (tokens[i].kind == "number" and not named)):
         value, dimension, end, name = second
         return _build(tokens, i, end, [_si(first.value, dimension, name), value], dimension)
     after = _tolerance_mark(tokens, j)

@@ -217,7 +217,7 @@ class Danger:
     def _show_head(self) -> None:
         work = self._work
         busy = work.busy("making") or work.busy("looking")
-        ready = work.concrete is not None or bool(work.picked)
+        ready = work.given is not None or bool(work.picked)
         count = len(work.picked)
         fresh = work.made is not None and bool(work.made.scenarios) and not work.stale
         self._title.text = (

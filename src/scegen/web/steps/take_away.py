@@ -11,6 +11,7 @@ from scegen.pipeline.playing import has_screen
 from scegen.pipeline.rendering import GIF, MP4, has_video
 from scegen.web.elements import button, node
 from scegen.web.made import Made
+from scegen.web.project import FUNCTIONAL_FILE, GIVEN_FILE
 from scegen.web.steps.outcome import outcome_cards
 from scegen.web.steps.step import Activity, Go
 from scegen.web.work import Work
@@ -122,5 +123,6 @@ def again(work: Work) -> str:
     if work.made is None:
         return ""
     options = work.made_with or work.made.options()
-    source = "functional.yaml" if work.made.functional is not None else "concrete.yaml"
+    given = (work.made.folder / GIVEN_FILE).is_file()
+    source = GIVEN_FILE if given else FUNCTIONAL_FILE
     return command_line(options, source, "again")
