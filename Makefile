@@ -15,7 +15,7 @@ $(VENV)/.installed: pyproject.toml constraints.txt
 	  { echo "Python 3.11 or newer is needed; name one: make PYTHON=python3.12 $(MAKECMDGOALS)" >&2; exit 1; }
 	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
 	@echo "installing into $(VENV) (once, a minute or two)"
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev,llm]'
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev,llm,web]'
 	@touch $@
 
 $(VENV)/asam/.installed: $(VENV)/.installed src/scegen/checking/data/asam-constraints.txt
@@ -28,6 +28,7 @@ asam: $(VENV)/asam/.installed ## install the ASAM checkers in an environment of 
 demo: $(VENV)/.installed ## from a sentence to simulator files, in ./demo
 	@$(MAKE) --no-print-directory asam || echo "going on without the ASAM checkers" >&2
 	$(BIN)/scegen generate "$(DEMO_TEXT)" -o demo --count 2 --check full --force
+	@echo "steer it yourself on the page: $(BIN)/scegen serve --open"
 
 # What a change breaks first, package by package from the left: no search, no player, no model.
 QUICK := tests/test_layout.py tests/test_units.py tests/scenario tests/road \

@@ -4,7 +4,8 @@
 
 Every kind of junction and of danger, with and without numbers (tests/helpers/random_said.py). Each
 is made, its danger raised, its files played in esmini (where it is on PATH), and every claim judged
-on our own traces and on the recording. Ends with 1 if one of them is judged otherwise there.
+on our own traces and on the recording. Ends with 1 if one of them is judged
+otherwise there, or if anything crashes.
 """
 
 from __future__ import annotations
@@ -23,12 +24,17 @@ from random_said import situation
 
 from scegen.scenario.files import to_yaml
 
+CRASH = "crash: "
+
 
 def played(number: int) -> Iterator[Played]:
     """So many situations, each made and played; the same each time."""
     for seed in range(number):
         begin = perf_counter()
-        row = play(situation(seed), seed)
+        try:
+            row = play(situation(seed), seed)
+        except Exception as error:  # noqa: BLE001 - told, and looked at later
+            row = Played(situation(seed), refused=f"{CRASH}{type(error).__name__}: {error}")
         words = row.refused or f"{len(row.missed)} missed, {len(row.disagreeing)} judged otherwise"
         kinds = ", ".join(h.kind for h in row.functional.hazards) or "no danger"
         print(
@@ -66,10 +72,12 @@ def main() -> int:
             text = "\n".join([*said, to_yaml(row.functional)])
             (options.save / f"{number:03}.yaml").write_text(text)
     made = [row for row in rows if row.proof]
+    crashed = sum(row.refused.startswith(CRASH) for row in rows)
     claims = sum(len(row.recorded) for row in made)
     data = {
         "scenarios": len(rows),
-        "refused": len(rows) - len(made),
+        "refused": len(rows) - len(made) - crashed,
+        "crashed": crashed,
         "everything holds": sum(not row.missed for row in made),
         "missed, and told": dict(missed.most_common()),
         "judged twice": claims,
@@ -79,7 +87,7 @@ def main() -> int:
         print(json.dumps(data, indent=2))
     else:
         print("\n".join(f"{name}: {value}" for name, value in data.items()))
-    return int(bool(otherwise))
+    return int(bool(otherwise or crashed))
 
 
 if __name__ == "__main__":

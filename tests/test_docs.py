@@ -5,6 +5,8 @@ from pathlib import Path
 
 import pytest
 
+from scegen.scenario.files import json_schema
+
 ROOT = Path(__file__).parents[1]
 PAGES = [*sorted((ROOT / "docs").glob("*.md")), ROOT / "README.md", ROOT / "CONTRIBUTING.md"]
 MADE = re.compile(r"<!-- new (\S+) -->")
@@ -33,3 +35,13 @@ def test_the_architecture_names_every_package():
     parts = {f.name for f in source.iterdir() if f.is_dir() and any(f.glob("*.py"))}
     parts |= {f.stem for f in source.glob("*.py") if not f.stem.startswith("_")}
     assert named == parts
+
+
+def test_every_field_of_the_functional_level_is_told():
+    """Level by level: the fields of the whole, and those of each of its parts."""
+    text = (ROOT / "docs" / "json.md").read_text(encoding="utf-8")
+    schema = json_schema("functional")
+    own = {"level", "description", "evidence", "unsupported"}
+    parts = [schema["$defs"][name] for name in ("Junction", "Participant", "Act", "Group")]
+    fields = set(schema["properties"]) | {name for part in parts for name in part["properties"]}
+    assert not {name for name in fields - own if not re.search(rf"\b{name}\b", text)}

@@ -136,10 +136,18 @@ def test_the_leader_does_not_tailgate():
     assert not happens("tailgating", made, by=("other",), to=("ego",)).happened
 
 
-@pytest.mark.parametrize("kind", ["merging_conflict", "unprotected_left_turn", "cut_in"])
+@pytest.mark.parametrize("kind", ["merging_conflict", "cut_in"])
 @pytest.mark.parametrize(("arrives_s", "expected"), [(1.0, True), (5.0, False)])
 def test_conflicts_are_a_matter_of_time(kind, arrives_s, expected):
     assert happens(kind, crossing(arrives_s)).happened is expected
+
+
+@pytest.mark.parametrize(
+    "kind", ["unprotected_left_turn", "crossing_pedestrian", "crossing_cyclist"]
+)
+def test_who_comes_as_soon_as_the_other_has_left_endangers_nobody(kind):
+    assert not happens(kind, crossing(1.0)).happened
+    assert happens(kind, crossing(1.0), by=("ego",), to=("other",)).happened
 
 
 def test_the_margin_of_a_conflict_falls_as_time_grows():

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from scegen.claims.boxes import Boxes, apart, free, gap_m, seen
+from scegen.claims.boxes import Boxes, free, gap_m, seen
 from scegen.claims.runs import greatest_runs
 from scegen.claims.statements.spacings import overlap_percent
 from scegen.scenario.vocabulary import Side
@@ -54,14 +54,6 @@ def test_a_box_is_seen_from_another():
     assert [float(v[0]) for v in place] == pytest.approx([10, 3, 9, 11, 1, 5])
     assert [float(v[0]) for v in free(box(0, 0), box(10, 3))] == pytest.approx([6, -14, 1, -5])
     assert gap_m(box(0, 0), box(-10, 0))[0] == pytest.approx(6)
-
-
-@pytest.mark.parametrize(
-    ("x", "y", "heading", "touch"),
-    [(3.9, 0, 0, True), (4.1, 0, 0, False), (2.5, 2.4, 45, True), (3.9, 2.9, 45, False)],
-)
-def test_boxes_touch_where_no_axis_parts_them(x, y, heading, touch):
-    assert bool(apart(box(0, 0), box(x, y, heading))[0] <= 0.0) is touch
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,8 @@ import math
 import pytest
 from whole import FUNCTIONAL, WHOLE
 
+from scegen.pipeline.source import resolve_source
+
 SENTENCE = "Two cars meet at a four-way intersection."
 
 
@@ -109,7 +111,11 @@ def test_a_folder_with_somebody_elses_files(scegen, tmp_path):
         (("--pick", "99999"), "names no logical scenario"),
         (("--count", "0"), "--count"),
         (("--seed", "-1"), "--seed"),
-        (("--reduction", "total"), "--reduction"),
+        (("--reduction", "total"), "--reduction': 'total' is not one of"),
+        (("--seed", "1.5"), "--seed': it must be a whole number"),
+        (("--solutions", "0"), "--solutions': it must be at least 1"),
+        (("--llm-timeout", "soon"), "--llm-timeout': it must be a number"),
+        (("--rules", "nowhere.lp"), "nowhere.lp: cannot be read"),
     ],
 )
 def test_options_out_of_range(scegen, tmp_path, options, words):
@@ -118,6 +124,17 @@ def test_options_out_of_range(scegen, tmp_path, options, words):
     assert words in done.stderr
     assert "Traceback" not in done.stderr
     assert not (tmp_path / "out").exists()
+
+
+def test_what_a_command_does_not_take(scegen, tmp_path):
+    for level, data in WHOLE.items():
+        (tmp_path / f"{level}.json").write_text(json.dumps(data))
+    assert_refused(scegen("concretize", "functional.json", "--index", "0"), "scegen enumerate")
+    assert_refused(scegen("concretize", "logical.json", "--index", "7"), "--index: '7' names no")
+    assert_refused(scegen("simulate", "functional.json"), "scegen concretize writes one")
+    assert_refused(scegen("enumerate", "concrete.json"), "name the functional.yaml")
+    assert_refused(scegen("generate", "concrete.json", "-o", "out", "--pick", "3"), "nothing to")
+    assert_refused(scegen("play", "logical.json"), "or a scenario.xosc in it")
 
 
 def test_maneuvers_that_no_arm_allows(scegen, tmp_path):
@@ -238,7 +255,7 @@ def test_fields_are_complained_about_in_words(scegen, tmp_path, level, field, va
 
 
 ONE = WHOLE["logical"]["scenarios"][0]
-DRIVE = ONE["assignments"][0]
+DRIVE, WALK, MET = ONE["assignments"][0], ONE["assignments"][2], ONE["conflicts"][0]
 
 
 @pytest.mark.parametrize(
@@ -259,6 +276,26 @@ DRIVE = ONE["assignments"][0]
             [ONE | {"assignments": [DRIVE | {"exit": 4}, *ONE["assignments"][1:]]}],
             "ego uses arm 4, outside 0..3",
         ),
+        (
+            [ONE | {"assignments": [DRIVE | {"exit": 3}, *ONE["assignments"][1:]]}],
+            "ego enters at arm 0 with move 2: its exit is 2",
+        ),
+        (
+            [ONE | {"assignments": [DRIVE | {"turn": "left"}, *ONE["assignments"][1:]]}],
+            "ego goes from arm 0 to 2: its turn is straight",
+        ),
+        (
+            [ONE | {"assignments": [DRIVE | {"maneuver": "right"}, *ONE["assignments"][1:]]}],
+            "ego turns straight: its maneuver is one of",
+        ),
+        (
+            [ONE | {"assignments": [WALK | {"participant": "ego"}, *ONE["assignments"][1:]]}],
+            "ego has the type crossing, and can only have drive",
+        ),
+        ([ONE | {"pattern": [1, 2]}], "the pattern of its moves is [2, 2]"),
+        ([ONE | {"conflicts": [MET | {"second": "ego"}]}], "ego has a conflict with itself"),
+        ([ONE | {"conflicts": [MET | {"yields": "walker"}]}], "walker yields in a conflict of"),
+        ([ONE | {"parameters": 2 * ONE["parameters"]}], "'ego.speed_mps' is given 2 times"),
         ([ONE | {"hazards": [{"kind": "cut_in", "by": ["ghost"]}]}], "no participant 'ghost'"),
         ([ONE | {"deadlock": ["ghost"]}], "no participant 'ghost'"),
         (
@@ -288,3 +325,15 @@ def test_a_certificate_in_a_file_is_not_believed(scegen, tmp_path):
         name: right[name] for name in ("count", "total", "complete")
     }
     assert "claims 1 scenarios of 3 assignments" in made["notes"][-1]
+
+
+def test_nor_are_class_sizes(scegen, tmp_path):
+    done = scegen("enumerate", "--entries", "0,1", "--junction-arms", "4", "-o", "in.json")
+    assert done.returncode == 0, done.stderr
+    listed = json.loads((tmp_path / "in.json").read_text())
+    listed["scenarios"][0]["class_size"] += 5
+    (tmp_path / "in.json").write_text(json.dumps(listed))
+    recounted = resolve_source(str(tmp_path / "in.json"))
+    total = recounted.certificate.total
+    assert not recounted.certificate.complete
+    assert f"add up to {total + 5}; there are {total} assignments" in recounted.notes[-1]

@@ -8,7 +8,7 @@ import shapely
 
 from scegen.concretization import concretize
 from scegen.motion import build_paths, simulate
-from scegen.report.encounter import box_corners, thing_corners
+from scegen.report.corners import box_corners, thing_corners
 from scegen.road import build_network
 from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import DrivingSide, HazardKind

@@ -12,7 +12,7 @@ from scegen.measures.injury import PROTECTED, UNPROTECTED
 from scegen.measures.occlusion import occlusion_series
 from scegen.motion import build_paths
 from scegen.motion.batch import compile_program, simulate_batch
-from scegen.report.encounter import thing_corners
+from scegen.report.corners import thing_corners
 from scegen.report.lane_shapes import road_shapes
 from scegen.road import build_network
 from scegen.road.model import LaneType

@@ -12,10 +12,11 @@ from scegen.claims.view import view_of
 from scegen.concretization import concretize
 from scegen.criticality import raise_criticality
 from scegen.criticality.careful_driver import Outcome, careful_driver_verdict
-from scegen.criticality.course import ego_course
+from scegen.criticality.encounter import closest_encounter
 from scegen.criticality.reactivity.sensitivity import ego_start_sensitivity
 from scegen.criticality.search.pairs import candidate_pairs
 from scegen.enumeration import enumerate_scenarios
+from scegen.motion import simulate
 from scegen.motion.batch import compile_program, simulate_batch
 from scegen.scenario.concrete import AtTime
 from scegen.scenario.functional import Hazard
@@ -78,9 +79,9 @@ def test_the_event_is_about_an_obstacle_but_not_about_what_hides():
     far = participant("far", speed=12.0)
     paths = {"ego": EGO_WAY, "far": line(0.0, 40.0, 0.0, 400.0)}
     beside = with_things(thing(y_m=4.0), people=(far,))
-    assert ego_course(beside, paths).partner == "far"
+    assert closest_encounter(beside, simulate(beside, paths)).other == "far"
     in_the_way = with_things(thing(y_m=4.0), people=(far,), hazards=(IN_THE_WAY,))
-    assert ego_course(in_the_way, paths).partner == "crate_1"
+    assert closest_encounter(in_the_way, simulate(in_the_way, paths)).other == "crate_1"
     found = ego_start_sensitivity(in_the_way, paths)
     assert found.partner == "crate_1"
 

@@ -175,14 +175,16 @@ def _places(functional, index, entries, ego):
     vehicle = functional.vehicles[index]
     if not vehicle.approaches:
         return ["unsaid"]
+    sides = vehicle.approaches & {Approach.LEFT, Approach.RIGHT}
+    # On a road without a junction nobody comes from the side but out of the next lane.
+    open_road = functional.junction.kind is JunctionKind.STRAIGHT
     if entries[index] == entries[ego]:
-        found = [word.value for word in vehicle.approaches & SAME_ARM]
+        found = [word.value for word in vehicle.approaches & SAME_ARM - {Approach.ADJACENT}]
         if Approach.ADJACENT in vehicle.approaches:
-            found.remove("adjacent")
-            sides = [w.value for w in vehicle.approaches & {Approach.LEFT, Approach.RIGHT}]
-            sides = sides if len(sides) == 1 else ["left", "right"]
-            found += [f"adjacent_{side}" for side in sides]
-        return sorted(found)
+            lanes = sides if len(sides) == 1 else {Approach.LEFT, Approach.RIGHT}
+        else:
+            lanes = sides if open_road else set()
+        return sorted([*found, *(f"adjacent_{side.value}" for side in lanes)])
     words = seen_from(arm_angles_deg(functional.junction), entries[ego], entries[index])
     return ["elsewhere"] if words & vehicle.approaches else []
 

@@ -24,6 +24,18 @@ def test_who_is_beside_the_middle_lane(describe, side, lane):
     assert {(c.beside, c.beside_on, c.lane, c.rank) for c in found} == {("ego", side, lane, 0)}
 
 
+def test_two_in_line_beside_one(describe):
+    """Both are in the lane beside it, one behind the other: neither is level with the other."""
+    beside = {"approaches": ["adjacent", "right"]}
+    people = [EGO | {"lanes": [1]}, {"id": "last"} | beside, {"id": "first"} | beside]
+    line = {"participant": "last", "reference": "first", "approaches": ["behind"]}
+    functional = describe("straight", 2, people, relations=[line], lanes=[2, 2])
+    (scenario,) = enumerate_scenarios(functional).scenarios
+    last, first = scenario.assignment("last"), scenario.assignment("first")
+    assert (last.beside, last.lane) == (first.beside, first.lane) == ("ego", 2)
+    assert first.rank < last.rank
+
+
 def test_beside_where_there_is_no_lane(describe):
     car = {"id": "car", "approaches": ["adjacent", "right"]}
     functional = describe("straight", 2, [EGO | {"lanes": [2]}, car], lanes=[2, 2])

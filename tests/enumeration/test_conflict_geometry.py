@@ -14,7 +14,7 @@ import shapely
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from scegen.enumeration.conflicts import conflict_table
+from scegen.enumeration.right_of_way import road_rules
 from scegen.enumeration.wide_curves import CLOSE_DEG, NEAR_M, curves_that_meet
 from scegen.errors import RoadInfeasibleError
 from scegen.road import build_network, plan_road
@@ -59,7 +59,7 @@ def as_drawn(one, other, first, second) -> str:
 
 def disagreements(junction, **extra):
     lines = centre_lines(build_network(plan_road(junction, arm_length_m=40.0, **extra)))
-    table = conflict_table(junction, u_turns=bool(extra))
+    table = road_rules(junction, u_turns=bool(extra)).kinds
     found = []
     for one, other in itertools.combinations_with_replacement(sorted(lines), 2):
         drawn = as_drawn(one, other, lines[one], lines[other])
@@ -124,6 +124,6 @@ def test_a_curve_that_swings_over_another():
     """A left turn into an arm 15 deg from the one where oncoming traffic comes in."""
     angles = (4.5, 99.8, 283.3, 298.0)
     junction = Junction(kind="four_way", arms=4, arm_angles_deg=angles)
-    assert conflict_table(junction)[0, 3, 2, 1] is ConflictKind.CROSSING
+    assert road_rules(junction).kinds[0, 3, 2, 1] is ConflictKind.CROSSING
     regular = Junction(kind=JunctionKind.FOUR_WAY, arms=4)
-    assert (0, 3, 2, 1) not in conflict_table(regular)
+    assert (0, 3, 2, 1) not in road_rules(regular).kinds

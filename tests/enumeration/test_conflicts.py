@@ -4,7 +4,7 @@ import itertools
 
 import pytest
 
-from scegen.enumeration.conflicts import conflict_table
+from scegen.enumeration.right_of_way import road_rules
 from scegen.scenario.functional import Junction
 from scegen.scenario.logical import ConflictKind
 
@@ -17,7 +17,7 @@ from scegen.scenario.logical import ConflictKind
 )  # fmt: skip
 def test_every_pair_of_ways_as_drawn(oracle, kind, arms, side):
     junction = Junction(kind=kind, arms=arms, driving_side=side)
-    table = conflict_table(junction)
+    table = road_rules(junction).kinds
     for e, x, f, y in itertools.product(range(arms), repeat=4):
         expected = oracle.ways_meet(junction, (e, x), (f, y))
         assert table.get((e, x, f, y), ConflictKind.NONE) == expected, (e, x, f, y)
@@ -39,14 +39,14 @@ def test_every_pair_of_ways_as_drawn(oracle, kind, arms, side):
     ],
 )
 def test_four_way_by_hand(side, first, second, kind):
-    table = conflict_table(Junction(kind="four_way", arms=4, driving_side=side))
+    table = road_rules(Junction(kind="four_way", arms=4, driving_side=side)).kinds
     assert table.get((*first, *second), ConflictKind.NONE) == kind
     assert table.get((*second, *first), ConflictKind.NONE) == kind
 
 
 def test_round_a_ring():
-    right = conflict_table(Junction(kind="roundabout", arms=4))
-    left = conflict_table(Junction(kind="roundabout", arms=4, driving_side="left"))
+    right = road_rules(Junction(kind="roundabout", arms=4)).kinds
+    left = road_rules(Junction(kind="roundabout", arms=4, driving_side="left")).kinds
     assert right[0, 3, 2, 3] == "merging"  # passes arm 2 on its way to arm 3
     assert (0, 1, 2, 3) not in right  # opposite quarters of the ring
     assert (0, 3, 2, 3) in left  # same exit always meets

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 from contextlib import contextmanager
+from time import monotonic
 
 HINT = "no chromium on PATH; install it: apt-get install chromium"
 
@@ -25,3 +26,11 @@ def a_browser(*flags):
         )
         yield browser
         browser.close()
+
+
+def until(page, expression, seconds=10.0):
+    """Wait until an expression holds, also where the page forbids evaluating strings by itself."""
+    end = monotonic() + seconds
+    while not page.evaluate(expression):
+        assert monotonic() < end, f"not within {seconds} s: {expression}"
+        page.wait_for_timeout(20)

@@ -59,7 +59,8 @@ def _participant(p: Any) -> dict[str, Any]:
         "circulating": p.circulating,
         "kph": number(p.speed_mps, _KPH) if p.speed_mps is not None else None,
     }
-    return {key: value for key, value in values.items() if value not in ([], False, None)}
+    said = {key: value for key, value in values.items() if value is not False}
+    return {key: value for key, value in said.items() if value is not None and value != []}
 
 
 def _act(act: Any) -> dict[str, Any]:

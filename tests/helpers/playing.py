@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from scegen.checking.esmini.layout import simulated_csv
 from scegen.checking.esmini.recording import read_recording
 from scegen.checking.recording import record
 from scegen.checking.said import recorded_view
@@ -49,8 +50,12 @@ class Played:
         ]
 
 
-def play(functional: FunctionalScenario, seed: int = 0, player: bool = True) -> Played:
-    """Make one of its scenarios, raise its danger, play the files, judge both."""
+def play(functional: FunctionalScenario, seed: int = 0, *, files: bool = True) -> Played:
+    """Make one of its scenarios, raise its danger, and judge it twice.
+
+    Once as the program does, and once on what runs: the ``files`` in esmini, where that is on PATH,
+    else our own simulation from the numbers.
+    """
     try:
         listed = enumerate_scenarios(functional, limit=50)
         # Others than the first are as good, and less often looked at.
@@ -61,14 +66,16 @@ def play(functional: FunctionalScenario, seed: int = 0, player: bool = True) -> 
     except InfeasibleError as error:
         return Played(functional, refused=error.render())
     claims = claims_of(functional, raised.concrete.logical, touching=_touching(raised.proof))
-    recorded: tuple[ClaimProof, ...] = ()
-    if player:
-        with TemporaryDirectory() as folder:
-            for name, content in export_scenario(raised.concrete).items():
-                (Path(folder) / name).write_bytes(content)
-            csv = record(Path(folder) / SCENARIO_FILE, raised.concrete).csv
-        recorded = prove(claims, recorded_view(raised.concrete, read_recording(csv)))
+    csv = _played(raised.concrete) if files else simulated_csv(raised.concrete)
+    recorded = prove(claims, recorded_view(raised.concrete, read_recording(csv)))
     return Played(functional, "", raised.concrete, raised.proof, recorded)
+
+
+def _played(concrete: ConcreteScenario) -> str:
+    with TemporaryDirectory() as folder:
+        for name, content in export_scenario(concrete).items():
+            (Path(folder) / name).write_bytes(content)
+        return record(Path(folder) / SCENARIO_FILE, concrete).csv
 
 
 def _touching(proof: Proof) -> tuple[str, ...]:

@@ -77,4 +77,56 @@ HIDES = said(
         {"kind": "occlusion", "by": ["van"], "to": ["ego"]},
     ],
 )
+TURNS_LEFT = said(
+    "four_way",
+    person("ego", speed=40, maneuvers=["straight"]),
+    person("car", approaches=["opposite"], maneuvers=["left"]),
+    hazards=[{"kind": "unprotected_left_turn", "by": ["car"], "to": ["ego"]}],
+)
+RUSHES = said(
+    "four_way",
+    person("ego", speed=40, maneuvers=["straight"]),
+    person("van", "van", approaches=["right"], maneuvers=["straight"]),
+    junction={"control": "stop"},
+    hazards=[{"kind": "failure_to_yield", "by": ["van"], "to": ["ego"]}],
+)
+QUEUE = said(
+    "four_way",
+    person("ego", maneuvers=["straight"]),
+    person("bus", "bus", approaches=["ahead"], maneuvers=["straight"]),
+    person("car", approaches=["left"], maneuvers=["straight"]),
+)
+RING = said(
+    "roundabout",
+    person("ego", speed=30, maneuvers=["straight"]),
+    person("car", approaches=["left"]),
+    junction={"arms": 4},
+)
+ZEBRA = said(
+    "four_way",
+    person("ego", speed=30, maneuvers=["right"]),
+    person("walker", "pedestrian", approaches=["right"], maneuvers=["cross"], crosses="exit"),
+    hazards=[{"kind": "crossing_pedestrian", "by": ["walker"], "to": ["ego"]}],
+)
+RED = said(
+    "four_way",
+    person("ego", speed=40, maneuvers=["straight"]),
+    person("truck", "truck", approaches=["left"], maneuvers=["straight"]),
+    junction={"control": "signals"},
+    hazards=[{"kind": "red_light_running", "by": ["truck"], "to": ["ego"]}],
+    outcome={"kind": "collision", "between": ["ego", "truck"]},
+)
+SKEWED = said(
+    "skewed",
+    person("ego", speed=40, maneuvers=["straight"]),
+    person("car", approaches=["right"], maneuvers=["left"]),
+    junction={"arm_angles_deg": [0, 60, 180, 240], "control": "yield"},
+)
+LANES = said(
+    "four_way",
+    person("ego", speed=40, maneuvers=["straight"], lanes=[1]),
+    person("car", approaches=["adjacent", "right"], maneuvers=["straight"]),
+    junction={"lanes": [2, 2, 2, 2]},
+)
+AT_JUNCTIONS = [TURNS_LEFT, RUSHES, QUEUE, RING, ZEBRA, RED, SKEWED, LANES]
 EVERY = [BRAKES, CUTS_IN, CROSSES, WALKS, STANDS, HIDES]

@@ -13,11 +13,11 @@ from scegen.scenario.proof import ClaimProof, HazardProof, Proof
 EVIL = '</script><img src=x onerror="document.title=1"><b>${1}'
 
 
-def claim(name, statement, holds=True, **more):
+def claim(name, statement, holds=True, kind="speed", **more):
     """A statement about ``name``."""
     return ClaimProof(
         id=f"{name}.{statement[:8]}",
-        kind="speed",
+        kind=kind,
         statement=f"{name} {statement}",
         field=f"participants.{name}.speed_mps",
         holds=holds,
@@ -28,8 +28,9 @@ def claim(name, statement, holds=True, **more):
 CLAIMS = (
     claim("car_1", "drives 9 m/s", measured=9.0, unit="m/s", time_s=1.25, words="slowly"),
     claim("ego", f"is calm {EVIL}", holds=False, time_s=4.0),
-    claim("van", "is there", time_s=0.0),
+    claim("van", "is there", kind="body", time_s=0.0),
 )
+DANGER = HazardProof(kind="failure_to_yield", by=("car_1",), to=("ego",), happened=True, time_s=6.5)
 PROOF = Proof(
     target="near-miss",
     in_band=True,
@@ -38,10 +39,8 @@ PROOF = Proof(
     band=(0.0, 1.0),
     pair=("ego", "car_1"),
     measures=(),
-    hazards=(
-        HazardProof(kind="failure_to_yield", by=("car_1",), to=("ego",), happened=True, time_s=6.5),
-    ),
-    hazards_before=(),
+    hazards=(DANGER,),
+    hazards_before=(DANGER,),
     claims=CLAIMS,
     unwanted_contacts=(),
     evaluations=1,

@@ -7,6 +7,7 @@ import sys
 import numpy as np
 import pytest
 from criticality_geometry import arc, line, through
+from series import encroachments, following_series, impact_speeds, required_series
 
 from scegen.measures import (
     MEASURES,
@@ -19,16 +20,9 @@ from scegen.measures import (
     measure_named,
 )
 from scegen.measures.bodies import body_of
-from scegen.measures.contact import contact_series
 from scegen.measures.distance import distance_series
-from scegen.measures.drac import drac_series
-from scegen.measures.gaps import gap_series
-from scegen.measures.headway import headway_series
-from scegen.measures.impact import impacts
-from scegen.measures.injury import injuries
+from scegen.measures.injury import injury_probability
 from scegen.measures.occlusion import occlusion_series
-from scegen.measures.post_encroachment import post_encroachment_times
-from scegen.measures.required_braking import required_series
 from scegen.measures.time_to_collision import time_to_collision_series
 from scegen.motion.batch import Phase, TriggerKind, build_program, repeat, simulate_batch
 from scegen.scenario.vocabulary import ParticipantKind
@@ -106,8 +100,8 @@ def test_two_runs_give_the_same_bits(case):
 
 def test_distance_and_contact(case):
     _, _, scene, traces, summary = case
-    contact = contact_series(traces.tracks, scene.bodies, scene.pairs)
     distance = distance_series(traces.tracks, scene.bodies, scene.pairs)
+    contact = distance == 0.0
     assert 0.05 < contact.any(axis=1).mean() < 0.95
     same(summary.distance_m, distance.min(axis=1))
     same(summary.closest_s, distance.argmin(axis=1) * 0.05)
@@ -118,7 +112,7 @@ def test_distance_and_contact(case):
 
 def test_time_to_collision(case):
     _, _, scene, traces, summary = case
-    contact = contact_series(traces.tracks, scene.bodies, scene.pairs)
+    contact = distance_series(traces.tracks, scene.bodies, scene.pairs) == 0.0
     series = time_to_collision_series(traces.tracks, scene.bodies, scene.pairs)
     np.testing.assert_array_equal(series == 0.0, contact)
     same(summary.ttc_s, until_contact(series, contact, np.min))
@@ -126,16 +120,13 @@ def test_time_to_collision(case):
 
 def test_headway_drac_and_braking(case):
     _, _, scene, traces, summary = case
-    tracks, bodies, pairs = traces.tracks, scene.bodies, scene.pairs
-    contact = contact_series(tracks, bodies, pairs)
-    gaps, who = gap_series(tracks, bodies, pairs, scene.following)
-    headway = headway_series(tracks, pairs, gaps, who)
+    bodies, pairs = scene.bodies, scene.pairs
+    contact = distance_series(traces.tracks, bodies, pairs) == 0.0
+    headway, drac = following_series(traces, scene)
     same(summary.headway_s, until_contact(headway, contact, np.min))
-    drac = drac_series(tracks, pairs, gaps, who)
     same(summary.drac_mps2, until_contact(drac, contact, np.max))
     for way in range(2):
-        needed = required_series(tracks, bodies, pairs, scene.following, scene.areas, 0.05, way)
-        worst = until_contact(needed, contact, np.max)
+        worst = until_contact(required_series(traces, scene, way), contact, np.max)
         same(summary.required_mps2[:, :, way], worst)
         available = np.array([body_of(bodies, i).available_mps2 for i in pairs[:, way]])
         same(summary.brake_threat[:, :, way], worst / available)
@@ -144,11 +135,19 @@ def test_headway_drac_and_braking(case):
 
 def test_pet_impact_and_injury(case):
     _, _, scene, traces, summary = case
-    same(summary.pet_s, post_encroachment_times(traces.tracks, scene.pairs, scene.areas, 0.05))
-    hits = impacts(traces.tracks, scene.bodies, scene.pairs)
-    same(summary.impact_mps, hits[:, :, 0])
-    same(summary.delta_v_mps, hits[:, :, 1:])
-    same(summary.injury, injuries(scene.bodies, scene.pairs, hits))
+    same(summary.pet_s, encroachments(traces, scene))
+    contact = distance_series(traces.tracks, scene.bodies, scene.pairs) == 0.0
+    speeds = impact_speeds(traces, scene, contact)
+    same(summary.impact_mps, speeds)
+    bodies = [[body_of(scene.bodies, i) for i in pair] for pair in scene.pairs]
+    shares = np.array([[b.mass_kg, a.mass_kg] for a, b in bodies])
+    changes = speeds[:, :, None] * shares / shares.sum(axis=1, keepdims=True)
+    same(summary.delta_v_mps, changes)
+    for p, pair in enumerate(bodies):
+        for way, body in enumerate(pair):
+            rows = zip(summary.injury[:, p, way], speeds[:, p], changes[:, p, way], strict=True)
+            for injury, speed, change in rows:
+                assert injury == pytest.approx(injury_probability(body, speed, change), nan_ok=True)
 
 
 def test_occlusion(case):

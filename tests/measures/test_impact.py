@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from criticality_geometry import cruising, line
 
-from scegen.measures import build_scene
+from scegen.measures import build_scene, measure
 from scegen.measures.bodies import MASS_KG, body_of
-from scegen.measures.impact import delta_v, impacts
-from scegen.measures.injury import injuries, injury_probability
+from scegen.measures.impact import delta_v
+from scegen.measures.injury import injury_probability
 from scegen.scenario.vocabulary import ParticipantKind
 
 CAR, PED, TRUCK = ParticipantKind.CAR, ParticipantKind.PEDESTRIAN, ParticipantKind.TRUCK
@@ -26,21 +26,21 @@ def test_impact_speed_is_vectorial(heading, speeds, expected):
     paths = [line(0, 0, 0, 200), line(*start, heading, 200)]
     scene = build_scene(paths, (CAR, TRUCK))
     traces = cruising(paths, [0, 0], speeds)
-    result = impacts(traces.tracks, scene.bodies, scene.pairs)[0, 0]
-    assert result[0] == pytest.approx(expected)
+    found = measure(traces, scene)
+    assert found.impact_mps[0, 0] == pytest.approx(expected)
     # Momentum is conserved, and the two changes make up the impact speed.
-    assert result[1] * MASS_KG[CAR] == pytest.approx(result[2] * MASS_KG[TRUCK])
-    assert result[1] + result[2] == pytest.approx(expected)
-    chances = injuries(scene.bodies, scene.pairs, np.array([[result]]))[0, 0]
+    changes, chances = found.delta_v_mps[0, 0], found.injury[0, 0]
+    assert changes[0] * MASS_KG[CAR] == pytest.approx(changes[1] * MASS_KG[TRUCK])
+    assert changes.sum() == pytest.approx(expected)
     assert chances[0] > chances[1]  # the lighter one fares worse
 
 
 def test_without_contact_there_is_nothing():
     paths = [line(0, 0, 0, 200), line(0, 10, 0, 200)]
     scene = build_scene(paths, (CAR, CAR))
-    result = impacts(cruising(paths, [0, 0], [9, 9]).tracks, scene.bodies, scene.pairs)
-    assert np.isnan(result).all()
-    assert np.isnan(injuries(scene.bodies, scene.pairs, result)).all()
+    found = measure(cruising(paths, [0, 0], [9, 9]), scene)
+    assert np.isnan(found.impact_mps).all()
+    assert np.isnan(found.injury).all()
 
 
 def test_equal_masses_share_the_change():

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 import shapely
 from criticality_geometry import arc, cruising, line, polygon, through
+from series import gap_series
 
 from scegen.measures import build_scene, measure
 from scegen.measures.boxes import box_at, frames_of
-from scegen.measures.gaps import gap_series
 from scegen.measures.post_encroachment import time_of_reaching
 from scegen.motion.batch.arrays import S
 from scegen.motion.model import Path
@@ -21,7 +21,7 @@ BODY = BODIES[CAR]
 def gaps_of(paths, starts, speeds, kinds=(CAR, CAR)):
     scene = build_scene(paths, kinds)
     traces = cruising(paths, starts, speeds, duration_s=3.0)
-    gaps, who = gap_series(traces.tracks, scene.bodies, scene.pairs, scene.following)
+    gaps, who = gap_series(traces, scene)
     return gaps[0, :, 0], who[0, :, 0]
 
 
@@ -55,7 +55,7 @@ def test_a_car_that_cuts_in_becomes_the_leader_once_it_reaches_into_the_corridor
     paths = [line(0, 0, 0, 200), through(np.column_stack((x, y)))]
     scene = build_scene(paths, (CAR, CAR))
     traces = cruising(paths, [20.0, 40.0], [12.0, 12.0], duration_s=8.0)
-    gaps, _ = gap_series(traces.tracks, scene.bodies, scene.pairs, scene.following)
+    gaps, _ = gap_series(traces, scene)
     begins = int(np.flatnonzero(np.isfinite(gaps[0, :, 0]))[0])
     assert np.isfinite(gaps[0, begins:, 0]).all()
     # The ground truth: its box reaches over the edge of the corridor.

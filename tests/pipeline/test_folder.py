@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from scegen.errors import InputError
-from scegen.pipeline.folder import digest, replace_content, require_usable
+from scegen.pipeline.folder import digest, record, replace_content, require_usable
 
 
 def make(folder: Path, **files: str) -> Path:
@@ -111,3 +111,48 @@ def test_a_folder_that_was_not_there_is_removed_after_a_failure(tmp_path, monkey
     with pytest.raises(InputError):
         replace_content(tmp_path / "out", staged)
     assert not (tmp_path / "out").exists()
+
+
+def test_nothing_of_an_earlier_scenario_is_left(tmp_path):
+    out = made_by_us(tmp_path / "out", report="old", logical="old")
+    (out / "scenarios").mkdir()
+    (out / "scenarios" / "road").write_text("old")
+    listed = json.loads((out / "summary.json").read_text())
+    listed["files"]["scenarios/road"] = digest(b"old")
+    listed["files"]["../escape"] = digest(b"")
+    (out / "summary.json").write_text(json.dumps(listed))
+    make(out, notes="mine")
+    (tmp_path / "escape").write_text("not ours")
+    replace_content(out, make(tmp_path / "staged", report="new"))
+    assert sorted(p.name for p in out.iterdir()) == ["notes", "report", "summary.json"]
+    assert (tmp_path / "escape").exists()
+
+
+def test_a_failure_while_removing_puts_everything_back(tmp_path, monkeypatch):
+    out = made_by_us(tmp_path / "out", report="old", stale="old")
+    rename = Path.rename
+
+    def fails_at_stale(self: Path, target: Path) -> Path:
+        if self.name == "stale":
+            raise OSError(28, "No space left on device")
+        return rename(self, target)
+
+    monkeypatch.setattr(Path, "rename", fails_at_stale)
+    with pytest.raises(InputError, match="No space left"):
+        replace_content(out, make(tmp_path / "staged", report="new"))
+    monkeypatch.undo()
+    assert (out / "report").read_text() == (out / "stale").read_text() == "old"
+
+
+def test_a_recorded_picture_is_ours_until_somebody_changes_it(tmp_path):
+    out = made_by_us(tmp_path / "out", road="x")
+    scenario = make(out / "scenarios" / "one", film="picture")
+    with pytest.raises(InputError, match="was not made by scegen"):
+        require_usable(out, force=False)
+    record(scenario / "film")
+    require_usable(out, force=False)
+    (scenario / "film").write_text("drawn over")
+    with pytest.raises(InputError, match="scenarios/one/film was changed"):
+        require_usable(out, force=False)
+    record(make(tmp_path / "elsewhere", film="picture") / "film")  # nothing to tell
+    assert [p.name for p in (tmp_path / "elsewhere").iterdir()] == ["film"]

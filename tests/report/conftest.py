@@ -22,6 +22,7 @@ def open_page(browser, tmp_path):
         path = tmp_path / f"page-{len(pages)}.html"
         path.write_text(text, encoding="utf-8")
         page = browser.new_page(**options)
+        page.set_default_timeout(10_000)
         pages.append(page)
         page.on("pageerror", lambda error: faults.append(str(error)))
         page.on("console", lambda m: m.type == "error" and faults.append(m.text))
@@ -32,6 +33,7 @@ def open_page(browser, tmp_path):
         page.goto(path.as_uri())
         return page
 
+    show.faults = faults
     yield show
     for page in pages:
         page.close()

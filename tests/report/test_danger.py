@@ -1,6 +1,6 @@
 """The report says of every danger and every measure what was and what is."""
 
-from scegen.report.danger import danger_tables
+from scegen.report.danger import danger_tables, target_words
 from scegen.scenario.concrete import Change, Rejected
 from scegen.scenario.proof import Advice, HazardProof, MeasureProof, PartProof, Proof
 from scegen.scenario.vocabulary import HazardKind
@@ -46,6 +46,8 @@ def test_no_search_no_tables():
 def test_before_and_after():
     target, dangers = danger_tables(proof())
     assert "near-miss between car_1 and ego: reached" in target.title
+    assert target_words(proof()) == "near-miss of car_1 and ego: post-encroachment time 0.40 s"
+    assert "not reached" in target_words(proof(in_band=False))
     assert target.rows == (("post-encroachment time (decides)", "-0.50 s", "0.40 s", "0.2 to 1"),)
     (row,) = dangers.rows
     assert row[:6] == ("cut in", "car_1", "ego", "did not happen", "happens", "0.70 s")

@@ -8,11 +8,12 @@ import pytest
 from lxml import etree
 
 from scegen.enumeration import enumerate_scenarios, plain_crossing
+from scegen.errors import InputError
 from scegen.report import gallery
 from scegen.report.conflict_points import conflict_points
-from scegen.report.gallery import MOST_TILES, gallery_svg
+from scegen.report.gallery import PAGE, draw_tiles, gallery_pages, gallery_svg
 from scegen.report.plan import arrow_head, crossing_line, drive_line, make_plan, standing_box
-from scegen.report.tile import tile_svg
+from scegen.report.tile import moves_words, tile_svg
 from scegen.scenario.arms import arm_angles_deg, exit_arm, turn_name
 from scegen.scenario.functional import FunctionalScenario, Junction, Participant
 from scegen.scenario.logical import (
@@ -101,42 +102,76 @@ def test_every_junction_gives_valid_and_stable_xml(kind, side):
 
 def test_captions_say_number_moves_and_class_size():
     tile = tile_svg(logical_set(junction()).scenarios[1], logical_set(junction()).functional)
-    words = "".join(etree.fromstring(tile.encode()).itertext())
-    assert "moves 1 1  ×2" in words
+    words = " ".join(etree.fromstring(tile.encode()).itertext())
+    assert "moves 1 1 ×2" in words
     assert "walker crosses 0 from right" in words
     assert "ego 0 → 1, right" in words
 
 
+def cards(text):
+    return etree.fromstring(text.encode()).findall(f"{SVG}g")
+
+
+def words_of(card):
+    return [text.text for text in card.findall(f"{SVG}text")]
+
+
 def test_what_is_not_drawn_is_counted():
-    text = gallery_svg(logical_set(junction(), count=MOST_TILES + 7))
-    assert "7 more not drawn" in text
-    assert len(etree.fromstring(text.encode()).findall(f"{SVG}g")) == MOST_TILES
+    text = gallery_svg(logical_set(junction(), count=57))
+    assert "17 more not drawn" in text
+    assert len(cards(text)) == PAGE
 
 
-def test_many_are_grouped_by_pattern_with_their_sizes():
+def test_many_are_folded_by_pattern_and_can_be_unfolded():
     listed = enumerate_scenarios(plain_crossing((0, 1, 2, 3, 0, 1), 4), arms=ArmsMode.EQUAL)
     text = gallery_svg(listed)
-    assert len(text.encode()) < 3_000_000
+    assert len(text.encode()) < 300_000
     root = etree.fromstring(text.encode())
-    assert len(root.findall(f"{SVG}g")) == len(listed.scenarios) == 324
-    headings = [t.text for t in root.findall(f"{SVG}text") if t.text.startswith("Moves ")]
+    assert float(root.get("height")) < 3_000
+    headings = [": ".join(words_of(card)[:2]) for card in cards(text)]
     sizes = Counter()
     for scenario in listed.scenarios:
         sizes[scenario.pattern] += scenario.class_size
     assert len(headings) == len(sizes) == 28
     for heading, (pattern, size) in zip(headings, sorted(sizes.items()), strict=True):
-        assert heading.startswith(f"Moves {' '.join(map(str, pattern))}: ")
+        assert heading.startswith(f"Moves {moves_words(pattern)}: ")
         if "assignment" in heading:
             assert f" {size} assignment" in heading
-    assert len(root.findall(f".//{SVG}use")) == 324  # the roads are drawn once
+    assert len(root.findall(f".//{SVG}use")) == 28  # the roads are drawn once
+    unfolded = sum(
+        len(cards(gallery_svg(listed, moves=pattern, page=page)))
+        for pattern in sizes
+        for page in range(1, -(-sum(s.pattern == pattern for s in listed.scenarios) // PAGE) + 1)
+    )
+    assert unfolded == 324
 
 
-def test_a_picture_that_grows_too_large_is_cut(monkeypatch):
+def test_pages_hold_every_group_once():
+    listed = enumerate_scenarios(plain_crossing((0, 1, 2, 3, 0, 1, 2), 4), arms=ArmsMode.EQUAL)
+    assert gallery_pages(listed) == 1
+    assert gallery_pages(logical_set(junction(), count=0)) == 1
+    many = enumerate_scenarios(plain_crossing((0, 1, 2, 3, 0, 1, 2, 3, 0), 4), arms=ArmsMode.EQUAL)
+    pages = [gallery_svg(many, page=n + 1) for n in range(gallery_pages(many))]
+    assert len(pages) > 1
+    assert sum(len(cards(page)) for page in pages) == len({s.pattern for s in many.scenarios})
+    for page in (0, len(pages) + 1):
+        with pytest.raises(InputError):
+            gallery_svg(many, page=page)
+    with pytest.raises(InputError):
+        gallery_svg(many, moves=(9, 9))
+
+
+def test_a_report_that_grows_too_large_is_cut(monkeypatch):
     monkeypatch.setattr(gallery, "MOST_CHARACTERS", 9_000)
-    text = gallery_svg(logical_set(junction(), count=40))
-    drawn = len(etree.fromstring(text.encode()).findall(f"{SVG}g"))
-    assert 0 < drawn < 40
-    assert f"{40 - drawn} more not drawn" in text
+    drawn = draw_tiles(logical_set(junction(), count=40))
+    assert 0 < len(drawn.bodies) == len(drawn.shown) < 40
+    assert sum(map(len, drawn.bodies)) <= 9_000
+
+
+def test_moves_are_counted_where_they_repeat():
+    assert moves_words((1, 2, 2, 3)) == "1 2 2 3"
+    assert moves_words((2,) * 10 + (3,)) == "10×2 3"
+    assert moves_words(()) == "–"
 
 
 def test_conflicts_are_marked_where_the_ways_meet():

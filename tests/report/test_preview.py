@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from scegen.criticality.encounter import closest_encounter
 from scegen.motion.model import Trace
 from scegen.motion.paths import build_paths
 from scegen.motion.simulation import simulate
-from scegen.report.encounter import box_corners, closest_encounter
+from scegen.report.corners import box_corners
 from scegen.report.lane_shapes import road_shapes
 from scegen.report.preview import preview_png
 from scegen.report.theme import LIGHT

@@ -75,7 +75,8 @@ def test_the_ego_and_ten_others_differ_for_everybody(name, seen_by):
     theme = THEMES[name]
     seen = [oklab(SEEN_BY[seen_by] @ linear(c)) for c in (theme.ego, *theme.participants)]
     assert len(theme.participants) == 10
-    assert min(np.linalg.norm(a - b) for a, b in combinations(seen, 2)) > 0.085  # 0.02 is seen
+    least = 0.16 if seen_by == "everybody" else 0.08  # 0.02 is just seen
+    assert min(np.linalg.norm(a - b) for a, b in combinations(seen, 2)) > least
 
 
 @pytest.mark.parametrize("name", THEMES)
@@ -96,7 +97,7 @@ def test_words_can_be_read_and_bodies_seen(name):
     ]
     bodies = (theme.ego, *theme.participants)
     assert all(contrast(body, theme.road) > 1.2 for body in bodies)
-    assert all(contrast(body, theme.panel) > 2.0 for body in bodies)
+    assert all(contrast(body, theme.panel) > 1.75 for body in bodies)
 
 
 def test_css_has_every_colour_of_both_variants():

@@ -5,8 +5,9 @@ from __future__ import annotations
 from by_hand import by_hand, straight_road
 from things import thing
 
+from scegen.criticality.encounter import closest_encounter
 from scegen.motion import build_paths, simulate
-from scegen.report.encounter import closest_encounter, thing_corners
+from scegen.report.corners import thing_corners
 from scegen.report.preview import preview_png
 from scegen.report.tables import tables
 from scegen.report.words import thing_words

@@ -25,7 +25,6 @@ from scegen.checking.esmini.recording import Movement, RecordingError, read_reco
 from scegen.checking.results import CheckResult, Finding, error, not_run, verdict
 from scegen.errors import ScegenError
 from scegen.measures import build_scene
-from scegen.measures.contact import contact_series
 from scegen.measures.distance import distance_series
 from scegen.motion import build_paths, simulate
 from scegen.motion.batch import compile_program, simulate_batch, stack_traces
@@ -120,8 +119,8 @@ def predict(concrete: ConcreteScenario) -> Prediction:
     tracks = stack_traces([traces[p.id] for p in people]).tracks
     # Things stand in both of our simulators where they stand.
     tracks = np.concatenate([tracks, batch.tracks[:, len(people) :]], axis=1)
-    touching = contact_series(tracks, scene.bodies, scene.pairs)[0]
     apart = distance_series(tracks, scene.bodies, scene.pairs)[0]
+    touching = apart == 0.0
     pairs = [frozenset((a.id, b.id)) for a, b in combinations(concrete.entities, 2)]
     return Prediction(
         traces,

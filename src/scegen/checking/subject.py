@@ -96,12 +96,21 @@ def read_folder(folder: Path) -> Subject:
     )
 
 
-def _touching(file: Path) -> tuple[str, ...]:
-    """Whom a search was asked to bring into contact, or was allowed to."""
+def read_proof(file: Path) -> Proof:
+    """The proof of a scenario folder.
+
+    Raises:
+        InputError: it is none.
+    """
     try:
-        proof = Proof.model_validate_json(read_bytes(file))
+        return Proof.model_validate_json(read_bytes(file))
     except ValidationError as problem:
         raise InputError("is no proof of a search", where=str(file)) from problem
+
+
+def _touching(file: Path) -> tuple[str, ...]:
+    """Whom a search was asked to bring into contact, or was allowed to."""
+    proof = read_proof(file)
     return proof.pair if parse_target(proof.target).contact is not False else ()
 
 

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from scegen.claims.view import View
+from scegen.measures.contact import first_touches
 from scegen.motion.batch.arrays import COS, SIN, Bools, Floats, Ints, X, Y
 
 _HALVINGS = 5
@@ -161,37 +162,12 @@ def contact(view: View, first: str, second: str) -> Contact:
 def _contact(view: View, first: str, second: str) -> Contact:
     time_s = view.of_pair("contact_s", first, second)
     happens = ~np.isnan(time_s)
-    step = np.rint(np.where(happens, time_s, 0.0) / view.dt_s).astype(np.int64)
-    before = np.maximum(step - 1, 0)
-    a, b = ([box_at(view, name, at) for at in (before, step)] for name in (first, second))
-    share = np.ones(view.count)
-    placed = happens & (step > 0)
-    if placed.any():
-        some = np.flatnonzero(placed)
-        share[some] = _first_touch([_only(box, some) for box in a], [_only(box, some) for box in b])
-    time_s = np.where(happens, (step - 1 + share) * view.dt_s, np.nan)
-    touching = (_between(pair[0], pair[1], share) for pair in (a, b))
+    step = view.step_of(time_s)
+    pair = np.array([view.index[first], view.index[second]])
+    found = first_touches(view.traces.tracks, view.scene.bodies, pair, step, _HALVINGS)
+    time_s = np.where(happens, (step - 1 + found[:, 0]) * view.dt_s, np.nan)
+    touching = []
+    for name, at in ((first, 1), (second, 5)):
+        x, y, cos, sin = found[:, at : at + 4].T
+        touching.append(box_at(view, name, 0)._replace(x=x, y=y, cos=cos, sin=sin))
     return Contact(happens, time_s, *touching)
-
-
-def _only(box: Boxes, some: Ints) -> Boxes:
-    """The boxes of some candidates."""
-    return box._replace(x=box.x[some], y=box.y[some], cos=box.cos[some], sin=box.sin[some])
-
-
-def _first_touch(a: list[Boxes], b: list[Boxes]) -> Floats:
-    """Which share of the way from before to after two have gone when they first touch."""
-    low = np.zeros(len(a[0].x))
-    high = np.ones(len(a[0].x))
-    for _ in range(_HALVINGS):
-        share = (low + high) / 2
-        touch = apart(_between(a[0], a[1], share), _between(b[0], b[1], share)) <= 0.0
-        high, low = np.where(touch, share, high), np.where(touch, low, share)
-    return high
-
-
-def _between(before: Boxes, after: Boxes, share: Floats) -> Boxes:
-    """The box part of the way from one place to the next."""
-    x, y, cos, sin = (p + share * (q - p) for p, q in zip(before[:4], after[:4], strict=True))
-    length = np.hypot(cos, sin)
-    return Boxes(x, y, cos / length, sin / length, after.half_length, after.half_width)

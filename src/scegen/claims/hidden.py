@@ -25,6 +25,11 @@ def hidden(view: View, observer: str, target: str, hiders: Sequence[str]) -> Hid
 
     Two in a row hide longer than one.
     """
+    key = ("hidden", observer, target, *hiders)
+    return view.once(key, lambda: _hidden(view, observer, target, hiders))
+
+
+def _hidden(view: View, observer: str, target: str, hiders: Sequence[str]) -> Hidden:
     a, b = view.index[observer], view.index[target]
     rows = np.array([[a, b, view.index[name]] for name in hiders], dtype=np.int64)
     nearest = view.of_pair("closest_s", observer, target)

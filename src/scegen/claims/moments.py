@@ -9,6 +9,7 @@ import numpy as np
 
 from scegen.claims.arms import Arm, arms_of
 from scegen.claims.boxes import boxes
+from scegen.claims.lateral import lateral_m
 from scegen.claims.runs import Run, greatest_runs
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import COS, SIN, SPEED, Bools, Floats, Ints
@@ -23,8 +24,6 @@ STANDS_MPS = 0.05
 LEAVES_M, HELD_M = 0.01, 0.001
 """Who is so far from its line has left it; the moment is when it was last so near."""
 TURNS_RAD = 0.1
-ALONG = 0.9
-"""Cosine of the angle between an arm and the heading of who drives on it."""
 ASIDE_MPS = 0.05
 """Who goes sideways faster than this is on its way to there."""
 SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
@@ -53,36 +52,6 @@ def _runs(view: View, name: str, sense: int, count: int) -> list[Run]:
     # A body that is taken off its feet where its way ends does not brake.
     most = 3.0 * view.body(name).max_deceleration_mps2 * view.dt_s + 1.0
     return greatest_runs(view.speed_mps(name), sense, least, most, count)
-
-
-def lateral_m(view: View, name: str, drive: Drive | None) -> Floats:
-    """How far somebody has gone to its own left since the start, along its arms (c, t).
-
-    In the junction the value stays as it was; on the way out it goes on from there.
-    """
-    return view.once(("lateral", name), lambda: _lateral(view, name, drive))
-
-
-def _lateral(view: View, name: str, drive: Drive | None) -> Floats:
-    box = boxes(view, name)
-    x0, y0 = box.x[:, :1], box.y[:, :1]
-    cos, sin = box.cos[:, :1], box.sin[:, :1]
-    if drive is None:
-        return (box.y - y0) * cos - (box.x - x0) * sin
-    arms = arms_of(view)
-    entry, leaving = arms[drive.entry], arms[drive.exit]
-    along, offset = entry.place(box)
-    facing = np.where(entry.facing(box)[:, :1] < 0.0, -1.0, 1.0)
-    inside = np.logical_and.accumulate(along <= entry.straight_m, axis=1)
-    moved = (offset - offset[:, :1]) * facing
-    if -entry.cos * leaving.cos - entry.sin * leaving.sin > 0.999:
-        return moved  # one straight line
-    held = np.where(inside, moved, at(moved, inside.sum(axis=1) - 1)[:, None])
-    back, aside = leaving.place(box)
-    out = ~inside & (back <= leaving.straight_m) & (leaving.facing(box) < -ALONG)
-    begins = first(out)
-    gone = -(aside - at(aside, begins)[:, None])
-    return np.where(out, held + gone, held)
 
 
 def sideways_begin(

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from scegen.claims.view import View
+from scegen.measures.registry import measure_named
 from scegen.motion.batch.arrays import Floats
 
 
@@ -24,14 +25,6 @@ class Band:
     high: float
 
 
-FIELDS = {
-    "pet": "pet_s",
-    "distance": "distance_m",
-    "ttc": "ttc_s",
-    "headway": "headway_s",
-    "drac": "drac_mps2",
-}
-"""By measure, the field of the summary."""
 NEAR_MISS = (
     (Band("pet", 0.2, 1.0),),
     (Band("distance", 0.2, 0.8),),
@@ -54,6 +47,6 @@ def near_miss(view: View, pair: tuple[str, str]) -> Floats:
 
 
 def _inside(view: View, pair: tuple[str, str], band: Band) -> Floats:
-    value = view.of_pair(FIELDS[band.measure], *pair)
+    value = view.of_pair(measure_named(band.measure).field, *pair)
     margin = np.minimum(value - band.low, band.high - value) / (band.high - band.low)
     return np.clip(np.nan_to_num(margin, nan=_NEVER, neginf=_NEVER), _NEVER, 1.0)

@@ -8,20 +8,32 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass, field
 from math import nan
-from typing import TypeVar, cast
+from typing import NamedTuple, TypeVar, cast
 
 import numpy as np
 
 from scegen.claims.ways import Way
 from scegen.measures.distance import distances_at
 from scegen.measures.evaluation import Summary, measure
-from scegen.measures.following import SPACING_M
+from scegen.measures.following import gaps_behind
 from scegen.measures.scene import Scene
 from scegen.motion.batch.arrays import SPEED, BatchTraces, Bools, Floats, Ints, S
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario
 
 T = TypeVar("T")
+
+
+class Area(NamedTuple):
+    """Ground that two use: where either enters and leaves it on its path, m.
+
+    One whose path ends inside never leaves (inf).
+    """
+
+    enter_m: float
+    leave_m: float
+    other_enters_m: float
+    other_leaves_m: float
 
 
 @dataclass(frozen=True)
@@ -97,7 +109,7 @@ class View:
 
     def speed_mps(self, name: str) -> Floats:
         """Speeds, forwards or backwards."""
-        return np.abs(self.row(name, SPEED))
+        return self.once(("speed", name), lambda: np.abs(self.row(name, SPEED)))
 
     def of_pair(self, field: str, first: str, second: str) -> Floats:
         """A measure of a pair; nan if it is not measured."""
@@ -123,43 +135,42 @@ class View:
 
     def gap_m(self, follower: str, leader: str) -> Floats:
         """Clear gap along the follower's path; nan where the leader is not ahead in its lane."""
-        shape = self.place_m(follower).shape
         found = self.pair(follower, leader)
-        if found is None or self.scene.following.first[found] < 0:
-            return np.full(shape, nan)
-        first = self.scene.following.first[found]
-        at = self.place_m(leader) / SPACING_M
-        n = at.astype(np.int64)
-        low, high = (self.scene.following.rear_m[first + n + k] for k in (0, 1))
-        front = self.scene.bodies[self.index[follower], 4]
-        gap = low + (at - n) * (high - low) - self.place_m(follower) - front
-        return np.where(gap >= 0.0, gap, nan)
+        first = -1 if found is None else int(self.scene.following.first[found])
+        i, j = self.index[follower], self.index[leader]
+        rear_m, front_m = self.scene.following.rear_m, self.body(follower).front_m
+        return gaps_behind(self.traces.tracks, i, j, front_m, rear_m, first)
 
     def room_m(self, name: str, other: str) -> Floats:
         """Way left until the other's: the next conflict area or the other's rear; nan: neither."""
         room = self.gap_m(name, other)
-        found = self.pair(name, other)
-        if found is not None:
-            p, side = found
-            for n in range(self.scene.areas.first[p], self.scene.areas.first[p + 1]):
-                left = self.scene.areas.enter_m[n, side] - self.place_m(name)
-                room = np.fmin(room, np.where(left >= 0.0, left, np.nan))
+        for area in self.areas(name, other):
+            left = area.enter_m - self.place_m(name)
+            room = np.fmin(room, np.where(left >= 0.0, left, np.nan))
         return room
 
-    def shared_from_m(self, name: str, other: str) -> float | None:
-        """Where on its path the first ground begins that it shares with another's way."""
+    def reaches_s(self, name: str, place_m: float) -> Floats:
+        """When somebody first reaches a place on its path; inf: never (c,)."""
+        reached = self.place_m(name) >= place_m
+        return np.where(reached.any(axis=1), self.time_of(reached.argmax(axis=1)), np.inf)
+
+    def areas(self, name: str, other: str) -> list[Area]:
+        """The grounds that two use, in the order of the paths."""
         found = self.pair(name, other)
         if found is None:
-            return None
-        p, side = found
-        enter = self.scene.areas.enter_m[self.scene.areas.first[p] : self.scene.areas.first[p + 1]]
-        return float(enter[:, side].min()) if len(enter) else None
+            return []
+        (p, i), table = found, self.scene.areas
+        return [
+            Area(
+                *(float(edge[n, k]) for k in (i, 1 - i) for edge in (table.enter_m, table.leave_m))
+            )
+            for n in range(int(table.first[p]), int(table.first[p + 1]))
+        ]
 
     def headway_s(self, follower: str, leader: str) -> Floats:
         """Time headway; inf where there is none (no leader, or the follower stands)."""
         speed = self.speed_mps(follower)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            headway = self.gap_m(follower, leader) / speed
+        headway = self.gap_m(follower, leader) / np.maximum(speed, 1.0)
         return np.where(np.isnan(headway) | (speed < 1.0), np.inf, headway)
 
     def acceleration_mps2(self, name: str, over_s: float) -> Floats:

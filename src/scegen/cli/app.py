@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import os
+import re
 import sys
 from typing import Annotated, Any
 
@@ -30,14 +31,26 @@ from scegen.cli.console import INTERRUPTED, stderr
 from scegen.errors import ScegenError
 
 _OBJECTS_BEFORE_COLLECTING = 200_000
+_PLAINLY = {
+    r"Input should be a valid (integer|int).*": "it must be a whole number",
+    r"Input should be a valid (number|float).*": "it must be a number",
+    r"Input should be greater than or equal to": "it must be at least",
+    r"Input should be less than or equal to": "it must be at most",
+    r"Value error, ": "",
+}
+"""What is said of an option's value in the words of a library, and in ours."""
 
 
 class _Commands(TyperGroup):
-    """Says so when a command is interrupted, where typer would end in silence."""
+    """Says so when a command is interrupted, and speaks of wrong options in plain words."""
 
     def invoke(self, ctx: Any) -> object:  # noqa: ANN401 - typer keeps the type to itself
         try:
             return super().invoke(ctx)
+        except typer.BadParameter as error:
+            for theirs, ours in _PLAINLY.items():
+                error.message = re.sub(theirs, ours, error.message)
+            raise
         except KeyboardInterrupt:
             stderr.print("interrupted")
             raise typer.Exit(INTERRUPTED) from None

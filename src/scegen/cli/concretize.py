@@ -25,6 +25,6 @@ def concretize(
     from scegen.scenario.logical import LogicalSet
 
     logical = load(source, LogicalSet)
-    scenario = pick(logical, str(index))[0]
+    scenario = pick(logical, str(index), option="--index")[0]
     concrete = choose_numbers(logical.functional, scenario, seed=seed)
     write_text(to_json(concrete) if json else to_yaml(concrete), output)

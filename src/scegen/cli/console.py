@@ -55,8 +55,11 @@ def working() -> Iterator[Callable[[str], None]]:
 
 
 @contextmanager
-def counting(total: int) -> Iterator[Callable[[Iterable[T]], Iterator[T]]]:
-    """Show how many of so many are done, where that does not run into results on a terminal."""
+def counting(total: int | None = None) -> Iterator[Callable[[Iterable[T]], Iterator[T]]]:
+    """Show how many are done, where that does not run into results on a terminal.
+
+    Without ``total`` there are as many as the iterable has.
+    """
     if not stderr.is_terminal or sys.stdout.isatty():
         yield iter
         return

@@ -21,8 +21,8 @@ def proof_lines(proof: Proof) -> Iterator[str]:
     elif not pair:
         yield f"TARGET NOT REACHED: {proof.target}: {proof.blocked_by or 'there is no pair'}"
     else:
-        why = proof.blocked_by or ""
-        yield f"TARGET NOT REACHED: {proof.target} of {pair}: {proof.measure}{values}; {why}"
+        why = f"; {proof.blocked_by}" if proof.blocked_by else ""
+        yield f"TARGET NOT REACHED: {proof.target} of {pair}: {proof.measure}{values}{why}"
     if proof.claims:
         hold = len(proof.claims) - len(proof.missed)
         yield f"{hold} of {len(proof.claims)} statements hold"

@@ -16,7 +16,7 @@ from scegen.cli.certificates import (
     tell_claim,
     tell_count,
 )
-from scegen.cli.console import result
+from scegen.cli.console import result, say
 from scegen.cli.gallery import require_picture, write_picture
 from scegen.cli.listing import (
     listing_under_way,
@@ -142,13 +142,17 @@ def _write(logical: LogicalSet, output: Path | None, gallery: Path | None) -> No
 
 def _reached(whole: LogicalSet, logical: LogicalSet, *, narrowed: bool) -> Coverage:
     """What is covered, of everything that there is without --where, --rules and --limit."""
-    from scegen.enumeration import enumerate_scenarios
+    from scegen.enumeration import LIST_LIMIT, open_listing
     from scegen.enumeration.choosing.coverage import coverage
 
-    functional, everything = whole.functional, whole
+    functional, everything = whole.functional, whole.scenarios
     if narrowed:
-        everything = enumerate_scenarios(functional, reduction=whole.reduction, arms=whole.arms)
-    return coverage(functional, everything.scenarios, logical.scenarios)
+        listing = open_listing(functional, reduction=whole.reduction, arms=whole.arms)
+        if listing.expected > MOST_COMPARED:
+            say(f"compared with a selection of {LIST_LIMIT:,}, not with all {listing.expected:,}")
+            listing.limit = LIST_LIMIT
+        everything = tuple(listing)
+    return coverage(functional, everything, logical.scenarios)
 
 
 def _chosen(

@@ -86,7 +86,7 @@ def generate(
     """Make simulator files from a description (or from any level, edited by hand)."""
     from scegen.pipeline.folder import require_usable
     from scegen.pipeline.generate import generate as run
-    from scegen.pipeline.source import resolve_source
+    from scegen.pipeline.source import origin_of, resolve_source
 
     settings = llm_settings(llm, llm_url, llm_budget, llm_timeout, llm_record, llm_replay)
     with working() as progress:
@@ -107,7 +107,7 @@ def generate(
             rules=rules,
         )
         if settings is None:
-            made = run(resolve_source(source), output, options, progress)
+            made = run(resolve_source(source), output, options, progress, origin=origin_of(source))
         else:
             require_usable(output, force=force)  # before a model is paid for
             listener = Listener(settings, progress)

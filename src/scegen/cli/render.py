@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from enum import StrEnum
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
@@ -13,9 +13,6 @@ from scegen.cli.simulate import CONCRETE_FILE
 from scegen.cli.writing import write_bytes
 from scegen.errors import InputError
 from scegen.pipeline.place import scenario_file
-
-if TYPE_CHECKING:
-    from scegen.report.film import Film
 
 _NAME = "animation"
 
@@ -64,10 +61,10 @@ def render(
     theme: Annotated[ThemeName, typer.Option(help="Colours.")] = ThemeName.LIGHT,
 ) -> None:
     """Render a scenario as animated GIF, video or a still picture."""
-    from scegen.motion import build_paths
-    from scegen.report.film import Cut, make_film
+    from scegen.pipeline.folder import record
+    from scegen.pipeline.rendering import RATES, rendered
+    from scegen.report.film import Cut
     from scegen.report.theme import THEMES
-    from scegen.road import build_network
     from scegen.scenario.concrete import ConcreteScenario
     from scegen.scenario.files import load
 
@@ -77,13 +74,12 @@ def render(
     source = scenario_file(place, CONCRETE_FILE, scenario)
     target = output or source.with_name(f"{_NAME}.{ending}")
     concrete = load(source, ConcreteScenario)
-    network = build_network(concrete.road, concrete.name)
     if at is not None:
         begin, end = at, max(end or at, at)
-    rate = fps or (25.0 if ending == "mp4" else 10.0)
-    cut = Cut(begin, end, rate, speed, 2 * (width // 2))
-    film = make_film(concrete, network, build_paths(concrete, network), cut, THEMES[theme])
-    _write(film, target, ending, rate)
+    cut = Cut(begin, end, fps or RATES[ending], speed, 2 * (width // 2))
+    with counting() as watch:
+        write_bytes(rendered(concrete, ending, cut, THEMES[theme], watch), target)
+    record(target)
     result(str(target))
 
 
@@ -99,17 +95,3 @@ def _ending(output: Path | None, *, gif: bool, mp4: bool, png: bool) -> str:
             f"{output} is no .{asked[0] if asked else 'gif, .mp4 or .png'}", where="--output"
         )
     return ending
-
-
-def _write(film: Film, target: Path, ending: str, rate: float) -> None:
-    from scegen.report.cinema import gif_of, write_mp4
-    from scegen.report.raster import png_of
-
-    if ending == "png":
-        write_bytes(png_of(film.picture(film.critical)), target)
-        return
-    with counting(len(film)) as watch:
-        if ending == "gif":
-            write_bytes(gif_of(film, watch), target)
-        else:
-            write_mp4(film, target, rate, watch)

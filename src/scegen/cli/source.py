@@ -21,5 +21,6 @@ def functional_of(text_or_path: str, listener: Listener | None = None) -> Functi
         raise InputError(
             f"is a {source.level} scenario, not a description or a functional one",
             where=text_or_path,
+            hint="name the functional.yaml from which it was made",
         )
     return source

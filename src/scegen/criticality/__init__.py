@@ -2,7 +2,7 @@
 
 from scegen.criticality.proposals.offline import OfflineProposer
 from scegen.criticality.proposals.proposal import Proposal, Proposed, Proposer, Situation
-from scegen.criticality.raising.raising import Raised, raise_criticality
+from scegen.criticality.raising.raising import Raised, prove_as_it_is, raise_criticality
 
 __all__ = [
     "OfflineProposer",
@@ -11,5 +11,6 @@ __all__ = [
     "Proposer",
     "Raised",
     "Situation",
+    "prove_as_it_is",
     "raise_criticality",
 ]

@@ -23,7 +23,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from scegen.measures.bodies import body_of
-from scegen.measures.contact import contact_series
+from scegen.measures.distance import distance_series
 from scegen.measures.occlusion import occlusion_series
 from scegen.motion.batch.arrays import COS, HEADING, SIN, SPEED, TRACK_ROWS, Bools, Floats, S, X, Y
 from scegen.motion.model import Path
@@ -104,7 +104,7 @@ def _on_way(track: Floats, way: Path, look: Floats) -> Floats:
 def _touching(one: Floats, two: Floats, bodies: Floats) -> Bools:
     """Whether two guessed movements touch: (t, look)."""
     pair = np.array([[0, 1]], dtype=np.int64)
-    found: Bools = contact_series(np.stack((one, two), axis=1), bodies, pair)[:, :, 0]
+    found: Bools = distance_series(np.stack((one, two), axis=1), bodies, pair)[:, :, 0] == 0.0
     return found
 
 

@@ -29,13 +29,14 @@ class Queue:
     def ranks(self) -> dict[str, int] | None:
         """Rank by name: as said, otherwise in listing order; those side by side share one.
 
+        Of several beside one who are said to follow each other, the first that is listed does.
         None if what is said goes round in a circle.
         """
         rows = [[name] for name in self.names]
         for name, (reference, _) in self.beside.items():
             row = next(row for row in rows if name in row)
             other = next(row for row in rows if reference in row)
-            if row is not other:
+            if row is not other and not self._in_line(row, other):
                 first, second = sorted((row, other), key=rows.index)
                 first += second
                 rows.remove(second)
@@ -55,6 +56,11 @@ class Queue:
             waiting.add(first)
             if self.ranks() is None:
                 waiting.remove(first)
+
+    def _in_line(self, row: list[str], other: list[str]) -> bool:
+        """Whether one of a row is said to follow one of the other."""
+        follows = self.after.get
+        return any(a in follows(b, ()) or b in follows(a, ()) for a in row for b in other)
 
     def _may_go(self, row: list[str], ranks: dict[str, int]) -> bool:
         waiting_for = set[str]().union(*(self.after.get(name, set()) for name in row))

@@ -2,16 +2,9 @@
 
 from __future__ import annotations
 
-from scegen.enumeration.right_of_way import RoadRules, right_of_way, road_rules
-from scegen.enumeration.wide_curves import Ways
-from scegen.scenario.functional import Junction
+from scegen.enumeration.right_of_way import RoadRules, right_of_way
 from scegen.scenario.logical import Assignment, Conflict, ConflictKind, Crossing, Drive
 from scegen.scenario.vocabulary import Maneuver
-
-
-def conflict_table(junction: Junction, *, u_turns: bool = False) -> dict[Ways, ConflictKind]:
-    """For every pair of ways through the junction that meet, how they do."""
-    return road_rules(junction, u_turns=u_turns).kinds
 
 
 def conflict_between(rules: RoadRules, first: Assignment, second: Assignment) -> Conflict | None:

@@ -24,6 +24,7 @@ from scegen.enumeration.programs import ENCODINGS, Part, grounded
 from scegen.enumeration.reading import Solution, read_solutions
 from scegen.enumeration.solving import Space
 from scegen.errors import InputError
+from scegen.scenario.files import read_text
 
 VOCABULARY: dict[str, int] = {
     "arms": 1,
@@ -79,10 +80,7 @@ def _kinds(problem: Problem) -> list[Predicate]:
 
 def _check(path: Path) -> None:
     """Refuse what is not a rule over the vocabulary."""
-    try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError("cannot be read as text", where=str(path)) from error
+    text = read_text(path)
     statements: list[ast.AST] = []
     said: list[str] = []
     try:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -71,3 +72,13 @@ def track_box(track: Floats, body: Body, t: int) -> Box:
     cos, sin = track[COS, t], track[SIN, t]
     x, y = track[X, t] + body.ahead_m * cos, track[Y, t] + body.ahead_m * sin
     return Box(x, y, cos, sin, body.half_length_m, body.half_width_m)
+
+
+@inner_kernel
+def box_between(track: Floats, body: Body, t: int, share: float) -> Box:
+    """The box part of the way from the step before t (share 0) to step t (1)."""
+    one, two = track_box(track, body, max(t - 1, 0)), track_box(track, body, t)
+    cos, sin = one.cos + share * (two.cos - one.cos), one.sin + share * (two.sin - one.sin)
+    length = sqrt(cos * cos + sin * sin)
+    x, y = one.x + share * (two.x - one.x), one.y + share * (two.y - one.y)
+    return Box(x, y, cos / length, sin / length, body.half_length_m, body.half_width_m)

@@ -12,8 +12,8 @@ from __future__ import annotations
 import numpy as np
 
 from scegen.measures.bodies import body_of
-from scegen.measures.boxes import Box, box_at, frames_of
-from scegen.motion.batch.arrays import Bools, Floats, Ints
+from scegen.measures.boxes import Box, box_between
+from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.batch.kernels import inner_kernel, kernel
 
 
@@ -33,17 +33,31 @@ def boxes_touch(a: Box, b: Box) -> bool:
 
 
 @kernel
-def contact_series(tracks: Floats, bodies: Floats, pairs: Ints) -> Bools:
-    """Contact at every step: [candidate, time, pair]."""
-    candidates, steps = tracks.shape[0], tracks.shape[3]
-    out = np.empty((candidates, steps, pairs.shape[0]), dtype=np.bool_)
-    for c in range(candidates):
-        frames = frames_of(tracks[c], bodies)
-        for p in range(pairs.shape[0]):
-            a, b = pairs[p, 0], pairs[p, 1]
-            body_a, body_b = body_of(bodies, a), body_of(bodies, b)
-            for t in range(steps):
-                box_a = box_at(frames[a], body_a.half_length_m, body_a.half_width_m, t)
-                box_b = box_at(frames[b], body_b.half_length_m, body_b.half_width_m, t)
-                out[c, t, p] = boxes_touch(box_a, box_b)
+def first_touches(tracks: Floats, bodies: Floats, pair: Ints, steps: Ints, halvings: int) -> Floats:
+    """Where the first contact of a pair lies within the step in which it is seen (c, 9).
+
+    The share of the step, then centre and direction (x, y, cos, sin) of either box at the touch.
+
+    Args:
+        tracks: movements.
+        bodies: of all participants.
+        pair: the two, (2,).
+        steps: the first step with contact of each candidate (c,).
+        halvings: how often the step is halved.
+    """
+    out = np.empty((steps.shape[0], 9))
+    body_a, body_b = body_of(bodies, pair[0]), body_of(bodies, pair[1])
+    for c in range(steps.shape[0]):
+        a, b, t = tracks[c, pair[0]], tracks[c, pair[1]], steps[c]
+        low, high = (0.0, 1.0) if t > 0 else (1.0, 1.0)
+        for _ in range(halvings if t > 0 else 0):
+            share = (low + high) / 2.0
+            if boxes_touch(box_between(a, body_a, t, share), box_between(b, body_b, t, share)):
+                high = share
+            else:
+                low = share
+        out[c, 0] = high
+        one, two = box_between(a, body_a, t, high), box_between(b, body_b, t, high)
+        out[c, 1], out[c, 2], out[c, 3], out[c, 4] = one.x, one.y, one.cos, one.sin
+        out[c, 5], out[c, 6], out[c, 7], out[c, 8] = two.x, two.y, two.cos, two.sin
     return out

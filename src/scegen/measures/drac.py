@@ -14,7 +14,7 @@ from math import nan
 
 import numpy as np
 
-from scegen.motion.batch.arrays import SPEED, Floats, Ints
+from scegen.motion.batch.arrays import SPEED, Floats
 from scegen.motion.batch.kernels import inner_kernel, kernel
 
 
@@ -36,20 +36,3 @@ def highest_drac(follower: Floats, leader: Floats, gaps: Floats, last: int) -> f
         if drac > worst:  # noqa: PLR1730 -- never true of the undefined
             worst = drac
     return worst if worst >= 0.0 else nan
-
-
-@kernel
-def drac_series(tracks: Floats, pairs: Ints, gaps: Floats, followers: Ints) -> Floats:
-    """DRAC at every step, m/s²: [candidate, time, pair]; last arguments as from ``gap_series``."""
-    out = np.full(gaps.shape, nan)
-    for c in range(gaps.shape[0]):
-        for t in range(gaps.shape[1]):
-            for p in range(gaps.shape[2]):
-                way = followers[c, t, p]
-                if way >= 0:
-                    out[c, t, p] = deceleration_to_avoid(
-                        gaps[c, t, p],
-                        tracks[c, pairs[p, way], SPEED, t],
-                        tracks[c, pairs[p, 1 - way], SPEED, t],
-                    )
-    return out

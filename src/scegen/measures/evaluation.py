@@ -185,7 +185,7 @@ def _measure_one(
         out.brake_threat[c, p, 1] = braking_b / body_b.available_mps2
     for q in range(scene.occlusions.shape[0]):
         out.occluded_s[c, q], out.sight_s[c, q] = occlusion_times(
-            frames, scene.bodies, scene.occlusions[q], dt_s
+            tracks, scene.bodies, scene.occlusions[q], dt_s
         )
 
 

@@ -138,3 +138,17 @@ def write_gaps(
             else:
                 gaps[t] = nan
     return some
+
+
+@kernel
+def gaps_behind(
+    tracks: Floats, follower: int, leader: int, front_m: float, rear_m: Floats, first: int
+) -> Floats:
+    """The gap at every step, m, nan without a leader in the corridor ahead: [candidate, time].
+
+    The arguments are those of :func:`write_gaps`, for one pair of every candidate.
+    """
+    out = np.full((tracks.shape[0], tracks.shape[3]), nan)
+    for c in range(tracks.shape[0]):
+        write_gaps(tracks[c, follower], tracks[c, leader], front_m, rear_m, first, out[c])
+    return out

@@ -13,9 +13,7 @@ from __future__ import annotations
 
 from math import inf, nan
 
-import numpy as np
-
-from scegen.motion.batch.arrays import SPEED, Floats, Ints
+from scegen.motion.batch.arrays import SPEED, Floats
 from scegen.motion.batch.kernels import inner_kernel, kernel
 
 CREEP_MPS = 0.1
@@ -37,16 +35,3 @@ def least_headway(follower: Floats, gaps: Floats, last: int) -> float:
         if headway < best:  # noqa: PLR1730 -- never true of the undefined
             best = headway
     return best if best < inf else nan
-
-
-@kernel
-def headway_series(tracks: Floats, pairs: Ints, gaps: Floats, followers: Ints) -> Floats:
-    """Headway at every step, s: [candidate, time, pair]; last arguments as from ``gap_series``."""
-    out = np.full(gaps.shape, nan)
-    for c in range(gaps.shape[0]):
-        for t in range(gaps.shape[1]):
-            for p in range(gaps.shape[2]):
-                if followers[c, t, p] >= 0:
-                    f = pairs[p, followers[c, t, p]]
-                    out[c, t, p] = time_headway(gaps[c, t, p], tracks[c, f, SPEED, t])
-    return out

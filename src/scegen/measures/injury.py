@@ -18,13 +18,10 @@ to predict outcomes. Undefined (nan) without contact.
 
 from __future__ import annotations
 
-from math import exp, nan
+from math import exp
 
-import numpy as np
-
-from scegen.measures.bodies import Body, body_of
-from scegen.motion.batch.arrays import Floats, Ints
-from scegen.motion.batch.kernels import inner_kernel, kernel
+from scegen.measures.bodies import Body
+from scegen.motion.batch.kernels import inner_kernel
 
 _MPS_PER_MPH = 0.44704
 _MPS_PER_KMH = 1 / 3.6
@@ -39,18 +36,3 @@ def injury_probability(body: Body, impact_mps: float, delta_v_mps: float) -> flo
     """Probability of MAIS 3+ for one with this body."""
     speed = impact_mps if body.unprotected > 0.0 else delta_v_mps
     return 1.0 / (1.0 + exp(-(body.injury_intercept + body.injury_slope_spm * speed)))
-
-
-@kernel
-def injuries(bodies: Floats, pairs: Ints, impacts: Floats) -> Floats:
-    """Probabilities for first and second: [candidate, pair, 2], from ``impact.impacts``."""
-    out = np.full((impacts.shape[0], impacts.shape[1], 2), nan)
-    for c in range(impacts.shape[0]):
-        for p in range(impacts.shape[1]):
-            if not np.isnan(impacts[c, p, 0]):
-                for way in range(2):
-                    body = body_of(bodies, pairs[p, way])
-                    out[c, p, way] = injury_probability(
-                        body, impacts[c, p, 0], impacts[c, p, 1 + way]
-                    )
-    return out

@@ -18,7 +18,7 @@ from math import inf, nan
 import numpy as np
 
 from scegen.measures.bodies import body_of
-from scegen.measures.boxes import Box, box_at, frames_of
+from scegen.measures.boxes import Box, track_box
 from scegen.motion.batch.arrays import Bools, Floats, Ints
 from scegen.motion.batch.kernels import inner_kernel, kernel
 
@@ -66,34 +66,28 @@ def hidden(observer: Box, target: Box, occluder: Box) -> bool:
 
 
 @inner_kernel
-def hidden_at(frames: Floats, bodies: Floats, occlusion: Ints, t: int) -> bool:
-    """Whether the target is hidden at step t; ``frames`` of one candidate (i, row, t)."""
+def hidden_at(tracks: Floats, bodies: Floats, occlusion: Ints, t: int) -> bool:
+    """Whether the target is hidden at step t; ``tracks`` of one candidate (i, row, t)."""
+    i, j, k = occlusion[0], occlusion[1], occlusion[2]
     return hidden(
-        _box(frames, bodies, occlusion[0], t),
-        _box(frames, bodies, occlusion[1], t),
-        _box(frames, bodies, occlusion[2], t),
+        track_box(tracks[i], body_of(bodies, i), t),
+        track_box(tracks[j], body_of(bodies, j), t),
+        track_box(tracks[k], body_of(bodies, k), t),
     )
-
-
-@inner_kernel
-def _box(frames: Floats, bodies: Floats, i: int, t: int) -> Box:
-    """The box of participant i at step t."""
-    body = body_of(bodies, i)
-    return box_at(frames[i], body.half_length_m, body.half_width_m, t)
 
 
 @kernel
 def occlusion_times(
-    frames: Floats, bodies: Floats, occlusion: Ints, dt_s: float
+    tracks: Floats, bodies: Floats, occlusion: Ints, dt_s: float
 ) -> tuple[float, float]:
     """Length of the longest spell without sight, and when sight follows it, s.
 
-    ``frames`` of one candidate (i, row, t); ``occlusion`` (3,): observer, target, occluder.
+    ``tracks`` of one candidate (i, row, t); ``occlusion`` (3,): observer, target, occluder.
     """
     longest, sight = 0, nan
     spell = 0
-    for t in range(frames.shape[2]):
-        if hidden_at(frames, bodies, occlusion, t):
+    for t in range(tracks.shape[2]):
+        if hidden_at(tracks, bodies, occlusion, t):
             spell += 1
             if spell > longest:
                 longest, sight = spell, inf
@@ -112,8 +106,7 @@ def occlusion_series(tracks: Floats, bodies: Floats, occlusions: Ints) -> Bools:
     """
     out = np.empty((tracks.shape[0], tracks.shape[3], occlusions.shape[0]), dtype=np.bool_)
     for c in range(out.shape[0]):
-        frames = frames_of(tracks[c], bodies)
         for t in range(out.shape[1]):
             for q in range(out.shape[2]):
-                out[c, t, q] = hidden_at(frames, bodies, occlusions[q], t)
+                out[c, t, q] = hidden_at(tracks[c], bodies, occlusions[q], t)
     return out

@@ -16,10 +16,7 @@ from __future__ import annotations
 
 from math import nan
 
-import numpy as np
-
-from scegen.measures.conflict_areas import AreaTable
-from scegen.motion.batch.arrays import Floats, Ints, S
+from scegen.motion.batch.arrays import Floats, S
 from scegen.motion.batch.kernels import kernel
 
 
@@ -56,32 +53,3 @@ def post_encroachment_time(
     if a_in <= b_in:
         return b_in - time_of_reaching(a, leave_m[0], dt_s)
     return a_in - time_of_reaching(b, leave_m[1], dt_s)
-
-
-@kernel
-def least_post_encroachment_time(
-    a: Floats, b: Floats, enter_m: Floats, leave_m: Floats, dt_s: float
-) -> float:
-    """Smallest PET of two tracks over their areas, s; positions (areas, 2)."""
-    least = nan
-    for n in range(enter_m.shape[0]):
-        # fmin ignores the undefined.
-        least = np.fmin(least, post_encroachment_time(a, b, enter_m[n], leave_m[n], dt_s))
-    return least
-
-
-@kernel
-def post_encroachment_times(tracks: Floats, pairs: Ints, areas: AreaTable, dt_s: float) -> Floats:
-    """PET, s: [candidate, pair]."""
-    out = np.empty((tracks.shape[0], pairs.shape[0]))
-    for c in range(tracks.shape[0]):
-        for p in range(pairs.shape[0]):
-            begin, end = areas.first[p], areas.first[p + 1]
-            out[c, p] = least_post_encroachment_time(
-                tracks[c, pairs[p, 0]],
-                tracks[c, pairs[p, 1]],
-                areas.enter_m[begin:end],
-                areas.leave_m[begin:end],
-                dt_s,
-            )
-    return out

@@ -36,133 +36,30 @@ class Measure:
     worse: Worse
     subject: Subject
     defined_by: str
-    title: str
 
 
 MEASURES: tuple[Measure, ...] = (
+    Measure("distance", "distance_m", "m", Worse.SMALLER, Subject.PAIR, "distance"),
+    Measure("contact_time", "contact_s", "s", Worse.SMALLER, Subject.PAIR, "contact"),
+    Measure("ttc", "ttc_s", "s", Worse.SMALLER, Subject.PAIR, "time_to_collision"),
+    Measure("pet", "pet_s", "s", Worse.SMALLER, Subject.PAIR, "post_encroachment"),
+    Measure("headway", "headway_s", "s", Worse.SMALLER, Subject.PAIR, "headway"),
+    Measure("drac", "drac_mps2", "m/s2", Worse.LARGER, Subject.PAIR, "drac"),
     Measure(
-        "distance",
-        "distance_m",
-        "m",
-        Worse.SMALLER,
-        Subject.PAIR,
-        "distance",
-        "smallest distance between the bodies",
+        "required_braking", "required_mps2", "m/s2", Worse.LARGER, Subject.EACH, "required_braking"
     ),
-    Measure(
-        "contact_time",
-        "contact_s",
-        "s",
-        Worse.SMALLER,
-        Subject.PAIR,
-        "contact",
-        "time of the first contact",
-    ),
-    Measure(
-        "ttc",
-        "ttc_s",
-        "s",
-        Worse.SMALLER,
-        Subject.PAIR,
-        "time_to_collision",
-        "smallest two-dimensional time to collision",
-    ),
-    Measure(
-        "pet",
-        "pet_s",
-        "s",
-        Worse.SMALLER,
-        Subject.PAIR,
-        "post_encroachment",
-        "smallest post-encroachment time",
-    ),
-    Measure(
-        "headway",
-        "headway_s",
-        "s",
-        Worse.SMALLER,
-        Subject.PAIR,
-        "headway",
-        "smallest time headway",
-    ),
-    Measure(
-        "drac",
-        "drac_mps2",
-        "m/s2",
-        Worse.LARGER,
-        Subject.PAIR,
-        "drac",
-        "highest deceleration rate to avoid a crash",
-    ),
-    Measure(
-        "required_braking",
-        "required_mps2",
-        "m/s2",
-        Worse.LARGER,
-        Subject.EACH,
-        "required_braking",
-        "highest required deceleration",
-    ),
-    Measure(
-        "brake_threat",
-        "brake_threat",
-        "1",
-        Worse.LARGER,
-        Subject.EACH,
-        "required_braking",
-        "highest ratio of required to available deceleration",
-    ),
-    Measure(
-        "impact_speed",
-        "impact_mps",
-        "m/s",
-        Worse.LARGER,
-        Subject.PAIR,
-        "impact",
-        "relative speed at the first contact",
-    ),
-    Measure(
-        "delta_v",
-        "delta_v_mps",
-        "m/s",
-        Worse.LARGER,
-        Subject.EACH,
-        "impact",
-        "change of velocity in the impact",
-    ),
-    Measure(
-        "injury",
-        "injury",
-        "1",
-        Worse.LARGER,
-        Subject.EACH,
-        "injury",
-        "probability of at least one serious injury (MAIS 3 or more)",
-    ),
-    Measure(
-        "occlusion",
-        "occluded_s",
-        "s",
-        Worse.LARGER,
-        Subject.OCCLUSION,
-        "occlusion",
-        "longest time without line of sight",
-    ),
-    Measure(
-        "sight_time",
-        "sight_s",
-        "s",
-        Worse.LARGER,
-        Subject.OCCLUSION,
-        "occlusion",
-        "time at which the line of sight comes back",
-    ),
+    Measure("brake_threat", "brake_threat", "1", Worse.LARGER, Subject.EACH, "required_braking"),
+    Measure("impact_speed", "impact_mps", "m/s", Worse.LARGER, Subject.PAIR, "impact"),
+    Measure("delta_v", "delta_v_mps", "m/s", Worse.LARGER, Subject.EACH, "impact"),
+    Measure("injury", "injury", "1", Worse.LARGER, Subject.EACH, "injury"),
+    Measure("occlusion", "occluded_s", "s", Worse.LARGER, Subject.OCCLUSION, "occlusion"),
+    Measure("sight_time", "sight_s", "s", Worse.LARGER, Subject.OCCLUSION, "occlusion"),
 )
+
+
+_BY_NAME = {measure.name: measure for measure in MEASURES}
 
 
 def measure_named(name: str) -> Measure:
     """The measure of this name; KeyError if there is none."""
-    for measure in MEASURES:
-        if measure.name == name:
-            return measure
-    raise KeyError(name)
+    return _BY_NAME[name]

@@ -22,10 +22,7 @@ from math import inf
 
 import numpy as np
 
-from scegen.measures.bodies import body_of
-from scegen.measures.conflict_areas import AreaTable
-from scegen.measures.following import FollowTable, write_gaps
-from scegen.motion.batch.arrays import SPEED, Floats, Ints, S
+from scegen.motion.batch.arrays import SPEED, Floats, S
 from scegen.motion.batch.kernels import inner_kernel, kernel
 
 
@@ -131,41 +128,3 @@ def highest_before_area(
             ),
         )
     return worst
-
-
-@kernel
-def required_series(
-    tracks: Floats,
-    bodies: Floats,
-    pairs: Ints,
-    following: FollowTable,
-    areas: AreaTable,
-    dt_s: float,
-    way: int,
-) -> Floats:
-    """Required deceleration of the first (way 0) or second (1) of each pair, m/s².
-
-    [candidate, time, pair]. Divide by the body's ``available_mps2`` for the brake threat number.
-    """
-    candidates, steps = tracks.shape[0], tracks.shape[3]
-    out = np.zeros((candidates, steps, pairs.shape[0]))
-    gaps = np.empty(steps)
-    for c in range(candidates):
-        for p in range(pairs.shape[0]):
-            own, other = tracks[c, pairs[p, way]], tracks[c, pairs[p, 1 - way]]
-            front, first = body_of(bodies, pairs[p, way]).front_m, following.first[p, way]
-            follows = write_gaps(own, other, front, following.rear_m, first, gaps)
-            for t in range(steps):
-                if follows:
-                    out[c, t, p] = _behind_at(own, other, gaps[t], dt_s, t)
-                for n in range(areas.first[p], areas.first[p + 1]):
-                    needed = before_area(
-                        areas.enter_m[n, way] - own[S, t],
-                        abs(own[SPEED, t]),
-                        areas.leave_m[n, way] - areas.enter_m[n, way],
-                        areas.enter_m[n, 1 - way] - other[S, t],
-                        abs(other[SPEED, t]),
-                        areas.leave_m[n, 1 - way] - other[S, t],
-                    )
-                    out[c, t, p] = max(out[c, t, p], needed)
-    return out

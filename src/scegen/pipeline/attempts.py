@@ -93,6 +93,7 @@ def _joined(chosen: Sequence[Raising], skipped: dict[str, str]) -> Raising:
     for raising in chosen:
         joined.concretes.extend(raising.concretes)
         joined.proofs.update(raising.proofs)
+        joined.firsts.update(raising.firsts)
         joined.search_s.update(raising.search_s)
         joined.skipped.update(raising.skipped)
     return joined

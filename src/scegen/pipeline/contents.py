@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from scegen import __version__
 from scegen.checking import CheckReport, CheckResult
 from scegen.llm import Usage
-from scegen.pipeline.export import PREVIEW_FILE
 from scegen.pipeline.folder import digest
 from scegen.pipeline.judging import Judged
 from scegen.pipeline.raising import proof_summary
 from scegen.report.contents import Voice
 from scegen.report.gallery import Tiles, draw_tiles, gallery_svg
 from scegen.report.html import CheckRow, ConcreteEntry, ReportInput, report_html
+from scegen.report.player.scene import scene_of
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import to_json, to_yaml
 from scegen.scenario.functional import FunctionalScenario
@@ -25,13 +25,14 @@ from scegen.understanding.agents import Understanding
 
 @dataclass(frozen=True, slots=True)
 class Made:
-    """A concrete scenario with its files, its checks, its judgement and its proof."""
+    """A concrete scenario with its files, checks, judgement and proof, and its first timing."""
 
     concrete: ConcreteScenario
     files: dict[str, bytes]
     checks: CheckReport
     judged: Judged
     proof: Proof | None = None
+    first: ConcreteScenario | None = None
 
 
 def folder_files(
@@ -54,7 +55,7 @@ def folder_files(
     if logical is not None:
         files["logical.json"] = to_json(logical).encode()
         tiles = draw_tiles(logical)
-        files["gallery.svg"] = gallery_svg(logical, tiles).encode()
+        files["gallery.svg"] = gallery_svg(logical).encode()
     report = _report_input(functional, logical, made, skipped, understanding, tiles)
     files["report.html"] = report_html(report).encode()
     files["summary.json"] = _summary(
@@ -74,13 +75,13 @@ def _report_input(
     entries = tuple(
         ConcreteEntry(
             concrete=item.concrete,
-            preview_png=item.files[PREVIEW_FILE],
             folder=f"scenarios/{item.concrete.name}",
+            scene=scene_of(item.concrete, item.proof),
+            before=None if item.first is None else scene_of(item.first, item.proof, first=True),
             checks=tuple(
                 CheckRow(result.checker, result.status.value, _findings(result))
                 for result in item.checks.results
             ),
-            plots_svg=item.judged.plots_svg,
             verdict=item.judged.verdict,
             sensitivity=item.judged.sensitivity,
             proof=item.proof,

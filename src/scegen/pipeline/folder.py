@@ -11,6 +11,8 @@ from pathlib import Path
 from scegen.errors import InputError
 
 SUMMARY_FILE = "summary.json"
+_DEEPEST = 3
+"""Files lie in the folder, or in ``scenarios/NAME/`` of it."""
 
 
 def digest(content: bytes) -> str:
@@ -48,13 +50,11 @@ def require_usable(folder: Path, *, force: bool) -> None:
 
 
 def _in_the_way(folder: Path) -> list[tuple[str, str]]:
-    summary = folder / SUMMARY_FILE
-    try:
-        made = dict(json.loads(summary.read_text(encoding="utf-8"))["files"])
-    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+    made = made_files(folder)
+    if not made:
         return [("the folder", "is not empty and was not made by scegen generate")]
     changed = []
-    for path in sorted(p for p in folder.rglob("*") if p.is_file() and p != summary):
+    for path in sorted(p for p in folder.rglob("*") if p.is_file() and p != folder / SUMMARY_FILE):
         name = path.relative_to(folder).as_posix()
         if name not in made:
             changed.append((name, "was not made by scegen generate"))
@@ -63,15 +63,46 @@ def _in_the_way(folder: Path) -> list[tuple[str, str]]:
     return changed
 
 
-def replace_content(folder: Path, staged: Path) -> None:
-    """Move everything in ``staged`` into ``folder``, replacing what has the same name.
+def made_files(folder: Path) -> dict[str, str]:
+    """The files that the summary says were made here, and the digest of each."""
+    try:
+        listed = json.loads((folder / SUMMARY_FILE).read_text(encoding="utf-8"))["files"]
+        return {str(name): str(content) for name, content in dict(listed).items()}
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        return {}
 
-    What is replaced is kept aside until all is in place, and put back if anything fails.
+
+def record(file: Path) -> None:
+    """Tell the summary of the folder in which a file was made, if generate made it, of the file.
+
+    It is then ours: the next run may replace or remove it, unless somebody has changed it.
+    """
+    place = file.absolute()
+    for folder in place.parents[:_DEEPEST]:
+        made = made_files(folder)
+        if not made:
+            continue
+        summary = folder / SUMMARY_FILE
+        told = json.loads(summary.read_text(encoding="utf-8"))
+        made[place.relative_to(folder).as_posix()] = digest(place.read_bytes())
+        told["files"] = dict(sorted(made.items()))
+        text = json.dumps(told, indent=2, ensure_ascii=False) + "\n"
+        summary.write_text(text, encoding="utf-8")
+        return
+
+
+def replace_content(folder: Path, staged: Path) -> None:
+    """Move everything in ``staged`` into ``folder``, in place of what was made there before.
+
+    What else lies there stays. What is replaced is kept aside until all is in place, and put back
+    if anything fails.
 
     Raises:
         InputError: the folder cannot be written; it is as it was before.
     """
     made_here = not folder.exists()
+    earlier = {name.split("/")[0] for name in made_files(folder)} - {".", "..", ""}
+    stale = sorted(n for n in earlier if (folder / n).exists() and not (staged / n).exists())
     moved: list[tuple[Path, Path | None]] = []
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -85,6 +116,9 @@ def replace_content(folder: Path, staged: Path) -> None:
                     kept = target.rename(old / source.name) if target.exists() else None
                     moved.append((target, kept))
                     source.rename(target)
+                for name in stale:
+                    target = folder / name
+                    moved.append((target, target.rename(old / name)))
             except OSError:
                 _put_back(moved)
                 raise

@@ -20,8 +20,8 @@ from scegen.pipeline.folder import replace_content, require_usable
 from scegen.pipeline.judging import Judged, judge
 from scegen.pipeline.options import CheckDepth, Options
 from scegen.pipeline.picking import pick
-from scegen.pipeline.raising import PROOF_FILE, Raising, chosen_target, raise_all
-from scegen.pipeline.source import Source
+from scegen.pipeline.raising import PROOF_FILE, Raising, chosen_target, prove_all, raise_all
+from scegen.pipeline.source import Origin, Source
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import to_json, to_yaml
 from scegen.scenario.functional import FunctionalScenario
@@ -71,11 +71,12 @@ def generate(
     progress: Progress = lambda _: None,
     understanding: Understanding | None = None,
     session: Session | None = None,
+    origin: Origin | None = None,
 ) -> Result:
     """Make the folder ``folder`` from ``source``; it is written whole or not at all.
 
     ``understanding`` says how language models came to the source, if they did; those of ``session``
-    propose numbers.
+    propose numbers. Numbers that somebody changed are held against the ``origin`` they had.
 
     Raises:
         InputError: the source, the options or the folder cannot be used.
@@ -103,10 +104,21 @@ def generate(
         if not logical.scenarios:
             raise NoScenarioError("no scenario is as asked for", where=f"--where {options.where}")
     elif options.where or options.rules:
-        raise InputError("--where and --rules narrow the enumeration of a functional scenario")
+        raise InputError(
+            "--where and --rules narrow the enumeration of a functional scenario",
+            hint="Name a functional.yaml or a description, or leave them out.",
+        )
+    elif options.pick and isinstance(source, ConcreteScenario):
+        raise InputError(
+            "a concrete scenario is one: there is nothing to pick",
+            where="--pick",
+            hint="Name a logical.json, or leave it out.",
+        )
     if logical is not None:
         functional = logical.functional
-    raised = _raised(source, logical, options, progress, session)
+    origin = origin if isinstance(source, ConcreteScenario) and origin is not None else Origin()
+    raised = _raised(source, logical, options, progress, session, origin)
+    known, listed = functional or origin.functional, logical or origin.logical
     concretes, proofs, skipped = raised.concretes, raised.proofs, raised.skipped
 
     with tempfile.TemporaryDirectory(prefix="scegen-") as staging:
@@ -119,22 +131,29 @@ def generate(
                 proof = to_json(proofs[concrete.name])
                 files[concrete.name][PROOF_FILE] = proof.encode()
             _write(staged / "scenarios" / concrete.name, files[concrete.name])
-        if functional is not None:
-            _write(staged, {FUNCTIONAL_FILE: to_yaml(functional).encode()})
+        if known is not None:
+            _write(staged, {FUNCTIONAL_FILE: to_yaml(known).encode()})
         progress("checking")
         checks = _checks(staged, [concrete.name for concrete in concretes], options.depth)
         progress("judging")
         judged = {c.name: judge(c, proofs.get(c.name)) for c in concretes}
         made = [
-            Made(c, files[c.name], checks[c.name], judged[c.name], proofs.get(c.name))
+            Made(
+                c,
+                files[c.name],
+                checks[c.name],
+                judged[c.name],
+                proofs.get(c.name),
+                raised.firsts.get(c.name),
+            )
             for c in concretes
         ]
         progress("drawing the report")
         _write(
             staged,
             folder_files(
-                functional,
-                logical,
+                known,
+                listed,
                 made,
                 skipped,
                 options.seed,
@@ -155,6 +174,7 @@ def _raised(
     options: Options,
     progress: Progress,
     session: Session | None,
+    origin: Origin,
 ) -> Raising:
     """The concrete scenarios asked for, their danger raised."""
     numbers = isinstance(source, ConcreteScenario)
@@ -166,7 +186,11 @@ def _raised(
     if not isinstance(source, ConcreteScenario):  # a source is of one of the three levels
         raise InputError("has no logical scenarios")
     seed, solutions = options.seed, options.solutions
-    return raise_all(None, [source], target, seed, progress, session, solutions=solutions)
+    if origin.functional and origin.target and options.target is None:
+        return prove_all(origin.functional, [source], origin.target)
+    return raise_all(
+        origin.functional, [source], target, seed, progress, session, solutions=solutions
+    )
 
 
 def _checks(staged: Path, names: list[str], depth: CheckDepth) -> dict[str, CheckReport]:

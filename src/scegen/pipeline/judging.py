@@ -1,4 +1,4 @@
-"""What is said of a finished scenario: its course, the careful driver's verdict, reactivity."""
+"""What is said of a finished scenario: the careful driver's verdict, reactivity."""
 
 from __future__ import annotations
 
@@ -7,10 +7,8 @@ from math import isfinite
 from typing import Any
 
 from scegen.criticality.careful_driver import Verdict, careful_driver_verdict
-from scegen.criticality.course import ego_course
 from scegen.criticality.reactivity.sensitivity import Sensitivity, ego_start_sensitivity
 from scegen.motion import build_paths
-from scegen.report.plots import plots_svg
 from scegen.road import build_network
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.proof import Proof
@@ -24,7 +22,6 @@ class Judged:
 
     verdict: Verdict
     sensitivity: Sensitivity | None
-    plots_svg: str
 
     def to_data(self) -> dict[str, Any]:
         """Verdict and sensitivity as JSON-able data; what is infinite is None."""
@@ -47,11 +44,9 @@ def judge(concrete: ConcreteScenario, proof: Proof | None = None) -> Judged:
     ego = concrete.ego.id
     pair = proof.pair if proof is not None and ego in proof.pair else ()
     partner = next((name for name in pair if name != ego), None)
-    course = ego_course(concrete, paths, partner=partner)
     return Judged(
         careful_driver_verdict(concrete, paths),
-        ego_start_sensitivity(concrete, paths, partner=course.partner or None),
-        plots_svg(concrete, course),
+        ego_start_sensitivity(concrete, paths, partner=partner),
     )
 
 

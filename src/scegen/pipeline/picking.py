@@ -14,7 +14,9 @@ MOST_RUNS = 12
 """Ranges of numbers that a message names."""
 
 
-def pick(logical: LogicalSet, expression: str | None) -> tuple[LogicalScenario, ...]:
+def pick(
+    logical: LogicalSet, expression: str | None, *, option: str = "--pick"
+) -> tuple[LogicalScenario, ...]:
     """The scenarios that ``expression`` names, in its order; by conflict richness if None.
 
     Of all, those come first in which the text's occluders can hide somebody.
@@ -44,12 +46,12 @@ def pick(logical: LogicalSet, expression: str | None) -> tuple[LogicalScenario, 
             first = int(bounds[1])
             last = int(bounds[2] or first)
             if last < first or last not in by_index or first not in by_index:
-                raise _unknown(part, logical)
+                raise _unknown(part, logical, option)
             chosen |= {i: by_index[i] for i in range(first, last + 1) if i in by_index}
         elif part in by_name:
             chosen[by_name[part].index] = by_name[part]
         else:
-            raise _unknown(part, logical)
+            raise _unknown(part, logical, option)
     return tuple(chosen.values())
 
 
@@ -78,11 +80,13 @@ def _hidden(scenario: LogicalScenario, logical: LogicalSet) -> int:
     return count
 
 
-def _unknown(part: str, logical: LogicalSet) -> InputError:
+def _unknown(part: str, logical: LogicalSet, option: str) -> InputError:
     return InputError(
         f"{part!r} names no logical scenario; {_numbers([s.index for s in logical.scenarios])}",
-        where="--pick",
-        hint="use 'all', numbers (3), ranges (0-4) or names as in logical.json",
+        where=option,
+        hint="use 'all', numbers (3), ranges (0-4) or names as in logical.json"
+        if option == "--pick"
+        else None,
     )
 
 

@@ -6,6 +6,9 @@ from pathlib import Path
 
 from scegen.errors import InputError
 
+_ENDINGS = {".xosc": {".xosc"}, ".yaml": {".yaml", ".yml", ".json"}}
+"""How a file may be called instead."""
+
 
 def scenario_file(place: Path, name: str, scenario: str | None = None) -> Path:
     """The file ``name`` of a scenario; ``place`` itself where it is a file.
@@ -16,6 +19,12 @@ def scenario_file(place: Path, name: str, scenario: str | None = None) -> Path:
         InputError: there is none.
     """
     if place.is_file():
+        if place.suffix.lower() not in _ENDINGS[Path(name).suffix]:
+            raise InputError(
+                "is no file of a scenario folder",
+                where=str(place),
+                hint=f"name a folder made by scegen generate, or a {name} in it",
+            )
         return place
     found = [place / name] if (place / name).is_file() else []
     found = found or sorted(place.glob(f"scenarios/*/{name}"))

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from time import perf_counter
 
-from scegen.criticality import OfflineProposer, raise_criticality
+from scegen.criticality import OfflineProposer, prove_as_it_is, raise_criticality
 from scegen.criticality.agent import ParameterAgent
 from scegen.criticality.target import AVOIDED, COLLISION, NEAR_MISS, parse_target
 from scegen.llm import Session
@@ -28,11 +28,14 @@ _TARGETS: dict[OutcomeKind | None, str] = {
 class Raising:
     """The scenarios with their danger raised, and proofs and seconds taken, by name.
 
+    ``firsts`` are the first timings of those that the search has changed.
+
     ``skipped`` are solutions asked for that were not found, and why.
     """
 
     concretes: list[ConcreteScenario]
     proofs: dict[str, Proof] = field(default_factory=dict)
+    firsts: dict[str, ConcreteScenario] = field(default_factory=dict)
     search_s: dict[str, float] = field(default_factory=dict)
     skipped: dict[str, str] = field(default_factory=dict)
 
@@ -95,7 +98,19 @@ def raise_all(
             name = concrete.name if number == 1 else f"{concrete.name[:96]}-{number}"
             raising.concretes.append(made.model_copy(update={"name": name}))
             raising.proofs[name] = proof
+            if proof.changed:
+                raising.firsts[name] = concrete
     return raising
+
+
+def prove_all(
+    functional: FunctionalScenario, concretes: list[ConcreteScenario], target: str
+) -> Raising:
+    """Scenarios as they are, each with what it shows of its description."""
+    proofs = {
+        concrete.name: prove_as_it_is(functional, concrete, target=target) for concrete in concretes
+    }
+    return Raising(concretes, proofs)
 
 
 def proof_summary(proof: Proof | None) -> dict[str, object]:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 
+from scegen.checking.subject import CONCRETE_FILE, FUNCTIONAL_FILE, PROOF_FILE, read_proof
 from scegen.enumeration import count_scenarios
 from scegen.errors import InputError
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.files import load_any, read_text
+from scegen.scenario.files import load, load_any, read_text
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
 from scegen.understanding import read
@@ -17,6 +19,7 @@ Source = FunctionalScenario | LogicalSet | ConcreteScenario
 Understand = Callable[[str], FunctionalScenario]
 _FILE_ENDINGS = (".yaml", ".yml", ".json", ".txt", ".md")
 _LONGEST_PATH = 1024
+LOGICAL_FILE = "logical.json"
 
 
 def resolve_source(text_or_path: str, understand: Understand = read) -> Source:
@@ -36,6 +39,36 @@ def resolve_source(text_or_path: str, understand: Understand = read) -> Source:
     return recounted(found) if isinstance(found, LogicalSet) else found
 
 
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """What a concrete.yaml was made from, and to which target; None where that is not there."""
+
+    functional: FunctionalScenario | None = None
+    logical: LogicalSet | None = None
+    target: str | None = None
+
+
+def origin_of(text_or_path: str) -> Origin:
+    """What lies around a concrete.yaml in a folder made by generate; nothing around all else.
+
+    Raises:
+        InputError: a file there cannot be used.
+    """
+    path = _as_path(text_or_path)
+    if path is None or path.name != CONCRETE_FILE:
+        return Origin()
+    top = path.absolute().parent.parent.parent
+    functional, logical = top / FUNCTIONAL_FILE, top / LOGICAL_FILE
+    if not functional.is_file():
+        return Origin()
+    proof = path.with_name(PROOF_FILE)
+    return Origin(
+        load(functional, FunctionalScenario),
+        recounted(load(logical, LogicalSet)) if logical.is_file() else None,
+        read_proof(proof).target if proof.is_file() else None,
+    )
+
+
 def recounted(logical: LogicalSet) -> LogicalSet:
     """The set with what its own functional scenario says of numbers: files may claim anything.
 
@@ -44,23 +77,30 @@ def recounted(logical: LogicalSet) -> LogicalSet:
     """
     claimed = logical.certificate
     counted = count_scenarios(logical.functional, reduction=logical.reduction, arms=logical.arms)
-    listed = len(logical.scenarios)
+    listed, sizes = len(logical.scenarios), sum(s.class_size for s in logical.scenarios)
+    misfit = sizes > counted.total or (listed == counted.count and sizes != counted.total)
     matching = None if claimed.matching is None else min(claimed.matching, counted.count)
     certificate = counted.model_copy(
         update={
             "matching": matching,
-            "complete": claimed.complete and listed == (matching or counted.count),
+            "complete": claimed.complete and not misfit and listed == (matching or counted.count),
             "looked_at": claimed.looked_at and min(claimed.looked_at, counted.total),
         }
     )
+    notes = list(logical.notes)
     if (claimed.total, claimed.count) == (counted.total, counted.count):
         certificate = certificate.model_copy(update={"method": claimed.method})
-        return logical.model_copy(update={"certificate": certificate})
-    note = (
-        f"The file claims {claimed.count:,} scenarios of {claimed.total:,} assignments; counted "
-        f"again there are {counted.count:,} of {counted.total:,}."
-    )
-    return logical.model_copy(update={"certificate": certificate, "notes": (*logical.notes, note)})
+    else:
+        notes.append(
+            f"The file claims {claimed.count:,} scenarios of {claimed.total:,} assignments; "
+            f"counted again there are {counted.count:,} of {counted.total:,}."
+        )
+    if misfit:
+        notes.append(
+            f"The class sizes in the file add up to {sizes:,}; there are {counted.total:,} "
+            "assignments."
+        )
+    return logical.model_copy(update={"certificate": certificate, "notes": tuple(notes)})
 
 
 def _as_path(argument: str) -> Path | None:

@@ -9,8 +9,8 @@ import shapely
 from numpy.typing import NDArray
 
 from scegen.motion.model import Trace
+from scegen.report.corners import box_corners
 from scegen.report.drawing import area, areas, box, circle, element
-from scegen.report.encounter import box_corners
 from scegen.report.theme import Theme
 from scegen.report.world import placed
 from scegen.scenario.bodies import BODIES
@@ -20,6 +20,7 @@ Array = NDArray[np.float64]
 
 _NARROW = frozenset({ParticipantKind.BICYCLE, ParticipantKind.MOTORCYCLE})
 _BEND_RAD = 0.04
+_STANDS_MPS = 0.05
 _SMALLEST_PX = 6.5
 _FAINT = 0.35
 
@@ -140,11 +141,13 @@ def swept(trace: Trace, first: int = 0, last: int | None = None) -> list[Array]:
 
 
 def braking(trace: Trace, least_mps2: float = 0.5) -> NDArray[np.bool_]:
-    """In which steps somebody slows down by more than rolling does, shape (steps,)."""
+    """In which steps brake lights are on, (steps,): while it slows down, and stands after that."""
     if len(trace.time_s) < 2:
         return np.zeros(len(trace.time_s), dtype=bool)
-    slower: NDArray[np.bool_] = np.gradient(np.abs(trace.speed_mps), trace.time_s) < -least_mps2
-    return slower
+    speed = np.abs(trace.speed_mps)
+    slower = np.gradient(speed, trace.time_s) < -least_mps2
+    stopped: NDArray[np.bool_] = (speed < _STANDS_MPS) & np.logical_or.accumulate(slower)
+    return slower | stopped
 
 
 def haze(outlines: Iterable[Array], colour: str, opacity: float) -> str:

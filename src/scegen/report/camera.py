@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from scegen.report.encounter import Encounter
+from scegen.criticality.encounter import Encounter
 from scegen.report.stage import Stage
 from scegen.report.world import View
 from scegen.scenario.vocabulary import JunctionKind

@@ -12,9 +12,12 @@ from PIL import Image
 from scegen.errors import MissingToolError
 from scegen.report.film import Film
 from scegen.report.raster import png_of
+from scegen.report.theme import Theme
 
 Watch = Callable[[Iterable[int]], Iterable[int]]
-_COLOURS, _SAMPLED = 96, 6
+_COLOURS, _SAMPLED = 128, 6
+_SWATCH, _SHARES = (24, 24), (1.0, 0.6, 0.35)
+"""Size in pixels, and how strongly ways and rings are drawn over what lies beneath."""
 _LEAST_CS = 2
 """Hundredths of a second; players slow down what is faster."""
 _QUIET = ("-loglevel", "error")
@@ -30,7 +33,8 @@ def gif_of(film: Film, watch: Watch = iter) -> bytes:
         watch: told of every picture's number, to show how far it is.
     """
     pictures = [_image(film, number) for number in watch(range(len(film)))]
-    palette = _palette(pictures)
+    stage = film.stage
+    palette = _palette(pictures, stage.theme, stage.colour.values())
     frames = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in pictures]
     durations = [max(round(lasts * 100), _LEAST_CS) * 10 for lasts in film.lasts_s.tolist()]
     buffer = BytesIO()
@@ -89,12 +93,28 @@ def _image(film: Film, number: int) -> Image.Image:
         return drawn.convert("RGB")
 
 
-def _palette(pictures: list[Image.Image]) -> Image.Image:
-    """One palette for all, from some of them: colours do not flicker."""
+def _palette(pictures: list[Image.Image], theme: Theme, bodies: Iterable[str]) -> Image.Image:
+    """One palette for all, from some of them, so that colours do not flicker.
+
+    What is small and rare, a way or a pedestrian, gets its colours too, on all that lies beneath.
+    """
     every = max(1, len(pictures) // _SAMPLED)
     sample = pictures[::every][:_SAMPLED]
     width, height = sample[0].size
-    together = Image.new("RGB", (width, height * len(sample)))
+    inks = [*bodies, theme.hazard, theme.brake_light, theme.signal_red, theme.accent]
+    grounds = (theme.road, theme.ground, theme.sidewalk)
+    swatches = [
+        Image.blend(Image.new("RGB", _SWATCH, ground), Image.new("RGB", _SWATCH, ink), share)
+        for ink in inks
+        for ground in grounds
+        for share in _SHARES
+    ]
+    per_row = max(1, width // _SWATCH[0])
+    rows = -(-len(swatches) // per_row)
+    together = Image.new("RGB", (width, height * len(sample) + rows * _SWATCH[1]), theme.road)
     for place, picture in enumerate(sample):
         together.paste(picture, (0, place * height))
-    return together.quantize(_COLOURS, method=Image.Quantize.MEDIANCUT)
+    for place, swatch in enumerate(swatches):
+        row, column = divmod(place, per_row)
+        together.paste(swatch, (column * _SWATCH[0], height * len(sample) + row * _SWATCH[1]))
+    return together.quantize(_COLOURS, method=Image.Quantize.MEDIANCUT, kmeans=1)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from scegen.criticality.careful_driver import Verdict
 from scegen.criticality.reactivity.sensitivity import Sensitivity
@@ -25,17 +26,18 @@ class CheckRow:
 
 @dataclass(frozen=True, slots=True)
 class ConcreteEntry:
-    """A concrete scenario, its picture, its folder as seen from the report, its checks.
+    """A concrete scenario, its folder as seen from the report, what the player plays, its checks.
 
-    ``plots_svg`` is its course over time; the verdict and the sensitivity are None where nobody
-    judged, the proof where nothing was searched.
+    ``scene`` is from ``player.scene``, ``before`` that of the first timing, None where nothing was
+    changed. The verdict and the sensitivity are None where nobody judged, the proof where nothing
+    was searched.
     """
 
     concrete: ConcreteScenario
-    preview_png: bytes
     folder: str
+    scene: dict[str, Any]
+    before: dict[str, Any] | None = None
     checks: tuple[CheckRow, ...] = ()
-    plots_svg: str = ""
     verdict: Verdict | None = None
     sensitivity: Sensitivity | None = None
     proof: Proof | None = None

@@ -34,6 +34,15 @@ def danger_tables(proof: Proof | None) -> list[Table]:
     return tables
 
 
+def target_words(proof: Proof) -> str:
+    """The target, between whom, and whether it is reached, with the value that decides."""
+    measure = proof.of(proof.measure)
+    found = "" if measure is None else f" {_value(measure.after, measure.unit)}"
+    name = _MEASURES.get(proof.measure or "", proof.measure)
+    outcome = f"{name}{found}" if proof.in_band else f"not reached, {name}{found}"
+    return f"{proof.target} of {' and '.join(proof.pair) or 'nobody'}: {outcome}"
+
+
 def _target(proof: Proof) -> Table:
     outcome = "reached" if proof.in_band else "NOT reached"
     if proof.in_band_before and not proof.changed:

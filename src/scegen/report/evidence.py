@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from scegen.report.words import hazard_words, plain
 from scegen.scenario.functional import Evidence, FunctionalScenario
+from scegen.scenario.proof import ClaimProof
 from scegen.understanding import STANDINGS, Finding, report_on, stretches
 from scegen.understanding.report.disagreement import Disagreement
 
@@ -17,11 +19,24 @@ _UNITS = {"_mps": "m/s", "_deg": "°", "_m": "m"}
 
 @dataclass(frozen=True, slots=True)
 class Span:
-    """Consecutive characters; ``kind`` is the standing of what rests on them, or empty."""
+    """Consecutive characters; ``kind`` is the standing of what rests on them, or empty.
+
+    ``claims`` are the statements that they became: those first that do not hold, then those that
+    happen at a moment. ``ends``: no further words follow on which anything rests.
+    """
 
     text: str
     kind: str = ""
     tooltip: str = ""
+    claims: tuple[ClaimProof, ...] = ()
+    ends: bool = True
+
+    @property
+    def verdict(self) -> str:
+        """``held`` or ``failed``; empty where they became no statement."""
+        if not self.claims:
+            return ""
+        return "held" if all(claim.holds for claim in self.claims) else "failed"
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,24 +49,50 @@ class FieldRow:
     ground: str
 
 
-def spans(functional: FunctionalScenario, disagreements: Iterable[Disagreement] = ()) -> list[Span]:
+def spans(
+    functional: FunctionalScenario,
+    disagreements: Iterable[Disagreement] = (),
+    claims: Iterable[ClaimProof] = (),
+) -> list[Span]:
     """The description as spans; overlapping evidence is cut at every boundary.
 
     Args:
         functional: the scenario with its evidence.
         disagreements: what was read in two ways.
+        claims: how the statements came out.
     """
     report = report_on(functional, disagreements)
+    claims = tuple(claims)
+    end_s = max((claim.time_s or 0.0 for claim in claims), default=0.0)
+    # What is so all the time, or judged when all is over, is no moment to look at.
+    ranked = sorted(claims, key=lambda c: (c.holds, not 0.0 < (c.time_s or 0.0) < end_s))
     text = functional.description[:LONGEST_SHOWN]
     result = []
     for stretch in stretches(replace(report, text=text)):
         tips = dict.fromkeys(_claim(finding) for finding in stretch.findings)
+        became = tuple(c for c in ranked if any(_rests(c, f) for f in stretch.findings))
+        tips |= dict.fromkeys(f"{'✓' if c.holds else '✕'} {c.statement}" for c in became)
         shown = text[stretch.start : stretch.end]
-        result.append(Span(shown, stretch.standing or "", "\n".join(tips)))
+        result.append(Span(shown, stretch.standing or "", "\n".join(tips), became))
+    for place, (span, after) in enumerate(pairwise(list(result))):
+        result[place] = replace(span, ends=not after.kind)
     if len(functional.description) > LONGEST_SHOWN:
         hidden = len(functional.description) - LONGEST_SHOWN
         result.append(Span(f" … ({hidden:,} more characters)"))
     return result
+
+
+def _rests(claim: ClaimProof, finding: Finding) -> bool:
+    """Whether a statement rests on a finding's words: by its field, or by them and its subject."""
+    if finding.field is None:
+        return False
+    if claim.field == finding.field:
+        return True
+    subject, other = (field.split(".")[:2] for field in (claim.field, finding.field))
+    of_road = subject[0] == other[0] == "junction"
+    return (
+        claim.words is not None and claim.words == finding.words and (subject == other or of_road)
+    )
 
 
 def field_rows(functional: FunctionalScenario) -> list[FieldRow]:

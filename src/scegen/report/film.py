@@ -8,12 +8,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from scegen.criticality.encounter import Encounter, closest_encounter
 from scegen.motion.model import Path, Trace
 from scegen.motion.simulation import simulate
 from scegen.report.bodies import braking, corners_at
 from scegen.report.camera import camera_views
 from scegen.report.drawing import box, circle, document, letters, line
-from scegen.report.encounter import Encounter, closest_encounter
 from scegen.report.moving_labels import MovingLabels
 from scegen.report.stage import Stage, gap_between, make_stage, name_and_speed
 from scegen.report.theme import Theme

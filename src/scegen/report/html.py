@@ -1,27 +1,34 @@
-"""The report: one HTML file that opens offline and shows every step from words to files."""
+"""The report: one HTML file that opens offline, the moving picture first, every step behind it."""
 
 from __future__ import annotations
 
+import json
 from base64 import b64encode
 from dataclasses import dataclass
+from hashlib import sha256
+from importlib.resources import files
 from urllib.parse import quote
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from scegen.report.contents import CheckRow, ConcreteEntry, ReportInput
-from scegen.report.danger import danger_tables
+from scegen.report.danger import danger_tables, target_words
 from scegen.report.evidence import field_rows, field_words, left_out, spans
-from scegen.report.gallery import Tiles, counted, draw_tiles, summary
+from scegen.report.gallery import Tiles, counted, draw_tiles, groups, summary
 from scegen.report.judgement import judgement_tables
+from scegen.report.player.bundle import player_css, player_js
 from scegen.report.tables import Table, tables
-from scegen.report.tile import tile_svg
-from scegen.report.words import hazard_words
+from scegen.report.theme import css
+from scegen.report.tile import tile_body, tile_svg
+from scegen.report.words import hazard_words, plain
 from scegen.scenario.logical import LogicalSet
 from scegen.understanding import Standing
 
 __all__ = ["CheckRow", "ConcreteEntry", "ReportInput", "report_html"]
 
+MOST_TILES_BYTES = 700_000
+"""So much of the gallery lies in the report; ``scegen gallery`` pages through the rest."""
 _LEGEND = {
     Standing.UNDERSTOOD: "said in the text",
     Standing.INFERRED: "concluded from the text",
@@ -45,18 +52,34 @@ def report_html(report: ReportInput) -> str:
     functional = report.functional
     disagreements = report.voice.disagreements if report.voice else ()
     descriptions = [entry.concrete.description for entry in report.concretes]
+    script = player_js() + _asset("report.js")
+    claims = [c for e in report.concretes[:1] if e.proof is not None for c in e.proof.claims]
     return environment.get_template("report.html.j2").render(
         functional=functional,
         description=functional.description if functional else (descriptions or [""])[0],
-        spans=spans(functional, disagreements) if functional else [],
+        spans=spans(functional, disagreements, claims) if functional else [],
         left=left_out(functional) if functional else [],
         fields=field_rows(functional) if functional else [],
         legend={str(kind): words for kind, words in _LEGEND.items()},
-        gallery=_gallery(report.logical_set, report.tiles) if report.logical_set else None,
+        gallery=_gallery(report) if report.logical_set else None,
         concretes=[_concrete(entry) for entry in report.concretes],
         skipped=report.skipped,
         voice=report.voice,
+        # All three are our own; what comes from outside reaches the script as data only.
+        style=Markup(css() + player_css() + _asset("report.css")),  # noqa: S704
+        script=Markup(script),  # noqa: S704
+        digest=b64encode(sha256(f"\n{script}".encode()).digest()).decode(),
     )
+
+
+def _asset(name: str) -> str:
+    return files("scegen.report").joinpath("templates", name).read_text(encoding="utf-8")
+
+
+@dataclass(frozen=True, slots=True)
+class _Group:
+    title: str
+    tiles: tuple[Markup, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,62 +89,94 @@ class _Gallery:
     method: str
     notes: tuple[str, ...]
     junction: Markup
-    tiles: tuple[Markup, ...]
+    made: tuple[Markup, ...]
+    groups: tuple[_Group, ...]
     missing: int
 
 
-def _gallery(logical_set: LogicalSet, tiles: Tiles | None) -> _Gallery:
-    tiles = tiles or draw_tiles(logical_set)
-    functional = logical_set.functional
+def _gallery(report: ReportInput) -> _Gallery | None:
+    """The logical scenarios: those that were made, then all in groups."""
+    logical_set = report.logical_set
+    if logical_set is None:
+        return None
+    drawn = report.tiles or draw_tiles(logical_set)
     count = max(len(logical_set.scenarios), logical_set.certificate.count)
-    pairs = zip(tiles.shown, tiles.bodies, strict=True)
+    pictures = _pictures(logical_set, drawn)
+    functional = logical_set.functional
+    made = {entry.concrete.logical.index: entry.concrete.logical for entry in report.concretes}
     return _Gallery(
         counted(count, "logical scenario"),
         summary(logical_set),
         logical_set.certificate.method,
         logical_set.notes,
         # The tiles escape what comes from outside themselves.
-        Markup(tiles.junction),  # noqa: S704
-        tuple(Markup(tile_svg(s, functional, body)) for s, body in pairs),  # noqa: S704
-        count - len(tiles.shown),
+        Markup(drawn.junction),  # noqa: S704
+        tuple(
+            Markup(tile_svg(s, functional, tile_body(s, functional, '<use href="#junction"/>')))  # noqa: S704
+            for s in made.values()
+        ),
+        tuple(
+            _Group(title or "All", tuple(pictures[place] for place in members))
+            for title, places in groups(drawn.shown)
+            if (members := [place for place in places if place < len(pictures)])
+        ),
+        count - len(pictures),
     )
+
+
+def _pictures(logical_set: LogicalSet, drawn: Tiles) -> list[Markup]:
+    """As many tiles as find room."""
+    pictures: list[Markup] = []
+    room = MOST_TILES_BYTES
+    for scenario, body in zip(drawn.shown, drawn.bodies, strict=True):
+        picture = Markup(tile_svg(scenario, logical_set.functional, body))  # noqa: S704
+        room -= len(picture)
+        if room < 0 and pictures:
+            break
+        pictures.append(picture)
+    return pictures
+
+
+@dataclass(frozen=True, slots=True)
+class _Fact:
+    """One line of the summary: how it came out (held, failed, open), and words."""
+
+    verdict: str
+    words: str
 
 
 @dataclass(frozen=True, slots=True)
 class _Concrete:
     name: str
     anchor: str
-    facts: str
-    image: str
-    alt: str
+    about: str
+    facts: tuple[_Fact, ...]
     hazards: tuple[str, ...]
+    scenes: Markup
     tables: tuple[Table, ...]
     files: tuple[tuple[str, str], ...]
     checks: tuple[tuple[CheckRow, str], ...]
-    plots: Markup
     judgement: tuple[Table, ...]
 
 
 def _concrete(entry: ConcreteEntry) -> _Concrete:
     concrete = entry.concrete
-    who = ", ".join(p.id for p in concrete.participants)
     names = ["road.xodr", "scenario.xosc", "concrete.yaml", "preview.png"]
     if entry.proof is not None:
         names.append("proof.json")
     return _Concrete(
         name=concrete.name,
         anchor=f"scenario-{concrete.name}",
-        facts=(
+        about=(
             f"logical scenario {concrete.logical.index}, {concrete.duration_s:g} s, "
             f"seed {concrete.seed}"
         ),
-        image=f"data:image/png;base64,{b64encode(entry.preview_png).decode()}",
-        alt=f"Plan of the roads with the ways of {who}",
+        facts=tuple(_facts(entry)),
         hazards=tuple(hazard_words(hazard) for hazard in concrete.hazards),
+        scenes=_data([entry.scene, entry.before]),
         tables=tuple(tables(concrete)),
         files=tuple((name, quote(f"{entry.folder}/{name}")) for name in names),
         checks=tuple((row, _verdict(row.status)) for row in entry.checks),
-        plots=Markup(entry.plots_svg),  # noqa: S704 - escapes what comes from outside itself
         judgement=(
             *danger_tables(entry.proof),
             *judgement_tables(entry.verdict, entry.sensitivity),
@@ -129,8 +184,37 @@ def _concrete(entry: ConcreteEntry) -> _Concrete:
     )
 
 
+def _facts(entry: ConcreteEntry) -> list[_Fact]:
+    """What anybody asks first."""
+    facts = []
+    if (proof := entry.proof) is not None:
+        if proof.claims:
+            hold = len(proof.claims) - len(proof.missed)
+            words = f"{hold} of {len(proof.claims)} statements hold"
+            facts.append(_Fact("failed" if proof.missed else "held", words))
+        facts.append(_Fact("held" if proof.in_band else "failed", target_words(proof)))
+    if entry.verdict is not None:
+        words = f"a careful driver: {plain(entry.verdict.outcome)}"
+        facts.append(_Fact("open", words))
+    failed = [row.checker for row in entry.checks if _verdict(row.status) == "failed"]
+    passed = [row for row in entry.checks if _verdict(row.status) == "held"]
+    if failed:
+        facts.append(_Fact("failed", f"checks failed: {', '.join(failed)}"))
+    elif passed:
+        facts.append(_Fact("held", f"{counted(len(passed), 'check')} passed"))
+    return facts
+
+
+def _data(value: object) -> Markup:
+    """JSON that ends no element, whatever words it holds."""
+    text = json.dumps(value, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+    for sign in "<>&\u2028\u2029":
+        text = text.replace(sign, f"\\u{ord(sign):04x}")
+    return Markup(text)  # noqa: S704 - no markup is left in it
+
+
 def _verdict(status: str) -> str:
     word = status.lower()
     if word in _GOOD:
-        return "good"
-    return "bad" if word in _BAD else "open"
+        return "held"
+    return "failed" if word in _BAD else "open"

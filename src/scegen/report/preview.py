@@ -11,10 +11,11 @@ from collections.abc import Iterable, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from scegen.criticality.encounter import Encounter, closest_encounter
 from scegen.motion.model import Path, Trace
 from scegen.motion.simulation import simulate
+from scegen.report.corners import thing_corners
 from scegen.report.drawing import box, document, letters
-from scegen.report.encounter import Encounter, closest_encounter, thing_corners
 from scegen.report.raster import png_of, wrapped
 from scegen.report.stage import Stage, make_stage, moment, overview
 from scegen.report.theme import LIGHT, Theme

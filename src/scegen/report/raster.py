@@ -26,6 +26,7 @@ def png_of(svg: str, zoom: float = 1.0) -> bytes:
     )
 
 
+@lru_cache(maxsize=4096)
 def text_width(words: str, size: float, *, bold: bool = False) -> float:
     """How wide words are when written at this size, in the same unit."""
     return _font(bold).getlength(words) * size / _MEASURED_AT

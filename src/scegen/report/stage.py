@@ -9,10 +9,11 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from scegen.criticality.encounter import Encounter
 from scegen.motion.model import Path, Trace
 from scegen.report.bodies import body, braking, corners_at, ghost, haze, standing_at, swept
+from scegen.report.corners import thing_corners
 from scegen.report.drawing import area, box, letters, line, lines
-from scegen.report.encounter import Encounter, thing_corners
 from scegen.report.labels import Label, Rectangle, draw_labels, place
 from scegen.report.plan import arrow_head
 from scegen.report.raster import text_width
@@ -81,7 +82,7 @@ def make_stage(
         concrete,
         paths,
         traces,
-        Surroundings(network, concrete.road, concrete.objects, theme),
+        Surroundings(concrete, network, theme),
         theme.colours((p.id for p in concrete.participants), concrete.ego.id),
         theme,
     )
@@ -117,7 +118,7 @@ def overview(stage: Stage, view: View, encounter: Encounter | None, framed: View
     ]
     labels += [Label(o.id, _around(view, thing_corners(o))) for o in stage.concrete.objects]
     bar, where = _scale_bar(view, theme)
-    frames = [] if framed is None else [_from_frame(view.frame(framed))]
+    frames = [] if framed is None else _edges(view.frame(framed))
     return drawn + bar + _labelled(stage, view, labels, [where, *frames])
 
 
@@ -236,6 +237,13 @@ def _inside(view: View, at: Rectangle) -> bool:
     return 0.0 <= x <= view.width and 0.0 <= y <= view.height
 
 
-def _from_frame(frame: tuple[float, float, float, float]) -> Rectangle:
+def _edges(frame: tuple[float, float, float, float]) -> list[Rectangle]:
+    """The four sides of a frame, which no label may lie across."""
     left, top, width, height = frame
-    return left, top, left + width, top + height
+    right, bottom = left + width, top + height
+    return [
+        (left, top, right, top),
+        (left, bottom, right, bottom),
+        (left, top, left, bottom),
+        (right, top, right, bottom),
+    ]

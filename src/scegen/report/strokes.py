@@ -1,84 +1,64 @@
-"""What a tile is drawn with: arrows, walks, boxes, badges and the marks of conflicts, as SVG."""
+"""What a tile is drawn with: arrows, walks, boxes, badges and the marks of conflicts."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
+from scegen.report.drawing import Style, area, circle, letters, line
 from scegen.report.plan import Point, arrow_head
+from scegen.report.theme import Theme
 from scegen.scenario.logical import ConflictKind
 
 MIDDLE = 120.0
 """Where the middle of the picture lies in a tile."""
-MARK, TEXT = "#ffffff", "#1b2330"
+_ROUND: dict[str, Style] = {"stroke_linecap": "round", "stroke_linejoin": "round"}
 
 
-def xy(point: Point) -> str:
-    """A point as in SVG, in the frame of a tile."""
-    return f"{point[0] + MIDDLE:.1f} {MIDDLE - point[1]:.1f}"
+def in_tile(points: Iterable[Point]) -> list[Point]:
+    """Points of a plan in the frame of a tile, y down, to a tenth of a pixel."""
+    return [(round(x + MIDDLE, 1), round(MIDDLE - y, 1)) for x, y in points]
 
 
-def path_data(points: Iterable[Point], *, closed: bool = False) -> str:
-    """A line as the data of an SVG path."""
-    return "M" + "L".join(xy(p) for p in points) + ("Z" if closed else "")
+def arrow(way: list[Point], colour: str, theme: Theme, *, ego: bool) -> str:
+    """The way of a vehicle; the ego's is thicker, with a dark edge and its letter."""
+    points, head = in_tile(way), in_tile(arrow_head(way, 9.0 if ego else 7.5))
+    edge, width, dot = (theme.outline, 4.4, 6.0) if ego else (theme.mark, 3.0, 3.6)
+    drawn = line(points, edge, width + 2.0, **_ROUND)
+    drawn += area(head, edge, stroke=edge, stroke_width=2.4)
+    drawn += circle(*points[0], dot + 1.2, edge)
+    drawn += line(points, colour, width, **_ROUND) + area(head, colour)
+    drawn += circle(*points[0], dot, colour)
+    return drawn + (_letter("E", points[0], theme.mark) if ego else "")
 
 
-def arrow(line: list[Point], colour: str, *, ego: bool) -> str:
-    """The way of a vehicle."""
-    head = arrow_head(line, 9.0 if ego else 7.5)
-    d, h = path_data(line), path_data(head, closed=True)
-    x, y = xy(line[0]).split()
-    common = 'fill="none" stroke-linecap="round" stroke-linejoin="round"'
-    edge, width, dot = ("#000000", 4.4, 6.0) if ego else (MARK, 3.0, 3.6)
-    letter = (
-        f'<text x="{x}" y="{float(y) + 3:.1f}" text-anchor="middle" font-size="8.5" '
-        f'font-weight="700" fill="{MARK}">E</text>'
-        if ego
-        else ""
-    )
-    return (
-        f'<path d="{d}" stroke="{edge}" stroke-width="{width + 2:.1f}" {common}/>'
-        f'<path d="{h}" fill="{edge}" stroke="{edge}" stroke-width="2.4"/>'
-        f'<circle cx="{x}" cy="{y}" r="{dot + 1.2:.1f}" fill="{edge}"/>'
-        f'<path d="{d}" stroke="{colour}" stroke-width="{width}" {common}/>'
-        f'<path d="{h}" fill="{colour}"/><circle cx="{x}" cy="{y}" r="{dot}" fill="{colour}"/>'
-        f"{letter}"
-    )
-
-
-def reverse_badge(line: list[Point], colour: str) -> str:
+def reverse_badge(way: list[Point], colour: str, theme: Theme) -> str:
     """An R on the way of one that drives backwards on it."""
-    x, y = xy(line[len(line) // 3]).split()
-    return (
-        f'<circle cx="{x}" cy="{y}" r="6" fill="{MARK}" stroke="{colour}" stroke-width="1.5"/>'
-        f'<text x="{x}" y="{float(y) + 3:.1f}" text-anchor="middle" font-size="8.5" '
-        f'font-weight="700" fill="{colour}">R</text>'
-    )
+    place = in_tile(way)[len(way) // 3]
+    disc = circle(*place, 6, theme.mark, stroke=colour, stroke_width=1.5)
+    return disc + _letter("R", place, colour)
 
 
-def walk(line: list[Point], colour: str) -> str:
+def walk(way: list[Point], colour: str, theme: Theme) -> str:
     """The way of one who crosses an arm."""
-    x, y = xy(line[0]).split()
-    d, h = path_data(line), path_data(arrow_head(line, 7.0), closed=True)
-    return (
-        f'<path d="{d}" stroke="{MARK}" stroke-width="4.6" fill="none"/>'
-        f'<path d="{d}" stroke="{colour}" stroke-width="2.6" stroke-dasharray="4.5 3" '
-        f'fill="none"/><path d="{h}" fill="{colour}"/>'
-        f'<circle cx="{x}" cy="{y}" r="4.2" fill="{colour}" stroke="{MARK}"/>'
-    )
+    points, head = in_tile(way), in_tile(arrow_head(way, 7.0))
+    drawn = line(points, theme.mark, 4.6) + line(points, colour, 2.6, stroke_dasharray="4.5 3")
+    return drawn + area(head, colour) + circle(*points[0], 4.2, colour, stroke=theme.mark)
 
 
-def conflict_mark(kind: ConflictKind, point: Point) -> str:
+def conflict_mark(kind: ConflictKind, point: Point, theme: Theme) -> str:
     """Told apart by shape, not by colour: a ring for a crossing, a diamond for a merge."""
-    x, y = point[0] + MIDDLE, MIDDLE - point[1]
-    paint = f'fill="{MARK}" stroke="{TEXT}" stroke-width="1.5"'
+    ((x, y),) = in_tile([point])
+    paint: dict[str, Style] = {"stroke": theme.text, "stroke_width": 1.5}
     if kind is ConflictKind.CROSSING:
-        return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3.4" {paint}/>'
-    return f'<path d="M{x:.1f} {y - 4.4:.1f}l4.4 4.4l-4.4 4.4l-4.4-4.4Z" {paint}/>'
+        return circle(x, y, 3.4, theme.mark, **paint)
+    corners = [(x, y - 4.4), (x + 4.4, y), (x, y + 4.4), (x - 4.4, y)]
+    return area(corners, theme.mark, **paint)
 
 
-def box(corners: list[Point], colour: str) -> str:
+def standing(corners: list[Point], colour: str, theme: Theme) -> str:
     """A standing vehicle."""
-    return (
-        f'<path d="{path_data(corners, closed=True)}" fill="{colour}" stroke="{TEXT}" '
-        'stroke-width="1" stroke-linejoin="round"/>'
-    )
+    return area(in_tile(corners), colour, stroke=theme.text, stroke_linejoin="round")
+
+
+def _letter(letter: str, place: Point, ink: str) -> str:
+    return letters(letter, place[0], place[1] + 3, 8.5, ink, bold=True, text_anchor="middle")

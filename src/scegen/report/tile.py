@@ -6,6 +6,7 @@ from html import escape
 from math import cos, degrees, sin
 
 from scegen.report.conflict_points import conflict_points
+from scegen.report.drawing import area, box, circle, element, group, letters, line
 from scegen.report.plan import (
     REACH,
     Plan,
@@ -16,18 +17,17 @@ from scegen.report.plan import (
     standing_box,
     walking_line,
 )
+from scegen.report.raster import text_width
 from scegen.report.strokes import (
-    MARK,
     MIDDLE,
-    TEXT,
     arrow,
-    box,
     conflict_mark,
-    path_data,
+    in_tile,
     reverse_badge,
+    standing,
     walk,
 )
-from scegen.report.theme import LIGHT
+from scegen.report.theme import LIGHT, Theme
 from scegen.report.words import REVERSES
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Assignment, Crossing, Drive, LogicalScenario, Walking
@@ -36,37 +36,46 @@ from scegen.scenario.vocabulary import JunctionKind, Maneuver
 TILE_WIDTH = 240
 _PICTURE = 240
 _LINE = 15
-_NAME_CHARACTERS, _LINE_CHARACTERS = 16, 37
-_ROAD, _KERB, _FAINT = "#d5d9df", "#a9b0ba", "#5b6675"
+_NAME_WIDTH, _ROW_WIDTH = 96.0, 206.0
+_CAPTION, _NUMBER, _MANY = 11.5, 13.0, 3
+_BESIDE, _NUMBERED = 32.0, 16.0
+"""Room for who walks or stands beside a road, and for the number at its end."""
 
 
 def tile_height(functional: FunctionalScenario) -> int:
     """Height of a tile: the picture, the caption, one line per participant."""
-    picture = _PICTURE - 2 * _lift(make_plan(functional.junction))
-    return picture + 30 + _LINE * len(functional.participants)
+    above, below = _empty(make_plan(functional.junction))
+    return _PICTURE - above - below + 30 + _LINE * len(functional.participants)
 
 
-def _lift(plan: Plan) -> int:
-    """What a road without a junction leaves free above and below it."""
-    level = all(abs(sin(angle)) < 0.2 for angle in plan.angles)
-    return 55 if plan.kind is JunctionKind.STRAIGHT and level else 0
+def _empty(plan: Plan) -> tuple[int, int]:
+    """What the roads leave free at the top and at the bottom of the picture."""
+    beside = max(plan.half(arm) for arm in range(len(plan.angles))) + _BESIDE
+    if plan.is_ring:
+        beside = max(beside, plan.ring + plan.lane + _BESIDE / 2)
+    ends = [(REACH + _NUMBERED) * sin(angle) for angle in plan.angles]
+    reach = (max(beside, *ends), max(beside, *(-end for end in ends)))
+    return int(max(MIDDLE - reach[0], 0.0)), int(max(MIDDLE - reach[1], 0.0))
 
 
-def roads(functional: FunctionalScenario) -> str:
+def roads(functional: FunctionalScenario, theme: Theme = LIGHT) -> str:
     """The junction alone: the same in every tile."""
-    return _roads(make_plan(functional.junction), functional)
+    return _roads(make_plan(functional.junction), functional, theme)
 
 
 def tile_body(
-    scenario: LogicalScenario, functional: FunctionalScenario, ground: str | None = None
+    scenario: LogicalScenario,
+    functional: FunctionalScenario,
+    ground: str | None = None,
+    theme: Theme = LIGHT,
 ) -> str:
     """The elements of a tile, in a frame of its own size with the origin at the top left.
 
     ``ground`` stands for the junction where many tiles refer to one drawing of it.
     """
     plan = make_plan(functional.junction)
-    colour = LIGHT.colours((p.id for p in functional.participants), functional.ego.id)
-    parts = [_roads(plan, functional) if ground is None else ground]
+    colour = theme.colours((p.id for p in functional.participants), functional.ego.id)
+    parts = [roads(functional, theme) if ground is None else ground]
     lines: dict[str, list[Point]] = {}
     crossings = standings = 0
     drawings: list[tuple[bool, str]] = []
@@ -78,41 +87,46 @@ def tile_body(
         is_ego = name == functional.ego.id
         if isinstance(assignment, Drive):
             behind = sum(d.entry == assignment.entry and d.rank > assignment.rank for d in drives)
-            line = lines[name] = drive_line(plan, assignment, spreads[name], behind)
-            drawing = arrow(line, colour[name], ego=is_ego)
+            way_ = lines[name] = drive_line(plan, assignment, spreads[name], behind)
+            drawing = arrow(way_, colour[name], theme, ego=is_ego)
             if assignment.reverses is not None:
-                badges.append(reverse_badge(line, colour[name]))
+                badges.append(reverse_badge(way_, colour[name], theme))
         elif isinstance(assignment, Crossing):
-            line = lines[name] = crossing_line(plan, assignment, crossings)
-            drawing = walk(line, colour[name])
+            way_ = lines[name] = crossing_line(plan, assignment, crossings)
+            drawing = walk(way_, colour[name], theme)
             crossings += 1
         elif isinstance(assignment, Walking):
-            line = lines[name] = walking_line(plan, assignment)
-            drawing = walk(line, colour[name])
+            way_ = lines[name] = walking_line(plan, assignment)
+            drawing = walk(way_, colour[name], theme)
         else:
-            drawing = box(standing_box(plan, assignment, standings), colour[name])
+            drawing = standing(standing_box(plan, assignment, standings), colour[name], theme)
             standings += 1
         drawings.append((is_ego, drawing))
     parts += [d for is_ego, d in drawings if not is_ego]
     parts += [d for is_ego, d in drawings if is_ego]  # on top
     parts += badges
-    parts += [conflict_mark(kind, at) for kind, at in conflict_points(scenario.conflicts, lines)]
-    lift = _lift(plan)
-    caption = _caption(scenario, functional, colour, _PICTURE - 2 * lift)
-    return f'<g transform="translate(0 {-lift})">{"".join(parts)}</g>{caption}'
+    parts += [
+        conflict_mark(kind, at, theme) for kind, at in conflict_points(scenario.conflicts, lines)
+    ]
+    above, below = _empty(plan)
+    caption = _caption(scenario, functional, colour, _PICTURE - above - below, theme)
+    return group("".join(parts), transform=f"translate(0 {-above})") + caption
 
 
 def tile_svg(
     scenario: LogicalScenario, functional: FunctionalScenario, body: str | None = None
 ) -> str:
     """A tile as a complete SVG element; ``body`` if it is drawn already."""
-    height = tile_height(functional)
-    label = escape(describe(scenario))
+    label = describe(scenario)
     drawn = tile_body(scenario, functional) if body is None else body
-    return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {TILE_WIDTH} {height}" '
-        f'role="img" aria-label="{label}" font-family="system-ui, sans-serif">'
-        f"<title>{label}</title>{drawn}</svg>"
+    return element(
+        "svg",
+        element("title", escape(label)) + drawn,
+        xmlns="http://www.w3.org/2000/svg",
+        viewBox=f"0 0 {TILE_WIDTH} {tile_height(functional)}",
+        role="img",
+        aria_label=label,
+        font_family="system-ui, sans-serif",
     )
 
 
@@ -120,6 +134,18 @@ def describe(scenario: LogicalScenario) -> str:
     """A scenario in one line of words."""
     ways = "; ".join(f"{a.participant} {way(a)}" for a in scenario.assignments)
     return f"Scenario {scenario.index}: {ways}"
+
+
+def moves_words(pattern: tuple[int, ...]) -> str:
+    """Moves as numbers; the same one many times in a row is counted."""
+    runs: list[list[int]] = []
+    for move in pattern:
+        if runs and runs[-1][0] == move:
+            runs[-1][1] += 1
+        else:
+            runs.append([move, 1])
+    words = [f"{n}×{move}" if n > _MANY else " ".join([str(move)] * n) for move, n in runs]
+    return " ".join(words) or "–"
 
 
 def way(assignment: Assignment) -> str:
@@ -154,40 +180,27 @@ def _spreads(drives: tuple[Drive, ...]) -> dict[str, float]:
     return shared
 
 
-def _roads(plan: Plan, functional: FunctionalScenario) -> str:
+def _roads(plan: Plan, functional: FunctionalScenario, theme: Theme) -> str:
     arms = range(len(plan.angles))
     layers = []
-    for width, paint in ((3.0, _KERB), (0.0, _ROAD)):
+    for wider, paint in ((3.0, theme.kerb), (0.0, theme.road)):
         for arm in arms:
-            half = plan.half(arm) + width / 2
-            corners = [
-                plan.at(arm, 0.0, half),
-                plan.at(arm, REACH, half),
-                plan.at(arm, REACH, -half),
-                plan.at(arm, 0.0, -half),
-            ]
-            layers.append(f'<path d="{path_data(corners, closed=True)}" fill="{paint}"/>')
+            half = plan.half(arm) + wider / 2
+            ends = ((0.0, half), (REACH, half), (REACH, -half), (0.0, -half))
+            layers.append(area(in_tile(plan.at(arm, *end) for end in ends), paint))
         if plan.kind is not JunctionKind.STRAIGHT:
             radius = plan.ring + plan.lane if plan.is_ring else _core(plan)
-            layers.append(
-                f'<circle cx="{MIDDLE}" cy="{MIDDLE}" r="{radius + width / 2:.1f}" '
-                f'fill="{paint}"/>'
-                f'fill="{paint}"/>'
-            )
+            layers.append(circle(MIDDLE, MIDDLE, radius + wider / 2, paint))
     if plan.is_ring:
         island = plan.ring - plan.lane
         layers.append(
-            f'<circle cx="{MIDDLE}" cy="{MIDDLE}" r="{island:.1f}" fill="#eef1e6" '
-            f'stroke="{_KERB}" stroke-width="1.5"/>'
+            circle(MIDDLE, MIDDLE, island, theme.ground, stroke=theme.kerb, stroke_width=1.5)
         )
     for arm in arms:
-        layers.append(_marks(plan, arm, crosswalk=arm in functional.junction.crosswalks))
+        layers.append(_marks(plan, arm, theme, crosswalk=arm in functional.junction.crosswalks))
         a = plan.angles[arm]
-        x, y = (REACH + 9) * cos(a), (REACH + 9) * sin(a)
-        layers.append(
-            f'<text x="{x + MIDDLE:.1f}" y="{MIDDLE - y + 4:.1f}" text-anchor="middle" '
-            f'font-size="11" fill="{_FAINT}">{arm}</text>'
-        )
+        ((x, y),) = in_tile([((REACH + 9) * cos(a), (REACH + 9) * sin(a))])
+        layers.append(letters(str(arm), x, y + 4, 11, theme.text_soft, text_anchor="middle"))
     return "".join(layers)
 
 
@@ -195,63 +208,57 @@ def _core(plan: Plan) -> float:
     return max(plan.half(arm) for arm in range(len(plan.angles)))
 
 
-def _marks(plan: Plan, arm: int, *, crosswalk: bool) -> str:
+def _marks(plan: Plan, arm: int, theme: Theme, *, crosswalk: bool) -> str:
     """The centre line, lane lines and crosswalk of an arm."""
     begin = plan.inner + (14.0 if crosswalk else 0.0)
-    lines = [
-        (
-            f'<path d="{path_data([plan.at(arm, begin), plan.at(arm, REACH)])}" stroke="{MARK}" '
-            'stroke-width="1.6" fill="none"/>'
-        )
-    ]
+
+    def along(aside: float, width: float, dashes: str | None) -> str:
+        ends = in_tile(plan.at(arm, d, aside) for d in (begin, REACH))
+        return line(ends, theme.mark, width, stroke_dasharray=dashes)
+
+    marks = [along(0.0, 1.6, None)]
     for lane in range(1, plan.lanes[arm]):
-        for sign in (-1, 1):
-            ends = [plan.at(arm, d, sign * lane * plan.lane) for d in (begin, REACH)]
-            lines.append(
-                f'<path d="{path_data(ends)}" stroke="{MARK}" stroke-width="1" '
-                'stroke-dasharray="5 5" fill="none"/>'
-            )
+        marks += [along(sign * lane * plan.lane, 1.0, "5 5") for sign in (-1, 1)]
     if crosswalk:
-        middle = plan.inner + 10.0
-        ends = [plan.at(arm, middle, sign * (plan.half(arm) - 1)) for sign in (-1, 1)]
-        lines.append(
-            f'<path d="{path_data(ends)}" stroke="{MARK}" stroke-width="9" '
-            'stroke-dasharray="3 2.5" fill="none"/>'
-        )
-    return "".join(lines)
+        half = plan.half(arm) - 1
+        ends = in_tile(plan.at(arm, plan.inner + 10.0, aside) for aside in (-half, half))
+        marks.append(line(ends, theme.mark, 9, stroke_dasharray="3 2.5"))
+    return "".join(marks)
 
 
 def _caption(
-    scenario: LogicalScenario, functional: FunctionalScenario, colour: dict[str, str], top: int
+    scenario: LogicalScenario,
+    functional: FunctionalScenario,
+    colour: dict[str, str],
+    top: int,
+    theme: Theme,
 ) -> str:
-    moves = " ".join(str(move) for move in scenario.pattern) or "–"
-    size = f"  ×{scenario.class_size}" if scenario.class_size > 1 else ""
+    size = f" ×{scenario.class_size}" if scenario.class_size > 1 else ""
+    moves = f"moves {moves_words(scenario.pattern)}{size}"
     y = top + 14
-    lines = [
-        (
-            f'<text x="10" y="{y}" font-size="13" font-weight="700" fill="{TEXT}">'
-            f"{scenario.index}</text>"
-            f'<text x="{TILE_WIDTH - 10}" y="{y}" text-anchor="end" font-size="13" fill="{TEXT}">'
-            f"moves {moves}{size}</text>"
-        )
+    right = TILE_WIDTH - 10
+    drawn = [
+        letters(str(scenario.index), 10, y, _NUMBER, theme.text, bold=True),
+        letters(moves, right, y, _NUMBER, theme.text, text_anchor="end"),
     ]
-    for number, assignment in enumerate(scenario.assignments, start=1):
+    for row, assignment in enumerate(scenario.assignments, start=1):
         name = assignment.participant
-        at = y + number * _LINE + 2
-        shown = _short(name, _NAME_CHARACTERS)
-        did = _short(way(assignment), _LINE_CHARACTERS - len(shown))
-        weight = "700" if name == functional.ego.id else "400"
-        lines.append(
-            f'<rect x="10" y="{at - 8}" width="9" height="9" rx="2" fill="{colour[name]}"/>'
-            f'<text x="24" y="{at}" font-size="11.5" fill="{TEXT}">'
-            f'<tspan font-weight="{weight}">{escape(shown)}</tspan> '
-            f'<tspan fill="{_FAINT}">{escape(did)}</tspan></text>'
-        )
-    return "".join(lines)
+        at, bold = y + row * _LINE + 2, name == functional.ego.id
+        shown = _short(name, _NAME_WIDTH, bold=bold)
+        room = _ROW_WIDTH - text_width(f"{shown} ", _CAPTION, bold=bold)
+        drawn.append(box(10, at - 8, 9, 9, colour[name], rx=2))
+        drawn.append(letters(shown, 24, at, _CAPTION, theme.text, bold=bold))
+        did = _short(way(assignment), room)
+        drawn.append(letters(did, 24 + _ROW_WIDTH - room, at, _CAPTION, theme.text_soft))
+    return "".join(drawn)
 
 
-def _short(text: str, longest: int) -> str:
-    return text if len(text) <= longest else text[: longest - 1] + "…"
+def _short(text: str, room: float, *, bold: bool = False) -> str:
+    """As much of a text as fits."""
+    shown = text
+    while text_width(shown, _CAPTION, bold=bold) > room:
+        shown = shown.removesuffix("…")[:-1] + "…"
+    return shown
 
 
 def arm_legend(functional: FunctionalScenario) -> str:

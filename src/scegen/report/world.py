@@ -14,13 +14,14 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from scegen.report.corners import thing_corners
 from scegen.report.drawing import area, areas, box, circle, element, group, line, lines, number
-from scegen.report.encounter import thing_corners
 from scegen.report.lane_shapes import RoadShapes, road_shapes
+from scegen.report.lights import red_arms
 from scegen.report.theme import Theme
 from scegen.road.geometry import Pose
 from scegen.road.model import LaneType, RoadNetwork
-from scegen.scenario.concrete import RoadParameters
+from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.objects import ObjectCategory, StaticObject
 from scegen.scenario.vocabulary import Control
 
@@ -114,28 +115,20 @@ class Surroundings:
     """All that never moves, drawn once and shown in every view and frame.
 
     Args:
-        network: the roads.
-        road: what they are made from; it says where signs and lights stand.
-        things: the objects.
+        concrete: the scenario; it says where signs and objects stand, and which lights are red.
+        network: its roads.
         theme: the colours.
     """
 
-    def __init__(
-        self,
-        network: RoadNetwork,
-        road: RoadParameters,
-        things: Iterable[StaticObject],
-        theme: Theme,
-    ) -> None:
+    def __init__(self, concrete: ConcreteScenario, network: RoadNetwork, theme: Theme) -> None:
         self._theme = theme
         self._shapes: RoadShapes = road_shapes(network)
+        self._control = concrete.road.control
+        red = red_arms(concrete) if self._control is Control.SIGNALS else frozenset()
         self._entries = [
-            _entry(network, arm)
-            for arm in sorted(road.controlled_arms)
-            if road.control not in {Control.UNCONTROLLED, Control.PRIORITY_TO_RIGHT}
+            (*entry_of(network, arm), arm in red) for arm in sorted(concrete.road.controlled_arms)
         ]
-        self._control = road.control
-        self._things = tuple(things)
+        self._things = concrete.objects
 
     def across(self, west_m: float, east_m: float) -> tuple[float, float]:
         """How far south and north the roads reach between two places."""
@@ -177,8 +170,8 @@ class Surroundings:
         layers.append(lines(marks(shapes.lane_lines), theme.mark, width, stroke_dasharray=_DASHES))
         layers.append(areas(shapes.stripes, theme.mark))
         layers += [
-            self._entry_marks(pose, half_m, view)
-            for pose, half_m in self._entries
+            self._entry_marks(pose, half_m, view, red=red)
+            for pose, half_m, red in self._entries
             if not cut or view.shows(pose.x_m, pose.y_m)
         ]
         layers += [
@@ -188,7 +181,7 @@ class Surroundings:
         ]
         return "".join(layers)
 
-    def _entry_marks(self, pose: Pose, half_m: float, view: View) -> str:
+    def _entry_marks(self, pose: Pose, half_m: float, view: View, *, red: bool) -> str:
         """The line to stop at and what stands beside it, for traffic that enters."""
         theme, size = self._theme, view.at_least(_SIGN_M, _SIGN_PX)
         ends = [_beside(pose, t) for t in (0.2 * half_m / abs(half_m), half_m)]
@@ -196,7 +189,8 @@ class Surroundings:
         stop = line(ends, theme.mark, view.at_least(0.4, 1.2), stroke_dasharray=dashes)
         x, y = _beside(pose, half_m + size * (1.6 if half_m > 0 else -1.6))
         if self._control is Control.SIGNALS:
-            lamps = (theme.signal_red, theme.signal_amber, theme.signal_green)
+            off = theme.signal_off
+            lamps = (theme.signal_red, off, off) if red else (off, off, theme.signal_green)
             drawn = box(-size * 0.6, -size * 1.5, size * 1.2, size * 3, theme.outline, rx=0.3)
             drawn += "".join(
                 circle(0, size * (1 - n), size * 0.36, colour) for n, colour in enumerate(lamps)
@@ -244,7 +238,7 @@ def placed(content: str, x_m: float, y_m: float, heading_rad: float) -> str:
     return group(content, transform=f"translate({x_m:.3f} {y_m:.3f}) rotate({turn:.2f})")
 
 
-def _entry(network: RoadNetwork, arm: int) -> tuple[Pose, float]:
+def entry_of(network: RoadNetwork, arm: int) -> tuple[Pose, float]:
     """The inner end of an arm, looking in, and how far its entering lanes reach to the left."""
     road = network.arm_road(arm)
     sign = -1 if network.driving_side == "right" else 1

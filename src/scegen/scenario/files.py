@@ -24,6 +24,11 @@ LEVELS: dict[str, type[FunctionalScenario | LogicalSet | ConcreteScenario]] = {
     "logical": LogicalSet,
     "concrete": ConcreteScenario,
 }
+_MADE_BY = {
+    "functional": "scegen understand writes one",
+    "logical": "scegen enumerate writes one, with -o logical.json",
+    "concrete": "scegen concretize writes one, and scegen generate with its files",
+}
 AnyLevel = FunctionalScenario | LogicalSet | ConcreteScenario
 M = TypeVar("M", bound=FrozenModel)
 
@@ -83,7 +88,9 @@ def load(path: Path, cls: type[M]) -> M:
     data, level = _data_and_level(read_text(path), str(path))
     if LEVELS[level] is not cls:
         wanted = next(name for name, model in LEVELS.items() if model is cls)
-        raise VocabularyError(f"is a {level} file, not a {wanted} scenario", where=str(path))
+        raise VocabularyError(
+            f"is a {level} file, not a {wanted} scenario", where=str(path), hint=_MADE_BY[wanted]
+        )
     return _whole(cls, data, str(path))
 
 

@@ -6,7 +6,7 @@ A set holds every value that the text allows; an empty set leaves the choice to 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Container
+from collections.abc import Collection
 from typing import Literal
 
 from pydantic import Field, model_validator
@@ -229,7 +229,8 @@ class FunctionalScenario(FrozenModel):
             raise ValueError(msg)
         egos = [p.id for p in self.participants if p.role is Role.EGO]
         if len(egos) != 1:
-            msg = f"exactly one participant must have the role ego, found {egos or 'none'}"
+            named = ", ".join(egos) or "none"
+            msg = f"exactly one participant must have the role ego, found {named}"
             raise ValueError(msg)
         for participant in self.participants:
             if any(not 0 <= arm < self.junction.arms for arm in participant.entries):
@@ -246,7 +247,7 @@ class FunctionalScenario(FrozenModel):
         self._names_known(ids)
         return self
 
-    def _names_known(self, known: Container[str]) -> None:
+    def _names_known(self, known: Collection[str]) -> None:
         """Whoever is named takes part (or is an object), and every act that is named happens."""
         named = [
             (name, "relations") for r in self.relations for name in (r.participant, r.reference)
@@ -272,7 +273,8 @@ class FunctionalScenario(FrozenModel):
                 ]
         for name, place in named:
             if name not in known:
-                msg = f"{place} names the unknown participant {name!r}"
+                msg = f"{place} names the unknown participant {name!r}; "
+                msg += f"known: {', '.join(sorted(known))}"
                 raise ValueError(msg)
         acts = Counter(act.id for act in self.acts)
         if doubled := [name for name, times in acts.items() if times > 1]:

@@ -177,9 +177,9 @@ HAZARDS: dict[HazardKind, HazardRow] = {
     ),
     HazardKind.DELAYED_BRAKING: HazardRow(
         Definition(
-            "brakes later than it should, or is said to notice or react too late",
-            "`hard_braking`, whose danger is for those behind; `failure_to_yield`, where it does "
-            "not brake at all",
+            "brakes later than it should, or is said to notice, react or stop too late",
+            "`hard_braking`, whose danger is for those behind; `failure_to_yield`, where it takes "
+            "another's way at a junction",
             "distracted, the driver brakes late behind the bus",
         ),
         causes=(Party.EGO, Party.FOLLOWER, Party.OTHER),

@@ -81,6 +81,8 @@ class Entity:
     through: Basis | None = None
     waits: Basis | None = None
     claimed: bool = False
+    some: bool = False
+    """It is one of so many of several alike, no matter which."""
     pulls_out: bool = False
     was_parked: Basis | None = None
     sides: set[str] = field(default_factory=set)

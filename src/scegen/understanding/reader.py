@@ -11,6 +11,7 @@ from scegen.understanding.building.coverage import unattached
 from scegen.understanding.building.leftovers import report
 from scegen.understanding.clauses.clauses import ClauseReader
 from scegen.understanding.clauses.ellipsis import fill_in
+from scegen.understanding.clauses.own_measures import own_measures
 from scegen.understanding.clauses.respectively import share_out
 from scegen.understanding.draft import Draft
 from scegen.understanding.frames import Numbers
@@ -81,6 +82,7 @@ def read(text: str) -> FunctionalScenario:
     chunks = repeat(silence(chunks), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     deny_of_everybody(events)
+    own_measures(chunks, events, tokens)
     draft = Draft(text, tokens)
     draft.kerb = (surroundings.side or DrivingSide.RIGHT).value
     shared = share_arms(chunks, events)

@@ -150,7 +150,8 @@ def _told(model: type[BaseModel]) -> str:
 def _unwrapped(annotation: Any) -> tuple[Any, tuple[Any, ...]]:  # noqa: ANN401 - any annotation
     if get_origin(annotation) is Annotated:
         plain, *extra = get_args(annotation)
-        return plain, tuple(extra)
+        deeper = (e.metadata if isinstance(e, FieldInfo) else [e] for e in extra)
+        return plain, tuple(item for items in deeper for item in items)
     return annotation, ()
 
 

@@ -18,7 +18,6 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 LARGEST_BODY = 2_500_000
 """Bytes of a request; a scenario file needs a hundredth of it."""
 LOOPBACK = frozenset({"localhost", "127.0.0.1", "::1"})
-_COOKIE = "scegen_key"
 _HEADERS = {
     b"content-security-policy": (
         b"default-src 'self'; script-src 'self' 'unsafe-inline' 'unsafe-eval'; "
@@ -50,10 +49,13 @@ class Guard:
     Args:
         app: what is guarded.
         token: what a visitor must show once; None where only this machine can connect.
+        cookie: under which the browser keeps that it was shown; cookies of a host are shared by
+            all its ports, so each server has its own.
     """
 
-    def __init__(self, app: ASGIApp, token: str | None = None) -> None:
+    def __init__(self, app: ASGIApp, token: str | None = None, cookie: str = "scegen_key") -> None:
         self._app = app
+        self._cookie = cookie
         self._token = token
         self._proof = None if token is None else _digest(token)
 
@@ -67,7 +69,7 @@ class Guard:
         if refusal is not None:
             await _refuse(scope, receive, send, refusal)
         elif self._shown(scope):
-            await _let_in(send, self._proof or "")
+            await _let_in(send, f"{self._cookie}={self._proof}")
         else:
             kept = [pair for pair in scope["headers"] if not pair[0].startswith(_DROPPED)]
             bounded = _Bounded(receive, send)
@@ -90,7 +92,7 @@ class Guard:
             limit = LARGEST_BODY / 1e6
             return Refusal(413, f"That is too large: at most {limit:.1f} MB are taken.")
         if self._proof is not None and not self._shown(scope):
-            shown = SimpleCookie(headers.get("cookie", "")).get(_COOKIE)
+            shown = SimpleCookie(headers.get("cookie", "")).get(self._cookie)
             if shown is None or not hmac.compare_digest(shown.value, self._proof):
                 return Refusal(
                     401, "This page wants its token: open the address that scegen serve printed."
@@ -142,9 +144,9 @@ def _name(host: str) -> str:
     return (urlsplit(f"//{host}").hostname or "").lower()
 
 
-async def _let_in(send: Send, proof: str) -> None:
+async def _let_in(send: Send, kept: str) -> None:
     """On to the page without the token in its address, which would stay in the history."""
-    cookie = f"{_COOKIE}={proof}; Path=/; HttpOnly; SameSite=Strict"
+    cookie = f"{kept}; Path=/; HttpOnly; SameSite=Strict"
     headers = [(b"location", b"/"), (b"set-cookie", cookie.encode()), *_HEADERS.items()]
     await send({"type": "http.response.start", "status": 303, "headers": headers})
     await send({"type": "http.response.body", "body": b""})

@@ -1,5 +1,6 @@
-"""Long work in processes of its own: it never holds up the page, tells how far it is, and ends
-at once when it is cancelled.
+"""Long work in processes of its own.
+
+It never holds up the page, tells how far it is, and ends at once when it is cancelled.
 """
 
 from __future__ import annotations

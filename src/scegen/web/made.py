@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
-from math import inf
 from pathlib import Path
 from typing import Any
 
-from scegen.criticality.careful_driver import Outcome, Verdict
+from pydantic import TypeAdapter
+
+from scegen.criticality.careful_driver import Verdict
 from scegen.errors import InputError
 from scegen.pipeline.export import CONCRETE_FILE
 from scegen.pipeline.folder import SUMMARY_FILE
@@ -46,10 +47,9 @@ class MadeScenario:
         data = self.summary.get("verdict")
         if not isinstance(data, dict):
             return None
-        values = {k: tuple(v) if isinstance(v, list) else v for k, v in data.items()}
-        far = values["distance_m"]
-        values |= {"outcome": Outcome(values["outcome"]), "distance_m": inf if far is None else far}
-        return Verdict(**values)
+        far = data.get("distance_m")
+        whole = {**data, "distance_m": float("inf") if far is None else far}
+        return TypeAdapter(Verdict).validate_python(whole)
 
 
 @dataclass(frozen=True, slots=True)

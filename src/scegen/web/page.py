@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -23,13 +24,8 @@ from scegen.web.steps.take_away import TakeAway
 from scegen.web.steps.watch import Watch
 from scegen.web.work import Work
 
-_TICK_S = 0.1
-_DARK = (
-    "() => { const root = document.documentElement, dark = matchMedia('(prefers-color-scheme: dark)');"
-    "const now = root.dataset.theme || (dark.matches ? 'dark' : 'light');"
-    "root.dataset.theme = now === 'dark' ? 'light' : 'dark';"
-    "localStorage.setItem('scegen-theme', root.dataset.theme); }"
-)
+_TICK_S = 0.3
+"""How often the seconds of what is under way are told; changes are drawn at once."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +56,7 @@ class Page:
         self._seen: Counter[str] = Counter()
         self._step = ""
         self._view: StepView | None = None
+        self._due = False
         self._marks: dict[str, tuple[TextElement, TextElement]] = {}
 
     def build(self) -> None:
@@ -76,13 +73,24 @@ class Page:
             with node("div", "topbar-end"):
                 self._place = node("span", "place")
                 button("Open", Opening(self._work, self.go).show, "quiet")
-                node("button", "button quiet round", "◐", type="button",
-                     aria_label="Light or dark", data_tip="Light or dark").on(
-                    "click", js_handler=_DARK
-                )  # fmt: skip
+                node(
+                    "button",
+                    "button quiet round",
+                    "◐",
+                    type="button",
+                    aria_label="Light or dark",
+                    data_tip="Light or dark",
+                ).on("click", js_handler="() => scegenTheme()")
         self._stage = node("main", "workspace")
         self.go(self._work.step)
         ui.timer(_TICK_S, self._tick)
+        ui.context.client.on_delete(self._work.listen(self._soon))
+
+    def _soon(self) -> None:
+        """Draw when what is being done now is done, once for all that it changes."""
+        if not self._due:
+            self._due = True
+            asyncio.get_running_loop().call_soon(self._tick)
 
     def go(self, step: str) -> None:
         """Show a step."""
@@ -107,6 +115,7 @@ class Page:
             self._marks[step.name] = (made, node("span", "stepmark-note"))
 
     def _tick(self) -> None:
+        self._due = False
         if self._work.step != self._step:
             self.go(self._work.step)
             return
@@ -133,7 +142,7 @@ class Page:
         possible = {
             "describe": True,
             "choose": work.listing is not None,
-            "danger": work.functional is not None or work.concrete is not None,
+            "danger": work.functional is not None or work.given is not None,
             "watch": work.made is not None and bool(work.made.scenarios),
             "take": work.made is not None and bool(work.made.scenarios),
         }

@@ -1,12 +1,40 @@
-"""Pictures of scenarios for the page, from the drawing layer of the reports."""
+"""Pictures of scenarios for the page, from the drawing layer of the reports.
+
+Their colours are the theme's custom properties, so that the page's variant is theirs too.
+"""
 
 from __future__ import annotations
 
+from dataclasses import fields
 from typing import Any
 
-from scegen.report.tile import TILE_WIDTH, describe, tile_height, tile_svg
+from scegen.report.theme import LIGHT, Theme
+from scegen.report.tile import TILE_WIDTH, describe, roads, tile_body, tile_height, tile_svg
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
+
+
+def _properties() -> Theme:
+    """A theme whose every colour is the custom property of its name."""
+    colours: dict[str, Any] = {
+        field.name: f"var(--{field.name.replace('_', '-')})" for field in fields(Theme)
+    }
+    count = len(LIGHT.participants)
+    people = tuple(f"var(--participant-{number})" for number in range(1, count + 1))
+    return Theme(**{**colours, "name": "page", "participants": people})
+
+
+PAGE = _properties()
+
+
+def participant_colours(functional: FunctionalScenario) -> dict[str, str]:
+    """The colour of each participant, by id."""
+    return PAGE.colours((p.id for p in functional.participants), functional.ego.id)
+
+
+def tile_picture(scenario: LogicalScenario, functional: FunctionalScenario) -> str:
+    """A logical scenario as a picture."""
+    return tile_svg(scenario, functional, tile_body(scenario, functional, theme=PAGE))
 
 
 def tile(scenario: LogicalScenario, functional: FunctionalScenario) -> dict[str, Any]:
@@ -14,10 +42,18 @@ def tile(scenario: LogicalScenario, functional: FunctionalScenario) -> dict[str,
     return {
         "index": scenario.index,
         "name": describe(scenario),
-        "svg": tile_svg(scenario, functional),
+        "svg": tile_picture(scenario, functional),
     }
 
 
 def tile_ratio(functional: FunctionalScenario) -> float:
     """Height of a tile by its width."""
     return tile_height(functional) / TILE_WIDTH
+
+
+def junction(functional: FunctionalScenario) -> str:
+    """The roads alone, where there is no scenario to show on them."""
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {TILE_WIDTH} {TILE_WIDTH}" '
+        f'role="img" aria-label="Plan of the roads">{roads(functional, PAGE)}</svg>'
+    )

@@ -15,9 +15,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from scegen.errors import InputError
-from scegen.pipeline.folder import SUMMARY_FILE, digest
+from scegen.pipeline.folder import SUMMARY_FILE, digest, made_files
 
 FUNCTIONAL_FILE = "functional.yaml"
+GIVEN_FILE = "given.json"
+"""What the work began from, where that was a list of logical scenarios or numbers."""
 _WORDS_IN_NAME = 5
 _LONGEST_NAME = 48
 _EPOCH = (1980, 1, 1, 0, 0, 0)
@@ -102,27 +104,18 @@ def changed_outside(folder: Path, kept: str | None) -> bool:
     others = [p for p in folder.rglob("*") if p.is_file()]
     for path in others:
         name = path.relative_to(folder).as_posix()
-        if name in {FUNCTIONAL_FILE, SUMMARY_FILE}:
+        if name in {FUNCTIONAL_FILE, GIVEN_FILE, SUMMARY_FILE}:
             continue
         if made.get(name) != digest(path.read_bytes()):
             return True
     return False
 
 
-def made_files(folder: Path) -> dict[str, str]:
-    """The files that ``scegen generate`` made there, with their digests; none if it did not."""
-    try:
-        summary = json.loads((folder / SUMMARY_FILE).read_text(encoding="utf-8"))
-        return {str(name): str(value) for name, value in summary["files"].items()}
-    except (OSError, ValueError, KeyError, AttributeError, RecursionError):
-        return {}
-
-
 def zipped(folder: Path, readme: str) -> bytes:
     """What was made in a folder as a zip file, with a README; the same bytes for the same files."""
     content = io.BytesIO()
     names = sorted(made_files(folder))
-    files = {name: folder / name for name in [*names, SUMMARY_FILE]}
+    files = {name: folder / name for name in [*names, GIVEN_FILE, SUMMARY_FILE]}
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, path in files.items():
             if path.is_file() and path.resolve().is_relative_to(folder.resolve()):

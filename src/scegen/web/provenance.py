@@ -40,6 +40,10 @@ def confirmed(scenario: FunctionalScenario, field: str) -> FunctionalScenario:
     return scenario.model_copy(update={"evidence": evidence})
 
 
+def _from_hand(field: str, reason: str) -> Evidence:
+    return Evidence(field=field, source=EvidenceSource.INFERRED, reason=reason)
+
+
 def value_at(data: Any, path: str) -> Any:  # noqa: ANN401 - JSON-able data
     """What stands at the path of a field; :data:`_NOWHERE` if nothing does.
 

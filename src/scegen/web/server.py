@@ -7,31 +7,25 @@ import secrets
 import webbrowser
 from collections.abc import Callable
 from dataclasses import dataclass
-from importlib.resources import files as resources
 from pathlib import Path
 from urllib.parse import quote
 
 import uvicorn
-from fastapi import FastAPI, Request
-from fastapi.responses import JSONResponse, PlainTextResponse, Response
+from fastapi import FastAPI
 from nicegui import app as pages
 from nicegui import ui
 
-from scegen.errors import InputError
 from scegen.llm import LlmSettings
-from scegen.pipeline.folder import SUMMARY_FILE
 from scegen.web import tasks
+from scegen.web.deliveries import deliver
 from scegen.web.guard import LOOPBACK, Guard
 from scegen.web.jobs import Jobs
+from scegen.web.models import Models
 from scegen.web.page import Page
-from scegen.web.pictures import tile
-from scegen.web.project import Project, made_files, zipped
-from scegen.web.readme import readme
+from scegen.web.project import Project
 from scegen.web.sessions import Sessions
 from scegen.web.work import Work
 
-MOST_TILES = 60
-"""So many pictures are drawn for one request."""
 TITLE = "ML-SceGen"
 
 
@@ -74,7 +68,8 @@ def serve(
         show: open it in a browser too.
     """
     jobs = Jobs()
-    guarded = Guard(build(Project(project), jobs, models), place.token)
+    application = build(Project(project), jobs, models, cookie=f"scegen_{place.port}")
+    guarded = Guard(application, place.token, cookie=f"scegen_key_{place.port}")
     server = uvicorn.Server(
         uvicorn.Config(
             guarded,
@@ -104,103 +99,37 @@ def serve(
         jobs.close()
 
 
-def build(project: Project, jobs: Jobs, models: LlmSettings | None) -> FastAPI:
-    """The application without its guard; once in a process."""
-    sessions = Sessions(lambda: Work(project, jobs, models))
+def build(project: Project, jobs: Jobs, models: LlmSettings | None, *, cookie: str) -> FastAPI:
+    """The application without its guard; once in a process. ``cookie`` names its sessions."""
+    shared = None if models is None else Models(models)
+    sessions = Sessions(lambda: Work(project, jobs, shared))
     application = FastAPI(docs_url=None, redoc_url=None, openapi_url=None)
 
     @ui.page("/", title=TITLE)
     def index() -> None:
         Page(sessions.of(pages.storage.browser["id"])).build()
 
-    @pages.get("/tiles")
-    def tiles(request: Request, of: str, edition: int) -> Response:
-        """Pictures of logical scenarios."""
-        work = _work(sessions, request)
-        listing = work.listing if work else None
-        asked = [int(part) for part in of.split(",")[:MOST_TILES] if part.isdecimal()]
-        if work is None or listing is None or edition != work.edition:
-            return JSONResponse([], 409)
-        try:
-            drawn = [tile(work.scenario(index), listing.functional) for index in asked]
-        except InputError as error:
-            return JSONResponse({"message": error.message}, 404)
-        return JSONResponse(drawn, headers=_UNKEPT)
-
-    @pages.get("/film")
-    def scene(request: Request, name: str) -> Response:
-        """What the player plays."""
-        work = _work(sessions, request)
-        found = work.films.get(name) if work else None
-        if found is None:
-            return PlainTextResponse("There is no such scene.", 404)
-        return Response(found, media_type="application/json", headers=_UNKEPT)
-
-    @pages.get("/player/{name}")
-    def player_file(name: str) -> Response:
-        """One of the player's modules, or its style sheet."""
-        module = _PLAYER.get(name)
-        if module is None:
-            return PlainTextResponse("There is no such module.", 404)
-        kind = "text/css" if name.endswith(".css") else "text/javascript"
-        return Response(module, media_type=kind)
-
-    @pages.get("/download/zip")
-    def download_zip(request: Request) -> Response:
-        """Everything that was made, with a README."""
-        work = _work(sessions, request)
-        if work is None or work.made is None:
-            return PlainTextResponse("Nothing has been made yet.", 404)
-        content = zipped(work.made.folder, readme(work))
-        return _attached(content, f"{work.made.folder.name}.zip", "application/zip")
-
-    @pages.get("/download/file")
-    def download_file(request: Request, name: str) -> Response:
-        """One file of what was made; only names that the summary lists are known."""
-        work = _work(sessions, request)
-        known = {*made_files(work.made.folder), SUMMARY_FILE} if work and work.made else set()
-        if work is None or work.made is None or name not in known:
-            return PlainTextResponse("There is no such file.", 404)
-        file = (work.made.folder / name).resolve()
-        if not file.is_relative_to(work.made.folder.resolve()) or not file.is_file():
-            return PlainTextResponse("There is no such file.", 404)
-        return _attached(file.read_bytes(), file.name, "application/octet-stream")
-
+    deliver(sessions)
+    pages.config.quasar_config["loadingBar"]["skipHijack"] = True
     ui.run_with(
         application,
         title=TITLE,
         favicon=_ICON,
         dark=None,
+        language="en-US",
         tailwind=False,
         storage_secret=secrets.token_urlsafe(32),
-        session_middleware_kwargs={"same_site": "strict"},
+        session_middleware_kwargs={"same_site": "lax", "session_cookie": cookie},
         show_welcome_message=False,
         reconnect_timeout=10.0,
     )
     return application
 
 
-def _work(sessions: Sessions, request: Request) -> Work | None:
-    """Whose request it is."""
-    return sessions.known(str(request.session.get("id", "")))
-
-
-def _attached(content: bytes, name: str, kind: str) -> Response:
-    """A file to be kept, never shown as part of the page."""
-    headers = {"content-disposition": f"attachment; filename*=UTF-8''{quote(name)}"}
-    return Response(content, media_type=kind, headers=headers)
-
-
-_UNKEPT = {"cache-control": "no-store"}
-_PLAYER = {
-    file.name: file.read_bytes()
-    for file in resources("scegen.report.player").iterdir()
-    if file.name.endswith((".js", ".css"))
-}
-"""The player's own files, by name: nothing else of the package can be asked for."""
 _ICON = (
-    '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 32 32"><rect width="32" height="32" rx="7" '
-    'fill="#1b2330"/><path d="M16 3v26M3 16h26" stroke="#6c7683" stroke-width="7"/>'
+    '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 32 32">'
+    '<rect width="32" height="32" rx="7" fill="#1b2330"/>'
+    '<path d="M16 3v26M3 16h26" stroke="#6c7683" stroke-width="7"/>'
     '<path d="M18 29V20q0-4 4-4h7" fill="none" stroke="#56b4e9" stroke-width="3" '
     'stroke-linecap="round"/></svg>'
 )

@@ -5,6 +5,7 @@ They call what the command line calls, with the same arguments.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,12 +13,14 @@ from scegen.enumeration import LIST_LIMIT, open_listing
 from scegen.enumeration.choosing.covering import smallest_cover
 from scegen.enumeration.choosing.sampling import diverse_sample
 from scegen.errors import InfeasibleError
-from scegen.llm import LlmSettings, Session
+from scegen.llm import LlmSettings, Session, Usage
 from scegen.pipeline.generate import generate
 from scegen.pipeline.options import Options
 from scegen.pipeline.place import scenario_file
 from scegen.pipeline.playing import has_screen, play
+from scegen.pipeline.rendering import rendered
 from scegen.pipeline.source import Source
+from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario, LogicalSet
 from scegen.scenario.vocabulary import ArmsMode, Reduction
@@ -37,7 +40,7 @@ class Understood:
     """A description, understood, with what became of its words.
 
     ``functional`` is None where the text contradicts itself; ``trouble`` says how. ``speaker`` is
-    who understood it, ``notes`` what is to be said about that, ``cost`` what it took.
+    who understood it, ``notes`` what is to be said about that, ``usage`` what it took.
     """
 
     report: ParseReport
@@ -45,8 +48,7 @@ class Understood:
     trouble: str | None = None
     speaker: str = "offline reader"
     notes: tuple[str, ...] = ()
-    cost: str | None = None
-    cost_usd: float = 0.0
+    usage: Usage | None = None
 
 
 def understand(text: str, models: LlmSettings | None, tell: Teller) -> Understood:
@@ -68,8 +70,7 @@ def understand(text: str, models: LlmSettings | None, tell: Teller) -> Understoo
         None,
         heard.speaker,
         (*notes, *heard.notes),
-        heard.usage.in_words(),
-        heard.usage.cost_usd,
+        heard.usage,
     )
 
 
@@ -135,6 +136,17 @@ def film_one(made: MadeScenario, functional: FunctionalScenario | None, tell: Te
     """What the player plays of one scenario."""
     tell.progress("drawing the movement")
     return film(made, functional)
+
+
+def render_one(concrete: ConcreteScenario, ending: str, tell: Teller) -> bytes:
+    """A scenario as a moving picture."""
+    return rendered(concrete, ending, watch=lambda numbers: _counted(list(numbers), tell))
+
+
+def _counted(numbers: list[int], tell: Teller) -> Iterator[int]:
+    for done, number in enumerate(numbers):
+        tell.progress(f"drawing picture {done + 1} of {len(numbers)}")
+        yield number
 
 
 def play_one(folder: Path, name: str, tell: Teller) -> int:

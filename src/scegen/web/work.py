@@ -16,12 +16,11 @@ from typing import Any
 from scegen.enumeration.choosing.ranking import richest_first
 from scegen.enumeration.choosing.where import where as where_test
 from scegen.errors import InputError, ScegenError
-from scegen.llm import LlmSettings
 from scegen.pipeline.folder import digest
 from scegen.pipeline.options import Options
 from scegen.pipeline.picking import pick
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.files import from_data, to_yaml
+from scegen.scenario.files import from_data, to_json, to_yaml
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Certificate, LogicalScenario, LogicalSet
 from scegen.scenario.vocabulary import ArmsMode, Reduction
@@ -29,7 +28,8 @@ from scegen.understanding import ParseReport, report_on
 from scegen.web import tasks
 from scegen.web.jobs import Job, Jobs, JobState, Task, Trouble
 from scegen.web.made import Made, MadeScenario
-from scegen.web.project import FUNCTIONAL_FILE, Project, changed_outside, keep
+from scegen.web.models import Models
+from scegen.web.project import FUNCTIONAL_FILE, GIVEN_FILE, Project, changed_outside, keep
 from scegen.web.provenance import carried_over, confirmed, without
 
 
@@ -66,7 +66,7 @@ class Work:
     again: ``text``, ``form``, ``listing``, ``choice``, ``making``, ``made``, ``step``.
     """
 
-    def __init__(self, project: Project, jobs: Jobs, models: LlmSettings | None) -> None:
+    def __init__(self, project: Project, jobs: Jobs, models: Models | None) -> None:
         self.project, self.jobs, self.models = project, jobs, models
         self.revision: Counter[str] = Counter()
         self.step = "describe"
@@ -84,7 +84,7 @@ class Work:
         self.picked: list[int] = []
         self.choice_note: str | None = None
         self.options = Options()
-        self.concrete: ConcreteScenario | None = None
+        self.given: LogicalSet | ConcreteScenario | None = None
         self.folder: Path | None = None
         self.kept: str | None = None
         self.made: Made | None = None
@@ -92,10 +92,11 @@ class Work:
         self.made_of: FunctionalScenario | None = None
         self.watched: str | None = None
         self.films: dict[str, bytes] = {}
+        self.pictures: dict[str, bytes] = {}
         self.played: int | None = None
-        self.cost_usd = 0.0
         self.under_way: dict[str, Job] = {}
         self._loop = asyncio.get_running_loop()
+        self._listeners: list[Callable[[], None]] = []
 
     # -- describing ---------------------------------------------------------------------------
 
@@ -103,7 +104,8 @@ class Work:
         """Read a description anew; what was corrected by hand is read over."""
         self.draft = text
         self.cancel("listing", "choosing", "making")
-        self._begin("understanding", self._understood, tasks.understand, text, self.models)
+        models = self.models.settings_of_a_run() if self.models is not None else None
+        self._begin("understanding", self._understood, tasks.understand, text, models)
 
     def take_in(self, name: str, content: bytes) -> None:
         """Begin from a file."""
@@ -134,16 +136,17 @@ class Work:
         if self.functional is not None:
             self.edit(without(self.functional.model_dump(mode="json"), name))
 
-    def confirm(self, path: str) -> None:
-        """What was assumed of a field is meant."""
+    def confirm(self, *paths: str) -> None:
+        """What was assumed of fields is meant."""
         if self.functional is not None:
-            self.functional = confirmed(self.functional, path)
+            for path in paths:
+                self.functional = confirmed(self.functional, path)
             self.report = report_on(self.functional)
             self._changed("form", "text")
 
     def take(self, functional: FunctionalScenario) -> None:
         """Go on with this functional scenario: its scenarios are listed at once."""
-        self.functional, self.form_trouble, self.concrete = functional, None, None
+        self.functional, self.form_trouble, self.given = functional, None, None
         self.report = report_on(functional)
         self._changed("form", "text")
         self.list_all()
@@ -151,7 +154,8 @@ class Work:
     def _understood(self, job: Job) -> None:
         found: tasks.Understood = job.result
         self.understood, self.report, self.edited = found, found.report, False
-        self.cost_usd += found.cost_usd
+        if self.models is not None and found.usage is not None:
+            self.models.spend(found.usage)
         self.folder = self.kept = None
         if found.functional is not None:
             self.take(found.functional)
@@ -174,16 +178,31 @@ class Work:
             self._take_concrete(job.result)
 
     def _take_listed(self, logical: LogicalSet) -> None:
-        """Go on with a list of logical scenarios from a file."""
+        """Go on with the logical scenarios of a file, and with no others."""
         self.draft = logical.functional.description
         self.reduction, self.arms = logical.reduction, logical.arms
         self.take(logical.functional)
+        self.cancel("listing")
+        self.given = logical
+        scenarios = list(logical.scenarios)
+        self.listing = Listing(
+            logical.functional,
+            logical.reduction,
+            logical.arms,
+            logical.certificate,
+            logical.notes,
+            scenarios,
+            whole=True,
+        )
+        self.shown = [s.index for s in scenarios]
+        self.picked = [pick(logical, None)[0].index] if scenarios else []
+        self._changed("listing", "choice", "edition")
 
     def _take_concrete(self, concrete: ConcreteScenario) -> None:
         """Go on with numbers from a file: nothing is enumerated."""
         self.draft = concrete.description
         self.functional = self.report = self.listing = None
-        self.concrete = concrete
+        self.given = concrete
         self.step = "danger"
         self._changed("form", "text", "listing", "choice", "step")
 
@@ -312,15 +331,14 @@ class Work:
         Raises:
             InputError: nothing is chosen, or the folder cannot be written.
         """
-        source: Any = self.functional or self.concrete
-        if source is None or (self.functional is not None and not self.picked):
+        source = self.given or self.functional
+        listed = self.functional is not None
+        if source is None or (listed and not self.picked):
             raise InputError("choose at least one scenario first")
-        picked = ",".join(str(i) for i in self.picked) if self.functional is not None else None
-        options = replace(
-            self.options, pick=picked, reduction=self.reduction, arms=self.arms, force=True
-        )
-        if isinstance(source, ConcreteScenario):
-            options = replace(options, reduction=Reduction.EXACT, arms=ArmsMode.DISTINCT)
+        picked = ",".join(str(i) for i in self.picked) if listed else None
+        options = replace(self.options, pick=picked, force=True)
+        if self.given is None:
+            options = replace(options, reduction=self.reduction, arms=self.arms)
         self.cancel("making", "opening")
         self._own_folder()
         self.made_with, self.made_of = options, self.functional
@@ -349,6 +367,16 @@ class Work:
             self.played = None
             self._begin("playing", self._played, tasks.play_one, self.made.folder, name)
 
+    def render(self, name: str, ending: str) -> None:
+        """Make a moving picture of one of the scenarios."""
+        concrete = self._made(name).concrete
+
+        def done(job: Job) -> None:
+            self.pictures[f"{name}.{ending}"] = job.result
+            self._changed("pictures")
+
+        self._begin("rendering", done, tasks.render_one, concrete, ending)
+
     def _made(self, name: str) -> MadeScenario:
         for made in self.made.scenarios if self.made else ():
             if made.name == name:
@@ -375,7 +403,7 @@ class Work:
 
     def _show(self, made: Made) -> None:
         """What lies in the folder now is what can be watched and taken away."""
-        self.made, self.films, self.played = made, {}, None
+        self.made, self.films, self.pictures, self.played = made, {}, {}, None
         self._changed("made")
         if made.scenarios:
             self.watch(made.scenarios[0].name)
@@ -402,6 +430,10 @@ class Work:
             content = to_yaml(self.functional).encode()
             keep(self.folder, FUNCTIONAL_FILE, content)
             self.kept = digest(content)
+        if self.given is not None:
+            keep(self.folder, GIVEN_FILE, to_json(self.given).encode())
+        else:
+            (self.folder / GIVEN_FILE).unlink(missing_ok=True)
 
     @property
     def stale(self) -> bool:
@@ -455,8 +487,15 @@ class Work:
             job.result = None
         self._changed(kind)
 
+    def listen(self, listener: Callable[[], None]) -> Callable[[], None]:
+        """Call this after every change; returns how to stop."""
+        self._listeners.append(listener)
+        return lambda: self._listeners.remove(listener)
+
     def _changed(self, *parts: str) -> None:
         self.revision.update(parts)
+        for listener in self._listeners:
+            listener()
 
 
 def by_richness(work: Work) -> list[int]:

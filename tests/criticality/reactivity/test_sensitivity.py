@@ -6,8 +6,9 @@ import pytest
 from criticality_geometry import line
 from criticality_scenarios import participant, phase, scenario
 
-from scegen.criticality.course import ego_course
+from scegen.criticality.encounter import closest_encounter
 from scegen.criticality.reactivity.sensitivity import Start, ego_start_sensitivity
+from scegen.motion import simulate
 from scegen.scenario.concrete import AtTime, DistanceBelow
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
@@ -60,10 +61,11 @@ def test_who_the_event_is_about():
         "far": line(0.0, 10.0, 0.0, 300.0),
         "parked": line(50.0, 4.0, 0.0, 0.0),
     }
-    assert ego_course(scenario(ego, far, parked), paths).partner == "far"
+    plain = scenario(ego, far, parked)
+    assert closest_encounter(plain, simulate(plain, paths)).other == "far"
     hazard = Hazard(kind=HazardKind.OBSTACLE, by=("parked",), to=("ego",))
     named = scenario(ego, far, parked, hazards=[hazard])
-    assert ego_course(named, paths).partner == "parked"
+    assert closest_encounter(named, simulate(named, paths)).other == "parked"
     chosen = ego_start_sensitivity(named, paths, partner="far")
     assert chosen is not None
     assert chosen.partner == "far"

@@ -5,10 +5,12 @@ import re
 
 import pytest
 from axe_playwright_python.sync_playwright import Axe
+from by_hand import by_hand
 from scenes import EVIL, concrete, scene
 
 from scegen.report.player.bundle import player_css, player_js
 from scegen.report.theme import css
+from scegen.scenario.concrete import ConcreteParticipant, DriveMotion
 
 pytestmark = pytest.mark.browser
 PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><title>player</title>
@@ -152,6 +154,39 @@ def test_pictures_are_turned_moved_and_enlarged(page):
     camera = page.evaluate("player.stages[0].camera")
     middle = page.evaluate("player.recording.middle('car_1', 9)")
     assert camera["x"] == pytest.approx(middle["x"])
+
+
+def test_a_straight_road_fills_the_picture(open_page):
+    drive = {"entry": 0, "entry_lane": 1, "exit": 1, "exit_lane": 1}
+    motion = DriveMotion(**drive, start_m=10.0, turning_starts_m=200.0, turning_ends_m=200.0)
+    people = [
+        ConcreteParticipant(
+            id=name,
+            kind="car",
+            role=role,
+            speed_mps=speed,
+            motion=motion.model_copy(update={"start_m": at}),
+        )
+        for name, role, speed, at in (("ego", "ego", 20.0, 10.0), ("slow", "other", 8.0, 120.0))
+    ]
+    page = open_page(document(scene(by_hand(*people, duration_s=14.0), proof=None)[0]))
+    assert page.get_by_label("Follow").input_value() == "pair"
+    for time_s in (0, 5, 9, 14):
+        edges = page.evaluate(
+            "(t) => { player.seek(t); const { camera } = player.stages[0];"
+            " return [0, camera.width].map((u) => camera.toWorld(u, camera.height / 2)) }",
+            time_s,
+        )
+        assert all(abs(x) <= 200.01 and abs(y) <= 5.5 for x, y in edges), (time_s, edges)
+
+
+def test_an_ego_alone_is_played_as_well(open_page):
+    people = concrete().model_dump(mode="json")["participants"][:1]
+    only = concrete(objects=[], hazards=[], participants=people)
+    page = open_page(document(scene(only, proof=None)[0]))
+    page.evaluate("player.play()")
+    page.wait_for_function("player.time > 0.2")
+    assert page.locator(".plot").count() == 2
 
 
 def test_clicking_a_body_chooses_it(page):

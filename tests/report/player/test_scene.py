@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from scenes import concrete, moved, scene
+from scenes import PROOF, claim, concrete, moved, scene
 from things import thing
 
 from scegen.measures.evaluation import measure
@@ -75,6 +75,20 @@ def test_statements_and_dangers_become_moments_in_order():
     assert kinds == {"danger", "claim", "closest"}
     assert [m["holds"] for m in made["moments"] if m["kind"] == "claim"] == [True, False]
     assert [c["who"] for c in made["claims"]] == [["car_1"], ["ego"], ["van"]]
+
+
+def test_a_way_that_is_judged_at_the_end_is_shown_in_the_junction():
+    leaves = claim("ego", "goes straight on", kind="exit", time_s=20.0)
+    crosses = claim("walker", "crosses", kind="maneuver", time_s=20.0)
+    made, traces = scene(proof=PROOF.model_copy(update={"claims": (leaves, crosses)}))
+    through, over = (one["shown_s"] for one in made["claims"])
+    drive = concrete().ego.motion
+    inside = np.interp(through, traces["ego"].time_s, traces["ego"].s_m) + drive.start_m
+    assert drive.turning_starts_m < inside < drive.turning_ends_m
+    walked = traces["walker"].s_m
+    assert np.interp(over, traces["walker"].time_s, walked) == pytest.approx(
+        walked[-1] / 2, abs=0.1
+    )
 
 
 def test_without_a_proof_it_is_about_the_nearest():

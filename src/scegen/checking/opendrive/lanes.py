@@ -134,6 +134,11 @@ def lane_joints(network: Network) -> Iterator[LaneJoint]:
     for road in network.roads.values():
         for contact in (START, END):
             yield from _road_joints(network, road, contact)
+    yield from junction_joints(network)
+
+
+def junction_joints(network: Network) -> Iterator[LaneJoint]:
+    """Every joint of the lanes of two roads that a junction's connections state."""
     for junction in network.junctions.values():
         for connection in junction.connections:
             incoming = network.roads.get(connection.incoming)

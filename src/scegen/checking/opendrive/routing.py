@@ -6,7 +6,7 @@ from collections import defaultdict
 from dataclasses import dataclass
 
 from scegen.checking.opendrive.arms import Arm
-from scegen.checking.opendrive.lanes import end_at_junction
+from scegen.checking.opendrive.lanes import junction_joints
 from scegen.checking.opendrive.network import END, START, Network, Road
 
 Node = tuple[str, int, int]
@@ -79,17 +79,8 @@ def _driving(network: Network, road: str, index: int, lane: int | None) -> tuple
 
 def _connected(network: Network) -> dict[tuple[str, str, int], list[Node]]:
     connected: dict[tuple[str, str, int], list[Node]] = defaultdict(list)
-    for junction in network.junctions.values():
-        for connection in junction.connections:
-            incoming = network.roads.get(connection.incoming)
-            connecting = network.roads.get(connection.connecting)
-            if incoming is None or connecting is None or connection.contact not in {START, END}:
-                continue
-            contact = end_at_junction(incoming, junction.id, connecting, connection.contact)
-            index = _index(connecting, connection.contact)
-            for lane_from, lane_to in connection.lanes:
-                if contact and lane_to in connecting.sections[index].lanes:
-                    connected[incoming.id, contact, lane_from].append(
-                        (connecting.id, index, lane_to)
-                    )
+    for joint in junction_joints(network):
+        road = joint.second_road
+        node = road.id, _index(road, joint.second_contact), joint.second_lane
+        connected[joint.first_road.id, joint.first_contact, joint.first_lane].append(node)
     return connected

@@ -12,6 +12,7 @@ from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.predicate import NEVER, Part, Predicate, at_least
 from scegen.claims.view import View
 from scegen.claims.ways import Way
+from scegen.motion.batch.arrays import Floats
 from scegen.scenario.concrete import CrossingMotion
 
 _BEFORE_LINE_M = 15.0
@@ -47,6 +48,22 @@ def conflict(view: View, by: str, to: str) -> list[Part]:
     return [closeness(view, by, to)]
 
 
+def before(view: View, by: str, to: str) -> list[Part]:
+    """The same, and who causes it comes before the other, or is hit: not behind it."""
+    return [closeness(view, by, to), *_in_time(view, by, to)]
+
+
+def _in_time(view: View, by: str, to: str) -> list[Part]:
+    """It comes onto the ground that both use before the other has left it, if there is any."""
+    areas = view.areas(by, to)
+    if not areas:
+        return []
+    comes = np.array([view.reaches_s(by, area.enter_m) for area in areas])
+    leaves = np.array([view.reaches_s(to, area.other_leaves_m) for area in areas])
+    ahead: Floats = np.where(np.isfinite(comes), leaves - comes, -np.inf).max(axis=0)
+    return [at_least("there before the other has left", ahead, limits.IN_TIME, comes.min(axis=0))]
+
+
 def drives_on(view: View, by: str, to: str) -> list[Part]:
     """The same, by one who should have stopped and does not.
 
@@ -66,8 +83,8 @@ def drives_on(view: View, by: str, to: str) -> list[Part]:
         near = (place > way.turn_start_m - _BEFORE_LINE_M) & (place < way.turn_start_m)
     else:
         # One who comes to the ground that both use has driven on, even if it stops there.
-        shared = view.shared_from_m(by, to)
-        until = way.turn_end_m if shared is None else max(shared, way.turn_start_m + _IN_M)
+        shared = [area.enter_m for area in view.areas(by, to)]
+        until = max(min(shared), way.turn_start_m + _IN_M) if shared else way.turn_end_m
         near = (place > way.turn_start_m - _BEFORE_LINE_M) & (place < until)
     slowest = np.where(near, view.speed_mps(by), np.inf)
     part = at_least(
@@ -80,10 +97,17 @@ def drives_on(view: View, by: str, to: str) -> list[Part]:
     return [closeness(view, by, to), part]
 
 
+def does_not_yield(view: View, by: str, to: str) -> list[Part]:
+    """It drives on, before the other."""
+    return [*drives_on(view, by, to), *_in_time(view, by, to)]
+
+
 def _pace_mps(way: Way) -> float:
     """How fast one who crosses goes."""
     return max((phase.target_speed_mps for phase in way.participant.speed_program), default=0.0)
 
 
 CONFLICT = Predicate(conflict)
+BEFORE = Predicate(before)
 DRIVES_ON = Predicate(drives_on)
+DOES_NOT_YIELD = Predicate(does_not_yield)

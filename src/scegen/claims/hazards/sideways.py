@@ -11,28 +11,19 @@ from scegen.claims.hazards.driving import braking_part
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
 from scegen.claims.view import View
 from scegen.claims.ways import Sideways
-from scegen.motion.batch.arrays import Floats
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.scenario.vocabulary import HazardKind
 
 _AFTER_S = 1.5
 
 
-def _reaches_s(view: View, name: str, place_m: float) -> Floats:
-    """When it reaches a place; the end of time if it does not."""
-    reached = view.place_m(name) >= place_m
-    step = np.where(reached.any(axis=1), reached.argmax(axis=1), reached.shape[1])
-    time_s: Floats = view.time_of(step)
-    return time_s
-
-
 def _lateral_part(view: View, by: str, changes: list[Sideways]) -> Part:
     """Mean lateral speed of its quickest change of lane."""
     best, when = np.zeros(view.count), np.zeros(view.count)
     for change in changes:
-        begin, end = _reaches_s(view, by, change.start_m), _reaches_s(view, by, change.end_m)
-        speed = change.width_m / np.maximum(end - begin, view.dt_s)
-        speed = np.where(end >= view.place_m(by).shape[1] * view.dt_s, 0.0, speed)
+        begin, end = view.reaches_s(by, change.start_m), view.reaches_s(by, change.end_m)
+        took = np.where(np.isfinite(end), end, np.inf) - np.where(np.isfinite(end), begin, 0.0)
+        speed = change.width_m / np.maximum(took, view.dt_s)
         when = np.where(speed > best, end, when)
         best = np.maximum(best, speed)
     return at_least("lateral speed", best, limits.LATERAL_SPEED, when)
@@ -57,8 +48,8 @@ def cut_in(view: View, by: str, to: str) -> list[Part]:
     time = np.arange(headway.shape[1]) * view.dt_s
     gaps = np.full(view.count, np.inf)
     for change in changes:
-        begin = _reaches_s(view, by, change.start_m)[:, None]
-        end = _reaches_s(view, by, change.end_m)[:, None] + _AFTER_S
+        begin = view.reaches_s(by, change.start_m)[:, None]
+        end = view.reaches_s(by, change.end_m)[:, None] + _AFTER_S
         inside = (time >= begin) & (time <= end)
         gaps = np.minimum(gaps, np.where(inside, headway, np.inf).min(axis=1))
     pet = view.of_pair("pet_s", by, to)
@@ -86,11 +77,12 @@ def oncoming_lane(view: View, by: str, _: str) -> list[Part]:
     for n, change in enumerate(changes):
         if change.change.lane_after != 0:
             continue
-        out = _reaches_s(view, by, (change.start_m + change.end_m) / 2)
+        out = view.reaches_s(by, (change.start_m + change.end_m) / 2)
         back = np.full(view.count, end_s)
         if n + 1 < len(changes):
             following = changes[n + 1]
-            back = _reaches_s(view, by, (following.start_m + following.end_m) / 2)
+            there = view.reaches_s(by, (following.start_m + following.end_m) / 2)
+            back = np.minimum(there, end_s)
         total, when = total + np.maximum(back - out, 0.0), out
     return [at_least("time over the centre line", total, limits.ONCOMING, when)]
 

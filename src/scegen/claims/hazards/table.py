@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.claims.hazards.conflict import CONFLICT, DRIVES_ON
+from scegen.claims.hazards.conflict import BEFORE, CONFLICT, DOES_NOT_YIELD, DRIVES_ON
 from scegen.claims.hazards.driving import (
     DELAYED_BRAKING,
     HARD_BRAKING,
@@ -26,13 +26,13 @@ from scegen.claims.hazards.surroundings import OBSTACLE, OCCLUSION
 from scegen.scenario.vocabulary import HazardKind
 
 PREDICATES: dict[HazardKind, Predicate] = {
-    HazardKind.CROSSING_PEDESTRIAN: CONFLICT,
-    HazardKind.CROSSING_CYCLIST: CONFLICT,
-    HazardKind.UNPROTECTED_LEFT_TURN: CONFLICT,
+    HazardKind.CROSSING_PEDESTRIAN: BEFORE,
+    HazardKind.CROSSING_CYCLIST: BEFORE,
+    HazardKind.UNPROTECTED_LEFT_TURN: BEFORE,
     HazardKind.MERGING_CONFLICT: CONFLICT,
     HazardKind.CUT_IN: CUT_IN,
     HazardKind.RED_LIGHT_RUNNING: DRIVES_ON,
-    HazardKind.FAILURE_TO_YIELD: DRIVES_ON,
+    HazardKind.FAILURE_TO_YIELD: DOES_NOT_YIELD,
     HazardKind.REVERSING: REVERSING,
     HazardKind.OVERTAKING: OVERTAKING,
     HazardKind.TAILGATING: TAILGATING,

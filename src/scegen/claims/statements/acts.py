@@ -11,6 +11,7 @@ from scegen.claims import tolerances
 from scegen.claims.arms import arms_of
 from scegen.claims.boxes import boxes, offset
 from scegen.claims.claim import Claim, ClaimKind, Judged, Test, within
+from scegen.claims.lateral import lateral_m
 from scegen.claims.moments import (
     ASIDE_MPS,
     GAINING,
@@ -20,7 +21,6 @@ from scegen.claims.moments import (
     act_run,
     at,
     first,
-    lateral_m,
     sideways_begin,
 )
 from scegen.claims.statements.maneuvers import LANE_M

@@ -14,7 +14,13 @@ from scegen.claims.told import Told, either, plain
 from scegen.claims.tolerances import SAME_LANE_M
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats
-from scegen.scenario.vocabulary import Approach, DrivingSide, ParticipantKind
+from scegen.scenario.vocabulary import (
+    Approach,
+    DrivingSide,
+    JunctionKind,
+    Maneuver,
+    ParticipantKind,
+)
 
 _SIDES = {Approach.LEFT: 1.0, Approach.RIGHT: -1.0}
 _COURSES = frozenset({Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE})
@@ -56,7 +62,17 @@ def claims(told: Told) -> Iterator[Claim]:
             unit="deg" if words <= _COURSES else "m",
             test=partial(_judge, told, name, reference, words),
             scale=_DEG_PER_M if words <= _COURSES else 2.0,
+            fixed=words <= _COURSES and _by_other_arms(told, name, reference),
         )
+
+
+def _by_other_arms(told: Told, name: str, reference: str) -> bool:
+    """Whether two drive and come by different arms of a junction: their courses are their ways'."""
+    one, other = told.drive(name), told.drive(reference)
+    plain_road = told.functional.junction.kind is JunctionKind.STRAIGHT
+    if one is None or other is None or plain_road or one.maneuver is Maneuver.STAY:
+        return False
+    return one.entry != other.entry
 
 
 def _told(words: frozenset[Approach], reference: str) -> str:

@@ -84,7 +84,8 @@ def _goes_on(told: Told, view: View) -> Judged:
     left = np.where(np.abs(left) < view.dt_s / 2, 0.0, left)
     keeps = before < np.where(np.isfinite(least), least + _STEADY_M, np.inf)
     steady = np.isinf(least) | (keeps & (least > 0.0))
-    return Judged(np.where(steady, np.maximum(left, 0.0), left), left + GOES_ON_S, when)
+    left = np.where(steady, np.maximum(left, 0.0), left)
+    return Judged(left, left + GOES_ON_S, when)
 
 
 def _no_more_closing(told: Told, view: View) -> Judged:

@@ -10,7 +10,8 @@ import numpy as np
 from scegen.claims.arms import arms_of
 from scegen.claims.boxes import boxes, passes
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test
-from scegen.claims.moments import SIDEWAYS, at, lateral_m
+from scegen.claims.lateral import lateral_m
+from scegen.claims.moments import SIDEWAYS, at
 from scegen.claims.statements.touching import touched
 from scegen.claims.told import KPH, Told, either
 from scegen.claims.tolerances import SAME_LANE_M, STANDS_MPS

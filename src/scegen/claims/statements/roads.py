@@ -9,6 +9,7 @@ from scegen.claims.claim import Claim, ClaimKind, Judged, always
 from scegen.claims.told import KPH, Told, plain
 from scegen.claims.view import View
 from scegen.scenario.concrete import RoadParameters
+from scegen.scenario.control import controlled_arms, has_crosswalk
 
 _SAME_MPS = 0.5 / KPH
 _SAME_DEG = 1.0
@@ -22,7 +23,13 @@ def claims(told: Told) -> Iterator[Claim]:
     yield _road("kind", f"the road is {plain(kind)}", lambda road: road.kind is kind)
     arms = junction.arms
     yield _road("arms", f"it has {arms} arms", lambda road: len(road.arms) == arms)
-    yield _road("control", f"control: {plain(control)}", lambda road: road.control is control)
+    signs = controlled_arms(junction)
+    where = f", at arms {', '.join(map(str, sorted(signs)))}" if signs else ""
+    yield _road(
+        "control",
+        f"control: {plain(control)}{where}",
+        lambda road: road.control is control and road.controlled_arms == signs,
+    )
     side = junction.driving_side
     yield _road("driving_side", f"traffic keeps {side}", lambda road: road.driving_side is side)
     if limit is not None:
@@ -41,8 +48,10 @@ def claims(told: Told) -> Iterator[Claim]:
         yield _road(
             "ring_lanes", f"lanes in the ring: {ring}", lambda road: road.ring_lanes == ring
         )
-    if junction.crosswalks:
-        walks = junction.crosswalks
+    walks = junction.crosswalks | {
+        c.arm for c in told.logical.crossings if has_crosswalk(junction, c.arm)
+    }
+    if walks:
         statement = f"crosswalks over arms {', '.join(map(str, sorted(walks)))}"
         yield _road("crosswalks", statement, lambda road: road.crosswalks >= walks)
     names = {person.id for person in told.people}

@@ -8,9 +8,9 @@ from math import ceil, floor
 from scegen.criticality.proposals.parameters import Parameter
 from scegen.criticality.proposals.proposal import Situation
 from scegen.criticality.proposals.reaching import Reach, Said
-from scegen.criticality.search.problem import MEASURE_FIELDS
 from scegen.criticality.target import BANDS, Target
 from scegen.llm.prompting import as_data, data_rule, prompt_file, version_of
+from scegen.measures.registry import measure_named
 from scegen.scenario.concrete import ConcreteParticipant, DriveMotion
 from scegen.scenario.proof import HazardProof
 
@@ -21,7 +21,7 @@ _NO_TIME_S = 0.0005
 @lru_cache(maxsize=1)
 def instructions() -> str:
     """What the agent is told before any question."""
-    measures = ", ".join(f"`{name}` ({MEASURE_FIELDS[name][1]})" for name in BANDS)
+    measures = ", ".join(f"`{name}` ({measure_named(name).unit})" for name in BANDS)
     return prompt_file(__package__, AGENT).substitute(data_rule=data_rule(), measures=measures)
 
 
@@ -78,7 +78,7 @@ def _target(target: Target) -> str:
 
 
 def _unit(measure: str) -> str:
-    return MEASURE_FIELDS[measure][1]
+    return measure_named(measure).unit
 
 
 def _meetings(situation: Situation) -> list[str]:

@@ -12,7 +12,7 @@ from scegen.claims.view import View, view_of
 from scegen.criticality.proposals.parameters import parameters_of
 from scegen.criticality.proposals.proposal import Encounter, Passage, Situation
 from scegen.criticality.proposals.reaching import explored
-from scegen.criticality.search.problem import MEASURE_FIELDS, Problem
+from scegen.criticality.search.problem import PROVED, Problem
 from scegen.measures.following import SPACING_M
 from scegen.motion.batch.arrays import Floats
 from scegen.motion.batch.simulation import simulate_batch
@@ -36,8 +36,8 @@ def situation_of(problem: Problem, hazards: tuple[HazardProof, ...]) -> Situatio
         parameters=parameters,
         hazards=hazards,
         measures=tuple(
-            (name, number(view.of_pair(field, *problem.pair)[0]), unit)
-            for name, (field, unit) in MEASURE_FIELDS.items()
+            (measure.name, number(view.of_pair(measure.field, *problem.pair)[0]), measure.unit)
+            for measure in PROVED
         ),
         encounters=encounters,
         contacts=tuple((people[int(a)], people[int(b)]) for a, b in problem.scene.pairs[touching]),

@@ -22,6 +22,7 @@ from scegen.criticality.search.problem import SEARCH_DT_S, Problem
 from scegen.criticality.search.proving import PROOF_DT_S, Evidence
 from scegen.criticality.search.rebuild import rebuilt
 from scegen.criticality.target import NEAR_MISS, parse_target
+from scegen.errors import InputError
 from scegen.motion.ties import clear_of_ties
 from scegen.road import build_network
 from scegen.scenario.concrete import ConcreteScenario
@@ -114,6 +115,29 @@ def raise_criticality(
         raised = _without_target(stage, problem, before, rng, blocked)
         return Raised(raised.concrete, _with_advice(raised.proof, advice, led=False))
     return Raised(*found[0], others=tuple(found[1:]))
+
+
+def prove_as_it_is(
+    functional: FunctionalScenario, concrete: ConcreteScenario, *, target: str = NEAR_MISS
+) -> Proof:
+    """What numbers that somebody gave show, none of them changed.
+
+    Raises:
+        InputError: the target is none, or somebody who is described does not take part.
+        MotionInfeasibleError, RoadInfeasibleError: the scenario itself cannot be built.
+    """
+    missing = {p.id for p in functional.participants} - {p.id for p in concrete.participants}
+    if missing:
+        raise InputError(
+            f"{', '.join(sorted(missing))} is described, but does not take part",
+            where=concrete.name,
+            hint="To make it without its description, copy concrete.yaml to a place of its own.",
+        )
+    network = build_network(concrete.road, name=concrete.name)
+    between = _between(functional, concrete)
+    stage = Stage(functional, concrete, network, parse_target(target), between)
+    found = stage.examine(concrete)
+    return stage.proof(found, found, 1, stage.blocked)
 
 
 def _between(functional: FunctionalScenario | None, concrete: ConcreteScenario) -> Pair | None:

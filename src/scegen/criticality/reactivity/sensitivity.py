@@ -20,9 +20,10 @@ from math import isfinite
 import numpy as np
 
 from scegen.claims.hazards.scenes import scene_of
-from scegen.criticality.course import ego_course
+from scegen.criticality.encounter import closest_encounter
 from scegen.measures.evaluation import Summary, measure
 from scegen.measures.scene import Scene
+from scegen.motion import simulate
 from scegen.motion.batch import BatchTraces, compile_program, repeat, simulate_batch
 from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.friction import friction_of
@@ -90,7 +91,7 @@ def ego_start_sensitivity(
     partner: str | None = None,
     dt_s: float = 0.01,
 ) -> Sensitivity | None:
-    """Start the ego 20 % slower and faster; None where it is alone.
+    """Start the ego 20 % slower and faster; None where it meets nobody.
 
     Each run is looked at until the ego or its partner is at the end of its road.
 
@@ -103,10 +104,11 @@ def ego_start_sensitivity(
     """
     people = concrete.entities
     ego = people.index(concrete.ego)
-    if len(people) < 2:
-        return None
     if partner is None:
-        partner = ego_course(concrete, paths).partner
+        met = closest_encounter(concrete, simulate(concrete, paths))
+        if met is None:
+            return None
+        partner = met.other
     program, candidate = compile_program(concrete, paths)
     candidates = repeat(candidate, 3)
     factors = (1.0, SLOWER, FASTER)

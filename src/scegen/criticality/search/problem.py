@@ -15,6 +15,7 @@ from scegen.claims.ways import Way
 from scegen.criticality.search.lead_in import early_contact_missing, early_missing
 from scegen.criticality.search.variables import Space
 from scegen.criticality.target import Target
+from scegen.measures.registry import measure_named
 from scegen.measures.scene import Scene
 from scegen.motion.batch.arrays import BatchTraces, Bools, Candidates, Floats, Program
 from scegen.motion.batch.simulation import simulate_batch
@@ -22,16 +23,11 @@ from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.simulation import STANDING_MPS
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 
-MEASURE_FIELDS = {
-    "pet": ("pet_s", "s"),
-    "distance": ("distance_m", "m"),
-    "ttc": ("ttc_s", "s"),
-    "headway": ("headway_s", "s"),
-    "drac": ("drac_mps2", "m/s2"),
-    "contact_time": ("contact_s", "s"),
-    "impact_speed": ("impact_mps", "m/s"),
-}
-"""Measures of pairs that a proof shows: field of the summary, unit."""
+PROVED = tuple(
+    measure_named(name)
+    for name in ("pet", "distance", "ttc", "headway", "drac", "contact_time", "impact_speed")
+)
+"""Measures of pairs that a target may name and a proof shows."""
 
 SEARCH_DT_S = 0.05
 HAZARD_ROOM = 0.08
@@ -211,7 +207,7 @@ def choice_missing(
     missing: Floats = np.max(
         [
             *(
-                band_missing(view.of_pair(MEASURE_FIELDS[band.measure][0], *pair), band, room)
+                band_missing(view.of_pair(measure_named(band.measure).field, *pair), band, room)
                 for band in choice
             ),
             early_missing(view, choice, pair, room),

@@ -14,7 +14,7 @@ from scegen.claims.near_miss import Band
 from scegen.claims.proving import prove
 from scegen.claims.view import View, view_of
 from scegen.claims.ways import paths_of, ways_of
-from scegen.criticality.search.problem import MEASURE_FIELDS, choice_missing, target_missing
+from scegen.criticality.search.problem import PROVED, choice_missing, target_missing
 from scegen.criticality.target import Target
 from scegen.motion.batch.compilation import compile_program
 from scegen.motion.batch.simulation import simulate_batch
@@ -107,12 +107,12 @@ def proof_of(
         pair=pair,
         measures=tuple(
             MeasureProof(
-                name=name,
-                unit=unit,
-                before=number(before.view.of_pair(field, *pair)[0]),
-                after=number(after.view.of_pair(field, *pair)[0]),
+                name=proved.name,
+                unit=proved.unit,
+                before=number(before.view.of_pair(proved.field, *pair)[0]),
+                after=number(after.view.of_pair(proved.field, *pair)[0]),
             )
-            for name, (field, unit) in MEASURE_FIELDS.items()
+            for proved in PROVED
         ),
         hazards=after.hazards,
         hazards_before=before.hazards,

@@ -20,6 +20,7 @@ from scegen.motion.batch.compilation import (
     compile_program,
     path_table,
     repeat,
+    stack_scenario,
     stack_traces,
 )
 from scegen.motion.batch.simulation import simulate_batch
@@ -38,5 +39,6 @@ __all__ = [
     "path_table",
     "repeat",
     "simulate_batch",
+    "stack_scenario",
     "stack_traces",
 ]

@@ -9,13 +9,17 @@ import numpy as np
 
 from scegen.motion.batch.arrays import (
     COS,
+    HEADING,
     SIN,
+    TRACK_ROWS,
     BatchTraces,
     Candidates,
     PathTable,
     PhaseTable,
     Program,
     TriggerKind,
+    X,
+    Y,
     empty_traces,
     mark_backwards,
 )
@@ -146,6 +150,27 @@ def stack_traces(traces: Sequence[Trace], paths: Sequence[Path] = ()) -> BatchTr
         batch.speed_mps[0, :, i] = trace.speed_mps
     mark_backwards(batch, path_table(paths).backwards if paths else np.empty((0, 3)))
     return batch
+
+
+def stack_scenario(
+    concrete: ConcreteScenario, traces: Mapping[str, Trace], paths: Mapping[str, Path] | None = None
+) -> BatchTraces:
+    """Movements of a scenario as a batch of one candidate, in the order of its entities.
+
+    Args:
+        concrete: the scenario.
+        traces: by participant, as for :func:`stack_traces`; objects stand where they are.
+        paths: by participant; without them nobody reverses.
+    """
+    names = [p.id for p in concrete.participants]
+    moving = stack_traces([traces[n] for n in names], [paths[n] for n in names] if paths else ())
+    rows = np.zeros((1, len(concrete.objects), TRACK_ROWS, moving.tracks.shape[3]))
+    for n, thing in enumerate(concrete.objects):
+        turn = np.deg2rad(thing.heading_deg)
+        at = {X: thing.x_m, Y: thing.y_m, HEADING: turn, COS: np.cos(turn), SIN: np.sin(turn)}
+        for row, value in at.items():
+            rows[0, n, row] = value
+    return moving._replace(tracks=np.concatenate((moving.tracks, rows), axis=1))
 
 
 def _phase(phase: SpeedPhase, index: Mapping[str, int]) -> Phase:

@@ -26,6 +26,7 @@ export class Ground {
     // The outline of each colour closes the hairlines between neighbours of the same kind.
     context.lineJoin = "round";
     for (const name of new Set(this.surfaces.map(([fill]) => fill))) {
+      if (name === "--road") this.drawKerb(context, paint);
       context.fillStyle = context.strokeStyle = paint(name);
       context.lineWidth = 0.12;
       for (const [fill, shape] of this.surfaces) {
@@ -43,6 +44,13 @@ export class Ground {
     }
     context.setLineDash([]);
     for (const sign of this.signs) drawSign(context, sign, paint);
+  }
+
+  /** The rim of all carriageways together: what lies between them is covered by them afterwards. */
+  drawKerb(context, paint) {
+    context.strokeStyle = paint("--kerb");
+    context.lineWidth = 0.4;
+    for (const [fill, shape] of this.surfaces) if (fill === "--road") context.stroke(shape);
   }
 }
 

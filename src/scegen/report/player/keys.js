@@ -29,10 +29,10 @@ export function keyTable(player) {
   ];
 }
 
-/** Listen on an element; returns how to stop. */
-export function listenToKeys(element, table) {
+/** What to do with a pressed key; those that somebody types into a field are left alone. */
+export function keyListener(table) {
   const actions = new Map(table.flatMap(([, keys, , act]) => keys.map((key) => [key, act])));
-  const pressed = (event) => {
+  return (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
     const target = event.target;
     if (target.closest("select, textarea, dialog, input:not([type=range])")) return;
@@ -42,8 +42,6 @@ export function listenToKeys(element, table) {
     event.preventDefault();
     act();
   };
-  element.addEventListener("keydown", pressed);
-  return () => element.removeEventListener("keydown", pressed);
 }
 
 /** The sheet of keys, a dialog. */
@@ -52,7 +50,7 @@ export function keySheet(table) {
     h("th", { scope: "row" }, ...names.split(/(?:, | )/).map((name) => h("kbd", {}, name))), h("td", {}, words)));
   const dialog = h("dialog", { class: "keys", "aria-label": "Keys" },
     h("h4", {}, "Keys"), h("table", {}, h("tbody", {}, ...rows)),
-    h("form", { method: "dialog" }, h("button", { class: "text" }, "Close")));
+    h("form", { method: "dialog" }, h("button", { class: "plain" }, "Close")));
   dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
   return dialog;
 }

@@ -5,14 +5,16 @@ const LABEL_GAP = 8, LABEL_HIGH = 15;
 /**
  * Places for names: each takes the first free spot around its body, the one it had before first.
  *
- * wanted: [{ id, text, x, y, reach, width }] by importance; taken: rectangles [x0, y0, x1, y1].
+ * wanted: [{ id, text, x, y, reach, width }] by importance; taken: rectangles [x0, y0, x1, y1]; the
+ * last are width and height of the picture.
  */
-export function placeLabels(wanted, before, taken) {
+export function placeLabels(wanted, before, taken, [wide, high]) {
   const rectangles = [...taken];
   const placed = new Map();
   for (const one of wanted) {
     const free = spots(one).map((spot, index) => ({ ...spot, index }))
       .sort((a, b) => (b.index === before.get(one.id)) - (a.index === before.get(one.id)))
+      .filter(({ box: [x0, y0, x1, y1] }) => x0 >= 0 && y0 >= 0 && x1 <= wide && y1 <= high)
       .find((spot) => !rectangles.some((other) => overlap(other, spot.box)));
     if (!free) continue;
     rectangles.push(free.box);

@@ -12,17 +12,18 @@ import shapely
 from numpy.typing import NDArray
 
 from scegen.claims.hazards.scenes import judged_pairs, occlusions
+from scegen.criticality.encounter import closest_encounter
 from scegen.measures.distance import distance_series
 from scegen.measures.evaluation import Summary, measure
 from scegen.measures.occlusion import occlusion_series
-from scegen.measures.post_encroachment import time_of_reaching
+from scegen.measures.post_encroachment import post_encroachment_time, time_of_reaching
 from scegen.measures.scene import Scene, build_scene
 from scegen.measures.time_to_collision import time_to_collision_series
-from scegen.motion.batch import BatchTraces, stack_traces
+from scegen.motion.batch import BatchTraces, stack_scenario
 from scegen.motion.friction import friction_of
 from scegen.motion.model import Path, Trace
 from scegen.motion.standing import object_paths
-from scegen.report.encounter import box_corners, closest_encounter
+from scegen.report.corners import box_corners
 from scegen.report.player.series import compact, points
 from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
 
@@ -134,11 +135,14 @@ class Meetings:
                 if hull.geom_type != "Polygon":
                     continue
                 times = [self._spell(i, enter[k], leave[k]) for k, i in enumerate(pair)]
+                first, second = (self.traces.tracks[0, i] for i in pair)
+                pet_s = post_encroachment_time(first, second, enter, leave, self.traces.dt_s)
                 result.append(
                     {
                         "between": [self.names[i] for i in pair],
                         "points": points(np.asarray(hull.exterior.coords).ravel().tolist()),
                         "occupied_s": times,
+                        "pet_s": round(pet_s, 3) if isfinite(pet_s) else None,
                     }
                 )
         return result
@@ -219,8 +223,7 @@ def meetings_of(
         occlusions=[(index[a], index[b], index[c]) for a, b, c in dict.fromkeys(sights)],
         friction=friction_of(concrete.environment),
     )
-    times = next(iter(traces.values())).time_s
-    batch = stack_traces([_trace(name, traces, ways, times) for name in names], order)
+    batch = stack_scenario(concrete, traces, paths)
     people = [*concrete.participants, *(None for _ in concrete.objects)]
     return Meetings(names, tuple(pair), order, people, batch, scene, measure(batch, scene))
 
@@ -236,20 +239,3 @@ def _sights(concrete: ConcreteScenario) -> list[tuple[str, str, str]]:
         for by in tall
         if by not in {ego, target.id}
     ]
-
-
-def _trace(name: str, traces: Mapping[str, Trace], ways: Mapping[str, Path], times: Array) -> Trace:
-    """A movement; that of a thing, which stands."""
-    if name in traces:
-        return traces[name]
-    place, still = ways[name].start, np.zeros_like(times)
-    return Trace(
-        participant=name,
-        kind=next(iter(traces.values())).kind,
-        time_s=times,
-        s_m=still,
-        x_m=still + place.x_m,
-        y_m=still + place.y_m,
-        heading_rad=still + place.heading_rad,
-        speed_mps=still,
-    )

@@ -3,14 +3,20 @@
 import { colourName } from "./bodies.js";
 import { h, KMH, number, setText } from "./dom.js";
 
+const NEAR_S = 0.4;
+
 export class Panel {
   /** actions: { select(id), claim(claim) }. */
   constructor(recording, actions) {
     this.recording = recording;
     this.rows = new Map();
     this.claims = new Map();
+    this.timed = [];
     const people = [...recording.participants, ...recording.objects].map((one) => this.person(one, actions));
-    const statements = [...recording.data.claims].sort((a, b) => worth(a) - worth(b)).map((one) => this.statement(one, actions));
+    const marked = new Set(recording.data.moments.map((moment) => moment.claim));
+    // What does not hold comes first, what is so all the time last.
+    const worth = ({ id, holds, shown_s }) => (holds ? (marked.has(id) && shown_s > NEAR_S ? 1 : 2) : 0);
+    const statements = [...recording.data.claims].sort((a, b) => worth(a) - worth(b) || (a.shown_s ?? 0) - (b.shown_s ?? 0)).map((one) => this.statement(one, actions));
     const hold = recording.data.claims.filter((one) => one.holds).length;
     this.element = h("div", { class: "side" },
       h("ul", { class: "people", "aria-label": "Participants" }, ...people),
@@ -21,20 +27,20 @@ export class Panel {
   person(one, actions) {
     const swatch = h("i", { style: `background:var(${colourName(one)})`, "aria-hidden": "true" });
     const speed = h("span", { class: "speed" }), doing = h("span", { class: "doing" });
-    const kind = (one.what ?? one.kind).replaceAll("_", " ");
-    const name = one.role === "ego" && one.id !== "ego" ? `${one.id} (ego)` : one.id;
+    const kind = (one.what ?? one.kind).replaceAll("_", " ") + (one.role === "ego" && one.id !== "ego" ? " · ego" : "");
     const button = h("button", { type: "button", "aria-pressed": "false", onclick: () => actions.select(one.id) },
-      swatch, h("b", {}, name), h("span", { class: "kind" }, kind), speed, doing);
+      swatch, h("span", { class: "who" }, h("b", {}, one.id), " ", h("span", { class: "kind" }, kind)), speed, doing);
     this.rows.set(one.id, { button, speed, doing, still: Boolean(one.category || one.parked) });
     return h("li", {}, button);
   }
 
   statement(claim, actions) {
-    const button = h("button", { type: "button", class: claim.holds ? "held" : "failed", onclick: () => actions.claim(claim) },
+    const button = h("button", { type: "button", class: claim.holds ? "held" : "failed", title: claim.words && `“${claim.words}”`, onclick: () => actions.claim(claim) },
       h("span", { class: "verdict", "aria-hidden": "true" }, claim.holds ? "✓" : "✕"),
       h("span", { class: "said" }, claim.statement, h("span", { class: "visually-hidden" }, claim.holds ? ": holds" : ": does not hold")),
       h("span", { class: "when" }, measured(claim)));
     this.claims.set(claim.id, button);
+    if (claim.shown_s) this.timed.push([claim.shown_s, button]);
     return h("li", {}, button);
   }
 
@@ -51,6 +57,7 @@ export class Panel {
 
   show(time) {
     const { recording } = this;
+    for (const [when, button] of this.timed) button.classList.toggle("now", Math.abs(time - when) < NEAR_S);
     for (const [id, { speed, doing, still }] of this.rows) {
       if (still) {
         setText(speed, "stands");
@@ -64,14 +71,8 @@ export class Panel {
   }
 }
 
-/** What does not hold comes first, what is so from the start last. */
-function worth(claim) {
-  if (!claim.holds) return 0;
-  return claim.time_s ? 1 : 2;
-}
-
 function measured(claim) {
   const value = claim.measured === null || claim.unit === "1" ? "" : `${number(claim.measured, 2)} ${claim.unit.replace("m/s2", "m/s²")}`;
-  const time = !claim.time_s ? "" : `at ${number(claim.time_s, 1)} s`;
+  const time = !claim.shown_s ? "" : `at ${number(claim.shown_s, 1)} s`;
   return [value, time].filter(Boolean).join(" ");
 }

@@ -1,35 +1,16 @@
 // The player: mount(element, scene, { before }) shows a scene that `player_scene` has written.
 
 import { Clock, RATES } from "./clock.js";
-import { h, iconButton, number, setIcon, setText } from "./dom.js";
-import { keySheet, keyTable, listenToKeys } from "./keys.js";
+import { ICONS, playBar, viewBar, zoomBar } from "./controls.js";
+import { h, number, setIcon, setText } from "./dom.js";
+import { keyListener, keySheet, keyTable } from "./keys.js";
 import { Panel } from "./panel.js";
 import { Plots } from "./plots.js";
 import { Recording } from "./recording.js";
 import { Stage } from "./stage.js";
 import { Timeline } from "./timeline.js";
 
-const ICONS = {
-  play: "M8 5v14l11-7z",
-  pause: "M6 5h4v14H6zM14 5h4v14h-4z",
-  first: "M6 5h2.5v14H6zM19 5v14l-9-7z",
-  last: "M15.5 5H18v14h-2.5zM5 5v14l9-7z",
-  back: "M17 5v14l-8-7zM6 9h2v6H6z",
-  on: "M7 5v14l8-7zM16 9h2v6h-2z",
-  loop: "M7 7h9V4l4 4-4 4V9H9v4H7zM17 17H8v3l-4-4 4-4v3h7v-4h2z",
-  plus: "M11 5h2v6h6v2h-6v6h-2v-6H5v-2h6z",
-  minus: "M5 11h14v2H5z",
-  home: "M4 9V4h5v2H6v3zM15 4h5v5h-2V6h-3zM4 15h2v3h3v2H4zM18 15h2v5h-5v-2h3z",
-  full: "M5 5h6v2H7v4H5zM13 5h6v6h-2V7h-4zM5 13h2v4h4v2H5zM17 13h2v6h-6v-2h4z",
-  help: "M12 3a5 5 0 0 1 5 5c0 3-3.5 3.6-3.5 6h-3c0-3.700 3.500-4 3.500-6a2 2 0 0 0-4 0H7a5 5 0 0 1 5-5zM10.500 16h3v3h-3z",
-};
-const LAYERS = [
-  ["trails", "Trails", "the last three seconds, an outline for each"],
-  ["ways", "Ways", "the planned ways"],
-  ["areas", "Conflict areas", "ground that two ways share"],
-  ["sight", "Sight", "what the ego's driver cannot see"],
-  ["names", "Names", "names and speeds"],
-];
+const OPENING_S = 1.2; // the first picture is so long before the moment that matters
 
 class Player {
   constructor(element, scene, { before = null } = {}) {
@@ -54,7 +35,7 @@ class Player {
     this.listen(element);
     this.resize();
     this.camera({ home: true });
-    this.seek(scene.critical_s[0]);
+    this.seek(scene.moment_s === null ? 0 : scene.moment_s - OPENING_S);
   }
 
   /** Whether somebody who matters is hidden at some time. */
@@ -75,8 +56,8 @@ class Player {
     });
     this.keys = keyTable(this);
     this.sheet = keySheet(this.keys);
-    this.pictures = h("div", { class: "stages" }, ...this.stages.map((stage) => stage.element));
-    this.main = h("div", { class: "main" }, this.viewBar(), this.pictures, this.playBar(),
+    this.pictures = h("div", { class: "stages" }, ...this.stages.map((stage) => stage.element), zoomBar(this));
+    this.main = h("div", { class: "main" }, viewBar(this), this.pictures, playBar(this),
       h("div", { class: "course" }, this.timeline.element, this.plots.element));
     this.element = h("section", { class: "player", "aria-label": `Player: ${recording.data.name}` }, this.main, this.panel.element, this.sheet);
     element.replaceChildren(this.element);
@@ -89,59 +70,15 @@ class Player {
     });
   }
 
-  viewBar() {
-    const { recording, shared } = this;
-    const pair = recording.pair.length === 2 ? [["pair", recording.pair.join(" and ")]] : [];
-    const options = [["", "nobody"], ...pair, ...recording.movers.map((one) => [one.id, one.id])];
-    this.followed = h("select", { onchange: () => this.follow(this.followed.value) },
-      ...options.map(([value, words]) => h("option", { value }, words)));
-    this.layers = LAYERS.map(([name, words, title]) => h("button", {
-      type: "button", class: "chip", title, "aria-pressed": String(shared.show[name]),
-      onclick: (event) => {
-        shared.show[name] = !shared.show[name];
-        event.currentTarget.setAttribute("aria-pressed", String(shared.show[name]));
-        this.draw();
-      },
-    }, words));
-    this.compareButton = this.earlier ? h("button", {
-      type: "button", class: "chip", "aria-pressed": "false", onclick: () => this.compare(),
-      title: "the first timing beside the one that was found",
-    }, "Before and after") : null;
-    return h("div", { class: "bar view", role: "toolbar", "aria-label": "View" },
-      h("label", { class: "choice" }, "Follow ", this.followed), ...this.layers, this.compareButton,
-      h("span", { class: "space" }),
-      iconButton("Smaller (−)", ICONS.minus, () => this.camera({ zoom: 0.8 })),
-      iconButton("Larger (+)", ICONS.plus, () => this.camera({ zoom: 1.25 })),
-      iconButton("Show what matters (0)", ICONS.home, () => this.camera({ home: true })),
-      iconButton("Fill the screen (F)", ICONS.full, () => this.fullscreen()));
-  }
-
-  playBar() {
-    const { clock, recording } = this;
-    this.playButton = iconButton("Play (space)", ICONS.play, () => clock.toggle(), { class: "icon large" });
-    this.clockText = h("output", { class: "time", "aria-live": "off" });
-    this.rateChoice = h("select", { "aria-label": "Speed of playing", onchange: () => clock.setRate(Number(this.rateChoice.value)) },
-      ...RATES.map((rate) => h("option", { value: rate, selected: rate === 1 }, `${rate} ×`)));
-    this.loopButton = iconButton("Repeat the critical seconds (R)", ICONS.loop,
-      () => clock.setLooping(!clock.looping), { "aria-pressed": "false" });
-    return h("div", { class: "bar play", role: "toolbar", "aria-label": "Playing" },
-      iconButton("To the start (Home)", ICONS.first, () => clock.seek(0)),
-      iconButton("One step back (,)", ICONS.back, () => clock.stepBy(-1, recording.step)),
-      this.playButton,
-      iconButton("One step on (.)", ICONS.on, () => clock.stepBy(1, recording.step)),
-      iconButton("To the end (End)", ICONS.last, () => clock.seek(clock.duration)),
-      this.clockText, this.rateChoice, this.loopButton,
-      h("span", { class: "space" }), h("span", { class: "now", "aria-live": "off" }),
-      iconButton("Keys (?)", ICONS.help, () => this.help()));
-  }
-
   listen(element) {
     const { clock } = this;
     clock.on("time", () => this.draw());
     clock.on("playing", (playing) => setIcon(this.playButton, playing ? "Pause (space)" : "Play (space)", playing ? ICONS.pause : ICONS.play));
     clock.on("rate", (rate) => { this.rateChoice.value = rate; });
     clock.on("looping", (on) => this.loopButton.setAttribute("aria-pressed", String(on)));
-    const stops = [listenToKeys(this.element, this.keys)];
+    this.pressed = keyListener(this.keys);
+    this.element.addEventListener("keydown", this.pressed);
+    const stops = [];
     const size = new ResizeObserver(() => this.resize());
     size.observe(this.pictures);
     stops.push(() => size.disconnect());
@@ -172,6 +109,7 @@ class Player {
   resize() {
     const shown = this.comparing || !this.earlier ? this.stages : this.stages.slice(-1);
     for (const stage of this.stages) stage.element.hidden = !shown.includes(stage);
+    this.pictures.classList.toggle("compared", shown.length > 1);
     const gap = 8, full = document.fullscreenElement === this.element;
     const width = Math.max(200, Math.floor((this.pictures.clientWidth - gap * (shown.length - 1)) / shown.length));
     const share = this.stages.at(-1).aspect() * (shown.length > 1 ? 1.5 : 1);
@@ -266,8 +204,25 @@ class Player {
     this.pause();
     this.panel.mark([id]);
     this.select(claim.who.find((name) => name !== this.recording.ego) ?? claim.who[0] ?? null);
-    if (claim.time_s !== null) this.seek(claim.time_s);
+    if (claim.shown_s !== null) this.seek(claim.shown_s);
     this.clock.emit("claim", id);
+  }
+
+  /** Show a moment with what leads to it; those who do not want motion see the moment alone. */
+  playMoment(time, lead = 1.5, rest = 1) {
+    if (window.matchMedia("(prefers-reduced-motion: reduce)").matches) {
+      this.seek(time);
+      return;
+    }
+    this.pause();
+    this.seek(time - lead);
+    const ends = Math.min(time + rest, this.clock.duration);
+    const stop = this.clock.on("time", (now) => {
+      if (now < ends && now >= time - lead - 1e-6) return;
+      stop();
+      if (now < ends + 0.3) this.pause();
+    });
+    this.play();
   }
 
   select(id) {
@@ -277,6 +232,11 @@ class Player {
     this.plots.draw();
     this.draw();
     this.clock.emit("select", id);
+  }
+
+  /** Do what a key stands for. */
+  key(event) {
+    this.pressed(event);
   }
 
   fullscreen() {

@@ -6,6 +6,7 @@ import { h, KMH, number, setText } from "./dom.js";
 const HIGH = 84, TOP = 8, BOTTOM = 6;
 const LEFT = 34, RIGHT = 52; // beside the curves, as in the style sheet
 const FARTHEST_M = 60, LONGEST_S = 6, CRITICAL_S = 1.5;
+const HARDEST = 11; // m/s²: who stands at once, as people on foot do, would flatten all others
 const DASHES = [[], [7, 3], [2, 3], [9, 3, 2, 3]];
 
 export class Plots {
@@ -40,27 +41,31 @@ export class Plots {
   describe() {
     const { recording } = this;
     const everybody = () => this.ordered(recording.movers.map((one) => one.id));
-    const others = () => this.ordered(recording.data.pairs.filter(({ between }) => between.includes(recording.ego))
-      .map(({ between }) => between.find((id) => id !== recording.ego)))
-      .filter((id) => recording.byId.get(id).role && !recording.byId.get(id).parked || recording.pair.includes(id));
-    const measured = (name, fallback) => (rec, id, time) => {
-      const pair = rec.between(rec.ego, id);
-      return pair ? rec.at(pair[name], time) : fallback;
+    // Whoever is near the ego; the two that it is about, where the ego is neither.
+    const { ego } = recording, about = recording.pair.length && !recording.pair.includes(ego) ? [recording.pair[0]] : [];
+    const others = () => this.ordered([...about, ...recording.data.pairs.filter(({ between }) => between.includes(ego))
+      .map(({ between }) => between.find((id) => id !== ego))
+      .filter((id) => !about.includes(id) && (recording.movers.some((one) => one.id === id) || recording.pair.includes(id)))]);
+    const measured = (name) => (rec, id, time) => {
+      const pair = about.includes(id) ? rec.between(...rec.pair) : rec.between(ego, id);
+      return pair ? rec.at(pair[name], time) : null;
     };
+    const label = (id) => (about.includes(id) ? recording.pair.join(" – ") : id);
+    const to = about.length ? ` to ${ego}, and between ${recording.pair.join(" and ")}` : ` to ${ego}`;
     const all = (ids, value) => ids.flatMap((id) => this.times().map((t) => value(recording, id, t)))
       .filter((v) => v !== null);
     const speed = (rec, id, time) => rec.pose(id, time)?.speed ?? null;
     const rate = (rec, id, time) => rec.acceleration(id, time);
-    const distance = measured("distance_m", null), ttc = measured("ttc_s", null);
+    const distance = measured("distance_m"), ttc = measured("ttc_s");
     const fastest = Math.max(5, ...all(everybody(), speed)) * 1.05;
     const rates = all(everybody(), rate);
     const farthest = Math.min(FARTHEST_M, Math.max(5, ...all(others(), distance)) * 1.03);
     return [
       { title: "Speed", unit: "m/s", series: everybody, value: speed, low: 0, high: fastest, kmh: true },
       { title: "Acceleration", unit: "m/s²", series: everybody, value: rate,
-        low: Math.min(-2, ...rates) * 1.1, high: Math.max(2, ...rates) * 1.1 },
-      { title: `Distance to ${recording.ego}`, unit: "m", series: others, value: distance, low: 0, high: farthest, digits: 2 },
-      { title: `Time to collision with ${recording.ego}`, unit: "s", series: others, value: ttc, low: 0, high: LONGEST_S,
+        low: Math.max(Math.min(-2, ...rates) * 1.1, -HARDEST), high: Math.min(Math.max(2, ...rates) * 1.1, HARDEST) },
+      { title: `Distance${to}`, label, unit: "m", series: others, value: distance, low: 0, high: farthest, digits: 2 },
+      { title: `Time to collision${to.replace(" to ", " with ")}`, label, unit: "s", series: others, value: ttc, low: 0, high: LONGEST_S,
         digits: 2, threshold: CRITICAL_S },
     ];
   }
@@ -127,6 +132,8 @@ export class Plots {
       context.lineTo(width, y(panel.threshold));
       context.stroke();
       context.setLineDash([]);
+      context.fillStyle = paint("--hazard");
+      context.fillText(`${number(panel.threshold)} s`, width + 6, y(panel.threshold));
     }
     context.save();
     context.beginPath();
@@ -154,7 +161,7 @@ export class Plots {
       context.strokeStyle = shared.paint(colourName(one));
       context.globalAlpha = alpha * (matters || !many ? 1 : 0.45);
       context.lineWidth = matters ? 2.2 : 1.3;
-      context.setLineDash(alpha < 1 ? [2, 3] : one.role === "ego" || one.category ? [] : DASHES[one.colour % DASHES.length]);
+      context.setLineDash(alpha < 1 ? [2, 3] : DASHES[this.dash(one)]);
       context.beginPath();
       let down = false;
       for (const time of this.times()) {
@@ -179,12 +186,28 @@ export class Plots {
     for (const panel of this.panels) {
       const chosen = panel.series().filter((id) => this.recording.pair.includes(id) || id === this.shared.selected
         || id === this.recording.ego).reverse();
-      setText(panel.values, chosen.map((id) => {
+      if (panel.chosen !== chosen.join()) {
+        panel.chosen = chosen.join();
+        panel.values.replaceChildren(...chosen.map((id) => h("span", { class: "value" },
+          h("i", { style: `border-top-color:var(${colourName(this.recording.byId.get(id))});border-top-style:${this.style(id)}` }),
+          document.createTextNode(""))));
+      }
+      for (const [k, id] of chosen.entries()) {
         const value = panel.value(this.recording, id, time);
         const kmh = panel.kmh && value !== null ? ` (${number(value * KMH, 0)} km/h)` : "";
-        return `${id} ${number(value, panel.digits ?? 1)} ${value === null ? "" : panel.unit}${kmh}`.trim();
-      }).join("  ·  "));
+        setText(panel.values.children[k].lastChild,
+          `${panel.label?.(id) ?? id} ${number(value, panel.digits ?? 1)} ${value === null ? "" : panel.unit}${kmh}`);
+      }
     }
+  }
+
+  style(id) {
+    return ["solid", "dashed", "dotted", "dashed"][this.dash(this.recording.byId.get(id))];
+  }
+
+  /** Those whose colours look alike to some are told apart by dashes. */
+  dash(one) {
+    return one.role === "ego" || one.category ? 0 : one.colour % DASHES.length;
   }
 }
 

@@ -7,22 +7,24 @@ holds its last value to the end.
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from scegen.motion import build_paths
+from scegen.criticality.search.proving import PROOF_DT_S
+from scegen.motion import build_paths, simulate
 from scegen.motion.model import Path, Trace
 from scegen.report.player.meetings import Meetings, meetings_of
+from scegen.report.player.moments import claim_data, moments
 from scegen.report.player.roads import road_data
 from scegen.report.player.series import compact, points
+from scegen.road import build_network
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
 from scegen.scenario.objects import StaticObject
-from scegen.scenario.proof import ClaimProof, Proof
+from scegen.scenario.proof import Proof
 
 Array = NDArray[np.float64]
 Data = dict[str, Any]
@@ -57,7 +59,6 @@ def player_scene(
     """
     paths = build_paths(concrete, network) if paths is None else paths
     meetings = meetings_of(concrete, paths, traces, proof.pair if proof else ())
-    claims = proof.claims if proof else ()
     others = [entity.id for entity in concrete.entities if entity.id != concrete.ego.id]
     colour = {concrete.ego.id: 0} | {name: n for n, name in enumerate(others, start=1)}
     return {
@@ -76,9 +77,30 @@ def player_scene(
         ],
         "objects": [_object(thing, colour[thing.id]) for thing in concrete.objects],
         **meetings.data(STEP_S),
-        "claims": [_claim(claim, concrete) for claim in claims],
-        "moments": _moments(concrete, claims, proof, meetings),
+        "claims": [claim_data(claim, concrete, traces) for claim in proof.claims] if proof else [],
+        "moments": moments(concrete, traces, proof, meetings),
     }
+
+
+def scene_of(
+    concrete: ConcreteScenario, proof: Proof | None = None, *, first: bool = False
+) -> Data:
+    """A scenario simulated as finely as in its proof, for the player.
+
+    Args:
+        concrete: the scenario.
+        proof: what is claimed of it.
+        first: it is the first timing, of which the proof says only whom it is about.
+
+    Raises:
+        RoadInfeasibleError, MotionInfeasibleError: the numbers cannot be built.
+    """
+    network = build_network(concrete.road, name=concrete.name)
+    paths = build_paths(concrete, network)
+    traces = simulate(concrete, paths, dt_s=PROOF_DT_S)
+    if first and proof is not None:
+        proof = proof.model_copy(update={"claims": (), "hazards": ()})
+    return player_scene(concrete, network, traces, proof, paths=paths)
 
 
 def _end_s(traces: Mapping[str, Trace]) -> float:
@@ -148,66 +170,3 @@ def _object(thing: StaticObject, colour: int) -> Data:
         "y_m": round(thing.y_m, 2),
         "heading_rad": round(float(np.deg2rad(thing.heading_deg)), 4),
     }
-
-
-def _claim(claim: ClaimProof, concrete: ConcreteScenario) -> Data:
-    return {
-        "id": claim.id,
-        "kind": claim.kind,
-        "statement": claim.statement,
-        "words": claim.words,
-        "holds": claim.holds,
-        "measured": claim.measured,
-        "unit": claim.unit,
-        "time_s": claim.time_s,
-        "who": _named(f"{claim.field} {claim.statement}", concrete),
-    }
-
-
-def _named(text: str, concrete: ConcreteScenario) -> list[str]:
-    """The ids that stand in a text as whole words."""
-    words = set(re.findall(r"\w+", text))
-    return [entity.id for entity in concrete.entities if entity.id in words]
-
-
-def _moments(
-    concrete: ConcreteScenario,
-    claims: Iterable[ClaimProof],
-    proof: Proof | None,
-    meetings: Meetings,
-) -> list[Data]:
-    """What is marked on the time line, in its order; statements at the start are one mark."""
-    moments: list[Data] = [
-        {
-            "time_s": round(hazard.time_s, 2),
-            "kind": "danger",
-            "label": hazard.kind.replace("_", " "),
-            "holds": hazard.happened,
-            "who": [*hazard.by, *hazard.to],
-        }
-        for hazard in (proof.hazards if proof else ())
-        if hazard.time_s is not None
-    ]
-    moments += [
-        {
-            "time_s": round(claim.time_s, 2),
-            "kind": "claim",
-            "label": claim.statement,
-            "holds": claim.holds,
-            "who": _named(f"{claim.field} {claim.statement}", concrete),
-            "claim": claim.id,
-        }
-        for claim in claims
-        if claim.time_s is not None and (claim.time_s > 0.0 or not claim.holds)
-    ]
-    if meetings.moment_s is not None:
-        moments.append(
-            {
-                "time_s": round(meetings.moment_s, 2),
-                "kind": "contact" if meetings.touches else "closest",
-                "label": meetings.moment,
-                "holds": True,
-                "who": list(meetings.pair),
-            }
-        )
-    return sorted(moments, key=lambda moment: moment["time_s"])

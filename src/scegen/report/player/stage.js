@@ -5,9 +5,9 @@ import { colourName } from "./bodies.js";
 import { h, number } from "./dom.js";
 import { Ground } from "./ground.js";
 import { placeLabels } from "./labels.js";
-import { drawTraffic } from "./traffic.js";
+import { drawTraffic, drawWay } from "./traffic.js";
 
-const WIDEST_M = 95, NEAR_M = 34, NARROW = 0.85;
+const WIDEST_M = 70, NEAR_M = 34, NARROW = 0.85;
 const ROUND_M = [1, 2, 5, 10, 20, 50, 100, 200, 500];
 
 export class Stage {
@@ -22,7 +22,8 @@ export class Stage {
       tabindex: "0",
       "aria-label": `Roads and traffic from above${caption ? `, ${caption}` : ""}. Drag to move, wheel or plus and minus to zoom.`,
     });
-    this.element = h("div", { class: "stage" }, this.below, this.above, caption ? h("p", { class: "caption" }, caption) : null);
+    this.hint = h("p", { class: "hint", "aria-hidden": "true", "data-words": "Click the picture, or hold Ctrl, to zoom with the wheel" });
+    this.element = h("div", { class: "stage" }, this.below, this.above, this.hint, caption ? h("p", { class: "caption" }, caption) : null);
     this.spots = new Map();
     this.placed = new Map();
     this.time = 0;
@@ -63,6 +64,14 @@ export class Stage {
     const points = this.interesting();
     this.camera.angle = this.bestAngle(points);
     this.camera.fit(points);
+    // Not the middle of all ways counts, but where they meet.
+    const around = this.recording.data.moment_s, met = this.recording.pair.map((id) => this.recording.middle(id, around));
+    if (around !== null && met.length) {
+      for (const axis of ["x", "y"]) {
+        const place = met.reduce((sum, one) => sum + one[axis] / met.length, 0);
+        this.camera[axis] += (place - this.camera[axis]) / 2;
+      }
+    }
     this.drawn = "";
     return this.recording.data.road.kind === "straight";
   }
@@ -93,6 +102,22 @@ export class Stage {
     this.drawn = "";
   }
 
+  /** Keep to the road where it is longer than the picture, and to its middle where it is slimmer. */
+  keepToRoad() {
+    const { camera } = this, { road } = this.recording.data;
+    if (road.kind !== "straight") return;
+    this.outline ??= road.surfaces.flatMap(({ points }) => points.flatMap((x, i) => (i % 2 ? [] : [[x, points[i + 1]]])));
+    const found = Camera.extent(this.outline, camera.angle);
+    const c = Math.cos(camera.angle), s = Math.sin(camera.angle);
+    const du = camera.x - found.x, dv = camera.y - found.y;
+    const roomU = Math.max(0, found.halfWidth - camera.width / 2 / camera.scale);
+    const roomV = Math.max(0, found.halfHeight - camera.height / 2 / camera.scale);
+    const u = Math.min(Math.max(c * du - s * dv, -roomU), roomU);
+    const v = Math.min(Math.max(s * du + c * dv, -roomV), roomV);
+    camera.x = found.x + c * u + s * v;
+    camera.y = found.y - s * u + c * v;
+  }
+
   /** Keep whoever is followed in the middle; both of a pair in sight. */
   track(time) {
     const { follow } = this.shared, { camera, recording } = this;
@@ -110,13 +135,14 @@ export class Stage {
       );
       camera.scale = Math.min(needed, 16) * this.shared.closer;
     }
+    this.keepToRoad();
   }
 
   draw(time) {
     this.time = time;
     this.track(time);
     const { camera, shared, ratio } = this, matrix = camera.matrix(ratio);
-    const key = `${matrix.map((v) => v.toFixed(3))} ${this.below.width} ${shared.paintKey()}`;
+    const key = `${matrix.map((v) => v.toFixed(3))} ${this.below.width} ${shared.paintKey()} ${shared.show.ways}`;
     if (key !== this.drawn) {
       this.drawn = key;
       const context = this.below.getContext("2d", { alpha: false });
@@ -125,13 +151,17 @@ export class Stage {
       context.fillRect(0, 0, this.below.width, this.below.height);
       context.setTransform(...matrix);
       this.ground.draw(context, shared.paint);
+      if (shared.show.ways) {
+        for (const one of this.recording.movers) drawWay(context, one, shared.paint, 1 / camera.scale);
+      }
     }
     const context = this.above.getContext("2d");
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.clearRect(0, 0, this.above.width, this.above.height);
     context.setTransform(...matrix);
     const pixel = 1 / camera.scale;
-    drawTraffic(context, this.recording, time, { ...shared, pixel });
+    const reach = Math.hypot(camera.width, camera.height) / camera.scale;
+    drawTraffic(context, this.recording, time, { ...shared, pixel, reach });
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     if (shared.show.names) this.drawNames(context, time);
     this.drawScale(context);
@@ -142,12 +172,13 @@ export class Stage {
     context.font = "600 12px system-ui, sans-serif";
     const matter = new Set([recording.ego, ...recording.pair, shared.selected]);
     const everybody = [...recording.participants, ...recording.objects];
-    const taken = [[0, camera.height - 34, 120, camera.height]];
+    // The scale, the caption and the buttons for zooming lie on the picture, too.
+    const taken = [[0, camera.height - 34, 120, camera.height], [0, 0, 130, 34], [camera.width - 48, 0, camera.width, 146]];
     const wanted = [];
     for (const one of everybody) {
       const middle = recording.middle(one.id, time);
       const [x, y] = camera.toScreen(middle.x, middle.y);
-      if (x < -40 || y < -40 || x > camera.width + 40 || y > camera.height + 40) continue;
+      if (x < 0 || y < 0 || x > camera.width || y > camera.height) continue;
       const corners = recording.corners(one.id, time).map(([u, v]) => camera.toScreen(u, v));
       const xs = corners.map((c) => c[0]), ys = corners.map((c) => c[1]);
       taken.push([Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)]);
@@ -156,7 +187,7 @@ export class Stage {
       wanted.push({ id: one.id, text, x, y, reach, width: context.measureText(text).width, first: matter.has(one.id) });
     }
     wanted.sort((a, b) => b.first - a.first);
-    const placed = placeLabels(wanted, this.spots, taken);
+    const placed = placeLabels(wanted, this.spots, taken, [camera.width, camera.height]);
     this.spots = new Map([...placed].map(([id, { index }]) => [id, index]));
     this.placed = placed;
     context.textBaseline = "top";
@@ -168,7 +199,7 @@ export class Stage {
         context.lineWidth = 1;
         context.beginPath();
         context.moveTo(...anchor);
-        context.lineTo(left + (anchor[0] > left ? context.measureText(text).width : 0), top + 7);
+        context.lineTo(Math.min(Math.max(anchor[0], left), left + context.measureText(text).width), anchor[1] > top ? top + 15 : top);
         context.stroke();
       }
       context.strokeStyle = shared.paint("--halo");
@@ -248,7 +279,12 @@ export class Stage {
     this.above.addEventListener("dblclick", () => this.shared.onCamera({ home: true }, this));
     this.above.addEventListener("wheel", (event) => {
       // The page goes on scrolling unless the picture is meant: it has the focus, or Ctrl is held.
-      if (!event.ctrlKey && document.activeElement !== this.above) return;
+      if (!event.ctrlKey && document.activeElement !== this.above) {
+        this.hint.classList.add("shown");
+        clearTimeout(this.hinted);
+        this.hinted = setTimeout(() => this.hint.classList.remove("shown"), 1200);
+        return;
+      }
       event.preventDefault();
       this.shared.onCamera({ zoom: Math.exp(-event.deltaY * 0.0016), at: place(event) }, this);
     }, { passive: false });

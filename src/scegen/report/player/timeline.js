@@ -68,14 +68,13 @@ export class Timeline {
     const visited = areas.filter((area) => area.occupied_s.every(Boolean)).slice(0, 2);
     return visited.map((area) => {
       const spans = area.occupied_s.map((span, i) => ({ span, id: area.between[i] })).sort((a, b) => a.span[0] - b.span[0]);
-      const gap = spans[1].span[0] - spans[0].span[1];
       const bars = spans.map(({ span, id }) => {
         const bar = h("div", { class: "bar", style: `${this.place(...span)};background:var(${colourName(recording.byId.get(id))})` });
         bar.title = `${id} is on the common ground from ${number(span[0], 2)} to ${number(span[1], 2)} s`;
         return bar;
       });
       const at = Math.min(this.share(spans[1].span[1]), 84);
-      const words = gap < 0 ? `both for ${number(-gap, 2)} s` : `PET ${number(gap, 2)} s`;
+      const words = area.pet_s === null ? "" : `PET ${number(area.pet_s, 2)} s`;
       return h("div", { class: "ground", title: "who is on the common ground of their ways, and when" }, ...bars,
         h("span", { class: "gap", style: `left:calc(${at}% + 6px)` }, words));
     });

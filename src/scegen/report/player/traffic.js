@@ -4,14 +4,12 @@ import { colourName, drawBody } from "./bodies.js";
 
 const TRAIL_S = 3, GHOST_S = 1;
 const EYE_M = 1.08; // as in the scene: what is lower hides nobody
-const FAR_M = 300;
 
 /** Draw everything that moves or changes; `show` says which layers. */
-export function drawTraffic(context, recording, time, { paint, pixel, show, selected }) {
+export function drawTraffic(context, recording, time, { paint, pixel, show, selected, reach }) {
   const hidden = new Set(recording.hiddenFrom(recording.ego, time).map(([target]) => target));
   if (show.areas) drawAreas(context, recording, time, paint, pixel, selected);
-  if (show.sight) drawShadows(context, recording, time, paint);
-  if (show.ways) for (const one of recording.movers) drawWay(context, one, paint, pixel);
+  if (show.sight) drawShadows(context, recording, time, paint, reach);
   if (show.trails) for (const one of recording.movers) drawTrail(context, recording, one, time, paint, pixel);
   for (const light of recording.data.road.lights) drawLight(context, light, time, paint);
   for (const one of [...recording.objects, ...recording.participants]) {
@@ -54,7 +52,7 @@ function drawAreas(context, recording, time, paint, pixel, selected) {
 }
 
 /** What the ego's driver cannot see: the shade behind everything that is high enough. */
-function drawShadows(context, recording, time, paint) {
+function drawShadows(context, recording, time, paint, reach) {
   const eye = recording.middle(recording.ego, time);
   context.fillStyle = paint("--hidden");
   context.globalAlpha = 0.22;
@@ -64,14 +62,13 @@ function drawShadows(context, recording, time, paint) {
     if (one.id === recording.ego || (one.height_m <= EYE_M && !named.has(one.id))) continue;
     const corners = recording.corners(one.id, time);
     const far = corners.map(([x, y]) => {
-      const d = Math.hypot(x - eye.x, y - eye.y) || 1;
-      return [eye.x + ((x - eye.x) / d) * FAR_M, eye.y + ((y - eye.y) / d) * FAR_M];
+      const d = Math.hypot(x - eye.x, y - eye.y) || 1, on = 1 + reach / d;
+      return [eye.x + (x - eye.x) * on, eye.y + (y - eye.y) * on];
     });
     const [a, b] = silhouette(eye, corners);
-    for (const [x, y] of [corners[a], far[a], far[b], corners[b]].map((p, i) => [p[0], p[1], i])) context.lineTo(x, y);
+    context.moveTo(...corners[a]);
+    for (const corner of [far[a], far[b], corners[b]]) context.lineTo(...corner);
     context.closePath();
-    const start = corners[a];
-    context.moveTo(start[0], start[1]);
   }
   context.fill("nonzero");
   context.globalAlpha = 1;
@@ -108,7 +105,8 @@ function drawSightLines(context, recording, time, paint, pixel, selected) {
   }
 }
 
-function drawWay(context, one, paint, pixel) {
+/** A planned way: it lies still, as the road does. */
+export function drawWay(context, one, paint, pixel) {
   if (!one.way.length) return;
   context.beginPath();
   for (let i = 0; i < one.way.length; i += 2) context.lineTo(one.way[i], one.way[i + 1]);
@@ -127,7 +125,6 @@ function drawTrail(context, recording, one, time, paint, pixel) {
   if (recording.still(one.id)) return;
   context.strokeStyle = paint(colourName(one));
   context.lineWidth = 3 * pixel;
-  context.lineCap = "round";
   let last = recording.pose(one.id, from);
   for (let i = 1; i <= steps; i += 1) {
     const next = recording.pose(one.id, from + ((time - from) * i) / steps);
@@ -139,7 +136,6 @@ function drawTrail(context, recording, one, time, paint, pixel) {
     last = next;
   }
   context.globalAlpha = 1;
-  context.lineCap = "butt";
   for (let back = GHOST_S; back <= TRAIL_S && time - back >= 0; back += GHOST_S) {
     const pose = recording.pose(one.id, time - back), now = recording.pose(one.id, time);
     if (Math.hypot(pose.x - now.x, pose.y - now.y) < 0.5) continue;

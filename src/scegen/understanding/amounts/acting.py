@@ -72,7 +72,7 @@ def _acts_of(scene: Scene, text: Sentences, context: Context) -> list[Doing]:
         )
         always = always and not (kind is ActKind.STOP and not entity.is_vehicle)
         doing = Doing(kind, entity, basis, event.i, always=always, nominal=event.nominal)
-        _aside(doing, scene, context)
+        _aside(doing, scene, text, context)
         _to_standstill(doing, text)
         made.append(doing)
     return made
@@ -91,6 +91,8 @@ def _kind(kind: ActKind, entity: Entity, event: Event, text: Sentences) -> ActKi
     afoot = not entity.is_vehicle
     if kind in _DRIVEN and afoot:
         return None
+    if kind is ActKind.SET_OFF and afoot and event.name != "move":
+        return ActKind.CROSS if Maneuver.CROSS in entity.maneuvers else None
     if kind is ActKind.OVERTAKE and Maneuver.OVERTAKE not in entity.maneuvers:
         return None
     if kind is ActKind.CROSS and not afoot and Maneuver.CROSS not in entity.maneuvers:
@@ -130,14 +132,18 @@ def _stands_then(entity: Entity, event: Event) -> bool:
     )
 
 
-def _aside(doing: Doing, scene: Scene, context: Context) -> None:
+def _aside(doing: Doing, scene: Scene, text: Sentences, context: Context) -> None:
     """To which side, and into whose lane."""
     if doing.kind not in {ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.TURN, ActKind.OVERTAKE}:
         return
     event, entity = scene.event, doing.entity
     goals = [event.object, *(p.target for p in event.pps if p.value in {"into", "to", "for", "in"})]
     sides = [(d.value, Basis(d.i, d.j)) for d in event.dirs]
-    sides += [(d, Basis(p.i, p.j)) for p in goals if isinstance(p, Place) for d in p.dirs]
+    lanes = [c for c in text.chunks if isinstance(c, Place) and c.kind == "lane"]
+    for goal in [p for p in goals if isinstance(p, Place)]:
+        within = any(c is not goal and c.i < goal.i <= c.j + 1 for c in lanes)
+        named = [] if within else goal.dirs  # "from the lane to its right": from there
+        sides += [(d, Basis(goal.i, goal.j)) for d in named]
     for value, basis in sides:
         if value in _SIDES and doing.side is None:
             doing.side, doing.side_basis = _SIDES[value], basis

@@ -13,6 +13,7 @@ from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
 from scegen.understanding.happenings import Amount, Apart, Ending, Happenings, amount_of
 from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.words.quantities import ends_a_quantity
 
 _BEFORE = 4
 _WHOLE, _HALF = 100.0, 50.0
@@ -45,8 +46,9 @@ class Judge:
             if told:
                 self._happenings.ending = told[0]
                 break
-        if self._happenings.ending is not None:
-            self._where(self._happenings.ending)
+        ending = self._happenings.ending
+        if ending is not None and ending.kind is not OutcomeKind.AVOIDED:
+            self._where(ending)
         self._overlaps()
 
     def _of_verb(self, scene: Scene) -> Ending | None:
@@ -91,7 +93,9 @@ class Judge:
     def _before_it(self, event: Event) -> bool:
         """``stops just before hitting it``."""
         before = {t.low for t in self._text.tokens[max(0, event.i - 2) : event.i]}
-        return bool(before & {"before", "without"}) and event.form == "ing"
+        timed = ends_a_quantity(self._text.tokens, event.i - 1)  # "brakes 1 s before contact"
+        told = event.form == "ing" or (event.form == "base" and not timed)
+        return bool(before & {"before", "without"}) and told
 
     def _phrase(self, name: str, start: int, end: int) -> tuple[int, int] | None:
         """Where a phrase of a list stands between two tokens."""
@@ -111,6 +115,8 @@ class Judge:
                 continue
             start = max(self._text.bounds(span[0])[0], span[0] - _BEFORE)
             if name == "collision" and self._supposed(start, span[0]):
+                continue
+            if name == "avoided" and ends_a_quantity(self._text.tokens, span[0]):
                 continue
             who = self._around(span[0], None)
             found.append(Ending(OutcomeKind(name), Basis(*span), who))
@@ -146,7 +152,7 @@ class Judge:
         i = ending.basis.i or 0
         start, end = self._text.bounds(i)
         ego = ego_of(self._context)
-        for place in self._text.places(start, end, {"side", "front"}):
+        for place in self._text.places(start, end, {"side", "front", "flank"}):
             part = next((_PARTS[d] for d in place.dirs if d in _PARTS), None)
             if place.kind == "front":
                 part = BodySide.FRONT
@@ -155,6 +161,11 @@ class Judge:
             hit_by = place.prep is not None and place.prep.value in {"by", "with"}
             on = place.prep is not None and place.prep.value == "in" and place.head is not None
             hit_by = hit_by or (on and ego is not None and self._is_hit(ego, i))
+            into = place.prep is not None and place.prep.value in {"in", "into"}
+            told = place.owner is not None or any(m.cat == "possessive" for m in place.mods)
+            hit_by = hit_by or (into and told and whose is ego)
+            direct = any(s.event.i == i and s.event.object is place for s in self._text.scenes)
+            hit_by = hit_by or (direct and whose is ego)
             if part is None or whose is None or (flank and not (hit_by and whose is ego)):
                 continue
             basis = Basis(place.i, place.j)
@@ -204,12 +215,17 @@ class Judge:
         if len(of) == 2 and getattr(of[0], "value", "") == "of" and isinstance(of[1], Mention):
             return of[1].entities[0] if of[1].entities else None
         own = any(m.cat == "possessive" and m.value == "its" for m in place.mods)
-        scene = next((s for s in self._text.scenes if s.event.i == i), None)
+        done = [s for s in self._text.scenes if s.event.object is place]
+        scene = next((s for s in (*done, *self._text.scenes) if s in done or s.event.i == i), None)
         if scene is None:
             return None
         direct = scene.event.object is place
         if direct and scene.targets:
             return scene.targets[0]
+        flank = bool({"left", "right"} & set(place.dirs))
+        met = direct or (flank and place.prep is not None and place.prep.value == "into")
+        if met and own and scene.actors:  # "a car behind hits its rear"
+            return None if scene.actors[0].ego else ego_of(self._context)
         if own and scene.event.passive and place.prep is not None and place.prep.value == "in":
             return scene.targets[0] if scene.targets else None  # "is hit on its right side"
         if own or not direct:
@@ -220,8 +236,10 @@ class Judge:
 
     def _middle(self, ending: Ending, place: NounPhrase, start: int) -> None:
         """``with the middle of its front``."""
+        tokens = self._text.tokens
         for k in range(max(start, place.i - _REACH), place.i):
-            if self._text.tokens[k].low in words()["middle"]:
+            part = k + 1 == place.i or tokens[k + 1].low in {"of", "front"}
+            if part and tokens[k].low in words()["middle"]:
                 value = Interval(low=_HALF, high=_HALF)
                 ending.impact = Amount(value, Basis(k, place.j))
 

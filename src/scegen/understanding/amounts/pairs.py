@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from scegen.scenario.vocabulary import Approach
+from scegen.scenario.vocabulary import Approach, ParticipantKind
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.amounts.whom import counterpart, ego_of
 from scegen.understanding.chunks import Mention, Word
-from scegen.understanding.draft import Entity
+from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured
 from scegen.understanding.meaning.context import Context
 
@@ -50,6 +50,8 @@ def pair_of(number: Measured, text: Sentences, context: Context) -> tuple[Entity
         text: the text with its clauses.
         context: the scenario in the making.
     """
+    if " the next " in f"{' '.join(number.around.after.split()[:4])} ":
+        return None  # "each 3 m clear of the next"
     after = text.phrase_after(number.j)
     noun = after[1] if after is not None else None
     own = noun is not None and any(m.cat == "possessive" for m in noun.mods)
@@ -60,7 +62,7 @@ def pair_of(number: Measured, text: Sentences, context: Context) -> tuple[Entity
     if isinstance(noun, Mention) and noun.pronoun is not None and named == subject:
         named = []  # "and the ego, 15 m behind it": not behind itself
     pairs = [m.entities for m in text.mentions if m.i < number.i and len(m.entities) == _PAIR]
-    if number.around.after.startswith(" between them ") and pairs:
+    if number.around.after.startswith((" between them ", " apart ")) and pairs:
         return pairs[-1][0], pairs[-1][1]
     bracketed = _bracketed(number, text)
     if bracketed is not None and subject and bracketed not in subject:
@@ -81,8 +83,19 @@ def pair_of(number: Measured, text: Sentences, context: Context) -> tuple[Entity
     first = subject[0] if subject else named[0] if named else ego_of(context)
     if first is None:
         return None
-    other = counterpart(first, context, near)
+    other = counterpart(first, context, near) or _unnamed(first, context)
     return (first, other) if other is not None and other is not first else None
+
+
+def _unnamed(entity: Entity, context: Context) -> Entity | None:
+    """``the preceding car brakes; the gap is 30 m``: to the one that is not named."""
+    along = context.placed(entity, Approach.AHEAD) or context.placed(entity, Approach.BEHIND)
+    if entity.ego or not along or len(context.draft.entities) > 1:
+        return None
+    ego = context.draft.add(ParticipantKind.CAR, Basis(reason="seen from a car that is not named"))
+    ego.ego = True
+    ego.named_by.add("ego")
+    return ego
 
 
 def _bracketed(number: Measured, text: Sentences) -> Entity | None:

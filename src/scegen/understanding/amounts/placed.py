@@ -25,6 +25,9 @@ MEASURES = {
     "overlap": Measure.OVERLAP_PERCENT,
 }
 _APART = 4
+_ARMS_LENGTH = 3
+"""Nearer than so many metres, who drives by somebody parked is beside them."""
+_PLACES = frozenset({"crosswalk", "bus_stop", "parking", "exit", "ramp"})
 _WHOLE = 100
 _SIDE_REACH = 14
 _ALONG = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
@@ -57,7 +60,8 @@ class Spacer:
         if measure in _ALONG and self._releaser.sets_off(number, measure):
             return True
         after = self._text.phrase_after(number.j)
-        if after is not None and isinstance(after[1], Place) and after[1].kind in JUNCTION:
+        place = after[1] if after is not None else None
+        if isinstance(place, Place) and place.kind in JUNCTION | _PLACES:
             return False  # so far from the junction: between no two
         if self._where_it_stops(number) or self._releaser.until(number):
             return False
@@ -78,7 +82,9 @@ class Spacer:
 
     def _sideways(self, measure: Measure, number: Measured, one: Entity, other: Entity) -> Measure:
         """``passes the parked van at 1 m``, ``drives beside it, 1 m away``: from side to side."""
-        past = self._verb(number) in {"pass", "bypass"} and (one.parked or other.parked)
+        near = number.quantity.exact.high <= _ARMS_LENGTH and self._verb(number) == "move"
+        past = near or self._verb(number) in {"pass", "bypass"}
+        past = past and (one.parked or other.parked)
         along = number.around.after.startswith((" ahead ", " in front ", " behind ", " before "))
         lateral = past or (not along and self._beside(one, other))
         return Measure.LATERAL_GAP_M if measure is Measure.GAP_M and lateral else measure
@@ -236,7 +242,7 @@ class Spacer:
         if begun:
             return begun[0]
         trigger = self._text.subordinate(number.i)
-        here = [a for a in acts if start <= a.i < end and a.i < number.i]
+        here = [a for a in acts if any(start <= i < number.i for i in (a.i, *a.told))]
         if trigger is not None and trigger[2] in words()["triggers"] and here:
             return here[-1]
         laned = [a for a in here if a.kind in _LANED or a.kind is ActKind.CROSS]
@@ -246,6 +252,14 @@ class Spacer:
             for a in here
             if measure is Measure.TTC_S and own is not None and own.i in (a.i, *a.told)
         ]  # "brakes at a TTC of 3 s"
+        changes = [a for a in acts if a.kind is ActKind.CHANGE_LANE]
+        beside = any(
+            p.entity in (entity, reference) and p.approaches == {Approach.ADJACENT}
+            for p in self._context.draft.placements
+        )
+        moving = not (entity.still or reference.still)
+        if not laned and beside and moving and len(changes) == 1:
+            laned = changes  # "gap 30 m; the van changes lane": when it does
         if laned:
             return laned[-1]
         one, other = entity.speed, reference.speed

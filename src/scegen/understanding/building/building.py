@@ -31,6 +31,7 @@ from scegen.understanding.building.open_road import (
     in_the_way,
 )
 from scegen.understanding.building.proving import Proofs
+from scegen.understanding.building.some_of import some_of
 from scegen.understanding.building.unsaid import maneuvers_of
 from scegen.understanding.building.viewpoint import choose_ego, settle_positions
 from scegen.understanding.draft import Basis, Danger, Draft, Entity
@@ -85,6 +86,7 @@ class Builder:
         else:
             alongside(self._draft, ego, self._draft.tokens)
         self._name(ego)
+        groups = some_of(self._draft, self._happenings, junction.kind, self._proofs)
         participants = tuple(
             self._participant(e, ego_basis, junction) for e in self._draft.entities
         )
@@ -103,6 +105,7 @@ class Builder:
             junction=junction,
             participants=participants,
             relations=linked,
+            groups=groups,
             hazards=hazards,
             objects=writer.objects(),
             spacings=writer.spacings(),

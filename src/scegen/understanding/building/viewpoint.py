@@ -5,8 +5,8 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Basis, Danger, Draft, Entity, Placement
 from scegen.understanding.meaning import numbered_lanes
+from scegen.understanding.meaning.approaches import INVERSE
 from scegen.understanding.meaning.mutual import allow, face_each_other, in_file
-from scegen.understanding.meaning.placing import INVERSE
 
 _BARE = frozenset({"vehicle", "car", "driver", "truck", "van", "bus", "motorcycle"})
 _COMPASS = ("north", "east", "south", "west")
@@ -31,7 +31,8 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     named = next((e for e in draft.entities if e.ego), None)
     if named is not None:
         named.parked = False
-        return named, Basis(named.basis.i, named.basis.j)
+        words = named.basis.i is not None
+        return named, Basis(named.basis.i, named.basis.j) if words else named.basis
     movers = [e for e in draft.entities if e.moving_vehicle]
     motor = [e for e in movers if e.kind is not ParticipantKind.BICYCLE]
     crossers = {

@@ -82,6 +82,9 @@ def attach(prep: Prep, state: State) -> None:
     if measured is not None:
         measured.pps.append(prep)
         return
+    part = prep.on_mention
+    if part is not None and part.whole is not None and part.whole.j == prep.word.i:
+        prep.on_mention = part.whole  # "one of the two cars ahead": both are
     holders = [m for m in (prep.on_mention, state.candidate) if m is not None]
     if any(_names_it_again(prep.target, m) for m in holders):
         state.fronted.append(prep)
@@ -253,7 +256,7 @@ def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
 def _side_after(chunks: list[Chunk], m: int) -> bool:
     side = chunks[m + 1] if m + 1 < len(chunks) else None
     sided = isinstance(side, Place) and side.kind in {"side", "sidewalk", "shoulder"}
-    return _is(chunks, m, "in") and sided
+    return (_is(chunks, m, "in") or _is(chunks, m, "to")) and sided
 
 
 def place_in_front(mention: Mention, state: State) -> None:

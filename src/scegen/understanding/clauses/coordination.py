@@ -58,6 +58,11 @@ def coordinate(event: Event, state: State) -> None:
     if wanted == "ing" and who is not None and who is state.being:
         event.subject = chain(who)  # "pulls out when the ego is 20 m away and doing 30 km/h"
         return
+    last = state.mentions[-1] if state.mentions else None
+    beside = last is not None and last.prep is not None and last.prep.value == "with"
+    if wanted == "ing" and last is not None and beside and last.i > state.events[-1].i:
+        event.subject = [last]  # "steps out with the ego 20 m away and doing 30 km/h"
+        return
     parallel = parallel or state.events[-1]
     event.subject = parallel.subject
     if parallel.name == "pull_out" and event.name in {"overtake", "bypass", "pass"}:

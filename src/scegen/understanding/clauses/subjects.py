@@ -166,9 +166,7 @@ def _antecedent(state: State) -> Mention:
 def _subjectless(event: Event, state: State) -> None:
     """``while turning``: the subject of the clause before, or of the one that follows."""
     candidate = state.candidate
-    if {"sub", "aux:be", ","} <= state.between and state.main and event.form == "s":
-        event.subject = state.main  # "steps out when the ego is 30 m away, walks on and stops"
-    elif candidate is not None and not state.candidate_done and event.finite:
+    if candidate is not None and not state.candidate_done and event.finite:
         event.subject = chain(candidate)
     elif state.events and not event.finite and "," not in state.between:
         event.subject = state.main or state.events[-1].subject
@@ -186,8 +184,16 @@ def _after_comma(event: Event, state: State) -> None:
     waiting = state.candidate is not None and not state.candidate_done
     who = state.candidate
     placed = who is not None and any(p.target is state.anchor for p in who.pps)
+    been = "aux:be" in state.between and who in state.trailing and bool(state.main)
+    if waiting and been and event.form == "s":
+        event.subject = state.main  # "steps out when the ego is 30 m away, walks on and stops"
+        return
     if waiting and (state.anchor is who or placed) and state.candidate is not None:
         event.subject = chain(state.candidate)  # "when a van, turning left, fails to yield"
+        return
+    beside = None if event.finite else _told_beside(event, state)
+    if beside is not None:
+        event.subject = [beside]
         return
     seen = None if event.finite else _agent_before(event, state) or _seen_coming(event, state)
     if seen is not None:
@@ -202,6 +208,17 @@ def _after_comma(event: Event, state: State) -> None:
         event.subject = chain(state.anchor)
     else:
         state.pending.append(event)
+
+
+def _told_beside(event: Event, state: State) -> Mention | None:
+    """``with the ego 20 m behind it, doing 50 km/h``; ``a child …, running``: who is on foot."""
+    on_foot = [m for m in state.mentions if m.head is not None and m.head.value == "pedestrian"]
+    if event.name == "walk" and on_foot:
+        return on_foot[-1]
+    since = state.events[-1].i if state.events else 0
+    return next(
+        (m for m in state.mentions if m.i > since and m.prep and m.prep.value == "with"), None
+    )
 
 
 def _agent_before(event: Event, state: State) -> Mention | None:

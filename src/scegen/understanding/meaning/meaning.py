@@ -262,10 +262,6 @@ class Interpreter:
     def _of_another_clause(self, event: Event, term: Term) -> bool:
         """``crosses when the ego is 35 m away at 50 km/h``: the ego's speed."""
         between = [c for c in self._chunks if event.j <= c.i < term.i]
-        named = [c for c in between if getattr(c, "cat", "") != "possessive"]
-        last = named[-1] if named else None
-        if isinstance(last, Mention) and last.possessor:
-            return True  # "at 10 km/h below the ego's 60 km/h"
         opened = next((k for k, c in enumerate(between) if getattr(c, "cat", "") == "sub"), None)
         if opened is None:
             return False

@@ -140,10 +140,12 @@ def overtake(scene: Scene, context: Context) -> None:
     if any(entity.moving_vehicle for entity in scene.targets):
         draft = context.draft
         draft.passing_implied = draft.passing_implied or basis
+    egos = [e for e in scene.targets if e.ego]
     stated = {
         p.entity.index
         for p in context.draft.placements
-        if p.reference is None or p.reference in scene.targets
+        if p.reference in scene.targets
+        or (p.reference is None and (egos or p.approaches != {Approach.ADJACENT}))
     }
     if not any(e.index in stated for e in scene.actors):
         context.ahead(scene.targets, scene.actors, basis)

@@ -54,6 +54,8 @@ def leaves_it(event: Event, entities: list[Entity], tokens: list[Token]) -> bool
         tokens: the tokens of the text.
     """
     aside = event.j < len(tokens) and tokens[event.j].low in _SIDEWAYS
+    out_of = any(p.value == "from" and _number(p, tokens) is not None for p in event.pps)
+    aside = aside or (out_of and tokens[event.j].low == "in")  # "moves in from lane 2"
     known = bool(entities) and all(e.lane is not None for e in entities)
     return event.name == "move" and aside and known and event.object is None
 

@@ -7,90 +7,30 @@ from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.clauses.bearing import from_the_wrong_lane
 from scegen.understanding.clauses.located import landmark
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.meaning.approaches import (
+    AROUND,
+    BY_DIR,
+    INVERSE,
+    SIDES,
+    adjective_approaches,
+    place_approaches,
+)
 from scegen.understanding.meaning.lanes_named import Lanes, within_the_lane
 from scegen.understanding.words.terms import Term
 
-_BY_DIR: dict[str, frozenset[Approach]] = {
-    "opposite": frozenset({Approach.OPPOSITE}),
-    "lateral": frozenset({Approach.LEFT, Approach.RIGHT}),
-    "ahead": frozenset({Approach.AHEAD}),
-    "behind": frozenset({Approach.BEHIND}),
-    "adjacent": frozenset({Approach.ADJACENT}),
-    "rear": frozenset({Approach.BEHIND}),
-    "front": frozenset({Approach.AHEAD}),
-    "same": frozenset({Approach.AHEAD, Approach.BEHIND, Approach.ADJACENT}),
-}
-INVERSE = {
-    Approach.AHEAD: Approach.BEHIND,
-    Approach.BEHIND: Approach.AHEAD,
-    Approach.LEFT: Approach.RIGHT,
-    Approach.RIGHT: Approach.LEFT,
-    Approach.OPPOSITE: Approach.OPPOSITE,
-    Approach.ADJACENT: Approach.ADJACENT,
-}
-"""How one sees another, by how the other sees the one."""
-_SIDES = {"left": Approach.LEFT, "right": Approach.RIGHT}
 _STEADY = frozenset(
     {"move", "stop", "brake", "hard_brake", "slow", "locate", "wait", "park", "accelerate",
      "approach", "speed", "tailgate", "follow", "light", "hide", "appear", "walk",
      "unknown", "inert", "pass", "lose_control", "swerve", "reverse", "crawl", "merge", "unpark"}
 )  # fmt: skip
-_PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane",
-                     "path", "leg"})  # fmt: skip
 _SIDEWAYS = frozenset({"lane_change", "merge", "cut_in"})
-_AROUND = frozenset({"around", "round", "past"})
 _BY_WAY_OF = frozenset({"via", "through", "across", "over"})
-
-
-def adjective_approaches(dirs: list[str]) -> frozenset[Approach]:
-    """What "oncoming", "leading", "crossing" … before a noun say.
-
-    Args:
-        dirs: directions before the noun.
-    """
-    for value in dirs:
-        if value in _BY_DIR and value not in {"front", "rear"}:
-            return _BY_DIR[value]
-        if value in {"front", "rear"}:
-            return _BY_DIR[value]
-    return frozenset()
-
-
-def _place_approaches(place: Place, prep: str) -> frozenset[Approach]:
-    if place.kind == "access" and prep in {"from", "in"}:
-        return frozenset(_SIDES[d] for d in place.dirs if d in _SIDES)
-    if place.kind not in _PLACES:
-        return frozenset()
-    dirs = place.dirs
-    if prep in _AROUND and {"front", "rear"} & set(dirs):
-        return frozenset()  # "runs around its front": past it, not there
-    sides = {_SIDES[d] for d in dirs if d in _SIDES}
-    if place.kind == "direction" and any(m.cat == "det" and m.value == "other" for m in place.mods):
-        return _BY_DIR["opposite"]
-    if place.kind in {"lane", "bike_lane"}:
-        if "opposite" in dirs:
-            return _BY_DIR["opposite"]
-        if "lateral" in dirs:
-            return frozenset(sides) or _BY_DIR["lateral"]
-        beside = sides or "adjacent" in dirs
-        return _BY_DIR["adjacent"] if beside and prep in {"in", "from"} else frozenset()
-    if sides:
-        rear = {Approach.BEHIND} if "rear" in dirs else set()
-        return frozenset(sides | rear)
-    if "front" in dirs:
-        return frozenset({Approach.OPPOSITE if prep == "from" else Approach.AHEAD})
-    if place.kind == "side" and not dirs and prep == "from" and place.head is not None:
-        other = any((m.cat, m.value) == ("det", "other") for m in place.mods)
-        return _BY_DIR["opposite" if other else "lateral"]
-    if "same" in dirs and prep != "from":
-        return frozenset()  # "in the same direction" is the way of those on one road anyway
-    return next((_BY_DIR[d] for d in dirs if d in _BY_DIR), frozenset())
 
 
 def _between_lanes(approaches: frozenset[Approach], event: Event | None) -> frozenset[Approach]:
     """``changes into the lane from the other side``: out of another lane."""
     sideways = event is not None and event.name in _SIDEWAYS
-    return _BY_DIR["adjacent"] if sideways and approaches == _BY_DIR["lateral"] else approaches
+    return BY_DIR["adjacent"] if sideways and approaches == BY_DIR["lateral"] else approaches
 
 
 def _differ(place: Place) -> bool:
@@ -102,7 +42,7 @@ def _differ(place: Place) -> bool:
 def _at_its_side(prep: Prep, event: Event | None) -> bool:
     """``drives to the right of the bus``: where somebody is, not where it goes."""
     side = prep.target
-    sided = isinstance(side, Place) and side.kind == "side" and bool(set(side.dirs) & set(_SIDES))
+    sided = isinstance(side, Place) and side.kind == "side" and bool(set(side.dirs) & set(SIDES))
     owned = side is not None and not isinstance(side, Event) and side.owner is not None
     steady = event is not None and event.name in _STEADY
     return prep.value == "to" and sided and owned and steady
@@ -110,7 +50,7 @@ def _at_its_side(prep: Prep, event: Event | None) -> bool:
 
 def _ends_there(event: Event, prep: Prep) -> bool:
     """``swerves behind the ego``, ``sweeps left in front of the bus``: where it gets to."""
-    turns = any(d.value in _SIDES for d in event.dirs)
+    turns = any(d.value in SIDES for d in event.dirs)
     onto = event.name == "swerve" and any(p.value == "into" for p in event.pps)
     afoot = isinstance(prep.target, Mention) and not any(e.is_vehicle for e in prep.target.entities)
     if afoot and (event.name, prep.value) == ("stop", "ahead"):
@@ -134,6 +74,15 @@ def _past_the_parked(approaches: set[Approach], entities: list[Entity]) -> bool:
 def _steadily(event: Event | None, prep: Prep) -> bool:
     """Whether a lane that is named is the one where somebody is at first."""
     return event is None or event.name in _STEADY or prep.value == "from"
+
+
+def _one_side(prep: Prep) -> tuple[Approach, Basis] | None:
+    """The one side that a phrase names, with its words: "on the left"."""
+    side = prep.target
+    sides = {SIDES[d] for d in side.dirs if d in SIDES} if isinstance(side, Place) else set()
+    if side is None or len(sides) != 1:
+        return None
+    return next(iter(sides)), Basis(prep.word.i, side.j)
 
 
 _FROM = {"north": "south", "south": "north", "east": "west", "west": "east"}
@@ -233,23 +182,23 @@ class Placer:
         word = self._draft.tokens[prep.word.i].low
         edge = self._draft.tokens[target.j - 1].low == "edge" and prep.value == "in"
         entities = [e for e in entities if not (edge and e.is_vehicle)]  # within its lane
-        approaches = _place_approaches(target, word if word in _AROUND else prep.value)
+        approaches = place_approaches(target, word if word in AROUND else prep.value)
         approaches = _between_lanes(approaches, event)
         if not approaches:
             return
         plural = target.head is not None and target.head.form == "s"
         plural = plural or any(m.form == "s" for m in target.mods if m.cat == "dir")
-        if approaches == _BY_DIR["opposite"] and plural and len(entities) > 1:
+        if approaches == BY_DIR["opposite"] and plural and len(entities) > 1:
             for entity in entities:
                 entity.opposed |= {e.index for e in entities} - {entity.index}
                 entity.approach_basis = basis
             return
         over = [t.low for t in self._draft.tokens[target.j : target.j + 2]]
-        if prep.value == "from" and over[:1] == ["to"] and over[-1] in _SIDES:
+        if prep.value == "from" and over[:1] == ["to"] and over[-1] in SIDES:
             basis = Basis(basis.i, target.j + 2)  # "from left to right"
         seen_by = target.beside or target.owner
         reference = seen_by.entities[0] if seen_by and seen_by.entities else None
-        wrong = target.kind == "lane" and approaches == _BY_DIR["opposite"]
+        wrong = target.kind == "lane" and approaches == BY_DIR["opposite"]
         if "same" in target.dirs and reference is None and len(entities) > 1:
             reference, *entities = sorted(entities, key=lambda e: not e.ego)  # as one another
         for entity in entities:
@@ -278,7 +227,7 @@ class Placer:
         """``drives to the right of the bus``: abreast; people stand on that side."""
         owner = side.owner.entities[0] if side.owner and side.owner.entities else None
         for entity in entities:
-            sides = {_SIDES[d] for d in side.dirs if d in _SIDES}
+            sides = {SIDES[d] for d in side.dirs if d in SIDES}
             abreast = entity.moving_vehicle and entity.kind is not ParticipantKind.BICYCLE
             where = {Approach.ADJACENT} if abreast else sides
             self._draft.place(entity, owner, where, basis)
@@ -299,12 +248,11 @@ class Placer:
             prep: the phrase.
             entities: who passes.
         """
-        side = prep.target
-        named = [d for d in side.dirs if d in _SIDES] if isinstance(side, Place) else []
-        if not isinstance(side, Place) or len(named) != 1:
+        named = _one_side(prep)
+        if named is None:
             return
         for entity in [e for e in entities if not e.ego]:
-            entity.beside = entity.beside or (named[0], Basis(prep.word.i, side.j))
+            entity.beside = entity.beside or (named[0].value, named[1])
 
     def passed_on(self, prep: Prep, entities: list[Entity]) -> None:
         """``the ego passes three parked cars on its right``: where these stand.
@@ -313,12 +261,11 @@ class Placer:
             prep: the phrase.
             entities: who is passed.
         """
-        side = prep.target
-        sides = {_SIDES[d] for d in side.dirs if d in _SIDES} if isinstance(side, Place) else set()
-        if not isinstance(side, Place) or len(sides) != 1:
+        named = _one_side(prep)
+        if named is None:
             return
         for entity in [e for e in entities if e.parked]:
-            self._draft.place(entity, None, set(sides), Basis(prep.word.i, side.j))
+            self._draft.place(entity, None, {named[0]}, named[1])
 
     def _locus(self, prep: Prep, entities: list[Entity], event: Event | None) -> None:
         target = landmark(prep.target)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.chunks import Event, Place, Prep
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.meaning.context import Context, Scene
@@ -13,6 +13,8 @@ _LEAVING = frozenset({"reverse", "pull_out", "leave", "unpark"})
 _COMING = frozenset({"move", "approach", "appear", "enter", "cross"})
 
 
+_REACH = 8
+_SQUARE = frozenset({"angle", "angles", "perpendicular", "perpendicularly"})
 _ROADS = frozenset({"road", "street", "stem", "turning", "arm", "leg", "approach", "driveway"})
 
 
@@ -29,6 +31,12 @@ def side_road(prep: Prep, event: Event, whom: list[Entity], context: Context) ->
     side = isinstance(place, Place) and place.kind == "side" and bool(place.dirs)
     side = side and set(place.dirs) <= {"left", "right"} if place is not None else False
     motor = [e for e in whom if e.moving_vehicle and not context.is_cyclist(e)]
+    near = {t.low for t in context.tokens[event.i : event.i + _REACH]}
+    riders = [e for e in whom if context.is_cyclist(e) and not e.maneuvers]
+    if prep.value == "from" and side and event.name in _COMING and near & _SQUARE:
+        for entity in riders:  # "a bicycle enters at a right angle from the left"
+            context.draft.hazard(HazardKind.CROSSING_CYCLIST, Basis(event.i, event.j), [entity])
+            context.draft.maneuver(entity, {Maneuver.CROSS}, Basis(event.i, event.j))
     if prep.value == "from" and side and motor and event.name in _COMING:
         reason = "a vehicle comes from the side"
         end = place.j if place is not None else prep.word.j

@@ -65,6 +65,8 @@ def state(term: Term, entities: list[Entity], context: Context) -> None:
             context.draft.hazard(HazardKind.STOPPING, basis, drivers)
         for entity in others:
             entity.stands = entity.stands or (None if entity.parked else basis)
+        for ego in [e for e in entities if e.ego and e.speed is None]:
+            ego.speed, ego.speed_basis = Interval(low=0.0, high=0.0), basis
     elif term.value == "parked":
         for entity in others:
             if entity.is_vehicle and entity.sets_off < 0:

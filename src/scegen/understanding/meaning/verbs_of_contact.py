@@ -30,6 +30,12 @@ def _within_its_lane(scene: Scene, context: Context) -> bool:
     return shifts and lane and bool(scene.drivers)
 
 
+def _flank(place: Place) -> bool:
+    """``its right side``, ``the left flank of the van``."""
+    owned = place.owner is not None or any(m.cat == "possessive" for m in place.mods)
+    return place.kind in {"side", "flank"} and owned and bool({"left", "right"} & set(place.dirs))
+
+
 def _runs_into(scene: Scene, context: Context) -> bool:
     """``runs into the van``, ``is run into from behind``: contact."""
     event = scene.event
@@ -43,7 +49,7 @@ def _runs_into(scene: Scene, context: Context) -> bool:
     if before in _BEING and lemma == "run":
         scene.actors, scene.targets = [], scene.actors
         return True
-    rear = [t for t in into if isinstance(t, Place) and "rear" in t.dirs]
+    rear = [t for t in into if isinstance(t, Place) and ("rear" in t.dirs or _flank(t))]
     met = [t for t in into if isinstance(t, Mention) and any(e.is_vehicle for e in t.entities)]
     met += [t for t in into if isinstance(t, Mention) and lemma == "run"]
     scene.targets = scene.targets or [e for t in met for e in t.entities]

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, Maneuver
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.phrases.which_road import AGAINST, ALONG
 
+_CROSSING = HazardKind.CROSSING_PEDESTRIAN
 _LENGTHWISE = frozenset({"along", "down", "up", "beside"})
 _LEAVING = frozenset({"off", "from"})
 _ACROSS = frozenset({"over", "across", "into", "onto"})
@@ -37,6 +39,8 @@ def keep_along(scene: Scene, context: Context) -> bool:
     left = {id(p.target) for p in event.pps if context.tokens[p.word.i].low in _LEAVING}
     aside = any(p.kind == "sidewalk" and id(p) not in left for p in scene.places())
     along = event.name in {"walk", "move"} and any(_lengthwise(p, context) for p in event.pps)
+    free = not any(Maneuver.CROSS in e.maneuvers for e in scene.walkers)
+    along = along or (free and event.how(ALONG, AGAINST) is not None)  # "the way the ego drives"
     along = along or any(_from_or_to_a_vehicle(p, context) for p in event.pps)
     along = along or (_own_word(event, context) in _LENGTHWISE and event.object is not None)
     if not aside and (not along or words & _ACROSS):
@@ -44,6 +48,8 @@ def keep_along(scene: Scene, context: Context) -> bool:
     for entity in scene.walkers:
         if not entity.maneuvers:
             context.draft.maneuver(entity, {Maneuver.STRAIGHT}, scene.words)
+            dangers = context.draft.dangers
+            dangers[:] = [d for d in dangers if d.kind is not _CROSSING or d.by != [entity]]
         way = _way_along(scene, context)
         if way is not None:
             context.draft.place(entity, None, {way}, scene.words)

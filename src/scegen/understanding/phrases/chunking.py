@@ -161,8 +161,11 @@ class Chunker:
             return self._mention(mods, m, owner)
         if head is not None and head.cat in {"place", "view", "thing", "inert", "leg"}:
             return self._thing(mods, head, m, owner)
-        if head is not None and is_nominal(
-            mods, head, self._term(m + 1), self._chunks, self._tokens
+        rest = bool(mods) and self._tokens[mods[0].j - 1].low == "others"  # "the others go left"
+        if (
+            not rest
+            and head is not None
+            and is_nominal(mods, head, self._term(m + 1), self._chunks, self._tokens)
         ):
             coming = head.form == "ing" and mods[-1].value in _COMING_FROM
             if any(mod.cat == "num" for mod in mods) and (coming or not has_dir(mods)):
@@ -192,6 +195,8 @@ class Chunker:
         if not mods:
             return None
         first = mods[0]
+        if first.cat == "det" and self._tokens[first.j - 1].low == "others":
+            return self._stand_alone(first, "others", k)
         if first.cat == "num" and len(mods) == 1 and self._low(k + 1) == "others":
             self._chunks.append(Mention(first.i, first.j + 1, [first], None, pronoun="others"))
             return k + 2  # "two others"
@@ -204,6 +209,10 @@ class Chunker:
         if first.cat == "det" and first.value in {"another", "other"}:
             return self._one_after(self._stand_alone(first, first.value, k))
         second = mods[1] if len(mods) > 1 else None
+        again = second is not None and (first.value, second.cat) == ("def", "num")
+        if second is not None and again and self._of_some():
+            self._chunks.append(Mention(first.i, second.j, [], second, pronoun="they"))
+            return k + 2  # "three of the ten turn"
         if first.cat == "det" and second is not None and second.cat == "label":
             ordinal = second.value in ORDINALS
             last_in_run = len(mods) == 2 or mods[2].cat in {"num", "quantity", "punct"}
@@ -220,6 +229,12 @@ class Chunker:
         if first.cat == "quant" and first.value in {"both", "all"} and len(mods) == 1:
             return self._stand_alone(first, first.value, k)
         return self._side(mods, k)
+
+    def _of_some(self) -> bool:
+        """Whether "of" stands before, with a number before it."""
+        part, of = self._chunks[-2:] if len(self._chunks) > 1 else (None, None)
+        count = isinstance(part, Mention) and part.pronoun in {"one", "count"}
+        return count and isinstance(of, Word) and of.value == "of"
 
     def _acts(self, k: int) -> bool:
         """``on the left one pulls out``: whether a verb of its own comes here."""

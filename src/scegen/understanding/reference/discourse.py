@@ -8,7 +8,7 @@ from scegen.understanding.clauses.located import as_the_ego_sees, loci_of
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.reference.groups import Group, of_both, opened, vehicle_around
 from scegen.understanding.reference.mention_words import DEFAULT_COUNT, Reading, read_mention
-from scegen.understanding.reference.pronouns import Pronouns
+from scegen.understanding.reference.pronouns import Pronouns, picked
 from scegen.understanding.reference.reference import (
     elsewhere,
     is_pronoun,
@@ -23,8 +23,6 @@ from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.tokens import Token
 
 _MOST = 20
-_TOGETHER = (("quant", "both"), ("det", "def"))
-"""How a pair is opened beside whom there is nobody: "both cars", "the two cars"."""
 _A_PAIR = 2
 _ALONG = {"front": "ahead", "rear": "behind"}
 
@@ -83,6 +81,7 @@ class Discourse:
             reading = read_mention(mention, self.tokens, self._arms if sides == 0 else sides)
             one = of_both(reading, loci_of(mention), self._roster.groups, self._draft.entities)
             found = one or self._noun(reading, mention, exclude)
+        found = self._share(mention, found)
         mention.entities = list(found)
         if mention.landmark:
             self._roster.landmark = list(found)
@@ -91,6 +90,19 @@ class Discourse:
             entity.sides |= mention.sides
         self._roster.spoken_of(found, subject=subject, settled=settled)
         return found
+
+    def _share(self, mention: Mention, whole: list[Entity]) -> list[Entity]:
+        """``half of them``: so many, no matter which; ``some of them`` says not how many."""
+        words = [*mention.mods, *([mention.head] if mention.head is not None else [])]
+        share = next((m.data["share"] for m in words if "share" in m.data), None)
+        if share is None or not whole:
+            return whole
+        count = len(whole) * share
+        if not count or count != int(count):
+            instead = "how many of them is not said; what they do is left out"
+            self._draft.note(mention.i, mention.j, instead)
+            return []
+        return picked([e for e in whole if not e.claimed][: int(count)])
 
     def _their_own_queue(self, mention: Mention) -> bool:
         """``five cars wait in a queue``: they are the queue."""
@@ -101,6 +113,8 @@ class Discourse:
 
     def _of_a_size(self, mention: Mention) -> bool:
         """``half a vehicle's width``, ``and one of 12 m/s``: a measure, nobody."""
+        if mention.i and self.tokens[mention.i - 1].low == "(" and not mention.mods:
+            return mention.head is not None and bool(mention.head.data.get("driver"))
         of = [t.low for t in self.tokens[mention.j : mention.j + 2]]
         if mention.j - mention.i == 1 and len(of) > 1 and of[0] == "of":
             return quantity_at(self.tokens, mention.j + 1) is not None
@@ -159,7 +173,10 @@ class Discourse:
             self._roster.enrich(known, reading)
             return known
         found = self._roster.introduce(reading, basis)
-        both = mention.mods and (mention.mods[0].cat, mention.mods[0].value) in _TOGETHER
+        opened_by = [(m.cat, m.value) for m in mention.mods[:1]]
+        numbered = mention.mod("num") is not None and not reading.parked
+        numbered = numbered and reading.kind is ParticipantKind.CAR
+        both = opened_by == [("quant", "both")] or (opened_by == [("det", "def")] and numbered)
         if both and len(found) == _A_PAIR:
             self._roster.groups[-1].both = True
         return found
@@ -207,8 +224,8 @@ class Discourse:
         included = self._roster.included(reading, mention)
         if included:
             return included
-        if reading.plural and det == "other" and mention.mod("num") is not None:
-            return self._roster.claim(reading.count, exclude, reading)
+        if reading.plural and det == "other":
+            return self._other_ones(reading, mention, exclude)
         if reading.plural:
             return self._known_plural(reading, mention)
         if det == "def" and not reading.driver:
@@ -228,6 +245,17 @@ class Discourse:
             member = self._member(reading, mention, exclude)
             return member or self._roster.from_title(reading, mention)
         return self._definite(reading, mention, exclude)
+
+    def _other_ones(
+        self, reading: Reading, mention: Mention, exclude: list[Entity]
+    ) -> list[Entity]:
+        if mention.mod("num") is not None:
+            return self._roster.claim(reading.count, exclude, reading)
+        rest = [g.members for g in self._roster.groups[-1:]]
+        others = [e for e in (rest[0] if rest else []) if e not in exclude]
+        if others and all(self._roster.compatible(e, reading) for e in others):
+            return others  # "three other cars …; one of the other cars"
+        return self._known_plural(reading, mention)
 
     def _known_plural(self, reading: Reading, mention: Mention) -> list[Entity]:
         quantity = mention.mod("quant")

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention, Place
+from scegen.understanding.clauses.located import loci_of
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.reference.everybody import everybody
 from scegen.understanding.reference.roster import Roster
@@ -88,7 +89,7 @@ class Pronouns:
             others = [e for e in recent if "speaks" not in e.named_by]
             recent = others or recent  # whoever tells it is no "it"
             subject = [e for e in subject if "speaks" not in e.named_by] if others else subject
-        options = subject if len(subject) == 1 else recent[-1:]
+        options = subject if len(subject) == 1 and word != "that" else recent[-1:]
         if self.tokens[mention.i].low == "it" and any(map(self._person, options)):
             order = self.roster.recent
             since = order[order.index(options[0]) + 1 :] if options[0] in order else []
@@ -153,6 +154,9 @@ class Pronouns:
             whole = mention.whole.entities
             exclude = [*exclude, *(e for e in self.draft.entities if e not in whole)]
         count = 1
+        if which == "others" and mention.mod("num") is None:
+            opened = [g for g in self.roster.groups if 0 < len(g.free) < len(g.members)]
+            return picked(opened[-1].free) if opened else []
         if which in {"count", "others", "further"}:
             count = int(mention.mods[0].data["number"])
         coloured = {self.tokens[m.i].low for m in mention.mods if m.value == "colour"}
@@ -162,14 +166,17 @@ class Pronouns:
         named = [e for e in self.roster.recent if mention.sides & e.sides and e not in exclude]
         if named and which == "one" and mention.mods and mention.mods[0].value == "def":
             return named[-1:]  # "the one from the left"
+        definite = which == "one" and any(m.value == "def" for m in mention.mods)
+        there = [e for e in self.draft.entities if loci_of(mention) & (e.loci | e.dirs)]
+        if definite and len(there) == 1 and there[0] not in exclude:
+            return there  # "the one in front"
         claimed = self.roster.claim(count, exclude) if which != "further" else []
         if which in {"others", "further"} and not claimed:
             alike = [e.kind for e in self.roster.recent if e.is_vehicle and which == "further"]
             kind = (alike or [ParticipantKind.CAR])[-1]
             return [self.roster.new(kind, basis) for _ in range(min(count, _MOST))]
         if claimed or which == "count":
-            return claimed
-        definite = which == "one" and any(m.value == "def" for m in mention.mods)
+            return picked(claimed) if which in {"one", "count"} and not mention.sides else claimed
         if definite and not mention.sides and _placed(mention):
             others = [e for e in self.roster.recent if not e.ego and e not in exclude]
             if others:
@@ -179,6 +186,17 @@ class Pronouns:
         afoot = which == "one" and kinds == {ParticipantKind.PEDESTRIAN}
         kind = ParticipantKind.PEDESTRIAN if afoot else ParticipantKind.CAR
         return [self.roster.new(kind, basis)] if new else []
+
+
+def picked(entities: list[Entity]) -> list[Entity]:
+    """Some of several alike, no matter which.
+
+    Args:
+        entities: who stands for them.
+    """
+    for entity in entities:
+        entity.some = entity.claimed = True
+    return entities
 
 
 def _placed(mention: Mention) -> bool:

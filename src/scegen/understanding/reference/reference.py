@@ -31,6 +31,8 @@ def is_pronoun(target: object) -> bool:
 def refers_to_nobody(mention: Mention) -> bool:
     """``in traffic``, ``no pedestrians``, ``at the second``: words that name no participant."""
     prep = mention.prep.value if mention.prep is not None else ""
+    if prep == "without" and [m.value for m in mention.mods[:1]] == ["indef"]:
+        return True  # "without any target"
     mass = bool(mention.head and mention.head.data.get("mass")) and all(
         m.cat in _DENSITY or (m.cat, m.value) == ("label", "quality") for m in mention.mods
     )

@@ -64,6 +64,17 @@ def _clause_follows(tokens: list[Token], j: int) -> bool:
     return False
 
 
+def _no_verb_before(tokens: list[Token], previous: Term | None) -> bool:
+    """``ego and preceding vehicle at 50 km/h``: no verb goes before that it could be joined to."""
+    k = previous.i - 1 if previous is not None else -1
+    while k >= 0 and tokens[k].kind != "punct":
+        match = longest_match(tokens, k)
+        if match is not None and match.has("verb", "aux"):
+            return False
+        k -= 1
+    return True
+
+
 def is_adverb(token: Token) -> bool:
     """Whether a word ends like an adverb."""
     return token.low.endswith("ly")
@@ -86,12 +97,14 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     participle = match.form in {"ing", "ed"}
     infinitive = previous is not None and previous.value == "to" and match.form == "base"
     named = match.has("actor") and not creeps(match, tokens, previous)
+    told = before == "locus" and match.form == "s"  # "the car behind dodges to the left"
+    named = named and not told
     if named and not (participle or infinitive) and before not in _VERBAL_BEFORE:
         return match.get("actor"), False  # "a cycle", not "they cycle"
     attributive = _attributive(match, tokens, previous)
     if participle and before in {"conj", "sub"} and match.has("dir"):
         # "turning left and following vehicle B": without an article it is no adjective
-        attributive = _clause_follows(tokens, match.j)
+        attributive = _clause_follows(tokens, match.j) or _no_verb_before(tokens, previous)
     if match.has("place", "dir") and match.get("place").value == "junction":
         shaped = before in {"shape", "control", "det"} and not attributive
         return (match.get("place") if shaped else _without_place(match, attributive)), attributive
@@ -162,7 +175,8 @@ def _noun_slot(match: Match, tokens: list[Token], previous: Term | None) -> bool
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
     compound = previous.cat == "place" and match.form == "base" and match.has("inert")
     compound = compound or tokens[previous.i].low == "whose"
-    return (previous.cat in _NOMINAL_BEFORE and not adverb) or preposed or compound
+    told = previous.cat == "quantity" and match.form == "s"  # "at t = 4 s brakes"
+    return (previous.cat in _NOMINAL_BEFORE and not (adverb or told)) or preposed or compound
 
 
 def _verb_slot(previous: Term | None) -> bool:

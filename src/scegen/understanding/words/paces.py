@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.words.numbers import number_at
-from scegen.understanding.words.quantities import quantity_at
+from scegen.understanding.words.quantities import Quantity, as_written, quantity_at
 from scegen.understanding.words.terms import Term, longest_match
 from scegen.understanding.words.tokens import Token
 
@@ -38,6 +38,8 @@ _DEGREES = {
 _WITHIN = frozenset({"a", "an", "the", "much", "far", "very", "constant", "steady", "fixed", "way",
                      "quite", "rather", "such", "even", "still", "too", "uniform"})  # fmt: skip
 _SHORT_OF = 2
+_AFTER_A_PACE = frozenset({"and", "when", "while", "as", "in", "on", "going", "behind", "but",
+                           "straight", "pulls", "turns", "comes"})  # fmt: skip
 _PHRASE = 8
 _FEWEST, _MOST = 3, 200
 _LOWEST_LIMIT = 10
@@ -111,6 +113,29 @@ def _posted(tokens: list[Token]) -> float | None:
                 number = number_at(tokens, m)
                 if number is not None and number.value >= _LOWEST_LIMIT:
                     return float(number.value)
+    return None
+
+
+def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
+    """``a car comes at 50, the ego was doing 40 km/h``: in the unit of the other speeds.
+
+    Args:
+        tokens: the tokens of the text.
+        i: index of the number.
+    """
+    number = number_at(tokens, i)
+    if number is None or not _FEWEST < number.value <= _MOST or quantity_at(tokens, i) is not None:
+        return None
+    j = i + number.length
+    after = tokens[j] if j < len(tokens) else None
+    ends = after is None or after.kind == "punct" or after.low in _AFTER_A_PACE
+    told = doing(tokens, i) or tokens[i - 1].low in {"at", "only"}
+    if not (told and ends and i):
+        return None
+    for k in range(len(tokens)):
+        given = quantity_at(tokens, k)
+        if given is not None and given.dimension == "speed":
+            return as_written(tokens, i, j, given)
     return None
 
 

@@ -93,7 +93,8 @@ def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
         return None if opened else _build(tokens, i, end, values, dimension)
     joiner = j < len(tokens) and tokens[j].low in _RANGE_WORDS
     second = _second_number(tokens, j + 1 if joiner else j)
-    if second is not None and (joiner or tokens[i].kind == "number"):
+    named = i > 0 and tokens[i - 1].low == "lane"  # "in lane 2 65 ft ahead"
+    if second is not None and (joiner or (tokens[i].kind == "number" and not named)):
         value, dimension, end, name = second
         return _build(tokens, i, end, [_si(first.value, dimension, name), value], dimension)
     after = _tolerance_mark(tokens, j)
@@ -113,8 +114,8 @@ def _half_a(tokens: list[Token], i: int) -> Number | None:
 def _tolerance_mark(tokens: list[Token], j: int) -> int | None:
     """Where a tolerance begins after ``±``; None if none is marked."""
     lows = [t.low for t in tokens[j : j + 3]]
-    if lows[:1] == ["±"]:
-        return j + 1
+    if lows[:1] == ["±"] or lows[:2] == ["(", "±"]:
+        return j + 1 + (lows[0] == "(")
     return j + 3 if lows == ["plus", "or", "minus"] else None
 
 
@@ -192,6 +193,35 @@ def _build(tokens: list[Token], i: int, j: int, values: list[float], dimension: 
     return Quantity(dimension, value, i, j, note, parts)
 
 
+def as_written(tokens: list[Token], i: int, j: int, other: Quantity) -> Quantity | None:
+    """A number without a unit, in the unit of another quantity.
+
+    Args:
+        tokens: the tokens of the text.
+        i: index of its first token.
+        j: index after the last one.
+        other: the quantity with the unit.
+    """
+    number = number_at(tokens, i)
+    units = [u for k in range(other.i, other.j) if (u := _unit_at(tokens, k)) is not None]
+    if number is None or not units:
+        return None
+    value = _si(number.value, other.dimension, units[0][1])
+    return _build(tokens, i, j, [value], other.dimension)
+
+
+def ends_a_quantity(tokens: list[Token], i: int) -> Quantity | None:
+    """The quantity that ends right before a token, if one does.
+
+    Args:
+        tokens: the tokens of the text.
+        i: index of the token.
+    """
+    begins = range(max(0, i - _LONGEST_UNIT - 1), max(0, i))
+    found = (quantity_at(tokens, k) for k in begins)
+    return next((q for q in found if q is not None and q.j == i), None)
+
+
 def after_a_measure(tokens: list[Token], i: int) -> bool:
     """``0.5 m to the left``, ``50 % on the right``: whether such a number ends before a token.
 
@@ -199,8 +229,5 @@ def after_a_measure(tokens: list[Token], i: int) -> bool:
         tokens: the tokens of the text.
         i: index of the token.
     """
-    for k in range(max(0, i - _LONGEST_UNIT - 1), i):
-        found = quantity_at(tokens, k)
-        if found is not None and found.j == i:
-            return found.dimension in {"length", "percentage"}
-    return False
+    found = ends_a_quantity(tokens, i)
+    return found is not None and found.dimension in {"length", "percentage"}

@@ -25,19 +25,14 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         terms: the terms before it; some are changed in its light.
         tokens: the tokens of the text.
     """
-    term = other_class(term, terms, tokens)
-    if (term.cat, term.value, term.form) == ("verb", "stop", "base") and _at_a(terms, tokens):
-        term = Term("place", "bus_stop", term.i, term.j)  # "pulls away from the stop"
-    if (term.cat, term.value) == ("verb", "yield") and _a_noun(terms, tokens, term):
-        term = Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
-    if (term.cat, tokens[term.i].low) == ("possessive", "her") and _alone(tokens, term.j):
-        term = Term("pronoun", "him", term.i, term.j)  # "stops for her"
+    term = _as_a_noun(other_class(term, terms, tokens), terms, tokens)
     term = _of_lights_and_times(term, tokens)
     if term.value == "genitive":
         term = _shortened(term, terms, tokens)
     term = role_alone(term, terms, tokens)
     if (term.cat, term.value, term.form) == ("verb", "approach", "s") and _counted(terms):
         term = Term("leg", "leg", term.i, term.j, "s")
+    term = _in_place_of_a_noun(term, terms, tokens)
     if _does_not(tokens, term):
         term = replace(term, cat="aux", value="do")
     if terms and measured(tokens, terms, term):
@@ -80,6 +75,35 @@ def _word_at(tokens: list[Token], j: int) -> bool:
         return False
     found = longest_match(tokens, j)
     return found is None or not found.has("prep", "conj", "aux", "sub", "locus")
+
+
+def _as_a_noun(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
+    if (term.cat, term.value, term.form) == ("verb", "stop", "base") and _at_a(terms, tokens):
+        return Term("place", "bus_stop", term.i, term.j)  # "pulls away from the stop"
+    if (term.cat, term.value) == ("verb", "yield") and _a_noun(terms, tokens, term):
+        return Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
+    if (term.cat, tokens[term.i].low) == ("possessive", "her") and _alone(tokens, term.j):
+        return Term("pronoun", "him", term.i, term.j)  # "stops for her"
+    return term
+
+
+def _in_place_of_a_noun(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
+    """``gets cut off by a van``: is; ``when that brakes``: it."""
+    if _gets(terms, tokens, term):
+        terms[-1] = replace(terms[-1], cat="aux", value="be", data={})
+    that = term.cat in {"rel", "det"} and tokens[term.i].low == "that"
+    if not (that and terms and terms[-1].cat == "sub" and term.j < len(tokens)):
+        return term
+    acts = longest_match(tokens, term.j)
+    verbal = acts is not None and acts.form == "s" and acts.has("verb")
+    return Term("pronoun", "it", term.i, term.j) if verbal else term
+
+
+def _gets(terms: list[Term], tokens: list[Token], term: Term) -> bool:
+    """``gets cut off by a van``: is."""
+    get = bool(terms) and terms[-1].cat == "verb" and tokens[terms[-1].i].forms[-1][0] == "get"
+    by = "by" in [t.low for t in tokens[term.j : term.j + 2]]
+    return get and terms[-1].j - terms[-1].i == 1 and term.cat == "verb" and by
 
 
 def _moment(tokens: list[Token], term: Term) -> bool:

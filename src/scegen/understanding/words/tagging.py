@@ -11,7 +11,7 @@ from scegen.understanding.words.labels import named_at
 from scegen.understanding.words.lettered import name_letters
 from scegen.understanding.words.nominal import ORDINALS
 from scegen.understanding.words.numbers import number_at
-from scegen.understanding.words.paces import pace_at, speed_at
+from scegen.understanding.words.paces import bare_speed, pace_at, speed_at
 from scegen.understanding.words.particles import (
     a_drive,
     after_a_phrase,
@@ -104,6 +104,8 @@ def tag(tokens: list[Token]) -> list[Term]:
     i = 0
     while i < len(tokens):
         term = _term_at(tokens, i, _before(terms, tokens))
+        if _named_twice(terms, term):
+            del terms[-1], terms[-2]  # "the ALKS (ego) vehicle"
         if term.value == "crosswalk" and _list_of_doings(terms, tokens, term):
             term = _term_at(tokens[: i + 1], i, _before(terms, tokens))
         if term.cat == "verb" and sends_back(tokens, terms, i):
@@ -113,6 +115,13 @@ def tag(tokens: list[Token]) -> list[Term]:
         i = terms[-1].j
     crossed = _crossings(gather(from_side_to_side(terms), tokens), tokens)
     return with_articles(name_letters(crossed, tokens), tokens)
+
+
+def _named_twice(terms: list[Term], term: Term) -> bool:
+    """``the (ego) vehicle``: one name, in spite of the brackets."""
+    marks = [t.value for t in terms[-3:]]
+    ego = len(marks) == 3 and (marks[0], marks[2]) == ("(", ")") and "ego" in terms[-2].data
+    return ego and term.cat == "actor" and "ego" not in term.data
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:
@@ -246,7 +255,7 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     pace = pace_at(tokens, i) or speed_at(tokens, i)
     if pace is not None:
         return pace
-    quantity = quantity_at(tokens, i)
+    quantity = quantity_at(tokens, i) or bare_speed(tokens, i)
     if quantity:
         return Term("quantity", quantity.dimension, i, quantity.j, data={"quantity": quantity})
     numbered = i + 1 < len(tokens) and tokens[i + 1].kind == "number"

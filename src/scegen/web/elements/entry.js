@@ -1,7 +1,7 @@
 // One labelled input: text, number or a choice of words. Keeps what is typed until it is changed.
 export default {
   template: `
-    <label class="entry" :class="[kind, { wide, wrong }]">
+    <label class="entry" :class="{ wide, wrong }">
       <span v-if="label" class="entry-label" :data-tip="tip">{{ label }}</span>
       <select v-if="options" :value="value" :aria-label="label || hint" :disabled="disabled" @change="choose">
         <option v-for="option in options" :key="option.value" :value="option.value">{{ option.label }}</option>

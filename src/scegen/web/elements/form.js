@@ -81,7 +81,9 @@ const Field = {
   data: () => ({ open: false }),
   computed: {
     standing() {
-      return this.ctx.standings[this.path];
+      // what is said of a hazard as a whole is shown at its kind
+      const whole = this.f.name === "kind" ? this.ctx.standings[this.path.slice(0, -5)] : null;
+      return this.ctx.standings[this.path] || whole;
     },
     tail() {
       const s = this.standing;

@@ -15,11 +15,11 @@ export default {
     </div>`,
   props: { indices: Array, picked: Array, source: String, ratio: Number, edition: Number },
   data() {
-    return { pictures: {}, names: {}, top: 0, width: 800, tall: 600, wanted: new Set(), at: -1, timer: null };
+    return { pictures: {}, names: {}, top: 0, width: 800, tall: 600, wanted: new Set(), at: -1, timer: null, chosen: this.picked };
   },
   computed: {
     places() {
-      return new Map(this.picked.map((index, place) => [index, place]));
+      return new Map(this.chosen.map((index, place) => [index, place]));
     },
     columns() {
       return Math.max(1, Math.floor((this.width + 10) / 196));
@@ -47,6 +47,9 @@ export default {
     },
   },
   watch: {
+    picked(now) {
+      this.chosen = now;
+    },
     edition() {
       this.pictures = {};
       this.names = {};
@@ -103,9 +106,15 @@ export default {
         const [from, to] = [Math.min(this.at, tile.place), Math.max(this.at, tile.place)];
         this.$emit("pick", { add: this.indices.slice(from, to + 1) });
       } else {
-        this.$emit("pick", { toggle: tile.index });
+        this.pick(tile.index);
       }
       this.at = tile.place;
+    },
+    pick(index) {
+      // shown at once; the server's answer has the last word
+      const has = this.chosen.includes(index);
+      this.chosen = has ? this.chosen.filter((one) => one !== index) : [...this.chosen, index];
+      this.$emit("pick", { toggle: index });
     },
     key(event) {
       const step = { ArrowRight: 1, ArrowLeft: -1, ArrowDown: this.columns, ArrowUp: -this.columns }[event.key];
@@ -116,7 +125,7 @@ export default {
         if (y < box.scrollTop || y + this.row > box.scrollTop + this.tall) box.scrollTop = y - this.tall / 3;
         event.preventDefault();
       } else if ((event.key === " " || event.key === "Enter") && this.at >= 0) {
-        this.$emit("pick", { toggle: this.indices[this.at] });
+        this.pick(this.indices[this.at]);
         event.preventDefault();
       }
     },

@@ -2,6 +2,12 @@
 (() => {
   const chosen = localStorage.getItem("scegen-theme");
   if (chosen === "light" || chosen === "dark") document.documentElement.dataset.theme = chosen;
+  window.scegenTheme = () => {
+    const root = document.documentElement;
+    const dark = matchMedia("(prefers-color-scheme: dark)").matches;
+    root.dataset.theme = (root.dataset.theme || (dark ? "dark" : "light")) === "dark" ? "light" : "dark";
+    localStorage.setItem("scegen-theme", root.dataset.theme);
+  };
 
   let tip = null, timer = null, owner = null;
   const place = (target) => {

@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 from collections import Counter
+from html import escape
 from typing import Any
 
 from scegen.enumeration.choosing.coverage import Meeting, meetings
 from scegen.scenario.glossary import meaning_of
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.vocabulary import ArmsMode, Reduction
-from scegen.web.elements import Entry, Gallery, button, choice, node
+from scegen.web.elements import Entry, Gallery, button, choice, drawn, node
 from scegen.web.pictures import tile_ratio
 from scegen.web.steps.filters import Filters
 from scegen.web.steps.step import Activity, Go
 from scegen.web.work import Work
 
 _DIVERSE = 8
-_MOST_MEETINGS = 200
 
 
 class Choose:
@@ -25,7 +25,8 @@ class Choose:
     def __init__(self, work: Work, go: Go) -> None:
         self._work, self._go = work, go
         self._filters: Filters | None = None
-        self._told_edition = -1
+        self._only = False
+        self._told: tuple[int, bool] | None = None
         self._meetings: dict[int, frozenset[Meeting]] = {}
 
     def build(self) -> None:
@@ -43,13 +44,26 @@ class Choose:
                 with node("div", "lead"):
                     self._title = node("h1")
                     with node("div", "row"):
-                        button("All shown", lambda: work.choose(work.shown), "small",
-                               data_tip="Choose every scenario that is shown")  # fmt: skip
+                        button(
+                            "All shown",
+                            lambda: work.choose(work.shown),
+                            "small",
+                            data_tip="Choose every scenario that is shown",
+                        )
                         button("None", lambda: work.choose([]), "small")
-                        button("Pick for coverage", work.choose_covering, "small",
-                               data_tip="The fewest that hold every meeting of those shown")  # fmt: skip
-                        button(f"{_DIVERSE} that differ", lambda: work.choose_diverse(_DIVERSE),
-                               "small", data_tip="As far from one another as possible")  # fmt: skip
+                        self._chosen_only = button("Chosen", self._turn, "small")
+                        button(
+                            "Pick for coverage",
+                            work.choose_covering,
+                            "small",
+                            data_tip="The fewest that hold every meeting of those shown",
+                        )
+                        button(
+                            f"{_DIVERSE} that differ",
+                            lambda: work.choose_diverse(_DIVERSE),
+                            "small",
+                            data_tip="As far from one another as possible",
+                        )
                         self._next = button("", lambda: self._go("danger"), "primary")
                 self._certificate = node("p", "certificate soft")
                 self._activity = Activity(work, "listing", "choosing")
@@ -66,10 +80,25 @@ class Choose:
         self._activity.refresh()
         if changed & {"listing", "choice"}:
             self._show_head()
-            self._gallery.show(self._work.shown, self._work.picked, self._work.edition)
+            self._show_tiles()
             self._show_filters()
             if not self._work.busy("listing"):
                 self._show_coverage()
+
+    def _turn(self) -> None:
+        """Show the chosen ones alone, or all again."""
+        self._only = not self._only
+        self._show_tiles()
+
+    def _show_tiles(self) -> None:
+        work = self._work
+        self._only = self._only and bool(work.picked)
+        self._chosen_only.classes(
+            add="on" if self._only else "", remove="" if self._only else "on"
+        ).props(f"aria-pressed={'true' if self._only else 'false'}")
+        self._chosen_only.text = f"Chosen ({len(work.picked)})"
+        shown = sorted(work.picked) if self._only else work.shown
+        self._gallery.show(shown, work.picked, work.edition)
 
     def _counting(self) -> None:
         work = self._work
@@ -81,11 +110,21 @@ class Choose:
             work.count_as(work.reduction, ArmsMode(word))
 
         words = [(str(w), str(w)) for w in Reduction]
-        Entry(work.reduction.value, reduce, label="reduction", options=choice(words),
-              tip="; ".join(f"{w}: {meaning_of(w).text}" for w in Reduction))  # fmt: skip
+        Entry(
+            work.reduction.value,
+            reduce,
+            label="reduction",
+            options=choice(words),
+            tip="; ".join(f"{w}: {meaning_of(w).text}" for w in Reduction),
+        )
         words = [(str(w), str(w)) for w in ArmsMode]
-        Entry(work.arms.value, arrange, label="arms", options=choice(words),
-              tip="; ".join(f"{w}: {meaning_of(w).text}" for w in ArmsMode))  # fmt: skip
+        Entry(
+            work.arms.value,
+            arrange,
+            label="arms",
+            options=choice(words),
+            tip="; ".join(f"{w}: {meaning_of(w).text}" for w in ArmsMode),
+        )
 
     def _pick(self, what: dict[str, Any]) -> None:
         picked = list(self._work.picked)
@@ -117,11 +156,11 @@ class Choose:
 
     def _show_filters(self) -> None:
         listing = self._work.listing
-        if listing is None or self._told_edition == (self._work.edition, listing.whole):
+        if listing is None or self._told == (self._work.edition, listing.whole):
             if self._filters is not None:
                 self._filters.refresh()
             return
-        self._told_edition = (self._work.edition, listing.whole)  # type: ignore[assignment]
+        self._told = (self._work.edition, listing.whole)
         self._meetings = {}
         self._facets.clear()
         self._expression.clear()
@@ -151,14 +190,18 @@ class Choose:
                 node("p", "note", work.choice_note)
             covered = sum(1 for meeting in possible if chosen[meeting])
             with node("div", "tally"):
-                node("span", "number", f"{covered}")
+                node("span", "figure", f"{covered}")
                 node("span", "", f"of {len(possible)} meetings")
             if not possible:
                 return
             node("progress", "meter", value=covered, max=len(possible), aria_label="covered")
-            with node("ul", "meetings"):
-                rows = sorted(possible, key=lambda m: (bool(chosen[m]), -possible[m], m))
-                for meeting in rows[:_MOST_MEETINGS]:
-                    with node("li", "" if chosen[meeting] else "missing"):
-                        node("span", "meeting-count", f"{chosen[meeting]}/{possible[meeting]}")
-                        node("span", "", meeting.in_words())
+            rows = sorted(possible, key=lambda m: (bool(chosen[m]), -possible[m], m))
+            # one element for all rows: several hundred of them would be felt at every click
+            drawn("".join(_row(m, chosen[m], possible[m]) for m in rows), "meetings", "ul")
+
+
+def _row(meeting: Meeting, chosen: int, possible: int) -> str:
+    """A meeting as a line of the list."""
+    state = "" if chosen else ' class="missing"'
+    count = f'<span class="meeting-count">{chosen}/{possible}</span>'
+    return f"<li{state}>{count}<span>{escape(meeting.in_words())}</span></li>"

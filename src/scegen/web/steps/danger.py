@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import Any
 
 from scegen.criticality.target import AVOIDED, BANDS, COLLISION, NEAR_MISS
 from scegen.pipeline.options import CheckDepth, EgoMode, OscVersion
 from scegen.pipeline.raising import NO_SEARCH
-from scegen.report.theme import LIGHT
 from scegen.web.elements import Entry, Form, button, choice, drawn, node
 from scegen.web.form import form_spec, standings
-from scegen.web.pictures import tile
+from scegen.web.jobs import Step
+from scegen.web.pictures import participant_colours, tile_picture
 from scegen.web.steps.outcome import outcome_cards
 from scegen.web.steps.step import Activity, Go
 from scegen.web.work import Work
@@ -25,10 +26,16 @@ _TARGETS = {
     NO_SEARCH: ("No search", "the first numbers that keep what was said"),
 }
 _UNITS = {"pet": "s", "ttc": "s", "distance": "m", "headway": "s", "drac": "m/s²"}
-_USUAL = {"pet": (0.3, 1.0), "ttc": (0.5, 1.5), "distance": (0.2, 1.0), "headway": (0.3, 0.8),
-          "drac": (3.0, 6.0)}  # fmt: skip
+_USUAL = {
+    "pet": (0.3, 1.0),
+    "ttc": (0.5, 1.5),
+    "distance": (0.2, 1.0),
+    "headway": (0.3, 0.8),
+    "drac": (3.0, 6.0),
+}
 _BAND = re.compile(r"([a-z]+)=(.+)\.\.(.+)")
-_MOST_TILES = 24
+_NUMBERS = re.compile(r"[0-9.,]+")
+_MOST_TILES, _MOST_STEPS = 24, 12
 
 
 class Danger:
@@ -85,8 +92,13 @@ class Danger:
         self._targets.clear()
         with self._targets:
             for word, (label, told) in _TARGETS.items():
-                made = node("button", "target", type="button", role="radio",
-                            aria_checked="true" if word == kind else "false")  # fmt: skip
+                made = node(
+                    "button",
+                    "target",
+                    type="button",
+                    role="radio",
+                    aria_checked="true" if word == kind else "false",
+                )
                 made.classes("on" if word == kind else "")
                 made.on("click", lambda _, word=word: self._aim(word), [])
                 with made:
@@ -99,14 +111,33 @@ class Danger:
             return
         measure, low, high = match.groups()
         with self._band:
-            Entry(measure, lambda word: self._set_band(str(word), *_USUAL[str(word)]),
-                  label="measure", options=choice([(name, name.upper() if len(name) < 5 else name)
-                                                   for name in BANDS]))  # fmt: skip
+            Entry(
+                measure,
+                lambda word: self._set_band(str(word), *_USUAL[str(word)]),
+                label="measure",
+                options=choice([(name, name.upper() if len(name) < 5 else name) for name in BANDS]),
+            )
             least, most = BANDS[measure]
-            Entry(low, lambda v: self._set_band(measure, v, high), kind="number", label="from",
-                  unit=_UNITS[measure], min=least, max=most, step="any")  # fmt: skip
-            Entry(high, lambda v: self._set_band(measure, low, v), kind="number", label="to",
-                  unit=_UNITS[measure], min=least, max=most, step="any")  # fmt: skip
+            Entry(
+                low,
+                lambda v: self._set_band(measure, v, high),
+                kind="number",
+                label="from",
+                unit=_UNITS[measure],
+                min=least,
+                max=most,
+                step="any",
+            )
+            Entry(
+                high,
+                lambda v: self._set_band(measure, low, v),
+                kind="number",
+                label="to",
+                unit=_UNITS[measure],
+                min=least,
+                max=most,
+                step="any",
+            )
 
     def _aim(self, word: str) -> None:
         if word == "band":
@@ -120,24 +151,51 @@ class Danger:
     def _more(self) -> None:
         work, options = self._work, self._work.options
         with node("div", "grid"):
-            Entry(options.seed, lambda v: work.set_options(seed=_whole(v, 0)), kind="number",
-                  label="seed", min=0, step=1, tip="The same seed gives the same bytes")  # fmt: skip
-            Entry(options.solutions, lambda v: work.set_options(solutions=max(1, _whole(v, 1))),
-                  kind="number", label="solutions", min=1, max=20, step=1,
-                  tip="Different ways to reach the target")  # fmt: skip
-            Entry(options.osc.value, lambda v: work.set_options(osc=OscVersion(v)),
-                  label="OpenSCENARIO", options=_words(OscVersion))  # fmt: skip
-            Entry(options.ego.value, lambda v: work.set_options(ego=EgoMode(v)), label="ego",
-                  options=_words(EgoMode), tip="external: your own driver steers the ego")  # fmt: skip
-            Entry(options.depth.value, lambda v: work.set_options(depth=CheckDepth(v)),
-                  label="checks", options=_words(CheckDepth),
-                  tip="full adds the ASAM checkers; none leaves all out")  # fmt: skip
+            Entry(
+                options.seed,
+                lambda v: work.set_options(seed=_whole(v, 0)),
+                kind="number",
+                label="seed",
+                min=0,
+                step=1,
+                tip="The same seed gives the same bytes",
+            )
+            Entry(
+                options.solutions,
+                lambda v: work.set_options(solutions=max(1, _whole(v, 1))),
+                kind="number",
+                label="solutions",
+                min=1,
+                max=20,
+                step=1,
+                tip="Different ways to reach the target",
+            )
+            Entry(
+                options.osc.value,
+                lambda v: work.set_options(osc=OscVersion(v)),
+                label="OpenSCENARIO",
+                options=_words(OscVersion),
+            )
+            Entry(
+                options.ego.value,
+                lambda v: work.set_options(ego=EgoMode(v)),
+                label="ego",
+                options=_words(EgoMode),
+                tip="external: your own driver steers the ego",
+            )
+            Entry(
+                options.depth.value,
+                lambda v: work.set_options(depth=CheckDepth(v)),
+                label="checks",
+                options=_words(CheckDepth),
+                tip="full adds the ASAM checkers; none leaves all out",
+            )
 
     def _show_hazards(self) -> None:
         functional = self._work.functional
         self._hazards.set_visibility(functional is not None)
         if functional is not None:
-            colours = LIGHT.colours((p.id for p in functional.participants), functional.ego.id)
+            colours = participant_colours(functional)
             self._hazards.show(
                 functional.model_dump(mode="json"),
                 standings(self._work.report),
@@ -152,14 +210,14 @@ class Danger:
             return
         with self._chosen:
             for index in work.picked[:_MOST_TILES]:
-                drawn(tile(work.scenario(index), work.listing.functional)["svg"], "paper small")
+                drawn(tile_picture(work.scenario(index), work.listing.functional), "paper small")
             if len(work.picked) > _MOST_TILES:
                 node("p", "soft", f"and {len(work.picked) - _MOST_TILES} more")
 
     def _show_head(self) -> None:
         work = self._work
         busy = work.busy("making") or work.busy("looking")
-        ready = work.concrete is not None or bool(work.picked)
+        ready = work.given is not None or bool(work.picked)
         count = len(work.picked)
         fresh = work.made is not None and bool(work.made.scenarios) and not work.stale
         self._title.text = (
@@ -178,10 +236,19 @@ class Danger:
         if job is None or not job.under_way:
             return
         with self._steps:
-            for step in job.steps[-12:]:
+            for step in told_once(job.steps)[-_MOST_STEPS:]:
                 with node("li", ""):
                     node("span", "log-time", f"{step.after_s:5.1f} s")
                     node("span", "", step.text)
+
+
+def told_once(steps: Sequence[Step]) -> list[Step]:
+    """Of steps that follow one another and differ in numbers alone, the last."""
+    kept: list[Step] = []
+    for step in steps:
+        alike = kept and _NUMBERS.sub("", kept[-1].text) == _NUMBERS.sub("", step.text)
+        kept[-1:] = [step] if alike else [*kept[-1:], step]
+    return kept
 
 
 def _words(words: Any) -> list[dict[str, str]]:  # noqa: ANN401 - an enumeration

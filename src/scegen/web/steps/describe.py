@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Iterable
 from typing import Any
 
-from scegen.report.theme import LIGHT
 from scegen.understanding import MAX_CHARACTERS, Finding, Standing, stretches
 from scegen.web.elements import Description, Form, button, drawn, node
 from scegen.web.form import form_spec, standings
-from scegen.web.pictures import tile
+from scegen.web.pictures import junction, participant_colours, tile_picture
 from scegen.web.steps.models import model_line
 from scegen.web.steps.opening import entry_row
 from scegen.web.steps.step import Activity, Go
@@ -80,7 +81,7 @@ class Describe:
                 self._examples = node("div", "examples-list")
                 self._recent = node("div", "recent")
                 self._found = node("div", "found")
-                model_line(self._work)
+                self._model = node("div", "model-box")
             with node("section", "pane fields", aria_label="What was understood"):
                 self._form = Form(self._spec, _SECTIONS)
                 self._form.when(
@@ -112,7 +113,7 @@ class Describe:
                     node("span", "", text)
                 example.on(
                     "click",
-                    js_handler=f"() => getElement({self._text.id}).put({text!r})",
+                    js_handler=f"() => getElement({self._text.id}).put({json.dumps(text)})",
                 )
         entries = self._work.project.entries()[:_RECENT]
         if entries:
@@ -131,12 +132,15 @@ class Describe:
             remove="secondary" if work.functional is None else "",
         )
         self._show_found()
+        self._model.clear()
+        with self._model:
+            model_line(self._work)
         functional = work.functional
         self._form.set_visibility(functional is not None)
         self._wrong.set_visibility(work.form_trouble is not None)
         self._wrong.text = work.form_trouble or ""
         if functional is not None:
-            colours = LIGHT.colours((p.id for p in functional.participants), functional.ego.id)
+            colours = participant_colours(functional)
             self._form.show(
                 functional.model_dump(mode="json"),
                 standings(work.report),
@@ -171,24 +175,26 @@ class Describe:
             if assumed:
                 with node("details", "assumptions", open=True):
                     node("summary", "", f"{len(assumed)} assumptions")
-                    for finding in assumed:
-                        self._assumption(finding)
+                    for alike in _alike(assumed):
+                        self._assumption(alike)
             for note in understood.notes if understood else ():
                 node("p", "note", note)
 
-    def _assumption(self, finding: Finding) -> None:
+    def _assumption(self, alike: list[Finding]) -> None:
+        paths = [finding.field or "" for finding in alike]
+        who, what = _named(paths)
+        first = alike[0]
         with node("div", "remark"):
-            path = finding.field or ""
             button(
                 "✓",
-                lambda: self._work.confirm(path),
+                lambda: self._work.confirm(*paths),
                 "small round",
-                aria_label=f"Confirm {path}",
+                aria_label=f"Confirm {', '.join(paths)}",
                 data_tip="Right so: it counts as meant",
             )
-            value = f" = {finding.value}" if finding.value else ""
-            node("span", "", f"{path.replace('_', ' ').replace('.', ' › ')}{value}")
-            node("span", "soft", finding.reason or "")
+            with node("div", ""):
+                node("span", "", f"{who} › {what}{f' = {first.value}' if first.value else ''} ")
+                node("span", "soft", first.reason or "")
 
     def _show_plan(self) -> None:
         work = self._work
@@ -201,16 +207,14 @@ class Describe:
             trouble = work.trouble("listing")
             if trouble is not None:
                 node("div", "problem", f"{trouble.message} {trouble.hint or ''}", role="alert")
+                drawn(junction(work.functional), "paper")
                 return
-            richest = work.picked[:1] or by_richness(work)[:1]
-            if richest:
-                drawn(tile(work.scenario(richest[0]), listing.functional)["svg"], "paper")
             certificate = listing.certificate
             if certificate is None:
                 node("p", "empty", "counting …")
                 return
             with node("div", "tally"):
-                node("span", "number", f"{certificate.count:,}")
+                node("span", "figure", f"{certificate.count:,}")
                 node(
                     "span",
                     "",
@@ -218,6 +222,27 @@ class Describe:
                 )
             node("p", "soft", f"of {certificate.total:,} assignments")
             button("See them all", lambda: self._go("choose"), "primary wide")
+            richest = work.picked[:1] or by_richness(work)[:1]
+            if richest:
+                drawn(tile_picture(work.scenario(richest[0]), listing.functional), "paper")
+
+
+def _alike(findings: Iterable[Finding]) -> list[list[Finding]]:
+    """Findings that say the same of several participants, together."""
+    groups: dict[tuple[object, ...], list[Finding]] = {}
+    for finding in findings:
+        head, *rest = (finding.field or "").split(".")
+        what = ".".join(rest[1:]) if head == "participants" else finding.field
+        groups.setdefault((head, what, finding.value, finding.reason), []).append(finding)
+    return list(groups.values())
+
+
+def _named(paths: list[str]) -> tuple[str, str]:
+    """Whom some paths of fields are about, and which field it is, in words."""
+    parts = [path.split(".") for path in paths]
+    if parts[0][0] == "participants" and len(parts[0]) > 2:
+        return ", ".join(p[1] for p in parts), " › ".join(parts[0][2:]).replace("_", " ")
+    return parts[0][0], " › ".join(parts[0][1:]).replace("_", " ")
 
 
 def _spans(work: Work) -> list[dict[str, Any]]:

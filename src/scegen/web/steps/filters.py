@@ -31,9 +31,10 @@ class Filters:
         self._facets = facets_of(listing)
         self._on: set[tuple[str, str]] = set()
         self._chips: dict[tuple[str, str], Element] = {}
+        names = {p.id for p in listing.functional.participants}
         with facets:
             for facet in self._facets:
-                self._build(facet)
+                self._build(facet, names)
         with expression:
             self._entry = Entry(
                 work.where,
@@ -53,7 +54,7 @@ class Filters:
         self._trouble.set_visibility(self._work.where_trouble is not None)
         self._trouble.text = self._work.where_trouble or ""
 
-    def _build(self, facet: Facet) -> None:
+    def _build(self, facet: Facet, names: set[str]) -> None:
         with node("div", "facet"):
             node("span", "facet-label", facet.label)
             with node("span", "chips"):
@@ -61,7 +62,7 @@ class Filters:
                     key = (facet.label, term)
                     chip = node("button", "tag", type="button", aria_pressed="false")
                     with chip:
-                        node("span", "", value)
+                        node("span", "", value if value in names else value.replace("_", " "))
                         node("span", "tag-count", f"{count}")
                     chip.on("click", lambda _, key=key: self._toggle(key), [])
                     self._chips[key] = chip
@@ -121,5 +122,4 @@ def _turns(name: str, scenarios: list[LogicalScenario]) -> Facet:
 
 
 def _facet(label: str, terms: dict[str, str], found: Counter[str]) -> Facet:
-    values = tuple(value.replace("_", " ") for value in terms)
-    return Facet(label, values, tuple(terms.values()), tuple(found[value] for value in terms))
+    return Facet(label, tuple(terms), tuple(terms.values()), tuple(found[value] for value in terms))

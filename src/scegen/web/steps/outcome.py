@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from scegen.report.judgement import verdict_words
+from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.proof import Proof
-from scegen.web.elements import node
+from scegen.web.elements import drawn, node
 from scegen.web.made import MadeScenario
+from scegen.web.pictures import tile_picture
 from scegen.web.work import Work
 
 _MARKS = {"passed": "held", "failed": "failed", "not_run": "open"}
@@ -18,27 +20,36 @@ def outcome_cards(work: Work) -> None:
     if work.stale:
         node("p", "note", "Made before your last change; search again to make it anew.")
     for made in work.made.scenarios:
-        outcome_card(made)
+        outcome_card(made, work.made.functional)
     for name, reason in work.made.skipped.items():
         with node("div", "remark"):
             node("span", "dot open")
             node("span", "", f"{name}: {reason}")
 
 
-def outcome_card(made: MadeScenario) -> None:
+def outcome_card(made: MadeScenario, functional: FunctionalScenario | None) -> None:
     """One scenario: whether it is what was asked for, in figures."""
     with node("article", "card"):
         with node("h3", ""):
             node("span", f"dot {'held' if made.ok else 'failed'}")
             node("span", "", made.name)
-        if made.proof is not None:
-            _proof(made.proof)
-        if made.verdict is not None:
-            node("p", "verdict", verdict_words(made.verdict))
-        with node("ul", "chips checks", aria_label="Checks"):
-            for checker, status in made.summary.get("checks", {}).items():
-                with node("li", f"check {_MARKS.get(status, 'open')}"):
-                    node("span", "", f"{checker} {status.replace('_', ' ')}")
+        with node("div", "card-body"):
+            if functional is not None:
+                drawn(tile_picture(made.concrete.logical, functional), "paper")
+            with node("div", ""):
+                _figures(made)
+
+
+def _figures(made: MadeScenario) -> None:
+    if made.proof is not None:
+        _proof(made.proof)
+    if made.verdict is not None:
+        node("p", "verdict", verdict_words(made.verdict))
+    with node("ul", "chips checks", aria_label="Checks"):
+        for checker, status in made.summary.get("checks", {}).items():
+            node(
+                "li", f"check {_MARKS.get(status, 'open')}", f"{checker} {status.replace('_', ' ')}"
+            )
 
 
 def _proof(proof: Proof) -> None:
@@ -46,16 +57,19 @@ def _proof(proof: Proof) -> None:
     pair = " and ".join(proof.pair)
     with node("p", "headline"):
         reached = proof.in_band
-        node("span", f"check {'held' if reached else 'failed'}",
-             proof.target if reached else f"{proof.target} not reached")  # fmt: skip
+        node(
+            "span",
+            f"check {'held' if reached else 'failed'}",
+            proof.target if reached else f"{proof.target} not reached",
+        )
         if pair:
             node("span", "", pair)
     if measure is not None:
         with node("div", "before-after"):
             node("span", "measure", measure.name.upper() if len(measure.name) < 5 else measure.name)
-            node("span", "number", _value(measure.before))
+            node("span", "figure", _value(measure.before))
             node("span", "arrow", "→", aria_label="becomes")
-            node("span", "number", _value(measure.after))
+            node("span", "figure", _value(measure.after))
             node("span", "unit", measure.unit)
     if proof.blocked_by and not proof.in_band:
         node("p", "note", proof.blocked_by)

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+from urllib.parse import quote
+
+from scegen.checking.environment import esmini
 from scegen.pipeline.command import command_line
-from scegen.web.elements import node
+from scegen.pipeline.folder import made_files
+from scegen.pipeline.playing import has_screen
+from scegen.pipeline.rendering import GIF, MP4, has_video
+from scegen.web.elements import button, node
 from scegen.web.made import Made
-from scegen.web.project import made_files
+from scegen.web.project import FUNCTIONAL_FILE, GIVEN_FILE
 from scegen.web.steps.outcome import outcome_cards
 from scegen.web.steps.step import Activity, Go
 from scegen.web.work import Work
@@ -38,13 +44,16 @@ class TakeAway:
                 self._files = node("div", "files")
             with node("section", "pane results", aria_label="Checks"):
                 node("h2", "", "What was checked")
-                self._activity = Activity(self._work, "making", "looking", "playing")
+                self._activity = Activity(self._work, "making", "looking", "playing", "rendering")
+                self._doings = node("div", "doings")
                 self._cards = node("div", "cards")
         self.refresh({"made"})
 
     def refresh(self, changed: set[str]) -> None:
         """Draw again what has changed."""
         self._activity.refresh()
+        if changed & {"made", "pictures", "playing"}:
+            self._show_doings()
         if "made" not in changed:
             return
         self._files.clear()
@@ -57,10 +66,44 @@ class TakeAway:
         with self._cards:
             outcome_cards(self._work)
 
+    def _show_doings(self) -> None:
+        """For each scenario: pictures that move, and the reference player."""
+        work = self._work
+        self._doings.clear()
+        with self._doings:
+            for made in work.made.scenarios if work.made else ():
+                with node("div", "doing"):
+                    node("span", "name", made.name)
+                    for ending in (GIF, MP4) if has_video() else (GIF,):
+                        self._picture(made.name, ending)
+                    if esmini() is not None:
+                        button(
+                            "Play in esmini",
+                            lambda name=made.name: work.play(name),  # type: ignore[misc]
+                            "small",
+                            data_tip=None if has_screen() else "No screen here: without a window",
+                        )
+            if work.played is not None:
+                said = f"ended with exit code {work.played}" if work.played else "played to its end"
+                node("p", "note", f"esmini: {said}")
+
+    def _picture(self, name: str, ending: str) -> None:
+        file = f"{name}.{ending}"
+        if file in self._work.pictures:
+            address = f"/download/picture?name={quote(file)}"
+            node("a", "button small", f"Save {ending.upper()}", href=address, download=file)
+            return
+        button(f"Make {ending.upper()}", lambda: self._work.render(name, ending), "small")
+
     def _build_files(self, made: Made) -> None:
         node("h1", "", "Take it away")
-        node("a", "button primary wide", f"Download {made.folder.name}.zip", href="/download/zip",
-             download=f"{made.folder.name}.zip")  # fmt: skip
+        node(
+            "a",
+            "button primary wide",
+            f"Download {made.folder.name}.zip",
+            href="/download/zip",
+            download=f"{made.folder.name}.zip",
+        )
         node("p", "soft", f"In the project folder: {made.folder.name}/")
         node("h2", "", "The same files again, byte for byte")
         with node("div", "command"):
@@ -80,5 +123,6 @@ def again(work: Work) -> str:
     if work.made is None:
         return ""
     options = work.made_with or work.made.options()
-    source = "functional.yaml" if work.made.functional is not None else "concrete.yaml"
+    given = (work.made.folder / GIVEN_FILE).is_file()
+    source = GIVEN_FILE if given else FUNCTIONAL_FILE
     return command_line(options, source, "again")

@@ -36,8 +36,13 @@ class Watch:
         with self._tabs:
             for made in work.made.scenarios if work.made else ():
                 here = made.name == work.watched
-                tab = node("button", "tag on" if here else "tag", type="button", role="tab",
-                           aria_selected="true" if here else "false")  # fmt: skip
+                tab = node(
+                    "button",
+                    "tag on" if here else "tag",
+                    type="button",
+                    role="tab",
+                    aria_selected="true" if here else "false",
+                )
                 tab.on("click", lambda _, name=made.name: work.watch(name), [])
                 with tab:
                     node("span", f"dot {'held' if made.ok else 'failed'}")

@@ -1,6 +1,6 @@
 // What the ego's driver could see: the scene in 3D from the driver's eyes, in step with the player.
 import { THREE } from "nicegui-scene";
-import { bodyOf, boxOf, lightOf, patch, ribbon, signOf } from "./things.js";
+import { bodyOf, boxOf, flat, lightOf, patch, ribbon, signOf } from "./things.js";
 
 const EYES = { car: 1.2, van: 1.55, truck: 2.4, bus: 2.1, motorcycle: 1.45, bicycle: 1.6, emergency_vehicle: 1.6 };
 const RANGE_M = { poor: 60, reduced: 140, fog: 70, heavy_rain: 160, snow: 140 };
@@ -58,17 +58,15 @@ export class DriversSeat {
     const sun = new THREE.DirectionalLight(0xffffff, night ? 0.3 : 1.4);
     sun.position.set(-40, -60, 90);
     this.world.add(sun);
-    const ground = new THREE.Mesh(new THREE.PlaneGeometry(3000, 3000), new THREE.MeshLambertMaterial({ color: paint("--ground") }));
-    ground.position.z = -0.06;
-    this.world.add(ground);
+    this.world.add(flat(new THREE.PlaneGeometry(2400, 2400, 24, 24), paint("--ground"), 0));
     const { road } = this.data;
-    const layer = { parking: 0.0, shoulder: 0.0, sidewalk: 0.02 };
+    const layer = { sidewalk: 1, border: 1, shoulder: 1, parking: 2 };
     for (const one of road.surfaces) {
       const name = { parking: "--parking", shoulder: "--shoulder", sidewalk: "--sidewalk" }[one.type] || "--road";
-      this.world.add(patch(one.points, paint(name), layer[one.type] ?? 0.01));
+      this.world.add(patch(one.points, paint(name), layer[one.type] ?? 3));
     }
     for (const one of road.marks) this.world.add(ribbon(one.points, paint("--mark"), one.kind));
-    for (const one of road.stripes) this.world.add(patch(one.points ?? one, paint("--mark"), 0.05));
+    for (const one of road.stripes) this.world.add(patch(one.points ?? one, paint("--mark"), 5));
     for (const one of road.signs) this.world.add(signOf(one, paint));
     this.lights = road.lights.map((one) => ({ data: one, ...lightOf(one, paint) }));
     for (const light of this.lights) this.world.add(light.group);
@@ -106,12 +104,20 @@ export class DriversSeat {
       event.stopPropagation();
       event.preventDefault();
     });
-    this.stops.push(this.player.on("time", () => this.draw()));
+    this.stops.push(this.player.on("time", () => this.soon()));
     const size = new ResizeObserver(() => this.resize());
     size.observe(this.host);
     const theme = new MutationObserver(() => (this.build(), this.draw()));
     theme.observe(document.documentElement, { attributes: true, attributeFilter: ["data-theme"] });
     this.stops.push(() => size.disconnect(), () => theme.disconnect());
+  }
+
+  // at most once a frame, however often the time is told
+  soon() {
+    this.due ??= requestAnimationFrame(() => {
+      this.due = null;
+      if (this.host.isConnected) this.draw();
+    });
   }
 
   look(yaw) {
@@ -148,7 +154,7 @@ export class DriversSeat {
     const eye = new THREE.Vector3(at.x + long * c - left * s, at.y + long * s + left * c, height);
     const way = at.heading + this.yaw;
     this.camera.position.copy(eye);
-    this.camera.lookAt(eye.x + Math.cos(way), eye.y + Math.sin(way), height - 0.07);
+    this.camera.lookAt(eye.x + Math.cos(way), eye.y + Math.sin(way), height - 0.035);
     this.renderer.render(this.world, this.camera);
     this.tell(recording, time);
   }

@@ -4,25 +4,30 @@ import { THREE } from "nicegui-scene";
 const material = (color) => new THREE.MeshLambertMaterial({ color });
 const box = (l, w, h, color) => new THREE.Mesh(new THREE.BoxGeometry(l, w, h), material(color));
 
-/** A flat polygon: x and y in turn. */
-export function patch(flat, color, z) {
-  const points = [];
-  for (let i = 0; i < flat.length; i += 2) points.push(new THREE.Vector2(flat[i], flat[i + 1]));
-  const mesh = new THREE.Mesh(new THREE.ShapeGeometry(new THREE.Shape(points)),
-    new THREE.MeshLambertMaterial({ color, side: THREE.DoubleSide }));
-  mesh.position.z = z;
+/** Something that lies on the ground: painted over what lies in lower layers, under everything that stands. */
+export function flat(geometry, color, layer) {
+  const paint = new THREE.MeshLambertMaterial({ color, side: THREE.DoubleSide, depthTest: false, depthWrite: false });
+  const mesh = new THREE.Mesh(geometry, paint);
+  mesh.renderOrder = layer - 100;
   return mesh;
 }
 
+/** A flat polygon: x and y in turn. */
+export function patch(corners, color, layer) {
+  const points = [];
+  for (let i = 0; i < corners.length; i += 2) points.push(new THREE.Vector2(corners[i], corners[i + 1]));
+  return flat(new THREE.ShapeGeometry(new THREE.Shape(points)), color, layer);
+}
+
 /** A painted line along points; lane marks are broken. */
-export function ribbon(flat, color, kind) {
+export function ribbon(line, color, kind) {
   const half = kind === "stop_line" || kind === "yield_line" ? 0.2 : 0.07;
   const broken = kind === "lane" || kind === "yield_line";
   const [on, off] = kind === "yield_line" ? [0.5, 0.3] : [3, 4.5];
   const corners = [];
   let gone = 0;
-  for (let i = 0; i + 3 < flat.length; i += 2) {
-    const [ax, ay, bx, by] = flat.slice(i, i + 4);
+  for (let i = 0; i + 3 < line.length; i += 2) {
+    const [ax, ay, bx, by] = line.slice(i, i + 4);
     const length = Math.hypot(bx - ax, by - ay);
     if (!length) continue;
     const [ux, uy] = [(bx - ax) / length, (by - ay) / length];
@@ -44,9 +49,7 @@ export function ribbon(flat, color, kind) {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute("position", new THREE.Float32BufferAttribute(corners, 3));
   geometry.computeVertexNormals();
-  const mesh = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ color, side: THREE.DoubleSide }));
-  mesh.position.z = 0.04;
-  return mesh;
+  return flat(geometry, color, 4);
 }
 
 /** A thing that does not move. */
@@ -88,7 +91,7 @@ export function bodyOf(one, color, paint, own) {
   const sill = 0.28, waist = tall ? h * 0.45 : h * 0.58;
   if (own) {
     // the bonnet alone: nobody sees the own roof
-    if (!tall) put(box(l * 0.32, w * 0.94, 0.3, color), l * 0.34, 0, Math.min(waist, 0.86) - 0.15);
+    if (!tall) put(box(l * 0.24, w * 0.84, 0.1, color), l * 0.38, 0, 0.46);
     return { group };
   }
   put(box(l, w, (tall ? h : waist) - sill, color), 0, 0, ((tall ? h : waist) + sill) / 2);
@@ -138,9 +141,8 @@ export function lightOf(one, paint) {
   group.add(pole, housing);
   const lamps = {};
   for (const [name, z] of [["red", 3.32], ["amber", 3.0], ["green", 2.68]]) {
-    const lamp = new THREE.Mesh(new THREE.SphereGeometry(0.12, 14, 10), new THREE.MeshBasicMaterial());
-    lamp.position.set(0, 0, z);
-    lamp.scale.x = 1.3;
+    const lamp = new THREE.Mesh(new THREE.SphereGeometry(0.15, 14, 10), new THREE.MeshBasicMaterial());
+    lamp.position.set(-0.1, 0, z);
     group.add(lamp);
     lamps[name] = lamp.material;
   }
@@ -150,7 +152,7 @@ export function lightOf(one, paint) {
   const show = (time) => {
     let state = null;
     for (const [since, name] of one.states) if (since <= time + 1e-9) state = String(name);
-    const lit = (name) => state && (state.includes(name) || (name === "amber" && state.includes("yellow")));
+    const lit = (name) => Boolean(state && state.includes(name));
     for (const name of Object.keys(lamps)) lamps[name].color.copy(lit(name) ? paint(`--signal-${name}`) : off);
   };
   return { group, show };

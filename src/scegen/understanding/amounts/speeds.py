@@ -1,0 +1,146 @@
+"""Speeds in numbers: of whom they are said."""
+
+from __future__ import annotations
+
+from scegen.scenario.acts import ActKind
+from scegen.scenario.model import Interval
+from scegen.understanding.amounts.sentences import Sentences
+from scegen.understanding.amounts.whom import counterpart, ego_of
+from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.frames import Measured, words
+from scegen.understanding.happenings import Amount, Doing, Happenings
+from scegen.understanding.meaning.context import Context
+
+_PAIR = 2
+_RUNNING_MPS = 8.0
+
+
+def held(number: Measured, text: Sentences, context: Context, found: Happenings) -> bool:
+    """A speed that somebody holds: of whom the rules of the clause have not given it to.
+
+    Args:
+        number: the number.
+        text: the text with its clauses.
+        context: the scenario in the making.
+        found: what the text tells of.
+    """
+    span = (number.i, number.j)
+    quantity = number.quantity
+    change = _from_to(number, text, found)
+    taken = [e for e in context.draft.entities if _at(e.speed_basis, span)]
+    for entity in [e for e in taken if e.stands is not None and not e.ego and e.sets_off < 0]:
+        entity.speed = entity.speed_basis = None  # "all at 70 km/h": not the stationary one
+    if change is not None:
+        for entity in taken or [change.entity]:
+            entity.speed, entity.speed_basis = quantity.parts[0], Basis(*span)
+        return True
+    if taken:
+        return True
+    whose = _whose(number, text, context)
+    whose = [e for e in whose if e.is_vehicle or quantity.value.low <= _RUNNING_MPS]
+    ego = ego_of(context)
+    if not whose and ego is not None and ego.speed is None:
+        whose = [ego]
+    if whose and all(e.speed not in (None, quantity.value) for e in whose):
+        whose = _without_speed(number, text) or whose
+    for entity in whose:
+        if entity.speed is None:
+            entity.speed, entity.speed_basis = quantity.value, Basis(*span, quantity.note)
+        elif entity.speed != quantity.value:
+            return False
+        else:
+            found.further.append(("speed_mps", entity, Basis(*span)))
+        taken.append(entity)
+    return bool(taken)
+
+
+def _from_to(number: Measured, text: Sentences, found: Happenings) -> Doing | None:
+    """``brakes from 50 to 20 km/h``: what it drove before, and what it comes to."""
+    quantity = number.quantity
+    if len(quantity.parts) != _PAIR or not number.around.preceded("from"):
+        return None
+    start, end = text.bounds(number.i)
+    first, last = quantity.parts
+    kind = ActKind.BRAKE if last.low < first.low else ActKind.ACCELERATE
+    here = [a for a in found.acts if start <= a.i < end and a.kind in {kind, ActKind.STOP}]
+    who = text.subject_before(number.i)
+    if not here and kind is ActKind.BRAKE and who:  # "slowing of the van from 90 to 36 km/h"
+        event = text.verb_at(number.i, number.j)
+        told = [event.i] if event is not None else []
+        here = [Doing(kind, who[0], Basis(number.i, number.j), number.i, told=told)]
+        found.acts = sorted([*found.acts, *here], key=lambda a: a.i)
+    if not here:
+        return None
+    doing = [*[a for a in here if a.i < number.i], *here][-1 if here[-1].i < number.i else 0]
+    doing.amounts.setdefault("target_speed_mps", Amount(last, Basis(number.i, number.j)))
+    return doing
+
+
+def _whose(number: Measured, text: Sentences, context: Context) -> list[Entity]:
+    """Who drives or walks so fast."""
+    tokens = text.tokens
+    own = text.holder(number.i, number.j)
+    if own:
+        return own
+    start, _ = text.bounds(number.i)
+    before = {t.low for t in tokens[max(start, number.i - 3) : number.i]}
+    if before & {*words()["each"]}:
+        named = [e for m in text.mentions if start <= m.i < number.i for e in m.entities]
+        named = named or [e for m in text.mentions if m.i < number.i for e in m.entities][-_PAIR:]
+        everybody = [e for e in context.draft.entities if e.is_vehicle]
+        named = named or (everybody if len(everybody) == _PAIR else [])  # "both at 15 m/s: …"
+        pair = list(dict.fromkeys([e for e in reversed(named) if not e.still]))
+        ego = ego_of(context)
+        pair += [ego] if ego is not None and ego not in pair and len(pair) < _PAIR else []
+        return pair if "all" in before or "each" in before else pair[:_PAIR]
+    scene = text.scene_at(number.i, number.j)
+    adjacent = text.adjacent(number.i)
+    if adjacent:
+        return adjacent
+    inside = text.own_subject(number.i)
+    if inside:
+        return inside
+    movers = [e for e in (scene.actors if scene is not None else []) if not e.parked]
+    owned = text.tokens[start].low in words()["whose"]
+    later = scene is not None and scene.event.i > number.i and owned
+    if movers and not later:
+        return movers
+    return text.subject_before(number.i)
+
+
+def _without_speed(number: Measured, text: Sentences) -> list[Entity]:
+    """Whoever is named last before a number that cannot be the speed of who acts there."""
+    start, _ = text.bounds(number.i)
+    named = [e for m in text.mentions if start <= m.i < number.i for e in m.entities]
+    free = [e for e in reversed(named) if e.speed is None and not e.still]
+    return free[:1]
+
+
+def _at(basis: Basis | None, span: tuple[int, int]) -> bool:
+    return basis is not None and (basis.i, basis.j) == span
+
+
+def relative(number: Measured, text: Sentences, context: Context) -> bool:
+    """``20 km/h slower than the ego``: from the speed of the other.
+
+    Args:
+        number: the number.
+        text: the text with its clauses.
+        context: the scenario in the making.
+    """
+    tokens = text.tokens
+    word = tokens[number.j].low if number.j < len(tokens) else ""
+    if word not in {"slower", "faster"}:
+        return False
+    who = text.subject_before(number.i)
+    near = [e for m in text.mentions if m.i < number.i for e in m.entities]
+    other = counterpart(who[0], context, near) if who else None
+    if not who or other is None or other.speed is None or who[0].speed is not None:
+        return False
+    sign, by = (1 if word == "faster" else -1), number.quantity.exact
+    low, high = sorted((other.speed.low + sign * by.low, other.speed.high + sign * by.high))
+    if low < 0:
+        return False
+    who[0].speed = Interval(low=low, high=high)
+    who[0].speed_basis = Basis(number.i, number.j, f"so much {word} than the other")
+    return True

@@ -1,0 +1,56 @@
+"""Speeds that stand by a noun of their own: "the ego's 60 km/h", "a van, also at 50 km/h"."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Thing, Word
+from scegen.understanding.words.tokens import Token
+
+_LINKS = frozenset({"of", "be", "speed", "mild", ":"})
+_FARTHEST = 6
+_LIKEWISE = frozenset({"also", "likewise", "itself", "too"})
+
+
+def own_measures(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
+    """Gives a speed to the noun that it is said of, from a verb or noun that it follows.
+
+    Args:
+        chunks: the chunks of the text, clauses read.
+        events: its events.
+        tokens: its tokens.
+    """
+    holders: list[Event | Mention] = [*events, *(c for c in chunks if isinstance(c, Mention))]
+    for k, chunk in enumerate(chunks):
+        if not isinstance(chunk, Word) or (chunk.cat, chunk.value) != ("quantity", "speed"):
+            continue
+        owner = _possessor(chunks, k) or _likewise(chunks, k, tokens)
+        if owner is None:
+            continue
+        for holder in holders:
+            holder.mods[:] = [m for m in holder.mods if m is not chunk.term]
+        owner.mods.append(chunk.term)
+
+
+def _possessor(chunks: list[Chunk], k: int) -> Mention | None:
+    """``at 80 % of the ego's speed of 100 km/h``: the ego's."""
+    for m in range(k - 1, max(0, k - _FARTHEST), -1):
+        chunk, before = chunks[m], chunks[m - 1]
+        if isinstance(chunk, Thing) and chunk.owner is not None:
+            return chunk.owner
+        if isinstance(chunk, Word) and chunk.value == "genitive":
+            return before if isinstance(before, Mention) and before.possessor else None
+        if not isinstance(chunk, Thing) and getattr(chunk, "value", "") not in _LINKS:
+            return None
+    return None
+
+
+def _likewise(chunks: list[Chunk], k: int, tokens: list[Token]) -> Mention | None:
+    """``meets a van, also at 50 km/h``: the van."""
+    words = chunks[max(0, k - 3) : k]
+    said = [c for c in words if isinstance(c, Word) and tokens[c.i].low in _LIKEWISE]
+    comma = next((m for m in range(k - 1, max(0, k - 4), -1) if _is_comma(chunks[m])), None)
+    before = chunks[comma - 1] if comma else None
+    return before if said and isinstance(before, Mention) else None
+
+
+def _is_comma(chunk: Chunk) -> bool:
+    return isinstance(chunk, Word) and chunk.value == ","

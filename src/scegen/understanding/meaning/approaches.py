@@ -1,0 +1,76 @@
+"""How one sees another, by words of direction and place."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Approach
+from scegen.understanding.chunks import Place
+
+BY_DIR: dict[str, frozenset[Approach]] = {
+    "opposite": frozenset({Approach.OPPOSITE}),
+    "lateral": frozenset({Approach.LEFT, Approach.RIGHT}),
+    "ahead": frozenset({Approach.AHEAD}),
+    "behind": frozenset({Approach.BEHIND}),
+    "adjacent": frozenset({Approach.ADJACENT}),
+    "rear": frozenset({Approach.BEHIND}),
+    "front": frozenset({Approach.AHEAD}),
+    "same": frozenset({Approach.AHEAD, Approach.BEHIND, Approach.ADJACENT}),
+}
+INVERSE = {
+    Approach.AHEAD: Approach.BEHIND,
+    Approach.BEHIND: Approach.AHEAD,
+    Approach.LEFT: Approach.RIGHT,
+    Approach.RIGHT: Approach.LEFT,
+    Approach.OPPOSITE: Approach.OPPOSITE,
+    Approach.ADJACENT: Approach.ADJACENT,
+}
+"""How one sees another, by how the other sees the one."""
+SIDES = {"left": Approach.LEFT, "right": Approach.RIGHT}
+AROUND = frozenset({"around", "round", "past"})
+_PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane",
+                     "path", "leg"})  # fmt: skip
+
+
+def adjective_approaches(dirs: list[str]) -> frozenset[Approach]:
+    """What "oncoming", "leading", "crossing" … before a noun say.
+
+    Args:
+        dirs: directions before the noun.
+    """
+    return next((BY_DIR[value] for value in dirs if value in BY_DIR), frozenset())
+
+
+def place_approaches(place: Place, prep: str) -> frozenset[Approach]:
+    """What "from the right", "in the next lane", "on the pavement" say.
+
+    Args:
+        place: the place.
+        prep: the preposition before it.
+    """
+    if place.kind == "access" and prep in {"from", "in"}:
+        return frozenset(SIDES[d] for d in place.dirs if d in SIDES)
+    if place.kind not in _PLACES:
+        return frozenset()
+    dirs = place.dirs
+    if prep in AROUND and {"front", "rear"} & set(dirs):
+        return frozenset()  # "runs around its front": past it, not there
+    sides = {SIDES[d] for d in dirs if d in SIDES}
+    if place.kind == "direction" and any(m.cat == "det" and m.value == "other" for m in place.mods):
+        return BY_DIR["opposite"]
+    if place.kind in {"lane", "bike_lane"}:
+        if "opposite" in dirs:
+            return BY_DIR["opposite"]
+        if "lateral" in dirs:
+            return frozenset(sides) or BY_DIR["lateral"]
+        beside = sides or "adjacent" in dirs
+        return BY_DIR["adjacent"] if beside and prep in {"in", "from"} else frozenset()
+    if sides:
+        rear = {Approach.BEHIND} if "rear" in dirs else set()
+        return frozenset(sides | rear)
+    if "front" in dirs:
+        return frozenset({Approach.OPPOSITE if prep == "from" else Approach.AHEAD})
+    if place.kind == "side" and not dirs and prep == "from" and place.head is not None:
+        other = any((m.cat, m.value) == ("det", "other") for m in place.mods)
+        return BY_DIR["opposite" if other else "lateral"]
+    if "same" in dirs and prep != "from":
+        return frozenset()  # "in the same direction" is the way of those on one road anyway
+    return next((BY_DIR[d] for d in dirs if d in BY_DIR), frozenset())

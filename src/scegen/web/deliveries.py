@@ -1,0 +1,114 @@
+"""What the page fetches beside its elements: pictures, scenes, the player's modules, downloads.
+
+Whose they are is told by the session's cookie; names and numbers are only compared with what the
+server knows.
+"""
+
+from __future__ import annotations
+
+from importlib.resources import files
+from urllib.parse import quote
+
+from fastapi import Request
+from fastapi.responses import JSONResponse, PlainTextResponse, Response
+from nicegui import app as pages
+
+from scegen.errors import InputError
+from scegen.pipeline.folder import SUMMARY_FILE, made_files
+from scegen.web.pictures import tile
+from scegen.web.project import zipped
+from scegen.web.readme import readme
+from scegen.web.sessions import Sessions
+from scegen.web.work import Work
+
+MOST_TILES = 60
+"""So many pictures are drawn for one request."""
+_UNKEPT = {"cache-control": "no-store"}
+_PLAYER = {
+    file.name: file.read_bytes()
+    for file in files("scegen.report.player").iterdir()
+    if file.name.endswith((".js", ".css"))
+}
+"""The player's own files, by name: nothing else of the package can be asked for."""
+
+
+def deliver(sessions: Sessions) -> None:
+    """Add the routes, once in a process."""
+
+    def work_of(request: Request) -> Work | None:
+        return sessions.known(str(request.session.get("id", "")))
+
+    @pages.get("/tiles")
+    def tiles(request: Request, of: str, edition: int) -> Response:
+        work = work_of(request)
+        return _nothing("list") if work is None else _tiles(work, of, edition)
+
+    @pages.get("/film")
+    def film(request: Request, name: str) -> Response:
+        work = work_of(request)
+        found = work.films.get(name) if work is not None else None
+        if found is None:
+            return _nothing("scene")
+        return Response(found, media_type="application/json", headers=_UNKEPT)
+
+    @pages.get("/player/{name}")
+    def module(name: str) -> Response:
+        if name not in _PLAYER:
+            return _nothing("module")
+        kind = "text/css" if name.endswith(".css") else "text/javascript"
+        return Response(_PLAYER[name], media_type=kind)
+
+    @pages.get("/download/zip")
+    def download_zip(request: Request) -> Response:
+        work = work_of(request)
+        if work is None or work.made is None:
+            return _nothing("scenario")
+        folder = work.made.folder
+        return _attached(zipped(folder, readme(work)), f"{folder.name}.zip", "application/zip")
+
+    @pages.get("/download/file")
+    def download_file(request: Request, name: str) -> Response:
+        work = work_of(request)
+        return _nothing("file") if work is None else _file(work, name)
+
+    @pages.get("/download/picture")
+    def download_picture(request: Request, name: str) -> Response:
+        work = work_of(request)
+        found = work.pictures.get(name) if work is not None else None
+        if found is None:
+            return _nothing("picture")
+        return _attached(found, name, "application/octet-stream")
+
+
+def _tiles(work: Work, of: str, edition: int) -> Response:
+    """Pictures of logical scenarios; none of a list that is no longer the present one."""
+    listing = work.listing
+    if listing is None or edition != work.edition:
+        return JSONResponse([], 409)
+    asked = [int(part) for part in of.split(",")[:MOST_TILES] if part.isdecimal()]
+    try:
+        drawn = [tile(work.scenario(index), listing.functional) for index in asked]
+    except InputError:
+        return _nothing("scenario")
+    return JSONResponse(drawn, headers=_UNKEPT)
+
+
+def _file(work: Work, name: str) -> Response:
+    """One file of what was made; only names that the summary lists are known."""
+    if work.made is None or name not in {*made_files(work.made.folder), SUMMARY_FILE}:
+        return _nothing("file")
+    folder = work.made.folder.resolve()
+    file = (folder / name).resolve()
+    if not file.is_relative_to(folder) or not file.is_file():
+        return _nothing("file")
+    return _attached(file.read_bytes(), file.name, "application/octet-stream")
+
+
+def _nothing(what: str) -> Response:
+    return PlainTextResponse(f"There is no such {what}.", 404)
+
+
+def _attached(content: bytes, name: str, kind: str) -> Response:
+    """A file to be kept, never shown as part of the page."""
+    headers = {"content-disposition": f"attachment; filename*=UTF-8''{quote(name)}"}
+    return Response(content, media_type=kind, headers=headers)
