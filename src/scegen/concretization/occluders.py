@@ -91,8 +91,13 @@ def hide(
             wider = max(shape.length_m, SCREEN.length_m), max(shape.width_m, SCREEN.width_m)
             larger = replace(shape, length_m=wider[0], width_m=wider[1])
             made = _hide(concrete, network, hazard, named, larger)
-        concrete = made
+        concrete = _without(concrete, hazard) if made is concrete else made
     return concrete
+
+
+def _without(concrete: ConcreteScenario, hazard: Hazard) -> ConcreteScenario:
+    rest = tuple(each for each in concrete.hazards if each is not hazard)
+    return concrete.model_copy(update={"hazards": rest})
 
 
 def _hide(
