@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
 import pytest
+from browsing import HINT, a_browser, chromium
 from hypothesis import HealthCheck, settings
 
 from scegen.llm import LlmSettings, parse_models
@@ -213,6 +214,15 @@ class Handler(BaseHTTPRequestHandler):
         linger = struct.pack("ii", 1, 0)
         self.connection.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, linger)
         self.close_connection = True
+
+
+@pytest.fixture(scope="session")
+def browser():
+    """One for all: two of them in a process get in each other's way."""
+    if chromium() is None:
+        pytest.skip(HINT)
+    with a_browser() as found:
+        yield found
 
 
 @pytest.fixture

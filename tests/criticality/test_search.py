@@ -175,7 +175,6 @@ def test_numbers_stay_within_bodies_and_ranges():
             assert phase.rate_mps2 <= max(body.max_deceleration_mps2, body.max_acceleration_mps2)
 
 
-@pytest.mark.xfail(strict=True, reason="on ice the ego cannot brake hard as the text claims")
 def test_ice_takes_the_brakes_away():
     hazards = (Hazard(kind=HazardKind.HARD_BRAKING, by=("ego",)),)
     _, dry = made(two_cars(hazards=hazards))

@@ -1,15 +1,6 @@
-"""A browser, and the pages that it opens."""
+"""Pages in a browser."""
 
 import pytest
-from browsing import HINT, a_browser, chromium
-
-
-@pytest.fixture(scope="session")
-def browser():
-    if chromium() is None:
-        pytest.skip(HINT)
-    with a_browser() as found:
-        yield found
 
 
 @pytest.fixture

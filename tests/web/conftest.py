@@ -6,7 +6,6 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from browsing import HINT, a_browser, chromium
 
 pytest.importorskip("nicegui", reason="the page needs the extra web")
 
@@ -42,15 +41,6 @@ def server(tmp_path_factory):
     running = Server(tmp_path_factory.mktemp("served") / "project")
     yield running
     running.stop()
-
-
-@pytest.fixture(scope="session")
-def browser():
-    if chromium() is None:
-        pytest.skip(HINT)
-    flags = ("--enable-unsafe-swiftshader",)
-    with a_browser(*flags) as found:
-        yield found
 
 
 class Visitor:

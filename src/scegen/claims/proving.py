@@ -30,6 +30,7 @@ def _proof(claim: Claim, views: Sequence[View]) -> ClaimProof:
         margin=_number(margin),
         tolerance=round(claim.tolerance, 4),
         time_s=_number(time_s),
+        fixed=claim.fixed,
     )
 
 

@@ -29,6 +29,7 @@ def proof_lines(proof: Proof) -> Iterator[str]:
     for claim in proof.missed:
         words = f' ("{claim.words}")' if claim.words else ""
         yield f"DOES NOT HOLD: {claim.statement}{words}: {claim.found}"
+        yield f"  what would help: {claim.helps}"
 
 
 def _value(value: float | None) -> str:

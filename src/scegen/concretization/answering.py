@@ -79,6 +79,8 @@ def _contacts(scene: Scene, moments: Moments) -> Iterator[_Contact]:
         for other, there in tracks.items():
             if other == name or contact_wanted(scene.functional, name, other):
                 continue
+            if any(each in scene.drives and scene.drives[each].reversal for each in (name, other)):
+                continue  # who meets one that reverses answers that in its own way
             if other in scene.walks and other not in moments.sets_off_s:
                 continue
             touching = np.flatnonzero(apart(tracks[name], there) <= 0.0)

@@ -44,7 +44,12 @@ from scegen.concretization.roads import FIRST_ARM_M, LONGEST_ARM_M, plan
 from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.speeds import cruise_speed_mps
 from scegen.concretization.standers import go_round_standers, place_standers
-from scegen.concretization.walkers import appointments, place_walkers, program_walkers
+from scegen.concretization.walkers import (
+    appointments,
+    place_walkers,
+    program_walkers,
+    start_farther_out,
+)
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
 from scegen.road import build_network
@@ -199,6 +204,7 @@ def _start(scene: Scene, meetings: list[Meeting]) -> Moments:
         reason = reasons.get(name, "in line on its arm")
         scene.note(f"{name}.start_m", station, reason)
     set_triggers(scene, moments)
+    start_farther_out(scene)
     return moments
 
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from scegen.concretization.asked import contact_wanted
 from scegen.concretization.deeds import is_open
 from scegen.concretization.drafts import DriveDraft, Scene
 from scegen.concretization.meetings import Meeting
@@ -105,6 +106,15 @@ def _unknowns(scene: Scene, moments: Moments) -> Iterator[Unknown]:
                     lambda _, draft=draft, n=n: draft.deeds[n].s_m,  # type: ignore[misc]
                     lambda _, value, draft=draft, n=n: _move(draft, n, value),  # type: ignore[misc]
                 )
+    for walk in scene.walks.values():
+        if walk.id in moments.sets_off_s and contact_wanted(
+            scene.functional, walk.id, scene.ego.id
+        ):
+            yield Unknown(
+                _STEP_M,
+                lambda _, walk=walk: walk.back_m,  # type: ignore[misc]
+                lambda _, value, walk=walk: setattr(walk, "back_m", value),  # type: ignore[misc]
+            )
     for name in moments.sets_off_s:
         yield Unknown(
             _STEP_S,

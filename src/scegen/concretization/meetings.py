@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
+from math import cos, sin
 
 import numpy as np
 
@@ -19,6 +20,7 @@ _OPPOSED_RAD = 2.6
 _BACK = 0.7
 """The share of a change back after which a stray is out of the oncoming one's way."""
 _LANE_M = 5.0
+_CROSSES = 0.2
 
 STRUCTURAL, DANGER, DANGER_TO_OTHERS, ORDINARY, BYSTANDER = -1, 1, 2, 3, 4
 """Priorities of meetings: what a manoeuvre's shape needs, dangers to or by the ego, dangers
@@ -85,6 +87,21 @@ def meeting_point(first: Path, second: Path) -> MeetingPoint | None:
         if gaps[i] > _GRAZE_M:
             return None
     return MeetingPoint(float(s1[i]), float(s2[nearest[i]]), opposed)
+
+
+def crossing_at(first: Path, second: Path, near: MeetingPoint) -> tuple[float, float, float]:
+    """Where exactly two ways cross (arc lengths), and by which angle the second goes to the left.
+
+    Ways that hardly cross do so where they come near.
+    """
+    a, b = first.pose(near.first_s_m), second.pose(near.second_s_m)
+    turn = b.heading_rad - a.heading_rad
+    if abs(sin(turn)) < _CROSSES:
+        return near.first_s_m, near.second_s_m, turn
+    dx, dy = b.x_m - a.x_m, b.y_m - a.y_m
+    along = (dx * sin(b.heading_rad) - dy * cos(b.heading_rad)) / sin(turn)
+    across = (dx * sin(a.heading_rad) - dy * cos(a.heading_rad)) / sin(turn)
+    return near.first_s_m + along, near.second_s_m + across, turn
 
 
 def nearest_s_m(path: Path, x_m: float, y_m: float) -> tuple[float, float]:

@@ -110,7 +110,8 @@ class Moments:
 
     def _walks_s(self, name: str) -> float:
         walk = self.scene.walks[name]
-        return walking_time_s(walk, min(self._rendezvous(name)[2], walk.path.length_m))
+        way = min(self._rendezvous(name)[2], walk.path.length_m)
+        return walking_time_s(walk, way + walk.back_m)
 
     def _rendezvous(self, name: str) -> tuple[DriveDraft, float, float]:
         found = self._partners[name]
@@ -143,7 +144,8 @@ class Moments:
         if name in scene.walks:
             walk = scene.walks[name]
             way, speed = gained(walk.speed_mps, walk.rate_mps2, times_s - self.leaves_s(name))
-            return box_on(walk.path, walk.body, np.minimum(way, walk.path.length_m)), speed
+            way = np.minimum(way - walk.back_m, walk.path.length_m)
+            return box_on(walk.path, walk.body, way), speed
         if name in scene.pulls:
             pull = scene.pulls[name]
             way, speed = gained(pull.speed_mps, pull.rate_mps2, times_s - self.leaves_s(name))

@@ -27,7 +27,7 @@ def gained(speed_mps: float, rate_mps2: float, since_s: Array) -> tuple[Array, A
 
 @dataclass
 class WalkDraft:
-    """One who crosses an arm, in the making."""
+    """One who crosses an arm, in the making; it starts ``back_m`` farther out than it was laid."""
 
     id: str
     kind: ParticipantKind
@@ -35,6 +35,7 @@ class WalkDraft:
     speed_mps: float
     motion: CrossingMotion
     path: Path
+    back_m: float = 0.0
     program: list[SpeedPhase] = field(default_factory=list)
 
     @property

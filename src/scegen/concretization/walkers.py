@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import sqrt
+from math import sin, sqrt
 
+from scegen.concretization.asked import contact_wanted
 from scegen.concretization.drafts import DriveDraft, Scene
 from scegen.concretization.limits import (
     CYCLING_MPS,
     WALKING_MPS,
     WALKING_START_MPS2,
 )
-from scegen.concretization.meetings import MeetingPoint, meeting_point
+from scegen.concretization.meetings import MeetingPoint, crossing_at, meeting_point
 from scegen.concretization.others import WalkDraft
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.standing import crossing_path
@@ -34,6 +35,8 @@ _BEHIND_SCREEN_M = 0.8
 """The front of one whom a thing is to hide is so far from the carriageway: it needs room there."""
 _STOP_SHORT_M = 0.15
 _MOVES_MPS = 0.1
+_LEAST_SETBACK_M = 0.2
+_SPARE_S = 0.1
 _INTO_PATH_M = 1.0
 """The walker is in the driver's line when the bumper is this close (both at their speed)."""
 _STEPS_OFF_M = 0.5
@@ -140,7 +143,7 @@ def partner_of(scene: Scene, walk: WalkDraft) -> tuple[DriveDraft, MeetingPoint]
 
 def walking_time_s(walk: WalkDraft, distance_m: float) -> float:
     """From the order to go until ``distance_m`` are covered, with the start from rest."""
-    return distance_m / walk.speed_mps + walk.speed_mps / (2 * walk.rate_mps2) + 0.1
+    return distance_m / walk.speed_mps + walk.speed_mps / (2 * walk.rate_mps2)
 
 
 def appointments(scene: Scene) -> list[Appointment]:
@@ -164,15 +167,43 @@ def rendezvous(
     The walker is in the driver's line when its bumper comes; where the driver brakes for it,
     the walker leaves the kerb just then. Behind one that reverses it is where the tail will be.
     """
+    spare = _SPARE_S * walk.speed_mps
     if draft.backs_to == walk.id:
         begins_s, ends_s = draft.laid.path.backwards[0]
-        return (begins_s + ends_s) / 2, point.second_s_m
+        return (begins_s + ends_s) / 2, point.second_s_m + spare
+    if contact_wanted(scene.functional, walk.id, draft.id):
+        return _contact(scene, draft, walk, point)
     before = [m for m in draft.marks if m.hold_s is not None]
     before += [m for m in draft.deeds if m.target_mps == 0.0 and scene.is_loose(m.act)]
     for mark in before:
         if mark.s_m < point.first_s_m - draft.body.front_m:
-            return mark.s_m, max(0.0, walk.motion.setback_m - _STEPS_OFF_M)
-    return max(1.0, point.first_s_m - draft.body.front_m - _INTO_PATH_M), point.second_s_m
+            return mark.s_m, max(0.0, walk.motion.setback_m - _STEPS_OFF_M) + spare
+    place = point.first_s_m - draft.body.front_m - _INTO_PATH_M
+    return max(1.0, place), point.second_s_m + spare
+
+
+def _contact(
+    scene: Scene, draft: DriveDraft, walk: WalkDraft, point: MeetingPoint
+) -> tuple[float, float]:
+    """The front of the driver at the side of the walker, whose middle is where it is to be hit."""
+    outcome = scene.functional.outcome
+    percent = outcome.impact_percent if outcome is not None else None
+    from_left = 0.5 if percent is None else percent.middle / 100
+    first_s, second_s, turn = crossing_at(draft.laid.path, walk.path, point)
+    aside = (from_left - 0.5) * draft.body.width_m * (1 if sin(turn) > 0 else -1)
+    place = first_s - draft.body.front_m - walk.body.width_m / 2
+    return max(1.0, place), second_s - walk.body.centre_ahead_m - aside
+
+
+def start_farther_out(scene: Scene) -> None:
+    """Lay those anew who start farther out (or less far) than was usual."""
+    for walk in scene.walks.values():
+        if walk.back_m:
+            least = walk.body.front_m + _LEAST_SETBACK_M
+            setback = max(walk.motion.setback_m + walk.back_m, least)
+            walk.motion = walk.motion.model_copy(update={"setback_m": round(setback, 3)})
+            walk.path = crossing_path(scene.network, walk.motion, walk.id)
+            walk.back_m = 0.0
 
 
 def _crosses(act: Act) -> bool:

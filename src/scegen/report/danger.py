@@ -65,22 +65,25 @@ def _target(proof: Proof) -> Table:
 
 
 def _claims(proof: Proof) -> list[Table]:
-    """Every statement, those first that do not hold."""
+    """Every statement, phrase by phrase of the text; those first that do not hold."""
     if not proof.claims:
         return []
+    phrases = list(dict.fromkeys(claim.words for claim in proof.claims if claim.words))
+    # What rests on no words comes last.
+    order = {words: n for n, words in enumerate([*phrases, None])}
     rows = tuple(
         (
-            claim.statement,
             f"“{claim.words}”" if claim.words else claim.field,
-            "holds" if claim.holds else "does NOT hold",
+            claim.statement,
+            "holds" if claim.holds else f"does NOT hold; what would help: {claim.helps}",
             _value(claim.measured, "" if claim.unit == "1" else claim.unit).rstrip(),
             _value(claim.time_s, "s"),
         )
-        for claim in sorted(proof.claims, key=lambda claim: claim.holds)
+        for claim in sorted(proof.claims, key=lambda c: (c.holds, order[c.words or None]))
     )
     hold = len(proof.claims) - len(proof.missed)
     title = f"What was said: {hold} of {len(proof.claims)} statements hold"
-    return [Table(title, ("Statement", "Rests on", "In what runs", "Measured", "At"), rows)]
+    return [Table(title, ("Words", "Statement", "In what runs", "Measured", "At"), rows)]
 
 
 def _advice(advice: Advice) -> Table:

@@ -43,7 +43,7 @@ class ClaimProof(FrozenModel):
 
     ``field`` is the path of the functional field that it rests on, ``words`` the words behind it.
     ``margin``, ``measured`` and ``tolerance`` are in ``unit``; None where there is nothing to
-    measure.
+    measure. ``fixed``: it lies in roads, ways, lanes and bodies, which no search changes.
     """
 
     id: str
@@ -57,6 +57,17 @@ class ClaimProof(FrozenModel):
     margin: float | None = None
     tolerance: float = 0.0
     time_s: float | None = None
+    fixed: bool = False
+
+    @property
+    def helps(self) -> str:
+        """What would make it hold."""
+        if self.fixed:
+            return f"pick another scenario, or change {self.field}"
+        if self.measured is None or self.unit == "1":
+            return f"leave {self.field} out, or something that stands against it"
+        unit = self.unit
+        return f"{self.measured:.4g} {unit} in {self.field}, or leave something else open"
 
     @property
     def found(self) -> str:

@@ -87,7 +87,7 @@ def _tiles(work: Work, of: str, edition: int) -> Response:
         return JSONResponse([], 409)
     asked = [int(part) for part in of.split(",")[:MOST_TILES] if part.isdecimal()]
     try:
-        drawn = [tile(work.scenario(index), listing.functional) for index in asked]
+        drawn = [tile(listing.scenario(index), listing.functional) for index in asked]
     except InputError:
         return _nothing("scenario")
     return JSONResponse(drawn, headers=_UNKEPT)

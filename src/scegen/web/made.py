@@ -36,10 +36,17 @@ class MadeScenario:
     summary: dict[str, Any]
 
     @property
-    def ok(self) -> bool:
-        """Whether no check failed and everything said holds."""
+    def state(self) -> str:
+        """What came of it: ``held``, ``failed``, or ``open`` where something was not reached.
+
+        Failed: a check, or a statement that does not hold. Open: the target, a danger that was
+        asked for, or a checker that could not run.
+        """
         checks = self.summary.get("checks", {}).values()
-        return "failed" not in checks and not (self.proof and self.proof.missed)
+        if "failed" in checks or (self.proof is not None and self.proof.missed):
+            return "failed"
+        reached = self.proof is None or self.proof.reached
+        return "held" if reached and "not_run" not in checks else "open"
 
     @property
     def verdict(self) -> Verdict | None:

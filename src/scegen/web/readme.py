@@ -6,6 +6,12 @@ from scegen import __version__
 from scegen.web.steps.take_away import again
 from scegen.web.work import Work
 
+_OUTCOMES = {
+    "held": "every check passed, all that was said holds, the target is reached",
+    "open": "no check failed and all that was said holds, but something was not reached or not run",
+    "failed": "a check failed, or something that was said does not hold; see the report",
+}
+
 
 def readme(work: Work) -> str:
     """What lies in the folder, what was said, and how to make it again."""
@@ -14,7 +20,7 @@ def readme(work: Work) -> str:
     made = work.made
     description = made.functional.description if made.functional is not None else ""
     quoted = "\n".join(f"> {line}" for line in description.splitlines())
-    rows = "\n".join(f"- `scenarios/{s.name}/`: {_outcome(s.ok)}" for s in made.scenarios)
+    rows = "\n".join(f"- `scenarios/{s.name}/`: {_OUTCOMES[s.state]}" for s in made.scenarios)
     return (
         f"# {made.folder.name}\n\n{quoted}\n\n"
         f"Made by ML-SceGen {__version__}. Open `report.html`; it needs no network.\n\n"
@@ -25,10 +31,4 @@ def readme(work: Work) -> str:
         "`logical.json` every way in which it can happen.\n\n"
         f"The same files again, byte for byte:\n\n    {again(work)}\n\n"
         "Check and play them:\n\n    scegen check .\n    scegen play .\n"
-    )
-
-
-def _outcome(ok: bool) -> str:
-    return (
-        "every check passed and all that was said holds" if ok else "see its checks in the report"
     )

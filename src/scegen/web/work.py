@@ -6,15 +6,10 @@ long work in :mod:`scegen.web.jobs`.
 
 from __future__ import annotations
 
-import asyncio
-from collections import Counter
-from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from scegen.enumeration.choosing.ranking import richest_first
-from scegen.enumeration.choosing.where import where as where_test
 from scegen.errors import InputError, ScegenError
 from scegen.pipeline.folder import digest
 from scegen.pipeline.options import Options
@@ -22,67 +17,33 @@ from scegen.pipeline.picking import pick
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import from_data, to_json, to_yaml
 from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.logical import Certificate, LogicalScenario, LogicalSet
-from scegen.scenario.vocabulary import ArmsMode, Reduction
+from scegen.scenario.logical import LogicalSet
 from scegen.understanding import ParseReport, report_on
 from scegen.web import tasks
-from scegen.web.jobs import Job, Jobs, JobState, Task, Trouble
+from scegen.web.choice import Choice, Listing
+from scegen.web.jobs import Job, Jobs
 from scegen.web.made import Made, MadeScenario
 from scegen.web.models import Models
 from scegen.web.project import FUNCTIONAL_FILE, GIVEN_FILE, Project, changed_outside, keep
 from scegen.web.provenance import carried_over, confirmed, without
 
 
-@dataclass
-class Listing:
-    """The logical scenarios, as far as they are listed."""
-
-    functional: FunctionalScenario
-    reduction: Reduction
-    arms: ArmsMode
-    certificate: Certificate | None = None
-    notes: tuple[str, ...] = ()
-    scenarios: list[LogicalScenario] = field(default_factory=list)
-    whole: bool = False
-
-    def logical(self) -> LogicalSet:
-        """The set as it is in a file."""
-        if self.certificate is None:
-            raise InputError("nothing is listed yet")
-        return LogicalSet(
-            functional=self.functional,
-            reduction=self.reduction,
-            arms=self.arms,
-            certificate=self.certificate,
-            notes=self.notes,
-            scenarios=tuple(self.scenarios),
-        )
-
-
-class Work:
+class Work(Choice):
     """The state of one browser session.
 
-    ``revision`` counts the changes of each part, so that every open page can tell what to draw
-    again: ``text``, ``form``, ``listing``, ``choice``, ``making``, ``made``, ``step``.
+    Its parts are ``text``, ``form``, ``listing``, ``choice``, ``options``, ``made``, ``watched``,
+    ``pictures`` and ``step``.
     """
 
     def __init__(self, project: Project, jobs: Jobs, models: Models | None) -> None:
-        self.project, self.jobs, self.models = project, jobs, models
-        self.revision: Counter[str] = Counter()
+        super().__init__(jobs)
+        self.project, self.models = project, models
         self.step = "describe"
         self.draft = ""
         self.report: ParseReport | None = None
         self.understood: tasks.Understood | None = None
-        self.functional: FunctionalScenario | None = None
         self.edited = False
         self.form_trouble: str | None = None
-        self.reduction, self.arms = Reduction.EXACT, ArmsMode.DISTINCT
-        self.listing: Listing | None = None
-        self.where = ""
-        self.where_trouble: str | None = None
-        self.shown: list[int] = []
-        self.picked: list[int] = []
-        self.choice_note: str | None = None
         self.options = Options()
         self.given: LogicalSet | ConcreteScenario | None = None
         self.folder: Path | None = None
@@ -94,9 +55,6 @@ class Work:
         self.films: dict[str, bytes] = {}
         self.pictures: dict[str, bytes] = {}
         self.played: int | None = None
-        self.under_way: dict[str, Job] = {}
-        self._loop = asyncio.get_running_loop()
-        self._listeners: list[Callable[[], None]] = []
 
     # -- describing ---------------------------------------------------------------------------
 
@@ -206,117 +164,10 @@ class Work:
         self.step = "danger"
         self._changed("form", "text", "listing", "choice", "step")
 
-    # -- choosing -----------------------------------------------------------------------------
-
     def list_all(self) -> None:
-        """List all logical scenarios of the functional one."""
-        if self.functional is None:
-            return
-        self.cancel("choosing")
-        self.listing = Listing(self.functional, self.reduction, self.arms)
-        self.where, self.where_trouble, self.picked, self.shown = "", None, [], []
-        self.choice_note = None
-        self._begin(
-            "listing",
-            self._listed,
-            tasks.enumerate_all,
-            self.functional,
-            self.reduction,
-            self.arms,
-        )
-        self._changed("listing", "choice", "edition")
-
-    def count_as(self, reduction: Reduction, arms: ArmsMode) -> None:
-        """List again, under another notion of which assignments are one scenario."""
-        if (reduction, arms) != (self.reduction, self.arms):
-            self.reduction, self.arms = reduction, arms
-            self.list_all()
-
-    def filter(self, expression: str) -> None:
-        """Show the scenarios for which an expression holds; the same language as ``--where``."""
-        self.where, self.where_trouble = expression.strip(), None
-        if self.listing is not None:
-            try:
-                self.shown = self._matching(self.listing.scenarios)
-            except InputError as error:
-                hint = f" {error.hint}" if error.hint else ""
-                self.where_trouble = f"{error.message}.{hint}"
-        self._changed("choice")
-
-    def choose(self, indices: list[int], note: str | None = None) -> None:
-        """Make these, in the order in which they were chosen; what is not listed is left out."""
-        known = {s.index for s in self.listing.scenarios} if self.listing else set()
-        self.picked = [i for i in dict.fromkeys(indices) if i in known]
-        self.choice_note = note
-        self._changed("choice")
-
-    def choose_covering(self) -> None:
-        """Choose the fewest of those shown that hold every meeting of them."""
-        if self.listing is not None and self.shown:
-            chosen = tuple(self.scenario(i) for i in self.shown)
-            functional = self.listing.functional
-            self._begin("choosing", self._chosen, tasks.cover, chosen, functional)
-
-    def choose_diverse(self, size: int) -> None:
-        """Choose so many of those shown that differ as much as possible."""
-        if self.listing is not None and self.shown:
-            chosen = tuple(self.scenario(i) for i in self.shown)
-            functional = self.listing.functional
-            self._begin("choosing", self._chosen, tasks.sample, chosen, functional, size)
-
-    def scenario(self, index: int) -> LogicalScenario:
-        """The listed scenario of this number.
-
-        Raises:
-            InputError: there is none.
-        """
-        listed = self.listing.scenarios if self.listing else []
-        if 0 <= index < len(listed) and listed[index].index == index:
-            return listed[index]
-        for candidate in listed:
-            if candidate.index == index:
-                return candidate
-        raise InputError(f"there is no scenario {index}")
-
-    @property
-    def edition(self) -> int:
-        """A number that changes whenever the list begins anew."""
-        return self.revision["edition"]
-
-    def _matching(self, scenarios: list[LogicalScenario]) -> list[int]:
-        if not self.where or self.listing is None:
-            return [s.index for s in scenarios]
-        holds = where_test(self.listing.functional, self.where)
-        return [s.index for s in scenarios if holds(s)]
-
-    def _listed(self, job: Job) -> None:
-        self._take_parts(job)
-        if self.listing is None:
-            return
-        head: LogicalSet = job.result
-        self.listing.certificate, self.listing.notes = head.certificate, head.notes
-        self.listing.whole = True
-        if not self.picked and self.listing.scenarios:
-            self.picked = [pick(self.listing.logical(), None)[0].index]
-        self._changed("listing", "choice")
-
-    def _take_parts(self, job: Job) -> None:
-        """Scenarios that were handed over since the last time."""
-        parts, job.parts = job.parts, []
-        if self.listing is None:
-            return
-        for part in parts:
-            if isinstance(part, Certificate):
-                self.listing.certificate = part
-                continue
-            self.listing.scenarios.extend(part)
-            self.shown.extend(self._matching(list(part)))
-        if parts:
-            self._changed("listing", "choice")
-
-    def _chosen(self, job: Job) -> None:
-        indices, note = job.result
-        self.choose(list(indices), note)
+        """List all logical scenarios of the functional one, whatever list was given before."""
+        self.given = None
+        super().list_all()
 
     # -- making -------------------------------------------------------------------------------
 
@@ -439,69 +290,3 @@ class Work:
     def stale(self) -> bool:
         """Whether what was made is not what the form says now."""
         return self.functional is not None and self.made_of != self.functional
-
-    # -- jobs ---------------------------------------------------------------------------------
-
-    def cancel(self, *kinds: str) -> None:
-        """End work that is under way."""
-        for kind in kinds:
-            self.jobs.cancel(self.under_way.get(kind))
-
-    def cancel_all(self) -> None:
-        """End everything that is under way."""
-        self.cancel(*self.under_way)
-
-    @property
-    def working(self) -> bool:
-        """Whether anything is under way."""
-        return any(job.under_way for job in self.under_way.values())
-
-    def busy(self, kind: str) -> bool:
-        """Whether work of a kind is under way."""
-        job = self.under_way.get(kind)
-        return job is not None and job.under_way
-
-    def trouble(self, kind: str) -> Trouble | None:
-        """Why the last work of a kind failed, if it did."""
-        job = self.under_way.get(kind)
-        return job.trouble if job is not None and job.state is JobState.FAILED else None
-
-    def _begin(
-        self, kind: str, done: Callable[[Job], None], task: Task, *arguments: object
-    ) -> None:
-        self.cancel(kind)
-
-        def told(job: Job) -> None:
-            self._loop.call_soon_threadsafe(self._hear, kind, job, done)
-
-        self.under_way[kind] = self.jobs.start(kind, told, task, *arguments)
-        self._changed(kind)
-
-    def _hear(self, kind: str, job: Job, done: Callable[[Job], None]) -> None:
-        if self.under_way.get(kind) is not job:
-            return  # something newer has taken its place
-        if kind == "listing" and job.under_way:
-            self._take_parts(job)
-        if job.state is JobState.DONE and job.result is not None:
-            done(job)
-            job.result = None
-        self._changed(kind)
-
-    def listen(self, listener: Callable[[], None]) -> Callable[[], None]:
-        """Call this after every change; returns how to stop."""
-        self._listeners.append(listener)
-        return lambda: self._listeners.remove(listener)
-
-    def _changed(self, *parts: str) -> None:
-        self.revision.update(parts)
-        for listener in self._listeners:
-            listener()
-
-
-def by_richness(work: Work) -> list[int]:
-    """The scenarios that are shown, the richest in conflicts first."""
-    if work.listing is None:
-        return []
-    functional = work.listing.functional
-    shown = [work.scenario(i) for i in work.shown]
-    return [s.index for s in sorted(shown, key=lambda s: richest_first(s, functional))]

@@ -210,7 +210,10 @@ class Danger:
             return
         with self._chosen:
             for index in work.picked[:_MOST_TILES]:
-                drawn(tile_picture(work.scenario(index), work.listing.functional), "paper small")
+                drawn(
+                    tile_picture(work.listing.scenario(index), work.listing.functional),
+                    "paper small",
+                )
             if len(work.picked) > _MOST_TILES:
                 node("p", "soft", f"and {len(work.picked) - _MOST_TILES} more")
 

@@ -13,7 +13,7 @@ from scegen.web.pictures import junction, participant_colours, tile_picture
 from scegen.web.steps.models import model_line
 from scegen.web.steps.opening import entry_row
 from scegen.web.steps.step import Activity, Go
-from scegen.web.work import Work, by_richness
+from scegen.web.work import Work
 
 _SECTIONS = (
     "participants",
@@ -222,9 +222,9 @@ class Describe:
                 )
             node("p", "soft", f"of {certificate.total:,} assignments")
             button("See them all", lambda: self._go("choose"), "primary wide")
-            richest = work.picked[:1] or by_richness(work)[:1]
-            if richest:
-                drawn(tile_picture(work.scenario(richest[0]), listing.functional), "paper")
+            richest = work.richest()
+            if richest is not None:
+                drawn(tile_picture(richest, listing.functional), "paper")
 
 
 def _alike(findings: Iterable[Finding]) -> list[list[Finding]]:

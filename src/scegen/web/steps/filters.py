@@ -6,8 +6,9 @@ from collections import Counter
 from dataclasses import dataclass
 
 from scegen.scenario.logical import Drive, LogicalScenario
+from scegen.web.choice import Listing
 from scegen.web.elements import Element, Entry, node
-from scegen.web.work import Listing, Work
+from scegen.web.work import Work
 
 
 @dataclass(frozen=True, slots=True)

@@ -31,7 +31,7 @@ def outcome_card(made: MadeScenario, functional: FunctionalScenario | None) -> N
     """One scenario: whether it is what was asked for, in figures."""
     with node("article", "card"):
         with node("h3", ""):
-            node("span", f"dot {'held' if made.ok else 'failed'}")
+            node("span", f"dot {made.state}")
             node("span", "", made.name)
         with node("div", "card-body"):
             if functional is not None:

@@ -45,7 +45,7 @@ class Watch:
                 )
                 tab.on("click", lambda _, name=made.name: work.watch(name), [])
                 with tab:
-                    node("span", f"dot {'held' if made.ok else 'failed'}")
+                    node("span", f"dot {made.state}")
                     node("span", "", made.name)
         ready = work.watched if work.watched in work.films else None
         source = f"/film?name={quote(ready)}&edition={work.revision['made']}" if ready else ""
