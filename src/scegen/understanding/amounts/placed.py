@@ -244,7 +244,7 @@ class Spacer:
         if begun:
             return begun[0]
         then = [a for a in acts if number.i < a.i < end]
-        if self._text.tokens[start].low == "at" and then and not self._acted(start, number.i):
+        if then and self._opens(number, start):
             return then[0]  # "at a TTC of 2 s the ego brakes"
         trigger = self._text.subordinate(number.i)
         here = [a for a in acts if any(start <= i < number.i for i in (a.i, *a.told))]
@@ -276,10 +276,15 @@ class Spacer:
         later = [a for a in acts if a.kind in _ANSWERING and a.always]
         return later[0] if later and later[0].entity is leader else START
 
-    def _acted(self, start: int, i: int) -> bool:
-        """Whether something is done, or another number stands, from the sentence's start on."""
-        numbers = any(t.kind == "number" for t in self._text.tokens[start:i])
-        return numbers or any(start <= a.i < i for a in self._happenings.acts)
+    def _opens(self, number: Measured, start: int) -> bool:
+        """Whether a clause begins with "at" and the number."""
+        tokens = self._text.tokens
+        at = next((k for k in range(number.i - 1, start - 1, -1) if tokens[k].low == "at"), None)
+        between = tokens[at : number.i] if at is not None else []
+        if at is None or any(t.kind in {"number", "punct"} for t in between):
+            return False
+        done = any(at <= a.i < number.i for a in self._happenings.acts)
+        return not done and (at == start or tokens[at - 1].low in {",", "and"})
 
     def _in_trigger(self, doing: Doing, start: int, end: int, i: int) -> bool:
         """``… is 150 m away when the ego pulls out``: at that moment."""

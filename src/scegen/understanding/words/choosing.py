@@ -102,9 +102,10 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     if named and not (participle or infinitive) and before not in _VERBAL_BEFORE:
         return match.get("actor"), False  # "a cycle", not "they cycle"
     attributive = _attributive(match, tokens, previous)
-    if participle and before in {"conj", "sub"} and match.has("dir"):
+    if participle and before in {"conj", "sub", "punct"} and match.has("dir"):
         # "turning left and following vehicle B": without an article it is no adjective
-        attributive = _clause_follows(tokens, match.j) or _no_verb_before(tokens, previous)
+        joined = before == "conj" and _no_verb_before(tokens, previous)
+        attributive = _clause_follows(tokens, match.j) or joined
     if match.has("place", "dir") and match.get("place").value == "junction":
         shaped = before in {"shape", "control", "det"} and not attributive
         return (match.get("place") if shaped else _without_place(match, attributive)), attributive
