@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from scegen.enumeration.right_of_way import RoadRules, right_of_way
-from scegen.scenario.logical import Assignment, Conflict, ConflictKind, Crossing, Drive
+from scegen.scenario.logical import Assignment, Conflict, ConflictKind, Crossing, Drive, Rule
 from scegen.scenario.vocabulary import Maneuver
 
 
@@ -12,10 +14,15 @@ def conflict_between(rules: RoadRules, first: Assignment, second: Assignment) ->
     kind = _kind(rules, first, second)
     if kind is ConflictKind.NONE:
         return None
-    yields, rule = right_of_way(rules, first, second)
-    return Conflict(
-        first=first.participant, second=second.participant, kind=kind, yields=yields, rule=rule
-    )
+    return _met(first.participant, second.participant, kind, *right_of_way(rules, first, second))
+
+
+@lru_cache(maxsize=65_536)
+def _met(
+    first: str, second: str, kind: ConflictKind, yields: str | None, rule: Rule | None
+) -> Conflict:
+    """Forty cars meet a million times, but not in many different ways."""
+    return Conflict(first=first, second=second, kind=kind, yields=yields, rule=rule)
 
 
 def _kind(rules: RoadRules, first: Assignment, second: Assignment) -> ConflictKind:

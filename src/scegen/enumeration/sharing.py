@@ -169,8 +169,7 @@ class Sharing:
         """How two participants meet."""
         self._pairs += 1
         self.full = self._pairs > MOST_PAIRS
-        found = conflict_between(self._rules, first, second)
-        return self._one(found)
+        return conflict_between(self._rules, first, second)
 
     def forget(self) -> None:
         """Let go of all shares: too many are made anew, not piled up."""
