@@ -1,4 +1,4 @@
-"""What the text says of speeds, acts and distances at junctions holds before anything is searched."""
+"""What the text says of speeds, acts and distances at junctions holds before any search."""
 
 from random import Random
 
@@ -91,7 +91,7 @@ CASES = {
                 target_speed_mps=kmh(30),
             ),
         ],
-    ),  # fmt: skip
+    ),
     "steps out at a distance, is braked for later": told(
         "four_way",
         [ego(40), other(5, RIGHT, ["cross"], "pedestrian")],
@@ -128,7 +128,7 @@ CASES = {
                 target_speed_mps=kmh(30),
             ),
         ],
-    ),  # fmt: skip
+    ),
     "swerves to its right, by so much": told(
         "t",
         [ego(40, ["right"]), other(30, ["left"], [])],
@@ -187,6 +187,6 @@ def test_numbers_by_chance_hold_or_are_refused(seed):
     try:
         concrete = first(functional, seed)
     except MotionInfeasibleError as refusal:
-        assert any(letter.isdigit() for letter in refusal.message)
+        assert any(letter.isdigit() for letter in refusal.message)  # noqa: PT017
         return
     assert unkept(functional, concrete) == []
