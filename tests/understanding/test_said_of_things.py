@@ -117,3 +117,21 @@ def test_a_pronoun_is_not_described_further():
     scenario = read("A lorry nearly hit me coming from the right.")
     (lorry,) = [p for p in scenario.participants if p.kind == "truck"]
     assert {str(a) for a in lorry.approaches} == {"right"}
+
+
+@pytest.mark.parametrize(
+    ("text", "things"),
+    [
+        (
+            "A crate lies in the ego's lane and a hedge hides a cyclist who crosses.",
+            [("box", "ego", ()), ("hedge", None, ("bicycle_1",))],
+        ),
+        (
+            "A crate lies in the ego's lane and hides a pedestrian who crosses.",
+            [("box", "ego", ("pedestrian_1",))],
+        ),
+    ],
+)
+def test_what_lies_in_the_way_hides_nobody_whom_something_else_hides(text, things):
+    scenario = read(f"The ego drives on a straight road. {text}")
+    assert [(str(o.kind), o.in_way_of, o.hides) for o in scenario.objects] == things

@@ -73,6 +73,8 @@ def _hide(danger: Danger, text: Sentences, found: list[Item]) -> None:
     start, end = text.bounds(i)
     things = [t for t in _things(text) if start <= t.i < end and t.kind in {"object", "obstacle"}]
     things += [t for t in _things(text) if t not in things and t.kind == "object"]
+    # "a crate lies there and a hedge hides …": what lies in the way is named already.
+    things.sort(key=lambda t: any(f.basis.i == t.i for f in found))
     for thing in things[:1]:
         item = _known(thing, found) or _item(thing, text)
         item.hides += [e for e in _hidden(thing, text, i, j) if e not in item.hides]
@@ -121,7 +123,8 @@ def _general(thing: Thing) -> bool:
 
 def _known(thing: Thing, found: list[Item]) -> Item | None:
     alike = [f for f in found if f.kind.value == _kind(thing)]
-    return alike[-1] if alike and _definite(thing) else None
+    same = [f for f in alike if f.basis.i == thing.i]
+    return same[0] if same else alike[-1] if alike and _definite(thing) else None
 
 
 def _definite(thing: Thing) -> bool:
