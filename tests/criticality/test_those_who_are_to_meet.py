@@ -5,6 +5,7 @@ from meetings import MEETINGS
 from told import raised
 
 OPEN = {
+    "a rider stops in the way": "nobody lets the ego brake for it: it is touched where it stops",
     "changes lanes beside, no danger named": "nobody leaves the lane far enough to meet",
     "round an obstacle, one comes and brakes late": "it reaches the ego without braking",
 }

@@ -110,8 +110,7 @@ class Moments:
 
     def _walks_s(self, name: str) -> float:
         walk = self.scene.walks[name]
-        way = min(self._rendezvous(name)[2], walk.path.length_m)
-        return walking_time_s(walk, way + walk.back_m)
+        return walking_time_s(walk, self._rendezvous(name)[2] + walk.back_m)
 
     def _rendezvous(self, name: str) -> tuple[DriveDraft, float, float]:
         found = self._partners[name]
