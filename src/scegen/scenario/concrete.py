@@ -155,6 +155,10 @@ class SpeedPhase(FrozenModel):
     act: Identifier | None = None
 
 
+MOST_OFFSET_M = 12.0
+"""So far beside the middle of its lane may somebody drive or stand."""
+
+
 class LaneChange(FrozenModel):
     """A change of lane baked into the path.
 
@@ -167,7 +171,7 @@ class LaneChange(FrozenModel):
     position_m: float = Field(ge=0)
     length_m: float = Field(gt=0)
     lane_after: int = Field(ge=0, le=4)
-    offset_m: float = Field(default=0.0, ge=-12.0, le=12.0)
+    offset_m: float = Field(default=0.0, ge=-MOST_OFFSET_M, le=MOST_OFFSET_M)
     hazard: HazardKind | None = None
 
 
@@ -188,7 +192,7 @@ class DriveMotion(FrozenModel):
     exit_lane: int = Field(ge=0, le=4)
     ring_lane: int | None = Field(default=None, ge=1, le=2)
     start_m: float = Field(ge=0)
-    offset_m: float = Field(default=0.0, ge=-12.0, le=12.0)
+    offset_m: float = Field(default=0.0, ge=-MOST_OFFSET_M, le=MOST_OFFSET_M)
     turning_starts_m: float
     turning_ends_m: float
     lane_changes: tuple[LaneChange, ...] = ()

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from roads import AHEAD, LEFT_LANE, RIGHT_LANE, TOWARDS, ego, one, road
 from told import act, apart
 
+from scegen.concretization.along.compose import compose_along
 from scegen.concretization.along.lanes import MOST_LANES, Wish, cheapest
 from scegen.concretization.along.telling import story_of
 from scegen.enumeration import enumerate_scenarios
@@ -104,3 +105,12 @@ def test_lanes_that_contradict_each_other_are_refused_by_their_words():
     logical = enumerate_scenarios(road(people)).scenarios[0]
     with pytest.raises(MotionInfeasibleError, match="is in the lane beside ego"):
         story_of(road(people, lanes=2), logical)
+
+
+def test_who_is_to_be_off_the_road_is_refused():
+    functional = road(
+        [ego(50), one("a", "car", AHEAD)], spacings=[apart("a", "ego", "lateral_gap_m", 40.0)]
+    )
+    logical = enumerate_scenarios(functional).scenarios[0]
+    with pytest.raises(MotionInfeasibleError, match="off the road"):
+        compose_along(functional, logical, seed=0)

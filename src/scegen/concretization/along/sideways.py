@@ -7,7 +7,9 @@ from dataclasses import replace
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.story import Story
 from scegen.concretization.profile import NEVER_S
+from scegen.errors import MotionInfeasibleError
 from scegen.road.defaults import LANE_WIDTH_M
+from scegen.scenario.concrete import MOST_OFFSET_M
 from scegen.scenario.spacings import CONTACT, Measure, Spacing
 from scegen.scenario.vocabulary import Side
 
@@ -74,10 +76,21 @@ def _sign(story: Story, spacing: Spacing, who: Runner, other: Runner) -> int:
 
 
 def _put_aside(who: Runner, other: Runner, left_m: float, *, in_the_end: bool) -> None:
-    """Move one in (or off) its lane, so that it is so far to the other's left."""
+    """Move one in (or off) its lane, so that it is so far to the other's left.
+
+    Raises:
+        MotionInfeasibleError: that is no longer on the road.
+    """
     moment = NEVER_S if in_the_end else 0.0
     wanted = other.y_m(moment, LANE_WIDTH_M) + other.sign * left_m
     more = who.sign * (wanted - who.y_m(moment, LANE_WIDTH_M))
+    aside = more + (who.moves[-1].offset_m if who.moves and in_the_end else who.offset_m)
+    if abs(aside) > MOST_OFFSET_M:
+        raise MotionInfeasibleError(
+            f"is to be {abs(left_m):.1f} m beside {other.id}: that is off the road",
+            where=who.id,
+            hint=f"Give at most {MOST_OFFSET_M:g} m from the middle of its lane.",
+        )
     if who.moves and in_the_end:
         who.moves[-1] = replace(who.moves[-1], offset_m=who.moves[-1].offset_m + more)
     else:
