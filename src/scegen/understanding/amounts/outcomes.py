@@ -21,6 +21,7 @@ _PARTS = {"front": BodySide.FRONT, "rear": BodySide.REAR, "left": BodySide.LEFT,
           "right": BodySide.RIGHT}  # fmt: skip
 _OPPOSED = {BodySide.FRONT: BodySide.REAR, BodySide.REAR: BodySide.FRONT}
 _REACH = 7
+_NOBODY = frozenset({"neither", "nobody"})
 
 
 class Judge:
@@ -64,7 +65,7 @@ class Judge:
             kind = OutcomeKind.NEAR_MISS
         elif nearly is not None:
             kind, basis = OutcomeKind.NEAR_MISS, Basis(nearly[0], event.j)
-        elif event.negated or held_off or self._before_it(event):
+        elif event.negated or held_off or self._before_it(event) or self._of_nobody(event):
             kind = OutcomeKind.AVOIDED
         elif event.modal or self._supposed(start, event.i):
             return None
@@ -88,6 +89,14 @@ class Judge:
         low = self._text.low(start, end)
         return any(f" {w} " in low for w in words()["supposed"] if w != "to") or low.endswith(
             " to "
+        )
+
+    def _of_nobody(self, event: Event) -> bool:
+        """``nobody is hit``, ``touches neither``, ``hits no car``: who is named is not touched."""
+        named = [*event.subject, event.object, *(p.target for p in event.pps)]
+        return any(
+            isinstance(m, Mention) and (m.negated or m.denied or m.pronoun in _NOBODY)
+            for m in named
         )
 
     def _before_it(self, event: Event) -> bool:

@@ -68,8 +68,8 @@ def _changes_from(term: Term, tokens: list[Token]) -> bool:
 def _negates_a_verb(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
     """``the van neither brakes nor yields``: its subject stands before it."""
     after = tokens[term.j].low if term.j < len(tokens) else "of"
-    opens = not terms or terms[-1].cat in {"punct", "conj", "sub", "rel"}
-    return term.j - term.i == 1 and not opens and after != "of"
+    opens = not terms or terms[-1].cat in {"punct", "conj", "sub", "rel", "prep"}
+    return term.j - term.i == 1 and not opens and after != "of" and after.isalpha()
 
 
 def _remains(terms: list[Term], tokens: list[Token], term: Term) -> bool:
