@@ -92,8 +92,13 @@ class Judge:
         )
 
     def _of_nobody(self, event: Event) -> bool:
-        """``nobody is hit``, ``touches neither``, ``hits no car``: who is named is not touched."""
-        named = [*event.subject, event.object, *(p.target for p in event.pps)]
+        """``nobody is hit``, ``touches neither``, ``hits no car``: who is named is not touched.
+
+        Not so "nobody reacts, and its front hits the van": there nobody has a verb already.
+        """
+        done = [m for s in self._text.scenes if s.event.i < event.i for m in s.event.subject]
+        own = [m for m in event.subject if all(m is not other for other in done)]
+        named = [*own, event.object, *(p.target for p in event.pps)]
         return any(
             isinstance(m, Mention) and (m.negated or m.denied or m.pronoun in _NOBODY)
             for m in named
