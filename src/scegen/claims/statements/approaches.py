@@ -29,7 +29,7 @@ _LEAST_DEG, _MOST_DEG, _FACING_DEG = 20.0, 160.0, 110.0
 _BESIDE_M, _FARTHEST_M = 1.0, 8.0
 _SAME_WAY = 0.7
 """Cosine between the headings of two who go the same way: 45 degrees."""
-_WALKS_ASIDE_M = 8.0
+_ASIDE_M = 8.0
 _SETS_OUT_M = 1.0
 _DEG_PER_M = 10.0
 _WORDS = {
@@ -57,7 +57,7 @@ def claims(told: Told) -> Iterator[Claim]:
         yield Claim(
             id=f"approach.{name}.{reference}",
             kind=ClaimKind.APPROACH,
-            statement=f"{name} is {_told(words, reference)} at the start",
+            statement=f"{name} is {_told(words, reference, _aside(told, name))} at the start",
             field=field,
             unit="deg" if words <= _COURSES else "m",
             test=partial(_judge, told, name, reference, words),
@@ -75,13 +75,20 @@ def _by_other_arms(told: Told, name: str, reference: str) -> bool:
     return one.entry != other.entry
 
 
-def _told(words: frozenset[Approach], reference: str) -> str:
+def _aside(told: Told, name: str) -> bool:
+    """Whether somebody is beside the lane at first: on foot, or parked at the roadside."""
+    participant = told.functional.participant(name)
+    return participant.parked or participant.kind is ParticipantKind.PEDESTRIAN
+
+
+def _told(words: frozenset[Approach], reference: str, aside: bool) -> str:
     the = "the ego" if reference == "ego" else reference
     if Approach.ADJACENT in words:
         sides = [plain(word) for word in words if word in _SIDES]
         where = f" on its {either(sorted(sides))}" if sides else ""
         return _WORDS[Approach.ADJACENT].format(the) + where
-    return either([_WORDS[word].format(the) for word in Approach if word in words])
+    told = [_WORDS[word].format(the) for word in Approach if word in words]
+    return either([phrase.removesuffix(" in its lane") for phrase in told] if aside else told)
 
 
 def _judge(told: Told, name: str, reference: str, words: frozenset[Approach], view: View) -> Judged:
@@ -94,7 +101,7 @@ def _judge(told: Told, name: str, reference: str, words: frozenset[Approach], vi
         choices = [_beside(place.y * _SIDES[word]) for word in sides]
     else:
         walks = told.functional.participant(name).kind is ParticipantKind.PEDESTRIAN
-        lane = _WALKS_ASIDE_M if walks else SAME_LANE_M
+        lane = _ASIDE_M if _aside(told, name) else SAME_LANE_M
         choices = []
         for word in words:
             if word is Approach.ADJACENT:
