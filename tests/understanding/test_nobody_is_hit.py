@@ -34,7 +34,9 @@ def test_who_is_named_is_hit(contact):
 
 
 def test_who_does_nothing_else_does_not_hit_nobody():
-    text = "The ego drives towards a standing car. Nobody brakes, and its front hits the car's rear."
+    text = (
+        "The ego drives towards a standing car. Nobody brakes, and its front hits the car's rear."
+    )
     outcome = read(text).outcome
     assert outcome is not None
     assert outcome.kind == "collision"
