@@ -21,9 +21,7 @@ damages = st.lists(
     min_size=1,
     max_size=4,
 )
-settled = settings(
-    max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
+settled = settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture])
 
 
 def damaged(content: bytes, steps) -> bytes:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from scegen.enumeration import count_scenarios, enumerate_scenarios
@@ -64,7 +64,7 @@ def functionals(draw):
     )
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=60)
 @given(functional=functionals(), arms=st.sampled_from(list(ArmsMode)))
 def test_same_classes_of_the_same_sizes(oracle, functional, arms):
     for reduction in Reduction:
@@ -91,7 +91,7 @@ def manner(drive):
     return f"{drive.maneuver}{side}"
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=60)
 @given(functional=functionals())
 def test_without_reduction_exactly_the_assignments(oracle, functional):
     expected = {

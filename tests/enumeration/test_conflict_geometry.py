@@ -100,7 +100,7 @@ def junctions(draw, least_gap_deg, kinds=tuple(k for k in TEMPLATES if k[0] != "
     return Junction(kind=kind, arms=arms, arm_angles_deg=angles, driving_side=side)
 
 
-@settings(max_examples=40, deadline=None, derandomize=True)
+@settings(max_examples=40, derandomize=True)
 @given(junction=junctions(least_gap_deg=12.0))
 def test_any_feasible_angles(junction):
     try:
@@ -109,7 +109,7 @@ def test_any_feasible_angles(junction):
         assume(False)
 
 
-@settings(max_examples=40, deadline=None, derandomize=True)
+@settings(max_examples=40, derandomize=True)
 @given(junction=junctions(least_gap_deg=CLOSE_DEG + 0.1))
 def test_arms_well_apart_need_no_drawing(junction):
     """Where no two arms lie close together, the order of the ends says it all."""

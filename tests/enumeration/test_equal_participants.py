@@ -87,7 +87,7 @@ def done_by(scenario, names):
     return tuple(sorted(ways))
 
 
-@settings(max_examples=12, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=12, suppress_health_check=list(HealthCheck))
 @given(described(), st.data())
 def test_nothing_binds_to_who_is_listed_first(data, more):
     people = more.draw(st.permutations(data["participants"]))

@@ -146,7 +146,7 @@ def junctions(draw):
     )
 
 
-@settings(max_examples=40, deadline=None, derandomize=True)
+@settings(max_examples=40, derandomize=True)
 @given(junction=junctions())
 def test_every_pair_that_meets_is_decided_once(junction):
     """Only curves that swing over each other without need are nobody's business."""
@@ -225,7 +225,7 @@ class Stuck(Predicate):
     one: ConstantStr
 
 
-@settings(max_examples=60, deadline=None, derandomize=True)
+@settings(max_examples=60, derandomize=True)
 @given(
     st.lists(
         st.tuples(st.integers(0, 5), st.integers(0, 5), st.booleans()), unique_by=lambda w: w[:2]

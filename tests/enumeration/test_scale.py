@@ -53,7 +53,7 @@ def test_every_kind_of_part_is_valid(reduction):
         assert scenario.model_copy(deep=True) == scenario
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(st.integers(2, 5), st.lists(st.integers(0, 4), min_size=1, max_size=6), st.data())
 def test_what_is_constructed_equals_what_is_validated(arms, entries, data):
     functional = plain_crossing([e % arms for e in entries], arms)

@@ -49,7 +49,7 @@ def situations(draw):
     )
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(situations(), st.sampled_from(Reduction), st.sampled_from(ArmsMode))
 def test_the_solver_counts_the_same_one_by_one(functional, reduction, arms):
     try:
@@ -61,7 +61,7 @@ def test_the_solver_counts_the_same_one_by_one(functional, reduction, arms):
         assert count_scenarios(functional, reduction=reduction, arms=arms) == counted
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(situations(), st.sampled_from(Reduction), st.sampled_from(ArmsMode))
 def test_listing_and_count_agree_and_class_sizes_add_up(functional, reduction, arms):
     try:

@@ -61,7 +61,7 @@ def base(cases):
     return scenario(cases, ())
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(program=st.lists(st.builds(phase, triggers, st.sampled_from([0.0, 5.0, 12.0])), max_size=4))
 def test_what_is_played_stays_the_same(base, program):
     ego = base.participants[0].model_copy(update={"speed_program": tuple(program)})

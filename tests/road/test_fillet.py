@@ -42,7 +42,7 @@ def test_offset_lanes_are_joined_by_an_s_curve():
     assert smallest_radius_m(line) == pytest.approx((400 + 12.25) / 14)
 
 
-@settings(max_examples=300, deadline=None, derandomize=True)
+@settings(max_examples=300, derandomize=True)
 @given(st.floats(3, 60), st.floats(-30, 30), st.floats(-170, 170))
 def test_every_curve_arrives(ahead, left, turn_deg):
     start = Pose(5, -7, radians(33))

@@ -69,7 +69,7 @@ def test_a_wide_exit_is_fanned_into():
 
 
 @pytest.mark.parametrize("side", list(DrivingSide))
-@settings(max_examples=200, deadline=None, derandomize=True)
+@settings(max_examples=200, derandomize=True)
 @given(data=st.data())
 def test_complete_and_never_crossing(side, data):
     count = data.draw(st.integers(3, 8))

@@ -182,7 +182,7 @@ def check_apart(network):
             assert not polyline(a).crosses(polyline(b)), (a.name, b.name)
 
 
-@settings(max_examples=150, deadline=None, derandomize=True)
+@settings(max_examples=150, derandomize=True)
 @given(any_parameters())
 def test_every_network_is_sound(wanted):
     network = built(wanted)
@@ -222,7 +222,7 @@ def mirrored(wanted):
     return swapped, new
 
 
-@settings(max_examples=40, deadline=None, derandomize=True)
+@settings(max_examples=40, derandomize=True)
 @given(any_parameters())
 def test_left_hand_traffic_is_the_mirror_image(wanted):
     plain = wanted.model_copy(update={"parking_lanes": frozenset(), "crosswalks": frozenset()})

@@ -75,7 +75,7 @@ def mutated(draw):
     return level, data
 
 
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=400)
 @given(mutated())
 def test_what_is_wrong_is_said_in_words(made):
     level, data = made

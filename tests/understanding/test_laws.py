@@ -30,14 +30,13 @@ def attempt(text: str) -> FunctionalScenario | None:
         return None
 
 
-@settings(deadline=None)
 @given(st.text(max_size=300))
 def test_tokens_keep_their_place(text):
     for token in tokenize(text):
         assert text[token.start : token.end] == token.text
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(st.one_of(SENTENCES, st.text(max_size=200)))
 def test_any_text_gives_a_scenario_or_a_clear_error(text):
     scenario = attempt(text)
@@ -53,7 +52,7 @@ def test_any_text_gives_a_scenario_or_a_clear_error(text):
     assert "".join(text[one.start : one.end] for one in cut) == text
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(SENTENCES)
 def test_every_field_has_evidence(text):
     scenario = attempt(text)
@@ -69,7 +68,7 @@ def test_every_field_has_evidence(text):
     assert {f"relations.{k}" for k in range(len(scenario.relations))} <= proven
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 @given(SENTENCES)
 def test_reading_is_deterministic(text):
     first, second = attempt(text), attempt(text)
@@ -80,7 +79,6 @@ MANEUVERS = {Maneuver.LEFT: Maneuver.RIGHT, Maneuver.RIGHT: Maneuver.LEFT}
 APPROACHES = {Approach.LEFT: Approach.RIGHT, Approach.RIGHT: Approach.LEFT}
 
 
-@settings(deadline=None)
 @given(
     turn=st.sampled_from(["turns left", "makes a left turn", "is turning to the left"]),
     side=st.sampled_from(["from the left", "from the left side", "on the left front"]),

@@ -2,7 +2,7 @@
 
 import re
 
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from scegen.understanding import read
@@ -36,7 +36,6 @@ def mirrored(text):
     return re.sub(r"\b(left|right)\b", lambda m: SIDES[m.group()], text)
 
 
-@settings(deadline=None)
 @given(kind, locus, idle)
 def test_word_order_does_not_matter(who, where, before):
     said = seen(f"{before}There is a {who} {where} the ego.")
@@ -46,7 +45,6 @@ def test_word_order_does_not_matter(who, where, before):
     assert said[0] == [(KINDS[who], LOCI[where], "straight")]
 
 
-@settings(deadline=None)
 @given(kind, side, idle)
 def test_a_subject_may_follow_its_verb(who, way, before):
     plain = seen(f"{before}A {who} comes from the {way} and the ego waits at a junction.")
@@ -54,7 +52,6 @@ def test_a_subject_may_follow_its_verb(who, way, before):
     assert plain == inverted
 
 
-@settings(deadline=None)
 @given(kind, kind)
 def test_active_and_passive_say_the_same(one, other):
     active = read(f"A {one} overtakes a {other}.")
@@ -66,7 +63,6 @@ def test_active_and_passive_say_the_same(one, other):
         assert [names[n] for n in hazard.to] == [KINDS[other]]
 
 
-@settings(deadline=None)
 @given(kind, kind, side, side)
 def test_a_mirrored_text_is_a_mirrored_scenario(one, other, way, turn):
     text = f"At a junction a {one} from the {way} of the ego turns {turn} and a {other} waits."
@@ -78,7 +74,6 @@ def test_a_mirrored_text_is_a_mirrored_scenario(one, other, way, turn):
     assert hazards == same
 
 
-@settings(deadline=None)
 @given(kind, count, side)
 def test_digits_are_words(who, number, way):
     plural = {"bus": "buses", "lorry": "lorries"}.get(who, f"{who}s")
@@ -87,14 +82,12 @@ def test_digits_are_words(who, number, way):
     assert len(spoken[0]) == number
 
 
-@settings(deadline=None)
 @given(kind, kind, idle)
 def test_a_verb_may_be_left_out(one, other, before):
     full = seen(f"{before}At a junction a {one} turns left and a {other} turns right.")
     assert full == seen(f"{before}At a junction a {one} turns left and a {other} right.")
 
 
-@settings(deadline=None)
 @given(kind, side)
 def test_near_and_far_swap_with_the_driving_side(who, way):
     near = "nearside" if way == "right" else "farside"
@@ -105,7 +98,6 @@ def test_near_and_far_swap_with_the_driving_side(who, way):
     assert seen(left_hand.format(far)) == seen(left_hand.format(way))
 
 
-@settings(deadline=None)
 @given(st.sampled_from(["Nobody was hurt.", "The road is dry.", "It was a Tuesday."]), kind)
 def test_idle_sentences_change_nothing(idle_sentence, who):
     text = f"The ego follows a {who}, which brakes hard."

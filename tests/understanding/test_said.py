@@ -66,7 +66,7 @@ _TEMPLATES = (
 )
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(
     template=st.sampled_from(_TEMPLATES),
     v=st.integers(20, 130),
@@ -94,7 +94,7 @@ def _close(one: object, other: object) -> bool:
     return one == other
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(
     template=st.sampled_from(_TEMPLATES),
     v=st.integers(30, 120),

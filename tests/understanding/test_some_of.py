@@ -43,7 +43,7 @@ def test_what_some_do_is_a_group(text, groups):
     assert _groups(text) == groups
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(total=st.integers(3, 9), data=st.data())
 def test_any_number_of_any(total, data):
     some = data.draw(st.integers(2, total - 1))

@@ -20,7 +20,7 @@ from pathlib import Path as FilePath
 
 import numpy as np
 
-from scegen.checking.esmini.playing import STEP_S, NotPlayedError, play
+from scegen.checking.esmini.playing import NotPlayedError, play
 from scegen.checking.esmini.recording import Movement, RecordingError, read_recording
 from scegen.checking.results import CheckResult, Finding, error, not_run, verdict
 from scegen.errors import ScegenError
@@ -30,6 +30,7 @@ from scegen.motion import build_paths, simulate
 from scegen.motion.batch import compile_program, simulate_batch, stack_traces
 from scegen.motion.model import Array, Trace
 from scegen.motion.standing import object_paths
+from scegen.motion.ties import STEP_S
 from scegen.road import build_network
 from scegen.scenario.concrete import ConcreteScenario
 

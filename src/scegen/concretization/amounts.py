@@ -7,6 +7,7 @@ from math import pi
 from scegen.concretization.limits import (
     COMFORTABLE_ACCELERATION_MPS2,
     HARD_BRAKING_MPS2,
+    LATE_BRAKING_MPS2,
     STOPPING_MPS2,
     SUDDEN_ACCELERATION_MPS2,
 )
@@ -16,7 +17,12 @@ from scegen.scenario.vocabulary import HazardKind
 
 SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
 GAINING = frozenset({ActKind.ACCELERATE, ActKind.SET_OFF})
+BRAKING = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING})
+"""The dangers that the braking of who comes up behind somebody may be."""
+CLOSEST_M = 0.65
+"""How near one who may not touch the other comes: a near miss."""
 _GAINS_MPS = 8.0
+_HARDER = (1.0, 1.2, 1.4, 9.0)
 _OF_GRIP = 0.95
 
 
@@ -70,6 +76,12 @@ def _usual_rate_mps2(kind: ActKind, hazard: HazardKind | None) -> float:
     if hazard is HazardKind.SUDDEN_ACCELERATION:
         return SUDDEN_ACCELERATION_MPS2[0]
     return STOPPING_MPS2 if kind in SLOWING else COMFORTABLE_ACCELERATION_MPS2
+
+
+def answering_rates_mps2(most_mps2: float, *, hard: bool) -> list[float]:
+    """How hard one may brake for another, the usual first; none more than ``most_mps2``."""
+    usual = HARD_BRAKING_MPS2[0] if hard else LATE_BRAKING_MPS2
+    return sorted({min(usual * harder, most_mps2) for harder in _HARDER})
 
 
 def lasting_s(act: Act, width_m: float, usual_s: float) -> float:

@@ -4,32 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from math import inf
 
 import numpy as np
 
 from scegen.claims.boxes import apart, same_way, seen
-from scegen.concretization.amounts import SLOWING
+from scegen.concretization.amounts import BRAKING, CLOSEST_M, SLOWING, answering_rates_mps2
 from scegen.concretization.asked import contact_wanted
 from scegen.concretization.drafts import DriveDraft, Scene
-from scegen.concretization.hazards.rule import BRAKES, same_arm
-from scegen.concretization.limits import (
-    COMFORTABLE_ACCELERATION_MPS2,
-    HARD_BRAKING_MPS2,
-    LATE_BRAKING_MPS2,
-    REACTION_S,
-)
+from scegen.concretization.hazards.rule import same_arm
+from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, REACTION_S
 from scegen.concretization.marks import Mark, Sort
 from scegen.concretization.moments import Moments
 from scegen.motion.model import Array
 
-_CLOSEST_M = 0.65
-"""How near one who may not touch the other comes: a near miss."""
 _STEP_S = 0.05
 _AFTER_S = 8.0
 _ROUNDS = 16
 _BEFORE_S = 1.0
 _ALONG = 0.5
-_HARDER = (1.0, 1.2, 1.4, 9.0)
 _GOES_ON_S = (1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0)
 
 
@@ -110,7 +103,7 @@ def _brake_for(scene: Scene, moments: Moments, who: DriveDraft, contact: _Contac
     own = _loose(scene, who)
     before = who.deeds
     rest = [mark for mark in before if mark is not own]
-    kinds = [h.kind for h in scene.functional.hazards if h.kind in BRAKES and who.id in h.by]
+    kinds = [h.kind for h in scene.functional.hazards if h.kind in BRAKING and who.id in h.by]
     target = _slowest_mps(scene, moments, contact)
     who.deeds, who.course_ = rest, None
     free = who.course
@@ -128,12 +121,12 @@ def _brake_for(scene: Scene, moments: Moments, who: DriveDraft, contact: _Contac
         return _least_m(moments, who.id, contact.other)
 
     for rate in _rates_mps2(scene, who, own, hard=bool(kinds)):
-        if brake(low, rate) < _CLOSEST_M / 2:
+        if brake(low, rate) < CLOSEST_M / 2:
             continue
         early, after = low, max(contact.time_s, low)
         for _ in range(_ROUNDS):
             middle = (early + after) / 2
-            early, after = (middle, after) if brake(middle, rate) >= _CLOSEST_M else (early, middle)
+            early, after = (middle, after) if brake(middle, rate) >= CLOSEST_M else (early, middle)
         brake(early, rate)
         if own is None:
             _go_on(moments, who, contact.other)
@@ -145,15 +138,14 @@ def _brake_for(scene: Scene, moments: Moments, who: DriveDraft, contact: _Contac
 
 def _go_on(moments: Moments, who: DriveDraft, other: str) -> None:
     """Drive on as soon as that is free; where it never is, stay as slow."""
-    own = {mark.act for mark in who.deeds if mark.act is not None}
-    if own:
+    if any(mark.act is not None for mark in who.deeds):
         return
     kept = who.deeds
     rate = who.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2)
     for then in _GOES_ON_S:
         on = Mark(kept[-1].s_m, who.cruise_mps, rate, sort=Sort.ACT, then_s=then)
         who.deeds, who.course_ = [*kept, on], None
-        if _least_m(moments, who.id, other) >= _CLOSEST_M - 0.1:
+        if _least_m(moments, who.id, other) >= CLOSEST_M - 0.1:
             return
     who.deeds, who.course_ = kept, None
 
@@ -195,5 +187,4 @@ def _rates_mps2(scene: Scene, who: DriveDraft, own: Mark | None, *, hard: bool) 
     """How hard it may brake, the usual first; as the text says, if it does."""
     if own is not None and scene.act(own.act or "").rate_mps2 is not None:
         return [own.rate_mps2]
-    usual = HARD_BRAKING_MPS2[0] if hard else LATE_BRAKING_MPS2
-    return sorted({who.braking_mps2(usual * harder) for harder in _HARDER})
+    return answering_rates_mps2(who.braking_mps2(inf), hard=hard)

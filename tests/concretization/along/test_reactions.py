@@ -30,7 +30,7 @@ def least_m(story, first, second):
 @given(
     st.floats(20.0, 130.0), st.floats(0.6, 3.0), st.floats(2.0, 8.0), st.sampled_from([0.0, 0.5])
 )
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 def test_the_latest_braking_leaves_a_little_room(speed, headway, rate, share):
     said = road(
         [ego(speed), one("lead", "car", AHEAD, speed=speed)],

@@ -58,7 +58,7 @@ def anything(draw, names=("a", "b", "c", "d")):
     return proposal(name, draw(ANY_VALUE), draw(st.text(min_size=1, max_size=30)))
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(st.lists(anything(), max_size=8), st.integers(0, 5))
 def test_the_outcome_is_valid_whatever_is_proposed(proposals, seed):
     verdicts = validator().validate(proposals, "x", rng(seed))
@@ -75,7 +75,7 @@ def test_the_outcome_is_valid_whatever_is_proposed(proposals, seed):
     assert [(v.after, v.reason) for v in again] == [(v.after, v.reason) for v in verdicts]
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(st.lists(anything(), max_size=8))
 def test_what_is_valid_stands_as_it_was_proposed(proposals):
     judged = validator().judge(proposals)
@@ -164,7 +164,7 @@ def test_real_scenarios_can_be_built_whatever_is_proposed(ready, says, name):
     names = tuple(p.name for p in parameters)
     assert len(set(names)) == len(names)
 
-    @settings(max_examples=25, deadline=None)
+    @settings(max_examples=25)
     @given(st.lists(wild(parameters), max_size=6), st.integers(0, 3))
     def law(proposals, seed):
         result = search.advise(says(*proposals), seed)

@@ -101,7 +101,7 @@ def scenarios(draw):
     return concrete, {name: draw(paths()) for name in NAMES}
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(scenarios(), st.sampled_from([0.05, 0.01, 0.1]))
 def test_agrees_with_the_reference_simulator(scenario, dt_s):
     concrete, ways = scenario

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from math import cos, pi, sin
 
-from scegen.checking.esmini.playing import STEP_S
 from scegen.motion import build_paths, simulate
 from scegen.motion.model import Trace
 from scegen.motion.standing import object_paths
+from scegen.motion.ties import STEP_S
 from scegen.road import build_network
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from scegen.checking.environment import ESMINI_HINT, esmini
 from scegen.checking.limits import run_limited
+from scegen.motion.ties import STEP_S
 
-STEP_S = 0.05
 TIMEOUT_S = 30.0
 
 

@@ -9,12 +9,11 @@ from math import ceil, floor
 from scegen.concretization.along.passing import apart_m, leap_s
 from scegen.concretization.along.runner import Runner, Step, gap_m, in_line
 from scegen.concretization.along.story import Story, contact_wanted
-from scegen.concretization.limits import HARD_BRAKING_MPS2, LATE_BRAKING_MPS2, REACTION_S
+from scegen.concretization.amounts import BRAKING, CLOSEST_M, answering_rates_mps2
+from scegen.concretization.limits import REACTION_S
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.vocabulary import HazardKind
 
-_CLOSEST_M = 0.65
-"""How near one who may not touch the other comes: a near miss."""
 _LATEST_S = 40.0
 _STEP_S = 0.05
 _FAR_M = 1e3
@@ -22,8 +21,6 @@ _TOO_LATE_S = 0.8
 """Who brakes for one it is to hit all the same begins so long before."""
 _ROUNDS = 24
 _ROUNDING, _SOFTER = 1e-6, 0.8
-_BRAKES = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING})
-_HARDER = (1.0, 1.2, 1.4)
 
 
 def react(story: Story) -> list[tuple[str, str]]:
@@ -120,7 +117,7 @@ def _set_aside_loose(story: Story, who: Runner) -> None:
 def _brake_for(story: Story, who: Runner, other: Runner, loose: Step | None = None) -> bool:
     """Add the latest braking that keeps them apart; whether there is one."""
     own = loose or _loose_step(story, who)
-    kinds = [h.kind for h in story.hazards if h.kind in _BRAKES and who.id in h.by]
+    kinds = [h.kind for h in story.hazards if h.kind in BRAKING and who.id in h.by]
     thing = HazardKind.OBSTACLE if other.box is not None else None
     hazard = next(iter(kinds), thing)
     rest = [s for s in who.steps if s is not own]
@@ -148,7 +145,7 @@ def _just_enough(
     for _ in range(_ROUNDS // 2):
         middle = (low + high) / 2
         who.steps = [*rest, _braking(begins_s, middle, other, own, None)]
-        low, high = (low, middle) if _least_gap_m(who, other) >= _CLOSEST_M else (middle, high)
+        low, high = (low, middle) if _least_gap_m(who, other) >= CLOSEST_M else (middle, high)
     return high
 
 
@@ -156,9 +153,8 @@ def _rates_mps2(story: Story, who: Runner, own: Step | None, *, hard: bool) -> l
     """How hard it may brake, the usual first; as the text says, if it does."""
     if own is not None and story.act(own.act or "").rate_mps2 is not None:
         return [own.rate_mps2]
-    usual = HARD_BRAKING_MPS2[0] if hard else LATE_BRAKING_MPS2
     most = min(who.body.max_deceleration_mps2, 0.95 * story.grip_mps2)
-    return sorted({min(usual * harder, most) for harder in (*_HARDER, 9.0)})
+    return answering_rates_mps2(most, hard=hard)
 
 
 def _sees_s(other: Runner) -> float:
@@ -198,11 +194,11 @@ def _latest_s(
     # Braking before one speeds up by an act of one's own would be undone by it.
     gains = (s.begins_s for s in rest if s.target_mps > who.speed_mps)
     low, high = max(earliest_s, *gains, 0.0), _LATEST_S
-    if near(low) < _CLOSEST_M / 2:
+    if near(low) < CLOSEST_M / 2:
         return None
     for _ in range(_ROUNDS):
         middle = (low + high) / 2
-        if near(middle) >= _CLOSEST_M:
+        if near(middle) >= CLOSEST_M:
             low = middle
         else:
             high = middle

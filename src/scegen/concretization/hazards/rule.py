@@ -6,10 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from scegen.concretization.drafts import DriveDraft, Scene
-from scegen.concretization.limits import HARD_BRAKING_MPS2, LATE_BRAKING_MPS2
 from scegen.concretization.meetings import Meeting, drives_meet
 from scegen.scenario.functional import Hazard
-from scegen.scenario.vocabulary import HazardKind
 
 Shape = Callable[[Scene, Hazard], list[Meeting]]
 Act = Callable[[Scene, Hazard], None]
@@ -63,17 +61,6 @@ def in_line_before(scene: Scene, draft: DriveDraft) -> list[DriveDraft]:
         and other.drive.rank < draft.drive.rank
     ]
     return sorted(ahead, key=lambda other: other.drive.rank)
-
-
-BRAKES = (HazardKind.DELAYED_BRAKING, HazardKind.HARD_BRAKING)
-
-
-def braking_of(scene: Scene, draft: DriveDraft) -> tuple[HazardKind | None, float]:
-    """The danger that a driver's braking is, if one is asked for, and how hard it brakes."""
-    for kind in BRAKES:
-        if any(h.kind is kind and draft.id in h.by for h in scene.functional.hazards):
-            return kind, draft.braking_mps2(HARD_BRAKING_MPS2[0])
-    return None, draft.braking_mps2(LATE_BRAKING_MPS2)
 
 
 def event_s_m(scene: Scene, draft: DriveDraft, hazard: Hazard) -> float:

@@ -18,13 +18,12 @@ from scegen.criticality.search.problem import PROVED, choice_missing, target_mis
 from scegen.criticality.target import Target
 from scegen.motion.batch.compilation import compile_program
 from scegen.motion.batch.simulation import simulate_batch
+from scegen.motion.ties import STEP_S
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.proof import ClaimProof, HazardProof, MeasureProof, Proof
 
 PROOF_DT_S = 0.01
-PLAYER_DT_S = 0.05
-"""The step in which esmini plays files here."""
 
 
 @dataclass(frozen=True)
@@ -82,7 +81,7 @@ def examine(
     view = seen_in(dt_s)
     hazards = tuple(judge(view, hazard) for hazard in concrete.hazards)
     # Players take longer steps, in which triggers fire later: what is said holds in both.
-    views = [view] if dt_s == PLAYER_DT_S or not claims else [view, seen_in(PLAYER_DT_S)]
+    views = [view] if dt_s == STEP_S or not claims else [view, seen_in(STEP_S)]
     return Evidence(concrete, view, hazards, prove(claims, *views))
 
 

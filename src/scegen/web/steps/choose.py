@@ -10,7 +10,7 @@ from scegen.enumeration.choosing.coverage import Meeting, meetings
 from scegen.scenario.glossary import meaning_of
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.vocabulary import ArmsMode, Reduction
-from scegen.web.elements import Entry, Gallery, button, choice, drawn, node
+from scegen.web.elements import Entry, Gallery, Handler, button, choice, drawn, node
 from scegen.web.pictures import tile_ratio
 from scegen.web.steps.filters import Filters
 from scegen.web.steps.step import Activity, Go
@@ -102,29 +102,8 @@ class Choose:
 
     def _counting(self) -> None:
         work = self._work
-
-        def reduce(word: Any) -> None:  # noqa: ANN401 - from the browser
-            work.count_as(Reduction(word), work.arms)
-
-        def arrange(word: Any) -> None:  # noqa: ANN401 - from the browser
-            work.count_as(work.reduction, ArmsMode(word))
-
-        words = [(str(w), str(w)) for w in Reduction]
-        Entry(
-            work.reduction.value,
-            reduce,
-            label="reduction",
-            options=choice(words),
-            tip="; ".join(f"{w}: {meaning_of(w).text}" for w in Reduction),
-        )
-        words = [(str(w), str(w)) for w in ArmsMode]
-        Entry(
-            work.arms.value,
-            arrange,
-            label="arms",
-            options=choice(words),
-            tip="; ".join(f"{w}: {meaning_of(w).text}" for w in ArmsMode),
-        )
+        _notion("reduction", work.reduction, lambda w: work.count_as(Reduction(w), work.arms))
+        _notion("arms", work.arms, lambda w: work.count_as(work.reduction, ArmsMode(w)))
 
     def _pick(self, what: dict[str, Any]) -> None:
         picked = list(self._work.picked)
@@ -205,3 +184,15 @@ def _row(meeting: Meeting, chosen: int, possible: int) -> str:
     state = "" if chosen else ' class="missing"'
     count = f'<span class="meeting-count">{chosen}/{possible}</span>'
     return f"<li{state}>{count}<span>{escape(meeting.in_words())}</span></li>"
+
+
+def _notion(label: str, present: Reduction | ArmsMode, changed: Handler) -> None:
+    """A choice among the words of a list, each with its definition."""
+    words = type(present)
+    Entry(
+        present.value,
+        changed,
+        label=label,
+        options=choice([(str(w), str(w)) for w in words]),
+        tip="; ".join(f"{w}: {meaning_of(w).text}" for w in words),
+    )

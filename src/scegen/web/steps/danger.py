@@ -118,26 +118,15 @@ class Danger:
                 options=choice([(name, name.upper() if len(name) < 5 else name) for name in BANDS]),
             )
             least, most = BANDS[measure]
-            Entry(
-                low,
-                lambda v: self._set_band(measure, v, high),
-                kind="number",
-                label="from",
-                unit=_UNITS[measure],
-                min=least,
-                max=most,
-                step="any",
-            )
-            Entry(
-                high,
-                lambda v: self._set_band(measure, low, v),
-                kind="number",
-                label="to",
-                unit=_UNITS[measure],
-                min=least,
-                max=most,
-                step="any",
-            )
+            ends = {
+                "kind": "number",
+                "unit": _UNITS[measure],
+                "min": least,
+                "max": most,
+                "step": "any",
+            }
+            Entry(low, lambda v: self._set_band(measure, v, high), label="from", **ends)
+            Entry(high, lambda v: self._set_band(measure, low, v), label="to", **ends)
 
     def _aim(self, word: str) -> None:
         if word == "band":
