@@ -50,11 +50,12 @@ def _first_person(tokens: list[Token], i: int) -> bool:
     return following is not None and following.has("aux", "verb", "neg", "manner")
 
 
-def _own_form(entry: Entry, match: Match, token: Token) -> str:
-    """``change lanes``: the plural of a noun inside does not inflect the verb."""
-    if entry.cat == "verb" and match.form == "s" and all(form != "s" for _, form in token.forms):
-        return "base"
-    return match.form
+def _own_form(entry: Entry, match: Match, tokens: list[Token], i: int) -> str:
+    """``change lanes``: a noun's plural does not inflect the verb; but "it rear-ends the ego"."""
+    if entry.cat != "verb" or match.form != "s" or any(f == "s" for _, f in tokens[i].forms):
+        return match.form
+    alone = longest_match(tokens[: i + 1], i)
+    return "base" if alone is None or alone.has("verb") else match.form
 
 
 def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str | None:
@@ -267,7 +268,7 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     counted = counted and match is not None and match.form == "s"
     if match and not counted and (number is None or match.j > i + number.length):
         entry, premod = choose(match, tokens, previous)
-        form = _own_form(entry, match, token)
+        form = _own_form(entry, match, tokens, i)
         predicate = token.low == "about" or "predicate" in entry.data
         if predicate and entry.cat == "verb" and (not previous or previous.cat != "aux"):
             form = "ing"  # "children about to cross": describes them
