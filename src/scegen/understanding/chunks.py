@@ -140,6 +140,8 @@ class Event:
     Attributes:
         name: the event, a ``value`` of the lexicon's verbs.
         form: inflection: ``base``, ``s``, ``ed``, ``ing``.
+        lemma: base form of its first word; a verb that is left out ("another in the next lane")
+            has that of the verb it repeats.
         nominal: it stands as a noun ("a left turn").
         finite: it makes a clause of its own.
         mods: words before a nominal event; adverbs around a verb are added to them.
@@ -164,6 +166,7 @@ class Event:
     i: int
     j: int
     form: str
+    lemma: str = ""
     control: str | None = None
     nominal: bool = False
     finite: bool = False

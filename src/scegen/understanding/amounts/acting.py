@@ -41,8 +41,7 @@ def acts_in(text: Sentences, context: Context) -> list[Doing]:
     for scene in described:  # "the braking car ahead": unless the text tells of it
         for doing in _acts_of(scene, text, context):
             known = any(d.entity is doing.entity and d.kind is doing.kind for d in found)
-            braking = doing.kind is ActKind.BRAKE and scene.event.form == "ing"
-            if braking and not known:
+            if doing.always and scene.event.form == "ing" and not known:
                 found.append(doing)
     found.sort(key=lambda d: d.i)
     return found
@@ -57,12 +56,12 @@ def _acts_of(scene: Scene, text: Sentences, context: Context) -> list[Doing]:
         return []
     if parent is not None and (parent.name in _PREVENTED or parent.negated):
         return []
-    if parent is not None and text.tokens[parent.i].forms[-1][0] in _WISHING:
+    if parent is not None and parent.lemma in _WISHING:
         return []  # "wants to pass a truck"
     basis = Basis(event.i, event.j)
     made = []
     for entity in scene.actors:
-        kind = _kind(frame.kind, entity, event, text)
+        kind = _kind(frame.kind, entity, event)
         if kind is None or _stands_then(entity, event):
             continue
         always = (
@@ -86,7 +85,7 @@ def _changes_lane(entity: Entity, event: Event) -> bool:
     return moved and told and event.name not in _PASSING
 
 
-def _kind(kind: ActKind, entity: Entity, event: Event, text: Sentences) -> ActKind | None:
+def _kind(kind: ActKind, entity: Entity, event: Event) -> ActKind | None:
     """``starts to walk``: crosses; ``veers into the left lane``: changes lanes."""
     afoot = not entity.is_vehicle
     if kind in _DRIVEN and afoot:
@@ -101,9 +100,7 @@ def _kind(kind: ActKind, entity: Entity, event: Event, text: Sentences) -> ActKi
     if kind is ActKind.CHANGE_LANE and _changes_lane(entity, event):
         return kind
     if event.name == "move":
-        verb = event.parent.i if event.parent is not None else event.i
-        begins = text.tokens[verb].forms[-1][0] in _BEGINNING
-        begins = begins or text.tokens[event.i].forms[-1][0] in _BEGINNING
+        begins = bool({event.lemma, event.parent.lemma if event.parent else ""} & _BEGINNING)
         crosses = Maneuver.CROSS in entity.maneuvers
         return (ActKind.CROSS if crosses else ActKind.SET_OFF) if begins else None
     if event.name == "pull_out" and Maneuver.LANE_CHANGE in entity.maneuvers:

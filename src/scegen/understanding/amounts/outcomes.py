@@ -76,7 +76,7 @@ class Judge:
     def _meets(self, scene: Scene) -> bool:
         """Verbs of contact; "meets head-on"; "just misses"."""
         event = scene.event
-        lemma = self._text.tokens[event.i].forms[-1][0]
+        lemma = event.lemma
         if event.name == "overlook" and lemma == "miss":
             start = max(0, event.i - _BEFORE)
             return self._phrase("nearly", start, event.i) is not None

@@ -34,9 +34,10 @@ def held(number: Measured, text: Sentences, context: Context, found: Happenings)
         for entity in taken or [change.entity]:
             entity.speed, entity.speed_basis = quantity.parts[0], Basis(*span)
         return True
-    if taken:
+    shared = {t.low for t in text.tokens[number.j : number.j + 1]} & {"each", "both"}
+    if taken and not shared:
         return True
-    whose = _whose(number, text, context)
+    whose = [e for e in _whose(number, text, context) if e not in taken]
     whose = [e for e in whose if e.is_vehicle or quantity.value.low <= _RUNNING_MPS]
     ego = ego_of(context)
     if not whose and ego is not None and ego.speed is None:
@@ -64,7 +65,7 @@ def _from_to(number: Measured, text: Sentences, found: Happenings) -> Doing | No
     kind = ActKind.BRAKE if last.low < first.low else ActKind.ACCELERATE
     here = [a for a in found.acts if start <= a.i < end and a.kind in {kind, ActKind.STOP}]
     who = text.subject_before(number.i)
-    if not here and kind is ActKind.BRAKE and who:  # "slowing of the van from 90 to 36 km/h"
+    if not here and who:  # "slowing of the van from 90 to 36 km/h", "goes from 60 to 100 km/h"
         event = text.verb_at(number.i, number.j)
         told = [event.i] if event is not None else []
         here = [Doing(kind, who[0], Basis(number.i, number.j), number.i, told=told)]
@@ -84,6 +85,7 @@ def _whose(number: Measured, text: Sentences, context: Context) -> list[Entity]:
         return own
     start, _ = text.bounds(number.i)
     before = {t.low for t in tokens[max(start, number.i - 3) : number.i]}
+    before |= {t.low for t in tokens[number.j : number.j + 1]} & {"each", "both"}
     if before & {*words()["each"]}:
         named = [e for m in text.mentions if start <= m.i < number.i for e in m.entities]
         named = named or [e for m in text.mentions if m.i < number.i for e in m.entities][-_PAIR:]
@@ -102,10 +104,7 @@ def _whose(number: Measured, text: Sentences, context: Context) -> list[Entity]:
         return inside
     movers = [e for e in (scene.actors if scene is not None else []) if not e.parked]
     owned = text.tokens[start].low in words()["whose"]
-    later = scene is not None and scene.event.i > number.i and owned
-    if movers and not later:
-        return movers
-    return text.subject_before(number.i)
+    return text.subject_before(number.i) if owned or not movers else movers
 
 
 def _without_speed(number: Measured, text: Sentences) -> list[Entity]:

@@ -28,6 +28,8 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
         events: its events.
         tokens: its tokens.
     """
+    for event in events:
+        event.lemma = tokens[event.i].forms[-1][0]
     _likewise(events, tokens)
     acting = {id(m) for e in events for m in (*e.subject, e.object)}
     found = [*events, *_denied(chunks, events)]

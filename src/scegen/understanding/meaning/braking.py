@@ -101,7 +101,7 @@ def wait(scene: Scene, context: Context) -> None:
         for p in scene.event.pps
     )
     others = [e for e in scene.drivers if not e.ego]
-    stands = context.tokens[scene.event.i].forms[-1][0] in STANDING
+    stands = scene.event.lemma in STANDING
     if lanes and stands and others:
         context.draft.hazard(HazardKind.STOPPING, scene.words, others)
 

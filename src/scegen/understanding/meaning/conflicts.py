@@ -106,7 +106,7 @@ def lane_change(scene: Scene, context: Context) -> None:
         return
     if head_on(scene, lane, context):
         return  # an oncoming vehicle uses the wrong lane
-    if oncoming and context.tokens[scene.event.i].forms[-1][0] == "leave":
+    if oncoming and scene.event.lemma == "leave":
         context.draft.hazard(HazardKind.ONCOMING_LANE, scene.words, scene.drivers)
         return  # "an oncoming van leaves its lane"
     leaves = lane is not None and all(context.placed(e, Approach.AHEAD) for e in scene.drivers)

@@ -130,7 +130,7 @@ def undertake(scene: Scene, context: Context) -> None:
 def swerve_around(scene: Scene, context: Context) -> None:
     """``swerves around the ego``: getting past somebody, but swerving it is."""
     others = [e for e in scene.drivers if not e.ego]
-    if others and context.tokens[scene.event.i].forms[-1][0] == "swerve":
+    if others and scene.event.lemma == "swerve":
         context.draft.hazard(HazardKind.SWERVING, scene.words, others, scene.targets)
 
 

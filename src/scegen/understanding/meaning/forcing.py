@@ -17,7 +17,7 @@ def cause(scene: Scene, context: Context) -> None:
     parked = [e for e in scene.actors if e.still]
     if parked:
         context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
-    let = context.tokens[scene.event.i].forms[-1][0] == "let"
+    let = scene.event.lemma == "let"
     walkers = [e for e in scene.targets if not e.is_vehicle]
     if let and walkers and not scene.event.negated:
         context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, scene.words, walkers)

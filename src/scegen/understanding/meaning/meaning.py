@@ -269,7 +269,7 @@ class Interpreter:
 
     def _ended(self, event: Event) -> bool:
         """``ends up in front of the ego``: where it gets to, not where it comes from."""
-        word = self._context.tokens[event.i].forms[-1][0]
+        word = event.lemma
         return event.name == "move" and word in {"end", "finish", "wind", "land"}
 
     def _from_behind_somebody(self, scene: Scene, prep: Prep) -> bool:
@@ -285,7 +285,7 @@ class Interpreter:
         named = prep.on_mention
         target = named is not None and named not in event.subject
         moved = event.name in _UNDERWAY and (named is event.object or event.object is None)
-        moved = moved and self._context.tokens[event.i].forms[-1][0] != "meet"
+        moved = moved and event.lemma != "meet"
         source = prep.value == "from" or (prep.outer == "from" and prep.target is None)
         return source and not (target and not moved)
 

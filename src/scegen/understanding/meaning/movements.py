@@ -78,7 +78,7 @@ def move(scene: Scene, context: Context) -> None:
     event = scene.event
     directions = ways.directions(event, context.tokens)
     straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in scene.places())
-    aside = context.tokens[event.i].forms[-1][0] in _ASIDE and not context.junction.crossing
+    aside = event.lemma in _ASIDE and not context.junction.crossing
     aside = aside and not any(
         p.value in {"into", "to"} and isinstance(p.target, Place) and p.target.kind in _OFF
         for p in event.pps

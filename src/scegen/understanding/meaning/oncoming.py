@@ -88,7 +88,7 @@ def faced(scene: Scene, context: Context) -> None:
         for d in context.draft.dangers
     )
     passing = across or any(Maneuver.OVERTAKE in e.maneuvers for e in egos)
-    meets = event.name == "encounter" or context.tokens[event.i].forms[-1][0] == "meet"
+    meets = event.name == "encounter" or event.lemma == "meet"
     if not meets or event.negated or not egos or not passing:
         return
     others = [p.target for p in event.pps if p.value in {"with", "by"}]

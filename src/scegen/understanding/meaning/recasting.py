@@ -41,7 +41,7 @@ def recast(scene: Scene, context: Context) -> str:
         context: the scenario in the making.
     """
     event = scene.event
-    shoved = context.tokens[event.i].forms[-1][0] in {"shove", "barge", "push"}
+    shoved = event.lemma in {"shove", "barge", "push"}
     if event.name == "dash" and shoved and isinstance(event.object, Mention):
         return "send"  # "shoved us into the junction"
     if event.name in {"wait", "stop"} and scene.drivers and _close_behind(scene):
@@ -134,7 +134,7 @@ def _driven(scene: Scene, context: Context) -> str | None:
     aside = any(p.kind in {"access", "parking"} for p in scene.places())
     if motor and ((event.name == "cross" and out) or (careless and aside)):
         return "pull_out"  # "came out of the side road without looking"
-    springs = context.tokens[event.i].forms[-1][0] in _SPRINGING
+    springs = event.lemma in _SPRINGING
     if event.name == "pull_out" and not motor and springs and not context.junction.crossing:
         return "cross"  # "a cyclist shoots out of a gap in a hedge"
     if event.name == "pull_out" and motor and _between_lanes(scene, context):
@@ -220,7 +220,7 @@ def _goes_round(scene: Scene, context: Context) -> bool:
 
 def _runs_it(scene: Scene, context: Context) -> bool:
     """``the light changed and he ran it``."""
-    it, verb = scene.event.object, context.tokens[scene.event.i].forms[-1][0]
+    it, verb = scene.event.object, scene.event.lemma
     named = isinstance(it, Mention) and context.tokens[it.i].low == "it"
     return named and verb == "run" and context.junction.control is not None
 

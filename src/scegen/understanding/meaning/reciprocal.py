@@ -27,7 +27,7 @@ def towards_each_other(chunks: list[Chunk], events: list[Event], context: Contex
         racing = event.name == "speed" and _mutual(event.object, context)
         towards = towards and not racing
         met = event.name in _TOWARDS and not context.junction.crossing and towards
-        if met or (towards and _faces(event, context)):
+        if met or (towards and _faces(event)):
             _place(members, Approach.OPPOSITE, Basis(event.i, event.j), context)
     places = [(e.subject, p) for e in events for p in e.pps]
     places += [(chain(c), p) for c in chunks if isinstance(c, Mention) for p in c.pps]
@@ -42,8 +42,8 @@ def _mutual(noun: object, context: Context) -> bool:
     return reflexive and isinstance(noun, Mention) and context.tokens[noun.i].low in _MUTUAL
 
 
-def _faces(event: Event, context: Context) -> bool:
-    return context.tokens[event.i].forms[-1][0] == "face"
+def _faces(event: Event) -> bool:
+    return event.lemma == "face"
 
 
 def _place(members: list[Entity], approach: Approach, basis: Basis, context: Context) -> None:

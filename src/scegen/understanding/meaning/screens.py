@@ -43,10 +43,10 @@ def block(scene: Scene, context: Context) -> None:
 def occlude(scene: Scene, context: Context) -> None:
     """``hides the pedestrian``, ``is hidden behind a truck``, ``blocks the view``."""
     seen = scene.event.object
-    narrow = context.tokens[scene.event.i].forms[-1][0] in _NARROWING
+    narrow = scene.event.lemma in _NARROWING
     if narrow and not (isinstance(seen, Thing) and seen.kind == "view"):
         return  # "limits the space"
-    covers = context.tokens[scene.event.i].forms[-1][0] in _SHELTERING and not scene.event.passive
+    covers = scene.event.lemma in _SHELTERING and not scene.event.passive
     if covers and not scene.targets and not isinstance(seen, Thing):
         return  # "has covered half of the way"
     walkers = [e for e in scene.actors if not e.is_vehicle]
@@ -54,14 +54,14 @@ def occlude(scene: Scene, context: Context) -> None:
     by = [e for e in hiders if e.is_vehicle and not e.ego]
     by += [e for e in _behind(scene.event) if e not in by]
     hidden = bool(scene.targets) and not scene.actors  # "a hedge hiding two cyclists"
-    hidden = hidden or _screened_by_a_thing(scene, context)
+    hidden = hidden or _screened_by_a_thing(scene)
     if walkers or by or hidden or isinstance(scene.event.object, Thing):
         context.draft.hazard(HazardKind.OCCLUSION, scene.words, by)
 
 
-def _screened_by_a_thing(scene: Scene, context: Context) -> bool:
+def _screened_by_a_thing(scene: Scene) -> bool:
     """``whose left side is screened by a wall``: whatever it is, it is out of sight."""
-    sheltered = context.tokens[scene.event.i].forms[-1][0] in _SHELTERING
+    sheltered = scene.event.lemma in _SHELTERING
     by = [p.target for p in scene.event.pps if p.value in {"by", "behind"}]
     things = any(isinstance(t, Thing) and t.kind == "object" for t in by)
     return scene.event.passive and things and not sheltered

@@ -29,7 +29,7 @@ def stand(scene: Scene, context: Context) -> None:
     event = scene.event
     if event.negated or event.modal or event.nominal or _until(event, context):
         return
-    lemma = context.tokens[event.i].forms[-1][0]
+    lemma = event.lemma
     stands = event.name in {"wait", "stop"} and lemma in STANDING
     stands = stands or (event.name == "stop" and _over(event, context))
     if not stands:

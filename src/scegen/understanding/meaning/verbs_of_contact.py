@@ -24,7 +24,7 @@ def contact_or_shift(scene: Scene, context: Context) -> str | None:
 def _within_its_lane(scene: Scene, context: Context) -> bool:
     """``moves within its lane, 0.5 m to the right``: to the side, without leaving it."""
     event = scene.event
-    shifts = event.name == "move" and context.tokens[event.i].forms[-1][0] in _SHIFTING
+    shifts = event.name == "move" and event.lemma in _SHIFTING
     inside = [p for p in event.pps if context.tokens[p.word.i].low in {"within", "inside"}]
     lane = any(isinstance(p.target, Place) and p.target.kind == "lane" for p in inside)
     return shifts and lane and bool(scene.drivers)
@@ -40,7 +40,7 @@ def _runs_into(scene: Scene, context: Context) -> bool:
     """``runs into the van``, ``is run into from behind``: contact."""
     event = scene.event
     after = context.tokens[event.j].low if event.j < len(context.tokens) else ""
-    lemma = context.tokens[event.i].forms[-1][0]
+    lemma = event.lemma
     into = [p.target for p in event.pps if context.tokens[p.word.i].low == "into"]
     run = event.name in {"walk", "move"} and lemma in {"run", "drive"} and scene.drivers
     if not run or (after != "into" and not into):

@@ -112,7 +112,7 @@ def next_lane(event: Event, context: Context) -> bool:
     ranked = lane is not None and lane.head is not None and "ranked" in lane.head.data
     beside = ranked or (lane is not None and lane.kind == "lane" and bool(BESIDE & set(lane.dirs)))
     beside = beside or _into_a_gap(event) or _from_the_next(event, lane, context)
-    keeps = context.tokens[event.i].forms[-1][0] in _KEEPING
+    keeps = event.lemma in _KEEPING
     return beside and not keeps and not context.junction.crossing
 
 

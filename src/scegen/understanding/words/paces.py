@@ -38,8 +38,8 @@ _DEGREES = {
 _WITHIN = frozenset({"a", "an", "the", "much", "far", "very", "constant", "steady", "fixed", "way",
                      "quite", "rather", "such", "even", "still", "too", "uniform"})  # fmt: skip
 _SHORT_OF = 2
-_AFTER_A_PACE = frozenset({"and", "when", "while", "as", "in", "on", "going", "behind", "but",
-                           "straight", "pulls", "turns", "comes"})  # fmt: skip
+_CLOSED = ("conj", "sub", "rel", "prep", "locus", "verb", "dir")
+"""Classes of words that go on after a number without a unit; nouns would be counted by it."""
 _PHRASE = 8
 _FEWEST, _MOST = 3, 200
 _LOWEST_LIMIT = 10
@@ -47,6 +47,7 @@ _CRAWL = 40
 """What nobody drives on a motorway, be it in mph or in km/h."""
 _MOTORWAY = 50
 _GUESS_REACH = 7
+_SAID_REACH = 4
 
 
 def pace_at(tokens: list[Token], i: int) -> Term | None:
@@ -127,9 +128,8 @@ def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
     if number is None or not _FEWEST < number.value <= _MOST or quantity_at(tokens, i) is not None:
         return None
     j = i + number.length
-    after = tokens[j] if j < len(tokens) else None
-    ends = after is None or after.kind == "punct" or after.low in _AFTER_A_PACE
-    told = doing(tokens, i) or tokens[i - 1].low in {"at", "only"}
+    told = doing(tokens, i) or tokens[i - 1].low in {"at", "only"} or _its_speed(tokens, i)
+    ends = j >= len(tokens) or tokens[j].kind == "punct" or _another_word(tokens, j)
     if not (told and ends and i):
         return None
     for k in range(len(tokens)):
@@ -137,6 +137,19 @@ def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
         if given is not None and given.dimension == "speed":
             return as_written(tokens, i, j, given)
     return None
+
+
+def _its_speed(tokens: list[Token], i: int) -> bool:
+    """``its own speed is 120``, ``100 km/h against the ego's 80``: a speed without its unit."""
+    before = tokens[max(0, i - _SAID_REACH) : i]
+    rated = any(t.low in _RATES for t in before) and before[-1].low in {"is", "was", "of", "="}
+    versus = any(t.low in {"against", "versus", "vs"} for t in before)
+    return rated or (versus and before[-1].kind == "clitic")
+
+
+def _another_word(tokens: list[Token], j: int) -> bool:
+    found = longest_match(tokens, j)
+    return found is not None and found.has(*_CLOSED)
 
 
 def speed_at(tokens: list[Token], i: int) -> Term | None:
