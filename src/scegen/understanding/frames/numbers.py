@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from scegen.understanding.frames.loader import AmountFrame
 from scegen.understanding.frames.windows import Window, frame_of, window
@@ -48,6 +48,9 @@ class Numbers:
         ]
         self.quantities = sorted(found, key=lambda q: q.i)
         self._ends = {q.j: q.i for q in found}
+        self._behind = {
+            t.i: t.j - t.i for t in terms if (t.cat, t.value) == ("locus", "behind")
+        }
 
     def measured(self, quantity: Quantity, verb: str = "", at: int | None = None) -> Measured:
         """A number with its role.
@@ -59,6 +62,9 @@ class Numbers:
         """
         lemma = [f"to {self._tokens[at].forms[-1][0]}"] if at is not None else []
         around = window(self._tokens, quantity.i, quantity.j, self._ends)
+        if quantity.j in self._behind:  # "20 m after the lead", "1.9 s astern"
+            rest = around.after.split()[self._behind[quantity.j] :]
+            around = replace(around, after=f" {' '.join(['behind', *rest])} ")
         low = quantity.value.low
         return Measured(
             quantity, around, frame_of(quantity.dimension, low, around, frozenset([verb, *lemma]))

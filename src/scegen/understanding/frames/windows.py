@@ -41,7 +41,7 @@ class Window:
             return False
         if not (frame.before or frame.next):
             return True
-        after = self.after.removeprefix(" of")
+        after = self.after.replace(" of ", " ", 1) if self.after.startswith(" of ") else self.after
         return any(self.preceded(p) for p in frame.before) or any(
             after.startswith(f" {p} ") for p in frame.next
         )
