@@ -22,6 +22,7 @@ from scegen.understanding.meaning.too_fast import too_fast
 from scegen.understanding.phrases.chunking import Chunker
 from scegen.understanding.phrases.each_side import both_sides
 from scegen.understanding.phrases.headings import silence
+from scegen.understanding.phrases.identity import in_brackets
 from scegen.understanding.phrases.repeated import repeat
 from scegen.understanding.phrases.side_of import sides_of
 from scegen.understanding.phrases.telegrams import spell_out
@@ -79,7 +80,7 @@ def read(text: str) -> FunctionalScenario:
     surroundings = read_surroundings(terms, tokens)
     terms = settle_sides(terms, surroundings.side)
     chunks = name_roads(name_hiders(Chunker(terms, tokens).run()), tokens)
-    chunks = spell_out(both_sides(sides_of(chunks), tokens))
+    chunks = spell_out(both_sides(sides_of(in_brackets(chunks)), tokens))
     chunks = repeat(silence(chunks), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     deny_of_everybody(events)
