@@ -57,6 +57,8 @@ def check_said(
             findings.append(Finding(f"said.{claim.kind}", Severity.ERROR, claim.field, message))
     hold = len(proofs) - len(findings)
     detail = f"{hold} of {len(proofs)} statements hold in {recorded.player}"
+    if functional.unjudged:
+        detail += f"; {functional.unjudged}"
     return verdict(CHECKER, findings, detail)
 
 

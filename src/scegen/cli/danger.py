@@ -6,10 +6,11 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from scegen.scenario.functional import FunctionalScenario
     from scegen.scenario.proof import Proof
 
 
-def proof_lines(proof: Proof) -> Iterator[str]:
+def proof_lines(proof: Proof, functional: FunctionalScenario | None) -> Iterator[str]:
     """A line on the target, one on all statements, and one for each that does not hold."""
     measure = proof.of(proof.measure)
     values = ""
@@ -24,8 +25,8 @@ def proof_lines(proof: Proof) -> Iterator[str]:
         why = f"; {proof.blocked_by}" if proof.blocked_by else ""
         yield f"TARGET NOT REACHED: {proof.target} of {pair}: {proof.measure}{values}{why}"
     if proof.claims:
-        hold = len(proof.claims) - len(proof.missed)
-        yield f"{hold} of {len(proof.claims)} statements hold"
+        unjudged = functional.unjudged if functional is not None else None
+        yield f"{proof.held}; {unjudged}" if unjudged else proof.held
     for claim in proof.missed:
         words = f' ("{claim.words}")' if claim.words else ""
         yield f"DOES NOT HOLD: {claim.statement}{words}: {claim.found}"

@@ -141,7 +141,7 @@ def _tell(made: Result) -> None:
     for name, reason in made.skipped.items():
         say(f"skipped {name}: {reason}")
     for name, proof in made.proofs.items():
-        for line in proof_lines(proof):
+        for line in proof_lines(proof, functional):
             say(f"{name}: {line}")
     for name, report in made.checks.items():
         states = ", ".join(f"{r.checker} {r.status}" for r in report.results)

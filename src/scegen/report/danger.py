@@ -81,8 +81,7 @@ def _claims(proof: Proof) -> list[Table]:
         )
         for claim in sorted(proof.claims, key=lambda c: (c.holds, order[c.words or None]))
     )
-    hold = len(proof.claims) - len(proof.missed)
-    title = f"What was said: {hold} of {len(proof.claims)} statements hold"
+    title = f"What was said: {proof.held}"
     return [Table(title, ("Words", "Statement", "In what runs", "Measured", "At"), rows)]
 
 

@@ -189,9 +189,7 @@ def _facts(entry: ConcreteEntry) -> list[_Fact]:
     facts = []
     if (proof := entry.proof) is not None:
         if proof.claims:
-            hold = len(proof.claims) - len(proof.missed)
-            words = f"{hold} of {len(proof.claims)} statements hold"
-            facts.append(_Fact("failed" if proof.missed else "held", words))
+            facts.append(_Fact("failed" if proof.missed else "held", proof.held))
         facts.append(_Fact("held" if proof.in_band else "failed", target_words(proof)))
     if entry.verdict is not None:
         words = f"a careful driver: {plain(entry.verdict.outcome)}"

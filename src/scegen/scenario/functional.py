@@ -34,6 +34,8 @@ from scegen.scenario.vocabulary import (
 )
 
 MAX_ARMS = 8
+_SHOWN = 4
+"""Phrases that a line names."""
 ARM_COUNTS: dict[JunctionKind, tuple[int, int]] = {
     JunctionKind.STRAIGHT: (2, 2),
     JunctionKind.T: (3, 3),
@@ -219,6 +221,16 @@ class FunctionalScenario(FrozenModel):
     environment: Environment = Environment()
     evidence: tuple[Evidence, ...] = ()
     unsupported: tuple[Unsupported, ...] = ()
+
+    @property
+    def unjudged(self) -> str | None:
+        """What of the text no field expresses, so that no statement is made of it, in words."""
+        phrases = [f'"{u.text}"' for u in self.unsupported]
+        if not phrases:
+            return None
+        shown = ", ".join(phrases[:_SHOWN]) + (", …" if len(phrases) > _SHOWN else "")
+        counted = "1 phrase is" if len(phrases) == 1 else f"{len(phrases)} phrases are"
+        return f"{counted} not expressed and not judged: {shown}"
 
     @model_validator(mode="after")
     def _consistent(self) -> FunctionalScenario:

@@ -150,6 +150,12 @@ class Proof(FrozenModel):
         return tuple(claim for claim in self.claims if not claim.holds)
 
     @property
+    def held(self) -> str:
+        """How many of the statements hold, in words."""
+        hold = len(self.claims) - len(self.missed)
+        return f"{hold} of {len(self.claims)} statements hold"
+
+    @property
     def reached(self) -> bool:
         """Whether every danger happens and the measure lies in its band."""
         return self.in_band and all(hazard.happened for hazard in self.hazards)

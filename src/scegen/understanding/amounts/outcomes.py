@@ -294,17 +294,16 @@ class Judge:
         return crosses and self._context.placed(entity, Approach.RIGHT)
 
     def _overlaps(self) -> None:
-        """``with full overlap``: a share without a number."""
+        """``with full overlap``: the share that no number tells."""
         ending = self._happenings.ending
         ego = ego_of(self._context)
-        for name, share in (("full_overlap", _WHOLE), ("half_overlap", _HALF)):
-            span = self._phrase(name, 0, len(self._text.tokens))
-            if span is None or ego is None:
-                continue
-            named = [e for e in ending.between if e is not ego] if ending is not None else []
-            near = [e for m in self._text.mentions if m.i < span[0] for e in m.entities]
-            other = named[0] if named else counterpart(ego, self._context, near)
-            if other is not None:
-                amount = Amount(Interval(low=share, high=share), Basis(*span))
-                apart = Apart(Measure.OVERLAP_PERCENT, other, ego, amount, CONTACT)
-                self._happenings.spacings.append(apart)
+        span = self._phrase("full_overlap", 0, len(self._text.tokens))
+        if span is None or ego is None:
+            return
+        named = [e for e in ending.between if e is not ego] if ending is not None else []
+        near = [e for m in self._text.mentions if m.i < span[0] for e in m.entities]
+        other = named[0] if named else counterpart(ego, self._context, near)
+        if other is not None:
+            amount = Amount(Interval(low=_WHOLE, high=_WHOLE), Basis(*span))
+            apart = Apart(Measure.OVERLAP_PERCENT, other, ego, amount, CONTACT)
+            self._happenings.spacings.append(apart)

@@ -11,8 +11,8 @@ from scegen.understanding.words.terms import Term
 
 STANDING = frozenset({"stand", "sit", "idle", "unload", "load", "deliver", "linger", "lie"})
 """Verbs by which somebody stays where it is."""
-_HELD = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_stop", "parking",
-                   "sidewalk", "shoulder"})  # fmt: skip
+_HELD = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "parking", "sidewalk",
+                   "shoulder"})  # fmt: skip
 _ROADSIDE = frozenset({"shoulder", "sidewalk", "parking"})
 _WAY = frozenset({"lane", "road", "highway", "middle", "path"})
 _SINCE = frozenset({"is", "are", "has", "have", "was", "were", "had", "already", "'s", "stopped"})

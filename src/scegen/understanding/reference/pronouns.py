@@ -16,6 +16,7 @@ from scegen.understanding.words.tokens import Token
 _PERSONS = ("ist", "rider", "biker", "driver", "courier")
 _MOST = 20
 _PERSONAL = frozenset({"he", "she", "him"})
+_SUFFERING = frozenset({"him", "her"})
 _FIRST_PERSON = frozenset({"i", "we", "me", "us", "my", "our", "mine", "ours"})
 
 
@@ -90,6 +91,9 @@ class Pronouns:
             recent = others or recent  # whoever tells it is no "it"
             subject = [e for e in subject if "speaks" not in e.named_by] if others else subject
         options = subject if len(subject) == 1 and word != "that" else recent[-1:]
+        afoot = [e for e in recent if not e.is_vehicle and e not in exclude]
+        if word in _SUFFERING and afoot:
+            options = afoot[-1:]  # "a van had hidden her, and the ego hit her"
         if self.tokens[mention.i].low == "it" and any(map(self._person, options)):
             order = self.roster.recent
             since = order[order.index(options[0]) + 1 :] if options[0] in order else []

@@ -20,6 +20,9 @@ _ATOMS = frozenset(
 _DIGITS = ("zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine")
 _FRACTION_DIGITS = 3
 _HALF = 0.5
+_PARTS = {"half": 2, "third": 3, "thirds": 3, "quarter": 4, "quarters": 4, "fifth": 5, "fifths": 5}
+_WIDTHS = frozenset({"width", "widths", "front", "fronts", "overlap", "bonnet", "bumper"})
+_WIDTH_REACH = 6
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,3 +84,26 @@ def _with_fraction(tokens: list[Token], j: int, whole: Number) -> Number:
         end += 1
     digits = "".join(str(_DIGITS.index(t.low)) for t in tokens[j + 1 : end])
     return Number(whole.value + float(f"0.{digits}"), whole.length + end - j) if digits else whole
+
+
+def share_at(tokens: list[Token], i: int) -> Number | None:
+    """``one third of its width``, ``half overlap``: a share of a width, in percent.
+
+    Args:
+        tokens: all tokens of the text.
+        i: index of the token to look at.
+
+    Returns:
+        The share with the tokens of the fraction alone, or None where it is of anything else.
+    """
+    lows = [t.low for t in tokens[i : i + 2]]
+    count = {"one": 1, "a": 1, "two": 2, "three": 3}.get(lows[0], 0)
+    part = _PARTS.get(lows[1]) if len(lows) > 1 and count else None
+    length = 2 if part is not None else 1
+    if lows[0] == "half":
+        count, part = 1, 2
+    if part is None:
+        return None
+    after = [t.low for t in tokens[i + length : i + length + _WIDTH_REACH]]
+    wide = after[:1] == ["overlap"] or (after[:1] == ["of"] and bool(_WIDTHS & set(after)))
+    return Number(100 * count / part, length) if wide else None

@@ -7,7 +7,7 @@ from itertools import product
 
 from scegen.scenario.model import Interval
 from scegen.understanding.lexicon import load
-from scegen.understanding.words.numbers import Number, number_at
+from scegen.understanding.words.numbers import Number, number_at, share_at
 from scegen.understanding.words.tokens import Token
 from scegen.units import UNITS
 
@@ -74,6 +74,9 @@ def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
     Returns:
         The quantity, or None where no number with a unit stands.
     """
+    share = share_at(tokens, i)
+    if share is not None:
+        return _build(tokens, i, i + share.length, [share.value], "percentage")
     opened = tokens[i].low == "between" and i + 1 < len(tokens)
     first = _half_a(tokens, i) or number_at(tokens, i + opened)
     if first is None:

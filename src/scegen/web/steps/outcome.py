@@ -82,9 +82,8 @@ def _proof(proof: Proof) -> None:
                 node(
                     "li", f"check {state}", kind + (when if hazard.happened else " does not happen")
                 )
-    hold = len(proof.claims) - len(proof.missed)
     if proof.claims:
-        node("p", "", f"{hold} of {len(proof.claims)} statements hold")
+        node("p", "", proof.held)
     for claim in proof.missed:
         with node("div", "remark"):
             node("span", "dot failed")
