@@ -263,12 +263,16 @@ def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> No
         state: what the clause reader remembers.
     """
     opens = not state.events or bool(state.between & {"sub", ",", "conj"}) or whose(k, chunks)
-    if state.prep is None and opens and finite_follows(chunks, k):
+    end = _whole(chunks, k)
+    if state.prep is None and opens and finite_follows(chunks, end):
+        part = end > k and chunks[end].owner is not None  # type: ignore[union-attr]
         opens = not (state.events and "," in state.between and "sub" not in state.between)
         opens = opens and (state.candidate is None or "sub" in state.between)
-        opens = opens or whose(k, chunks)
+        opens = opens or whose(k, chunks) or part
         state.topic = noun if opens else None
     if state.prep is not None:
+        if state.prep.value == "of" and state.topic is not None and noun.owner is not None:
+            state.topic = noun  # "the right part of the ego's front strikes …"
         state.prep.target = noun
         noun.prep = state.prep.word
         if not _side_of_place(noun, k, chunks):
@@ -286,3 +290,13 @@ def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> No
     elif not state.events and state.candidate is None:
         state.anchor = noun
         state.between = set()
+
+
+def _whole(chunks: list[Chunk], k: int) -> int:
+    """``the left part of the ego's front``: where a noun ends with what it is a part of."""
+    of, owner = chunks[k + 1 : k + 2], chunks[k + 2 : k + 3]
+    if not (of and isinstance(of[0], Word) and of[0].value == "of"):
+        return k
+    end = k + 2 + (bool(owner) and isinstance(owner[0], Mention) and owner[0].possessor)
+    part = chunks[end] if end < len(chunks) else None
+    return end if isinstance(part, Place | Thing) else k

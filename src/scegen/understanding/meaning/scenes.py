@@ -32,7 +32,7 @@ def scene_of(event: Event) -> Scene:
         targets = [
             e
             for p in event.pps
-            if p.value in {"to", "with", "in"} and isinstance(p.target, Mention)
+            if p.value in {"to", "with", "in", "into", "against"} and isinstance(p.target, Mention)
             for e in p.target.entities
         ]
     return Scene(event, actors, [e for e in targets if e not in actors])
