@@ -10,8 +10,9 @@ from dataclasses import dataclass
 from math import radians
 
 from scegen.export.library import xosc
+from scegen.motion.friction import friction_of
 from scegen.scenario.functional import Environment
-from scegen.scenario.vocabulary import RoadSurface, TimeOfDay, Visibility, Weather
+from scegen.scenario.vocabulary import TimeOfDay, Visibility, Weather
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,17 +24,14 @@ class _Sky:
     share: float = 0.0
     mm_per_h: float = 0.0
     visual_range_m: float = 100_000.0
-    surface: RoadSurface = RoadSurface.DRY
 
 
 _SKIES: dict[Weather, _Sky] = {
     Weather.CLEAR: _Sky("free", "zeroOktas", 0.1),
     Weather.CLOUDY: _Sky("cloudy", "sixOktas", 0.8),
-    Weather.RAIN: _Sky("rainy", "eightOktas", 0.9, "rain", 0.4, 4.0, 10_000.0, RoadSurface.WET),
-    Weather.HEAVY_RAIN: _Sky(
-        "rainy", "eightOktas", 1.0, "rain", 0.9, 20.0, 3_000.0, RoadSurface.WET
-    ),
-    Weather.SNOW: _Sky("overcast", "eightOktas", 0.9, "snow", 0.4, 2.0, 2_000.0, RoadSurface.SNOWY),
+    Weather.RAIN: _Sky("rainy", "eightOktas", 0.9, "rain", 0.4, 4.0, 10_000.0),
+    Weather.HEAVY_RAIN: _Sky("rainy", "eightOktas", 1.0, "rain", 0.9, 20.0, 3_000.0),
+    Weather.SNOW: _Sky("overcast", "eightOktas", 0.9, "snow", 0.4, 2.0, 2_000.0),
     Weather.FOG: _Sky("overcast", "eightOktas", 0.8, visual_range_m=150.0),
 }
 _HOUR: dict[TimeOfDay, tuple[int, float, float]] = {
@@ -49,13 +47,6 @@ _AZIMUTH_DEG: dict[TimeOfDay, float] = {
     TimeOfDay.DUSK: 280.0,
     TimeOfDay.NIGHT: 0.0,
 }
-FRICTION: dict[RoadSurface, float] = {
-    RoadSurface.DRY: 1.0,
-    RoadSurface.WET: 0.7,
-    RoadSurface.SNOWY: 0.3,
-    RoadSurface.ICY: 0.15,
-}
-"""Friction scale factor by road surface: 1 is dry asphalt."""
 _VISUAL_RANGE_M: dict[Visibility, float] = {Visibility.REDUCED: 400.0, Visibility.POOR: 120.0}
 
 
@@ -65,7 +56,7 @@ def environment_action(environment: Environment, minor: int) -> xosc.Environment
     time = environment.time_of_day or TimeOfDay.DAY
     hour, elevation_deg, lux = _HOUR[time]
     said = environment.visibility
-    visual_range = min(
+    visual_range = environment.visual_range_m or min(
         sky.visual_range_m, _VISUAL_RANGE_M.get(said, sky.visual_range_m) if said else 1e6
     )
     standard = minor >= 2
@@ -92,6 +83,6 @@ def environment_action(environment: Environment, minor: int) -> xosc.Environment
             "environment",
             xosc.TimeOfDay(False, 2024, 6, 21, hour, 0, 0),
             weather,
-            xosc.RoadCondition(FRICTION[environment.road_surface or sky.surface]),
+            xosc.RoadCondition(friction_of(environment)),
         )
     )

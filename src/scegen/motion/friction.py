@@ -24,7 +24,9 @@ _WEATHER = {Weather.RAIN: 0.65, Weather.HEAVY_RAIN: 0.55, Weather.SNOW: 0.3}
 
 
 def friction_of(environment: Environment) -> float:
-    """The coefficient of friction; what the text says of the road goes before the weather."""
+    """The coefficient of friction: as said, else of the road's surface, else of the weather."""
+    if environment.friction is not None:
+        return environment.friction
     if environment.road_surface is not None:
         return _SURFACE[environment.road_surface]
     if environment.weather is not None:

@@ -160,12 +160,18 @@ class Group(FrozenModel):
 
 
 class Environment(FrozenModel):
-    """Conditions around the traffic; None = not said."""
+    """Conditions around the traffic; None = not said.
+
+    ``friction`` is the coefficient between tyre and road (1 on dry asphalt), ``visual_range_m``
+    how far one sees; either goes before what the words for surface, weather and sight stand for.
+    """
 
     weather: Weather | None = None
     time_of_day: TimeOfDay | None = None
     road_surface: RoadSurface | None = None
     visibility: Visibility | None = None
+    friction: float | None = Field(default=None, gt=0, le=1.2)
+    visual_range_m: float | None = Field(default=None, gt=0, le=100_000)
 
 
 class Evidence(FrozenModel):

@@ -93,8 +93,8 @@ def read(text: str) -> FunctionalScenario:
     across = "right" if surroundings.side is DrivingSide.LEFT else "left"
     events = share_out(events, terms)
     context = Context(draft, junction, tokens, across)
-    numbers = Numbers(terms, tokens, surroundings.limit_term)
-    scenes = Interpreter(context, numbers, surroundings.limit_term).run(chunks, events)
+    numbers = Numbers(terms, tokens, surroundings.measured)
+    scenes = Interpreter(context, numbers, surroundings.measured).run(chunks, events)
     happenings = read_amounts(numbers, chunks, scenes, context)
     too_fast(draft, surroundings.speed_limit_mps)
     report(draft, terms, chunks)

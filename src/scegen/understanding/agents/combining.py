@@ -18,7 +18,14 @@ _SHAPE = ("kind", "arms", "arm_angles_deg", "lanes", "ring_lanes", "crosswalks")
 """Fields of a junction that only fit together."""
 _JUNCTION = ("kind", "arms", "lanes", "ring_lanes", "speed_limit_mps", "driving_side", "control")
 _NUMBERS = frozenset({"arms", "lanes", "ring_lanes", "speed_limit_mps"})
-_ENVIRONMENT = ("weather", "time_of_day", "road_surface", "visibility")
+_ENVIRONMENT = (
+    "weather",
+    "time_of_day",
+    "road_surface",
+    "visibility",
+    "friction",
+    "visual_range_m",
+)
 
 
 def combine(

@@ -13,6 +13,7 @@ from scegen.understanding.frames import Measured
 from scegen.understanding.meaning.context import Context
 
 _PAIR = 2
+_IN_A_ROW = (" between each ", " between them ", " apart ", " from each ", " from one ")
 
 
 def row_of(number: Measured, text: Sentences, context: Context) -> list[tuple[Entity, Entity]]:
@@ -23,7 +24,7 @@ def row_of(number: Measured, text: Sentences, context: Context) -> list[tuple[En
         text: the text with its clauses.
         context: the scenario in the making.
     """
-    if not number.around.after.startswith((" between each ", " between them ", " apart ")):
+    if not number.around.after.startswith(_IN_A_ROW):
         return []
     start, _ = text.bounds(number.i)
     named = [e for m in text.mentions if start <= m.i < number.i for e in m.entities]

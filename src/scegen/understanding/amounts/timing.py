@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.chunks import Word
-from scegen.understanding.draft import Basis
+from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
 from scegen.understanding.happenings import Doing, Happenings, Trigger, amount_of
 from scegen.understanding.words.quantities import quantity_at
@@ -32,6 +32,7 @@ class Clock:
             number: the time.
         """
         doing = self._delayed(number)
+        doing = doing or self._likewise(number)
         if doing is None or doing.when is not None:
             return False
         basis = amount_of(number).basis
@@ -40,6 +41,35 @@ class Clock:
             return False
         doing.when = Trigger("after" if base else "start", basis, amount_of(number), base, since)
         return True
+
+    def _likewise(self, number: Measured) -> Doing | None:
+        """``the van brakes 1 s after the car, the ego 2 s after the van``: it does the same."""
+        start, _ = self._text.bounds(number.i)
+        before = [a for a in self._happenings.acts if start <= a.i < number.i]
+        who = self._text.adjacent(number.i)
+        if not before or len(who) != 1 or who[0] is before[-1].entity:
+            return None
+        return self._same(before[-1], who[0], number.i, amount_of(number).basis)
+
+    def _same(self, model: Doing, entity: Entity, i: int, basis: Basis) -> Doing:
+        """What somebody else does, done by this one too."""
+        same = Doing(model.kind, entity, basis, i, always=model.always)
+        self._happenings.acts.append(same)
+        self._happenings.acts.sort(key=lambda a: a.i)
+        return same
+
+    def _of_the_other(self, number: Measured, doing: Doing) -> Doing | None:
+        """``1 s after the van``, and no verb: after it has done the same."""
+        named = [m for m in self._text.mentions if m.i == number.j + 1 and m.entities]
+        ends = bool(named) and self._text.tokens[named[0].j : named[0].j + 1]
+        if not (ends and ends[0].kind == "punct") or named[0].entities[0] is doing.entity:
+            return None
+        other = named[0].entities[0]
+        if other.is_vehicle is not doing.entity.is_vehicle:
+            return None
+        alike = [a for a in self._happenings.acts if a.entity is other and a.kind is doing.kind]
+        told = named[0]
+        return alike[0] if alike else self._same(doing, other, told.i, Basis(told.i, told.j))
 
     def _after_another(self, number: Measured) -> bool:
         """``2 s after the car has passed the sign``: since something that is no act."""
@@ -94,7 +124,8 @@ class Clock:
                 begins = self._text.low(number.j, clause[0].i)
                 begun = any(f" {w} " in begins for w in ("begins", "starts", "begun", "started"))
                 return clause[0], "begin" if begun else "end"
-            return None, "end"
+            other = self._of_the_other(number, doing)
+            return other, "begin" if other is not None else "end"
         before = [a for a in self._happenings.acts if a.i < doing.i]
         if not before:
             return None, "end"

@@ -13,6 +13,7 @@ _INSTEAD = {
     "compass": "a direction that no rule could attach; left out",
     "quantity": "a measure that no rule could attach; left out",
     "state": "a state that no rule could attach; left out",
+    "num": "a number that nothing says what it is of",
     "env": "conditions are given once; the first counts",
     "control": "one rule of priority is kept for the whole junction; the strictest counts",
 }
@@ -41,10 +42,13 @@ def unattached(
         if e.start is not None and not e.field.endswith(_WHO)
     ]
     spans += [(u.start, u.end) for u in scenario.unsupported]
+    named = [(e.start, e.end) for e in scenario.evidence if e.start is not None]
     found = list(scenario.unsupported)
-    for term in terms:
+    for before, term in zip([None, *terms], terms, strict=False):
         start, end = tokens[term.i].start, tokens[term.j - 1].end
         if term.cat not in _INSTEAD or term.value in _EMPTY or len(found) >= _MOST:
+            continue
+        if term.cat == "num" and _counts(term, before, tokens, named):
             continue
         if any(a <= start and b is not None and end <= b for a, b in spans):
             continue
@@ -53,6 +57,16 @@ def unattached(
         found.append(Unsupported(text=text, start=start, end=end, instead=instead))
     found.sort(key=lambda u: (u.start, u.end))
     return scenario.model_copy(update={"unsupported": tuple(found)})
+
+
+def _counts(
+    term: Term, before: Term | None, tokens: list[Token], named: list[tuple[int, int | None]]
+) -> bool:
+    """``two cars``, ``vehicle 1``, ``one of them``: a number that counts or names somebody."""
+    start, end = tokens[term.i].start, tokens[term.j - 1].end
+    inside = any(a <= start and b is not None and end <= b for a, b in named)
+    called = before is not None and before.cat in {"actor", "place", "label"}
+    return tokens[term.i].kind != "number" or inside or called
 
 
 def _otherwise(term: Term, scenario: FunctionalScenario) -> str | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass, replace
 
 from scegen.understanding.frames.loader import AmountFrame
@@ -36,21 +37,21 @@ class Numbers:
     Args:
         terms: its terms.
         tokens: its tokens.
-        limit: the number that is a speed limit.
+        of_the_road: numbers that are said of the road (a speed limit).
     """
 
-    def __init__(self, terms: list[Term], tokens: list[Token], limit: Term | None) -> None:
+    def __init__(
+        self, terms: list[Term], tokens: list[Token], of_the_road: Collection[Term]
+    ) -> None:
         self._tokens = tokens
         found: list[Quantity] = [
             t.data["quantity"]
             for t in terms
-            if t.data.get("quantity") is not None and t is not limit
+            if t.data.get("quantity") is not None and all(t is not r for r in of_the_road)
         ]
         self.quantities = sorted(found, key=lambda q: q.i)
         self._ends = {q.j: q.i for q in found}
-        self._behind = {
-            t.i: t.j - t.i for t in terms if (t.cat, t.value) == ("locus", "behind")
-        }
+        self._behind = {t.i: t.j - t.i for t in terms if (t.cat, t.value) == ("locus", "behind")}
 
     def measured(self, quantity: Quantity, verb: str = "", at: int | None = None) -> Measured:
         """A number with its role.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import replace
 
 from scegen.scenario.vocabulary import Approach, HazardKind
@@ -76,15 +77,15 @@ class Interpreter:
     Args:
         context: the scenario in the making.
         numbers: the numbers of the text.
-        limit: the quantity that is a speed limit and nobody's speed.
+        of_the_road: quantities that are a speed limit and the like, and nobody's.
     """
 
-    def __init__(self, context: Context, numbers: Numbers, limit: Term | None) -> None:
+    def __init__(self, context: Context, numbers: Numbers, of_the_road: Collection[Term]) -> None:
         self._context = context
         self._draft = context.draft
         self._placer = Placer(context.draft)
         self._numbers = numbers
-        self._limit = limit
+        self._of_the_road = of_the_road
         self._scenes: list[Scene] = []
         self._of_verbs: set[int] = set()
         self._chunks: list[Chunk] = []
@@ -188,7 +189,7 @@ class Interpreter:
 
     def _quantity(self, term: Term, entities: list[Entity], verb: str = "") -> None:
         quantity = term.data["quantity"]
-        if term is self._limit or quantity is None:
+        if quantity is None or any(term is r for r in self._of_the_road):
             return
         if self._numbers.measured(quantity, verb).frame.role != "speed":
             return

@@ -12,6 +12,8 @@ from scegen.understanding.words.tokens import Token
 from scegen.units import speed_mps
 
 _LIMIT_REACH = 6
+_SIGHT_REACH = 5
+_FRICTION_REACH = 3
 _MOST_LANES = 3
 _LIMIT_BEFORE = 3
 _LOWEST_LIMIT, _HIGHEST_LIMIT = 5, 140
@@ -25,10 +27,12 @@ class Surroundings:
 
     Attributes:
         values: field of the environment -> value.
+        amounts: field of the environment -> number (friction, visual range in m).
         bases: field -> words.
         speed_limit_mps: the limit, if one is given.
         limit_basis: its words.
         limit_term: the quantity used, so that it is not read as somebody's speed.
+        sight_term: the quantity that says how far one sees, likewise nobody's distance.
         lanes: lanes per direction.
         lanes_basis: the words or the reason.
         lanes_in_all: what the text counts, where it seems to count both directions together.
@@ -38,10 +42,12 @@ class Surroundings:
     """
 
     values: dict[str, str] = field(default_factory=dict)
+    amounts: dict[str, float] = field(default_factory=dict)
     bases: dict[str, Basis] = field(default_factory=dict)
     speed_limit_mps: float | None = None
     limit_basis: Basis | None = None
     limit_term: Term | None = None
+    sight_term: Term | None = None
     lanes: int | None = None
     lanes_basis: Basis | None = None
     lanes_in_all: int | None = None
@@ -51,6 +57,11 @@ class Surroundings:
     ramp: Basis | None = None
     two_lane: Basis | None = None
 
+    @property
+    def measured(self) -> list[Term]:
+        """Quantities of the road, and of nobody on it."""
+        return [t for t in (self.limit_term, self.sight_term) if t is not None]
+
     def environment(self) -> Environment:
         """The environment of the scenario."""
         values = self.values
@@ -59,6 +70,7 @@ class Surroundings:
             time_of_day=TimeOfDay(values["time_of_day"]) if "time_of_day" in values else None,
             road_surface=RoadSurface(values["road_surface"]) if "road_surface" in values else None,
             visibility=Visibility(values["visibility"]) if "visibility" in values else None,
+            **self.amounts,
         )
 
 
@@ -79,6 +91,11 @@ def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
             found.side, found.side_basis = DrivingSide(term.value), basis
         elif term.cat == "limit" or ("pace" in term.data and tokens[term.j - 1].low == "limit"):
             _limit(found, terms, k)
+        elif (sight := _sight_m(tokens, term)) is not None:
+            found.amounts["visual_range_m"], found.bases["visual_range_m"] = sight, basis
+            found.sight_term = term
+        elif term.cat == "num" and (held := _friction(tokens, term)) is not None:
+            found.amounts["friction"], found.bases["friction"] = held, basis
         elif term.cat == "quantity" and _zone(tokens, term):
             _limit(found, [*terms[: k + 1], term], k)
         elif term.cat == "num":
@@ -91,6 +108,23 @@ def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
         elif term.cat == "place" and term.value == "ramp":
             found.ramp = found.ramp or basis
     return found
+
+
+def _sight_m(tokens: list[Token], term: Term) -> float | None:
+    """``visibility of 150 m``, ``one sees 80 m far``."""
+    if (term.cat, term.value) != ("quantity", "length"):
+        return None
+    near = {t.low for t in tokens[max(0, term.i - _SIGHT_REACH) : term.j + 2]}
+    sight = bool(near & {"visibility", "visual", "sight"}) and "distance" not in near
+    value = term.data["quantity"].exact
+    return float(value.low) if sight and value.low == value.high else None
+
+
+def _friction(tokens: list[Token], term: Term) -> float | None:
+    """``friction 0.4``, ``a surface with μ = 0.6``."""
+    before = {t.low for t in tokens[max(0, term.i - _FRICTION_REACH) : term.i]}
+    value = float(term.data["number"])
+    return value if before & {"friction", "μ", "mu", "µ"} and 0 < value <= 1 else None
 
 
 def _zone(tokens: list[Token], term: Term) -> bool:

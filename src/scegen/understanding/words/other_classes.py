@@ -31,6 +31,8 @@ def other_class(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         return replace(term, cat="neg", value="not")
     if term.value == "left" and term.cat == "dir" and _remains(terms, tokens, term):
         return replace(term, cat="inert", value="adjective")
+    if (term.cat, tokens[term.i].low) == ("dir", "next") and _of_a_row(term, tokens):
+        return replace(term, cat="inert", value="adjective")
     if _so_far_after(term, terms, tokens):
         return Term("locus", "behind", term.i, term.j)
     if term.cat == "verb" and a_drive(tokens, term.i):
@@ -38,6 +40,13 @@ def other_class(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     if tokens[term.i].low == "facing" and _across_from_somebody(term, terms, tokens):
         return Term("locus", "opposite", term.i, term.j)  # "the truck facing the ego"
     return term
+
+
+def _of_a_row(term: Term, tokens: list[Token]) -> bool:
+    """``from each truck to the next``: the next one, no lane beside."""
+    before = [t.low for t in tokens[max(0, term.i - 2) : term.i]]
+    ends = term.j >= len(tokens) or tokens[term.j].kind == "punct"
+    return ends and before == ["to", "the"]
 
 
 def _so_far_after(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
