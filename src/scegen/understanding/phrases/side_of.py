@@ -32,6 +32,7 @@ def _is_place(word: Word, k: int, chunks: list[Chunk]) -> bool:
     before = chunks[k - 1] if k else None
     sided = word.cat == "dir" and word.value in _SIDES
     owned = isinstance(of, Word) and of.value == "of" and isinstance(whom, Mention)
+    owned = owned and not getattr(whom, "possessor", False)  # "right of the ego's centre line"
     measured = isinstance(before, Word) and before.cat in {"quantity", "prep"}
     turns = isinstance(before, Event) and before.name in {"turn", "sharp_turn", "lane_change"}
     return sided and owned and not (measured or turns)

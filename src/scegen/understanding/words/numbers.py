@@ -21,7 +21,7 @@ _DIGITS = ("zero", "one", "two", "three", "four", "five", "six", "seven", "eight
 _FRACTION_DIGITS = 3
 _HALF = 0.5
 _PARTS = {"half": 2, "third": 3, "thirds": 3, "quarter": 4, "quarters": 4, "fifth": 5, "fifths": 5}
-_WIDTHS = frozenset({"width", "widths", "front", "fronts", "overlap", "bonnet", "bumper"})
+_WIDTHS = frozenset({"width", "widths", "fronts", "overlap"})
 _WIDTH_REACH = 6
 
 
