@@ -11,6 +11,7 @@ from scegen.errors import InputError
 from scegen.pipeline.picking import pick
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Certificate, LogicalScenario, LogicalSet
+from scegen.scenario.rule_file import RuleFile
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 from scegen.web import tasks
 from scegen.web.jobs import Job, Jobs
@@ -73,6 +74,7 @@ class Choice(Undertakings):
         super().__init__(jobs)
         self.functional: FunctionalScenario | None = None
         self.reduction, self.arms = Reduction.EXACT, ArmsMode.DISTINCT
+        self.rules = ""
         self.listing: Listing | None = None
         self.where = ""
         self.where_trouble: str | None = None
@@ -95,6 +97,7 @@ class Choice(Undertakings):
             self.functional,
             self.reduction,
             self.arms,
+            self.rule_file,
             partly=self._take_parts,
         )
         self._changed("listing", "choice", "edition")
@@ -104,6 +107,17 @@ class Choice(Undertakings):
         if (reduction, arms) != (self.reduction, self.arms):
             self.reduction, self.arms = reduction, arms
             self.list_all()
+
+    def keep_rules(self, text: str) -> None:
+        """List again, only what keeps these rules; the same language as ``--rules``."""
+        if text.strip() != self.rules:
+            self.rules = text.strip()
+            self.list_all()
+
+    @property
+    def rule_file(self) -> RuleFile | None:
+        """The rules that every scenario is to keep, if there are any."""
+        return RuleFile(f"{self.rules}\n") if self.rules else None
 
     def filter(self, expression: str) -> None:
         """Show the scenarios for which an expression holds; the same language as ``--where``."""

@@ -84,9 +84,7 @@ class Describe:
                 self._model = node("div", "model-box")
             with node("section", "pane fields", aria_label="What was understood"):
                 self._form = Form(self._spec, _SECTIONS)
-                self._form.when(
-                    edit=self._work.edit, forget=self._work.forget, confirm=self._work.confirm
-                )
+                self._form.when(self._work)
                 self._wrong = node("div", "problem", role="alert")
             with node("section", "pane plan", aria_label="Plan"):
                 self._plan = node("div", "plan-box")
