@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import lru_cache
 
 from clingo import ast
@@ -25,22 +26,40 @@ from scegen.enumeration.solving import Space
 from scegen.errors import InputError
 from scegen.scenario.rule_file import RuleFile
 
-VOCABULARY: dict[str, int] = {
-    "arms": 1,
-    "arm": 1,
-    "vehicle": 1,
-    "crosser": 1,
-    "ego": 1,
-    "kind": 2,
-    "enters": 2,
-    "leaves": 2,
-    "turns": 2,
-    "does": 2,
-    "crosses": 3,
-    "comes_from": 3,
-    "conflict": 3,
-}
-"""Predicates that rules may use, with their number of arguments; docs/rules.md explains them."""
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """A predicate that rules may use: how it is written, and what it says."""
+
+    form: str
+    means: str
+
+    @property
+    def arity(self) -> int:
+        """The number of its arguments."""
+        return self.form.count(",") + 1
+
+
+_WORDS = (
+    Word("arms(N)", "the junction has so many arms, counter-clockwise from 0 to N-1"),
+    Word("arm(A)", "an arm of the junction"),
+    Word("vehicle(V)", "who drives through"),
+    Word("crosser(P)", "who crosses an arm"),
+    Word("ego(V)", "the vehicle under test"),
+    Word("kind(V,K)", "what somebody is: car, truck, pedestrian, …"),
+    Word("enters(V,A)", "the arm by which a vehicle comes"),
+    Word("leaves(V,A)", "the arm by which it leaves"),
+    Word("turns(V,T)", "straight, left, right or u_turn, by geometry"),
+    Word("does(V,M)", "the same, or lane_change, overtake, stay; cross for one who crosses"),
+    Word("crosses(P,A,Side)", "the arm that somebody crosses, starting on the right or left"),
+    Word("comes_from(V,R,W)", "V comes from left, right or opposite, seen from R"),
+    Word(
+        "conflict(V,W,K)",
+        "the ways of two vehicles meet: crossing, merging, diverging, following; in both orders",
+    ),
+)
+VOCABULARY: dict[str, Word] = {word.form.partition("(")[0]: word for word in _WORDS}
+"""Predicates that rules may use, by name; docs/rules.md explains them."""
 
 _HARMLESS = {ast.ASTType.Program, ast.ASTType.Comment, ast.ASTType.Definition}
 
@@ -157,9 +176,9 @@ class _Bodies(ast.Transformer):
             close = difflib.get_close_matches(name, [*VOCABULARY, *self._own], n=2)
             hint = f"Did you mean {' or '.join(close)}?" if close else "See docs/rules.md."
             raise _refused(self._rules, atom, f"unknown predicate {name}/{arity}", hint)
-        if arity != VOCABULARY[name]:
+        if arity != VOCABULARY[name].arity:
             raise _refused(
-                self._rules, atom, f"{name} takes {VOCABULARY[name]} arguments, not {arity}"
+                self._rules, atom, f"{name} takes {VOCABULARY[name].arity} arguments, not {arity}"
             )
         return atom
 

@@ -17,6 +17,9 @@ from scegen.web import tasks
 from scegen.web.jobs import Job, Jobs
 from scegen.web.undertakings import Undertakings
 
+LONGEST_RULES = 20_000
+"""Characters."""
+
 
 @dataclass
 class Listing:
@@ -109,7 +112,13 @@ class Choice(Undertakings):
             self.list_all()
 
     def keep_rules(self, text: str) -> None:
-        """List again, only what keeps these rules; the same language as ``--rules``."""
+        """List again, only what keeps these rules; the same language as ``--rules``.
+
+        Raises:
+            InputError: they are too long.
+        """
+        if len(text) > LONGEST_RULES:
+            raise InputError(f"rules of more than {LONGEST_RULES:,} characters are not taken")
         if text.strip() != self.rules:
             self.rules = text.strip()
             self.list_all()

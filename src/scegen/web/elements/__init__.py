@@ -152,6 +152,25 @@ class Gallery(Element, component="gallery.js"):
         self.on("only", lambda event: only(event.args))
 
 
+class Rules(Element, component="rules.js"):
+    """A box for rules of one's own, with what they may ask for."""
+
+    def __init__(self, words: list[dict[str, str]], *, longest: int) -> None:
+        super().__init__()
+        self.props["words"] = words
+        self.props["longest"] = longest
+        self.show("")
+
+    def show(self, text: str) -> None:
+        """Put in the rules that are kept now."""
+        if self.props.get("value") != text:
+            self.props["value"] = text
+
+    def when(self, *, keep: Handler) -> None:
+        """Call this with the rules that are to be kept."""
+        self.on("keep", lambda event: keep(event.args))
+
+
 class Cinema(
     Element,
     component="cinema.js",
@@ -181,6 +200,7 @@ __all__ = [
     "Form",
     "Gallery",
     "GenericEventArguments",
+    "Rules",
     "button",
     "choice",
     "drawn",
