@@ -9,6 +9,7 @@ from scegen.pipeline.command import command_line
 from scegen.pipeline.folder import made_files
 from scegen.pipeline.playing import has_screen
 from scegen.pipeline.rendering import GIF, MP4, has_video
+from scegen.report.cinema import VIDEO_HINT
 from scegen.web.elements import button, node
 from scegen.web.made import Made
 from scegen.web.steps.outcome import outcome_cards
@@ -88,6 +89,8 @@ class TakeAway:
                             "small",
                             data_tip=None if has_screen() else "No screen here: without a window",
                         )
+            if not has_video():
+                node("p", "note", f"MP4 needs imageio-ffmpeg: {VIDEO_HINT}")
             if work.played is not None:
                 said = f"ended with exit code {work.played}" if work.played else "played to its end"
                 node("p", "note", f"esmini: {said}")
