@@ -12,6 +12,10 @@ pytestmark = pytest.mark.browser
 CROSSING = (
     "The ego goes straight at a four-way intersection at 50 km/h; a van comes from the right."
 )
+ROUNDABOUT = (
+    "A roundabout with multiple exits, where one vehicle changes lanes abruptly to exit, causing "
+    "potential conflict with another vehicle entering at high speed."
+)
 MANY = "Four cars meet at an uncontrolled four-way intersection."
 
 
@@ -207,6 +211,34 @@ def test_a_search_is_cancelled_and_survives_a_reload(server, visit):
     visitor.page.locator(".activity").get_by_role("button", name="Cancel").first.click()
     visitor.page.wait_for_function("() => !document.querySelector('.log li')")
     assert visitor.page.locator(".results .lead").get_by_role("button", name="Search").is_enabled()
+
+
+def test_where_nobody_chooses_what_shows_best_is_made(server, visit, tmp_path):
+    visitor = visit(server.url)
+    visitor.understood(ROUNDABOUT)
+    visitor.search()
+    assert visitor.page.locator(".card .dot.held").count() == 1
+    passed_over = visitor.page.inner_text(".results .remark")
+    assert "passed over" in passed_over
+    visitor.go("Watch")
+    visitor.page.wait_for_selector(".player .mark.danger")
+    # every mark stands where its second is on the line
+    marks = visitor.page.evaluate(
+        """() => {
+          const rail = document.querySelector(".player .marks").getBoundingClientRect();
+          return [...document.querySelectorAll(".player .mark")].map((mark) => {
+            const box = mark.getBoundingClientRect();
+            const place = rail.left + (rail.width * parseFloat(mark.style.left)) / 100;
+            return box.left + box.width / 2 - place;
+          });
+        }"""
+    )
+    assert marks == pytest.approx([0] * len(marks), abs=1)
+    visitor.go("Choose")
+    visitor.page.wait_for_selector(".tile.picked")
+    made = next((visitor.download(tmp_path) / "scenarios").iterdir()).name
+    assert made not in passed_over
+    assert visitor.page.inner_text("#again") == "scegen generate functional.yaml -o again"
 
 
 def test_two_sessions_know_nothing_of_each_other(server, visit):

@@ -71,7 +71,11 @@ class Listing:
 
 
 class Choice(Undertakings):
-    """The functional scenario, all its logical ones, and which of them are chosen."""
+    """The functional scenario, all its logical ones, and which of them are chosen.
+
+    ``suggested``: nobody has chosen; what is marked is what is tried first, and another may be
+    made if it shows better what was said.
+    """
 
     def __init__(self, jobs: Jobs) -> None:
         super().__init__(jobs)
@@ -83,6 +87,7 @@ class Choice(Undertakings):
         self.where_trouble: str | None = None
         self.shown: list[int] = []
         self.picked: list[int] = []
+        self.suggested = False
         self.choice_note: str | None = None
 
     def list_all(self) -> None:
@@ -92,7 +97,7 @@ class Choice(Undertakings):
         self.cancel("choosing")
         self.listing = Listing(self.functional, self.reduction, self.arms)
         self.where, self.where_trouble, self.picked, self.shown = "", None, [], []
-        self.choice_note = None
+        self.choice_note, self.suggested = None, False
         self._begin(
             "listing",
             self._listed,
@@ -143,7 +148,7 @@ class Choice(Undertakings):
         """Make these, in the order in which they were chosen; what is not listed is left out."""
         known = {s.index for s in self.listing.scenarios} if self.listing else set()
         self.picked = [i for i in dict.fromkeys(indices) if i in known]
-        self.choice_note = note
+        self.choice_note, self.suggested = note, False
         self._changed("choice")
 
     def choose_covering(self) -> None:
@@ -173,6 +178,7 @@ class Choice(Undertakings):
         self.listing.whole = True
         if not self.picked and self.listing.scenarios:
             self.picked = [pick(self.listing.logical(), None)[0].index]
+            self.suggested = True
         self._changed("listing", "choice")
 
     def _take_parts(self, job: Job) -> None:

@@ -169,6 +169,7 @@ class Work(Choice):
         )
         self.shown = [s.index for s in scenarios]
         self.picked = [pick(logical, None)[0].index] if scenarios else []
+        self.suggested = True
         self._changed("listing", "choice", "edition")
 
     def _take_concrete(self, concrete: ConcreteScenario) -> None:
@@ -201,7 +202,8 @@ class Work(Choice):
         listed = self.functional is not None
         if source is None or (listed and not self.picked):
             raise InputError("choose at least one scenario first")
-        picked = ",".join(str(i) for i in self.picked) if listed else None
+        named = listed and not self.suggested
+        picked = ",".join(str(i) for i in self.picked) if named else None
         options = replace(self.options, pick=picked, force=True)
         if self.given is None:
             options = replace(
@@ -266,7 +268,11 @@ class Work(Choice):
             self._begin("looking", self._looked, tasks.look, self.folder)
 
     def _looked(self, job: Job) -> None:
-        self._show(job.result)
+        made: Made = job.result
+        self._show(made)
+        if self.suggested and made.scenarios:
+            self.picked = [made.scenarios[0].concrete.logical.index]
+            self._changed("choice")
         self._changed("making")
 
     def _show(self, made: Made) -> None:

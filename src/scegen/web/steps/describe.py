@@ -221,8 +221,12 @@ class Describe:
             node("p", "soft", f"of {certificate.total:,} assignments")
             button("See them all", lambda: self._go("choose"), "primary wide")
             richest = work.richest()
-            if richest is not None:
-                drawn(tile_picture(richest, listing.functional), "paper")
+            picture = (
+                junction(work.functional)
+                if richest is None
+                else tile_picture(richest, listing.functional)
+            )
+            drawn(picture, "paper")
 
 
 def _alike(findings: Iterable[Finding]) -> list[list[Finding]]:
