@@ -156,6 +156,8 @@ class Describe:
         with self._found:
             if understood is not None and understood.trouble is not None:
                 node("div", "problem", understood.trouble, role="alert")
+            if understood is not None and self._work.models is not None:
+                node("p", "note", f"understood by {understood.speaker}")
             with node("ul", "legend"):
                 for standing in Standing:
                     count = len(report.of(standing))
