@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
+from scegen.enumeration.choosing.coverage import Meeting, meetings
 from scegen.enumeration.choosing.ranking import richest_first
 from scegen.enumeration.choosing.where import where as where_test
 from scegen.errors import InputError
@@ -32,6 +33,17 @@ class Listing:
     notes: tuple[str, ...] = ()
     scenarios: list[LogicalScenario] = field(default_factory=list)
     whole: bool = False
+    _meetings: dict[int, frozenset[Meeting]] = field(default_factory=dict)
+
+    def add(self, scenarios: Iterable[LogicalScenario]) -> None:
+        """Take in more; who meets whom in them is worked out now, not when it is looked at."""
+        for scenario in scenarios:
+            self.scenarios.append(scenario)
+            self._meetings[scenario.index] = meetings(self.functional, scenario)
+
+    def meetings_of(self, scenario: LogicalScenario) -> frozenset[Meeting]:
+        """Who meets whom in one of the scenarios."""
+        return self._meetings[scenario.index]
 
     def logical(self) -> LogicalSet:
         """The set as it is in a file."""
@@ -190,7 +202,7 @@ class Choice(Undertakings):
             if isinstance(part, Certificate):
                 self.listing.certificate = part
                 continue
-            self.listing.scenarios.extend(part)
+            self.listing.add(part)
             where = "" if self.where_trouble else self.where
             self.shown.extend(self.listing.matching(where, part))
         if parts:

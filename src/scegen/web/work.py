@@ -164,9 +164,9 @@ class Work(Choice):
             logical.arms,
             logical.certificate,
             logical.notes,
-            scenarios,
             whole=True,
         )
+        self.listing.add(scenarios)
         self.shown = [s.index for s in scenarios]
         self.picked = [pick(logical, None)[0].index] if scenarios else []
         self.suggested = True

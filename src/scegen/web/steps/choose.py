@@ -6,10 +6,9 @@ from collections import Counter
 from html import escape
 from typing import Any
 
-from scegen.enumeration.choosing.coverage import Meeting, meetings
+from scegen.enumeration.choosing.coverage import Meeting
 from scegen.enumeration.user_rules import VOCABULARY
 from scegen.scenario.glossary import meaning_of
-from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 from scegen.web.choice import LONGEST_RULES
 from scegen.web.elements import Entry, Gallery, Handler, Rules, button, choice, drawn, node
@@ -29,7 +28,6 @@ class Choose:
         self._filters: Filters | None = None
         self._only = False
         self._told: tuple[int, bool] | None = None
-        self._meetings: dict[int, frozenset[Meeting]] = {}
 
     def build(self) -> None:
         """Make the elements."""
@@ -150,15 +148,9 @@ class Choose:
                 self._filters.refresh()
             return
         self._told = (self._work.edition, listing.whole)
-        self._meetings = {}
         self._facets.clear()
         self._expression.clear()
         self._filters = Filters(self._work, listing, self._facets, self._expression)
-
-    def _of(self, scenario: LogicalScenario) -> frozenset[Meeting]:
-        if scenario.index not in self._meetings and self._work.listing is not None:
-            self._meetings[scenario.index] = meetings(self._work.listing.functional, scenario)
-        return self._meetings[scenario.index]
 
     def _show_coverage(self) -> None:
         """Every possible meeting, and in how many of the chosen scenarios it happens."""
@@ -170,7 +162,7 @@ class Choose:
         chosen: Counter[Meeting] = Counter()
         picked = set(work.picked)
         for scenario in listing.scenarios:
-            held = self._of(scenario)
+            held = listing.meetings_of(scenario)
             possible.update(held)
             if scenario.index in picked:
                 chosen.update(held)
