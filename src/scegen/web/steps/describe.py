@@ -32,8 +32,8 @@ EXAMPLES = {
     "straight and a pedestrian crosses the road it turns into.",
     "Hard braking": "The ego follows a car at 100 km/h with a headway of 1.5 s. The car brakes "
     "with 5 m/s2 to 40 km/h.",
-    "Hidden child": "A child runs out from behind a parked van, 15 m ahead of the ego, which "
-    "drives 50 km/h.",
+    "Hidden child": "A child runs out from behind a parked van, 20 m ahead of the ego, which "
+    "drives 30 km/h.",
     "Red light": "At a four-way intersection with traffic lights, a van from the right runs the "
     "red light as the ego goes straight at 50 km/h.",
     "Every way": "Four cars meet at an uncontrolled four-way intersection.",
