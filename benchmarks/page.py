@@ -90,9 +90,9 @@ def measure(playwright, url: str, text: str) -> None:
     timed(
         page,
         "choose a tile",
-        lambda turn: page.locator(".tile").nth(turn + 1).click(),
-        ".tile",
-        "found.filter((t) => t.classList.contains('picked')).length > TURN",
+        lambda _: page.locator(".tile:not(.picked)").nth(1).click(),
+        ".tiles .lead .button",
+        "found.some((b) => b.textContent === `Chosen (${TURN + 2})`)",  # one was suggested
     )
     chips = page.locator(".facet").first.get_by_role("button")
     timed(

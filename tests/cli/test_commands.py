@@ -1,12 +1,14 @@
 """Each command does what its help says; stdout carries results only."""
 
 import json
+import shlex
 import shutil
 from pathlib import Path
 
 import pytest
 import yaml
 
+from scegen.pipeline.command import command_line
 from scegen.pipeline.generate import generate
 from scegen.pipeline.options import Options
 from scegen.pipeline.source import resolve_source
@@ -68,7 +70,30 @@ def test_another_seed_gives_other_numbers(scegen, tmp_path, made):
 def test_every_level_can_be_fed_back(scegen, tmp_path, made):
     for name in ("functional.yaml", "logical.json"):
         assert scegen("generate", made / name, "-o", name + ".out").returncode == 0
-        assert files(tmp_path / (name + ".out")) == files(made)
+        again, first = files(tmp_path / (name + ".out")), files(made)
+        summaries = [json.loads(folder.pop("summary.json")) for folder in (again, first)]
+        assert [summary.pop("source") for summary in summaries] == [name, "functional.yaml"]
+        assert summaries[0] == summaries[1]
+        assert again == first
+
+
+@pytest.mark.parametrize(
+    ("source", "options"),
+    [
+        ("functional.yaml", ("--rules", "mine.lp", "--seed", "3", "--osc", "1.2")),
+        ("concrete.yaml", ()),
+        ("concrete.yaml", ("--target", "distance=1..3")),
+    ],
+)
+def test_a_folder_tells_how_it_is_made_again(scegen, tmp_path, made, source, options):
+    (tmp_path / "mine.lp").write_text(":- not turns(ego,left).\n")
+    (given,) = made.rglob(source)
+    assert scegen("generate", given, "-o", "out", "--check", "none", *options).returncode == 0
+    out = tmp_path / "out"
+    command = command_line(json.loads((out / "summary.json").read_text()), "again")
+    words = [out / word if (out / word).is_file() else word for word in shlex.split(command)[1:]]
+    assert scegen(*words).returncode == 0
+    assert files(tmp_path / "again") == files(out)
 
 
 def test_a_concrete_scenario_edited_by_hand_is_obeyed(scegen, tmp_path, made):

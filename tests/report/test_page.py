@@ -96,7 +96,7 @@ def test_words_are_words_and_no_other_script_runs(open_page, text):
 def test_the_gallery_is_folded_and_paged(open_page, text):
     page = open_page(text)
     assert page.locator(".tiles[data-paged] li:visible").count() == 0
-    made = page.locator("#logical > .tiles li:visible")
+    made = page.locator("#logical .made li:visible")
     assert made.count() == 1
     for fold in page.locator("#logical details > summary").all():
         fold.click()

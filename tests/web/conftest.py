@@ -43,6 +43,20 @@ def server(tmp_path_factory):
     running.stop()
 
 
+@pytest.fixture
+def serve(tmp_path):
+    """Starts servers with options of their own."""
+    running = []
+
+    def start(*options):
+        running.append(Server(tmp_path / f"project-{len(running)}", *options))
+        return running[-1]
+
+    yield start
+    for server in running:
+        server.stop()
+
+
 class Visitor:
     """Somebody at the page, in a browser session of their own."""
 

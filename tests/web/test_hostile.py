@@ -56,6 +56,17 @@ def test_hostile_files_are_refused_in_words(server, visit, name, content, said):
     visitor.page.wait_for_selector(f".problem >> text={said}")
 
 
+def test_rules_read_no_other_file(server, visit):
+    visitor = visit(server.url)
+    visitor.understood("Two cars meet at a four-way intersection.")
+    visitor.go("Choose")
+    visitor.page.get_by_text("Rules of your own").click()
+    visitor.page.get_by_label("Rules in answer set programming").fill('#include "/etc/passwd".')
+    visitor.page.get_by_role("button", name="Keep them").click()
+    visitor.page.wait_for_selector(".tiles .problem >> text=#include is not read")
+    assert "root:x" not in visitor.page.content()
+
+
 def test_ten_megabytes_are_not_even_sent(server, visit):
     visitor = visit(server.url)
     visitor.page.get_by_role("button", name="Open").click()

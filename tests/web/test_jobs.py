@@ -7,7 +7,7 @@ import pytest
 pytest.importorskip("nicegui", reason="the page needs the extra web")
 from scegen.understanding import read
 from scegen.web import tasks
-from scegen.web.jobs import Jobs, JobState
+from scegen.web.jobs import MOST_MEMORY, Jobs, JobState
 
 WAIT_S = 120
 
@@ -53,9 +53,19 @@ def test_what_should_not_happen_tells_nothing_of_the_inside(jobs):
     assert "TypeError" not in job.trouble.message
 
 
+def greedy(_):
+    return len(bytearray(MOST_MEMORY))
+
+
+def test_memory_is_bounded(jobs):
+    job = ended(jobs.start("growing", nothing, greedy))
+    assert job.state is JobState.FAILED
+    assert job.trouble.message == "This takes more than 4 GB of memory."
+
+
 def test_lists_come_in_parts_and_end_when_cancelled(jobs):
     ten = read("Ten cars meet at an uncontrolled four-way intersection.")
-    job = jobs.start("listing", nothing, tasks.enumerate_all, ten, "exact", "distinct")
+    job = jobs.start("listing", nothing, tasks.enumerate_all, ten, "exact", "distinct", None)
     begin = time.monotonic()
     while not job.steps and time.monotonic() - begin < WAIT_S:
         time.sleep(0.02)

@@ -1,5 +1,6 @@
 """The page from a sentence to files, and back from files."""
 
+import shlex
 import subprocess
 import sys
 
@@ -11,12 +12,26 @@ pytestmark = pytest.mark.browser
 CROSSING = (
     "The ego goes straight at a four-way intersection at 50 km/h; a van comes from the right."
 )
+ROUNDABOUT = (
+    "A roundabout with multiple exits, where one vehicle changes lanes abruptly to exit, causing "
+    "potential conflict with another vehicle entering at high speed."
+)
 MANY = "Four cars meet at an uncontrolled four-way intersection."
 
 
 def scegen(*arguments, **options):
     command = [sys.executable, "-m", "scegen", *map(str, arguments)]
     return subprocess.run(command, check=False, capture_output=True, text=True, **options)
+
+
+def made_again(visitor, folder):
+    """What the page's command makes is what was taken away, byte for byte."""
+    command = shlex.split(visitor.page.inner_text("#again"))
+    assert scegen(*command[1:], cwd=folder).returncode == 0
+    again = {p.relative_to(folder / "again"): p for p in (folder / "again").rglob("*.*")}
+    assert {str(name) for name in again} >= {"report.html", "summary.json"}
+    for name, path in again.items():
+        assert path.read_bytes() == (folder / name).read_bytes(), name
 
 
 def test_a_sentence_becomes_a_zip_that_passes_every_check(server, visit, tmp_path):
@@ -30,15 +45,12 @@ def test_a_sentence_becomes_a_zip_that_passes_every_check(server, visit, tmp_pat
     visitor.page.wait_for_selector(".player .claims li")
     visitor.page.wait_for_selector(".seat canvas")
     folder = visitor.download(tmp_path)
-    command = visitor.page.inner_text("#again").split()
-    assert (folder / "README.md").read_text().count(" ".join(command)) == 1
+    assert (folder / "README.md").read_text().count(visitor.page.inner_text("#again")) == 1
     assert scegen("check", folder).returncode == 0
-    assert scegen(*command[1:], cwd=folder).returncode == 0
-    for path in sorted(p for p in (folder / "again").rglob("*") if p.is_file()):
-        assert path.read_bytes() == (folder / path.relative_to(folder / "again")).read_bytes()
+    made_again(visitor, folder)
 
 
-def test_work_lies_where_the_command_line_reads_it_and_the_other_way_round(server, visit):
+def test_work_lies_where_the_command_line_reads_it_and_the_other_way_round(server, visit, tmp_path):
     made = scegen(
         "generate",
         CROSSING,
@@ -48,6 +60,10 @@ def test_work_lies_where_the_command_line_reads_it_and_the_other_way_round(serve
         "none",
         "--target",
         "none",
+        "--count",
+        "2",
+        "--osc",
+        "1.2",
     )
     assert made.returncode == 0
     visitor = visit(server.url)
@@ -56,6 +72,7 @@ def test_work_lies_where_the_command_line_reads_it_and_the_other_way_round(serve
     visitor.page.wait_for_selector(".player")
     visitor.go("Describe")
     assert visitor.page.input_value("textarea") == CROSSING
+    made_again(visitor, visitor.download(tmp_path))
 
 
 def test_numbers_from_a_file_are_made_and_made_again(server, visit, tmp_path):
@@ -70,10 +87,7 @@ def test_numbers_from_a_file_are_made_and_made_again(server, visit, tmp_path):
     visitor.page.wait_for_selector("text=Given numbers")
     visitor.search()
     folder = visitor.download(tmp_path)
-    command = visitor.page.inner_text("#again").split()
-    assert scegen(*command[1:], cwd=folder).returncode == 0
-    road = next(folder.glob("scenarios/*/road.xodr")).relative_to(folder)
-    assert (folder / "again" / road).read_bytes() == (folder / road).read_bytes()
+    made_again(visitor, folder)
 
 
 def test_editing_changes_what_is_enumerated_and_made(server, visit, tmp_path):
@@ -146,6 +160,43 @@ def test_filters_narrow_and_say_what_is_wrong(server, visit):
     assert covered == possible
 
 
+def test_rules_of_ones_own_narrow_the_list_and_go_along(server, visit, tmp_path):
+    visitor = visit(server.url)
+    visitor.understood(MANY)
+    every = visitor.count()
+    visitor.go("Choose")
+    visitor.page.wait_for_selector(".tile svg")
+    visitor.page.get_by_text("Rules of your own").click()
+    rules = visitor.page.get_by_label("Rules in answer set programming")
+    rules.fill("% nobody turns\n:- turnz(V,left).")
+    visitor.page.get_by_role("button", name="Keep them").click()
+    visitor.page.wait_for_selector(".tiles .problem >> text=rules.lp, line 2")
+    rules.fill(":- turns(V,T), T != straight.")
+    visitor.page.get_by_role("button", name="Keep them").click()
+    visitor.page.wait_for_function(
+        f"() => parseInt(document.querySelector('.tiles h1').textContent) < {every}"
+    )
+    visitor.page.wait_for_selector(".tile svg")
+    visitor.search()
+    folder = visitor.download(tmp_path)
+    assert (folder / "rules.lp").read_text() == ":- turns(V,T), T != straight.\n"
+    made_again(visitor, folder)
+
+
+def test_somebody_gets_another_name_everywhere(server, visit):
+    visitor = visit(server.url)
+    visitor.understood(CROSSING)
+    name = visitor.page.get_by_label("Name of van_1")
+    name.fill("Delivery van")
+    name.press("Enter")
+    visitor.page.wait_for_selector("[aria-label='Name of delivery_van']")
+    name = visitor.page.get_by_label("Name of delivery_van")
+    name.fill("ego")
+    name.press("Enter")
+    visitor.page.wait_for_selector(".fields .problem:visible")
+    assert name.input_value() == "delivery_van"
+
+
 def test_a_search_is_cancelled_and_survives_a_reload(server, visit):
     visitor = visit(server.url)
     visitor.understood(MANY)
@@ -160,6 +211,34 @@ def test_a_search_is_cancelled_and_survives_a_reload(server, visit):
     visitor.page.locator(".activity").get_by_role("button", name="Cancel").first.click()
     visitor.page.wait_for_function("() => !document.querySelector('.log li')")
     assert visitor.page.locator(".results .lead").get_by_role("button", name="Search").is_enabled()
+
+
+def test_where_nobody_chooses_what_shows_best_is_made(server, visit, tmp_path):
+    visitor = visit(server.url)
+    visitor.understood(ROUNDABOUT)
+    visitor.search()
+    assert visitor.page.locator(".card .dot.held").count() == 1
+    passed_over = visitor.page.inner_text(".results .remark")
+    assert "passed over" in passed_over
+    visitor.go("Watch")
+    visitor.page.wait_for_selector(".player .mark.danger")
+    # every mark stands where its second is on the line
+    marks = visitor.page.evaluate(
+        """() => {
+          const rail = document.querySelector(".player .marks").getBoundingClientRect();
+          return [...document.querySelectorAll(".player .mark")].map((mark) => {
+            const box = mark.getBoundingClientRect();
+            const place = rail.left + (rail.width * parseFloat(mark.style.left)) / 100;
+            return box.left + box.width / 2 - place;
+          });
+        }"""
+    )
+    assert marks == pytest.approx([0] * len(marks), abs=1)
+    visitor.go("Choose")
+    visitor.page.wait_for_selector(".tile.picked")
+    made = next((visitor.download(tmp_path) / "scenarios").iterdir()).name
+    assert made not in passed_over
+    assert visitor.page.inner_text("#again") == "scegen generate functional.yaml -o again"
 
 
 def test_two_sessions_know_nothing_of_each_other(server, visit):

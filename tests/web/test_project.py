@@ -6,9 +6,10 @@ from io import BytesIO
 import pytest
 
 pytest.importorskip("nicegui", reason="the page needs the extra web")
+from scegen.checking.subject import FUNCTIONAL_FILE
 from scegen.errors import InputError
 from scegen.pipeline.folder import digest
-from scegen.web.project import FUNCTIONAL_FILE, Project, changed_outside, keep, zipped
+from scegen.web.project import Project, changed_outside, keep, zipped
 
 
 def test_folders_are_named_after_the_description_and_never_shared(tmp_path):

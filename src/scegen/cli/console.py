@@ -23,7 +23,7 @@ T = TypeVar("T")
 INTERRUPTED = 130
 """Exit code after Ctrl-C."""
 
-stderr = Console(stderr=True, highlight=False, soft_wrap=True)
+stderr = Console(stderr=True, highlight=False, soft_wrap=True, emoji=False)
 
 
 def say(text: str) -> None:

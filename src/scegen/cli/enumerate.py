@@ -24,7 +24,7 @@ from scegen.cli.listing import (
     stream_lines,
     write_json,
 )
-from scegen.cli.options import JsonFlag, RulesOption, WhereOption
+from scegen.cli.options import JsonFlag, RulesOption, WhereOption, rules_of
 from scegen.cli.source import functional_of
 from scegen.cli.writing import write_text
 from scegen.errors import InputError
@@ -100,7 +100,7 @@ def enumerate_(
         arms=arms,
         limit=None if every or narrows else limit,
         where=where,
-        rules=rules,
+        rules=rules_of(rules),
     )
     if narrows and not every and listing.expected > MOST_COMPARED:
         listing.limit = LIST_LIMIT

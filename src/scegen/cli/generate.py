@@ -21,7 +21,7 @@ from scegen.cli.llm import (
     tell,
     tell_proposals,
 )
-from scegen.cli.options import RulesOption, WhereOption
+from scegen.cli.options import RulesOption, WhereOption, rules_of
 from scegen.pipeline.options import CheckDepth, EgoMode, Options, OscVersion
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 
@@ -104,7 +104,7 @@ def generate(
             target=target,
             solutions=solutions,
             where=where,
-            rules=rules,
+            rules=rules_of(rules),
         )
         if settings is None:
             made = run(resolve_source(source), output, options, progress, origin=origin_of(source))

@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from scegen.scenario.rule_file import RuleFile
+
 WhereOption = Annotated[
     str | None, typer.Option(help="Only scenarios for which this holds, such as yields(ego).")
 ]
@@ -17,3 +19,14 @@ JsonFlag = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 OutputFile = Annotated[
     Path | None, typer.Option("--output", "-o", help="Write to this file instead of stdout.")
 ]
+
+
+def rules_of(path: Path | None) -> RuleFile | None:
+    """The rules in a file, if one is named.
+
+    Raises:
+        InputError: it cannot be read.
+    """
+    from scegen.scenario.files import read_text
+
+    return None if path is None else RuleFile(read_text(path), str(path))

@@ -6,7 +6,6 @@ import gc
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from pathlib import Path
 
 from scegen.enumeration.building import Builder
 from scegen.enumeration.choosing.where import where as where_test
@@ -22,6 +21,7 @@ from scegen.enumeration.symmetry_words import symmetry_in_words
 from scegen.errors import InputError
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Certificate, LogicalScenario, LogicalSet
+from scegen.scenario.rule_file import RuleFile
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 
 LIST_LIMIT = 2_000
@@ -46,7 +46,7 @@ def enumerate_scenarios(
     arms: ArmsMode = ArmsMode.DISTINCT,
     limit: int | None = None,
     where: str | None = None,
-    rules: Path | None = None,
+    rules: RuleFile | None = None,
 ) -> LogicalSet:
     """The logical scenarios of a functional one, each once, in a fixed order.
 
@@ -57,7 +57,7 @@ def enumerate_scenarios(
         limit: where there are more than so many, list so many, a covering and diverse selection
             (with ``where``, or of more than 20,000, the first in order); None lists all.
         where: list only those for which this expression holds (docs/where.md).
-        rules: a file of rules in ASP that every scenario keeps (docs/rules.md).
+        rules: rules in ASP that every scenario keeps (docs/rules.md).
 
     Raises:
         NoScenarioError: the description contradicts itself; names what clashes.
@@ -206,7 +206,7 @@ def open_listing(
     arms: ArmsMode = ArmsMode.DISTINCT,
     limit: int | None = None,
     where: str | None = None,
-    rules: Path | None = None,
+    rules: RuleFile | None = None,
 ) -> Listing:
     """Everything up to the first scenario: as :func:`enumerate_scenarios`, to be streamed."""
     if limit is not None and limit < 1:

@@ -54,10 +54,10 @@ def grounded(
     facts: Iterable[Predicate],
     parts: Sequence[Part],
     *options: str,
-    files: Sequence[Path] = (),
+    rules: str = "",
     said: list[str] | None = None,
 ) -> Control:
-    """A solver that holds the facts and the parts, and a user's files; clingo's errors go to said.
+    """A solver that holds the facts and the parts, and a user's rules; clingo's errors go to said.
 
     Its notes, such as "atom does not occur in any rule head", are dropped: most facts are
     optional. The seed is fixed and there is one thread, so equal input gives equal output in
@@ -71,8 +71,9 @@ def grounded(
     # Bounds on counts are kept as they are: written out as rules, the default for some of them,
     # a model of forty cars costs fifty times as much.
     control = Control(["--seed=1", "--trans-ext=no", *options], logger=note)
-    for file in (*(ENCODINGS / f"{part}.lp" for part in parts), *files):
-        control.load(str(file))
+    for part in parts:
+        control.load(str(ENCODINGS / f"{part}.lp"))
+    control.add("base", [], rules)
     control.add_facts(FactBase(facts))
     control.ground([("base", [])])
     return control

@@ -11,7 +11,6 @@ from __future__ import annotations
 from collections.abc import Hashable
 from dataclasses import dataclass
 from itertools import islice
-from pathlib import Path
 
 from scegen.enumeration.counting import Census
 from scegen.enumeration.reading import Solution
@@ -19,6 +18,7 @@ from scegen.enumeration.solving import Space
 from scegen.enumeration.user_rules import ruled_solutions
 from scegen.errors import InputError, NoScenarioError
 from scegen.scenario.logical import Certificate
+from scegen.scenario.rule_file import RuleFile
 from scegen.scenario.vocabulary import Reduction
 
 MAX_LISTED = 200_000
@@ -29,7 +29,6 @@ MAX_LISTED = 200_000
 class RuledClasses:
     """The scenarios that keep the rules, each with the number of assignments it stands for."""
 
-    path: Path
     total: int
     solutions: tuple[tuple[Solution, int], ...]
     notes: tuple[str, ...]
@@ -40,11 +39,13 @@ class RuledClasses:
             total=self.total,
             count=len(self.solutions),
             complete=complete,
-            method=f"all assignments that keep {self.path.name} listed by clingo, then reduced",
+            method="all assignments that keep the rules listed by clingo, then reduced",
         )
 
 
-def ruled_classes(space: Space, census: Census, reduction: Reduction, path: Path) -> RuledClasses:
+def ruled_classes(
+    space: Space, census: Census, reduction: Reduction, rules: RuleFile
+) -> RuledClasses:
     """List what the rules allow, and reduce it.
 
     Raises:
@@ -53,7 +54,7 @@ def ruled_classes(space: Space, census: Census, reduction: Reduction, path: Path
     """
     first: dict[Hashable, Solution] = {}
     sizes: dict[Hashable, int] = {}
-    for solution in islice(ruled_solutions(space, path), MAX_LISTED + 1):
+    for solution in islice(ruled_solutions(space, rules), MAX_LISTED + 1):
         key = census.class_key(reduction, solution)
         first.setdefault(key, solution)
         sizes[key] = sizes.get(key, 0) + 1
@@ -61,17 +62,17 @@ def ruled_classes(space: Space, census: Census, reduction: Reduction, path: Path
     if total > MAX_LISTED:
         raise InputError(
             f"the rules allow more than {MAX_LISTED:,} assignments, too many to list",
-            where=str(path),
+            where=rules.name,
             hint="Forbid more, or use --where, which needs no list of assignments.",
         )
     if not total:
-        raise NoScenarioError("the rules leave no scenario", where=str(path))
+        raise NoScenarioError("the rules leave no scenario", where=rules.name)
     parted = sum(size < census.class_size(reduction, first[key]) for key, size in sizes.items())
-    notes = [f"{path.name} leaves {total:,} of {census.total:,} assignments."]
+    notes = [f"The rules leave {total:,} of {census.total:,} assignments."]
     if parted:
         notes.append(
             f"The rules tell apart what the reduction {reduction} holds to be one scenario: of "
             f"{parted:,} of the {len(first):,} scenarios they allow only some assignments."
         )
     solutions = tuple((first[key], sizes[key]) for key in first)
-    return RuledClasses(path, total, solutions, tuple(notes))
+    return RuledClasses(total, solutions, tuple(notes))

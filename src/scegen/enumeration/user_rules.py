@@ -11,8 +11,8 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import lru_cache
-from pathlib import Path
 
 from clingo import ast
 from clorm import Predicate
@@ -24,41 +24,58 @@ from scegen.enumeration.programs import ENCODINGS, Part, grounded
 from scegen.enumeration.reading import Solution, read_solutions
 from scegen.enumeration.solving import Space
 from scegen.errors import InputError
-from scegen.scenario.files import read_text
+from scegen.scenario.rule_file import RuleFile
 
-VOCABULARY: dict[str, int] = {
-    "arms": 1,
-    "arm": 1,
-    "vehicle": 1,
-    "crosser": 1,
-    "ego": 1,
-    "kind": 2,
-    "enters": 2,
-    "leaves": 2,
-    "turns": 2,
-    "does": 2,
-    "crosses": 3,
-    "comes_from": 3,
-    "conflict": 3,
-}
-"""Predicates that rules may use, with their number of arguments; docs/rules.md explains them."""
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """A predicate that rules may use: how it is written, and what it says."""
+
+    form: str
+    means: str
+
+    @property
+    def arity(self) -> int:
+        """The number of its arguments."""
+        return self.form.count(",") + 1
+
+
+_WORDS = (
+    Word("arms(N)", "the junction has so many arms, counter-clockwise from 0 to N-1"),
+    Word("arm(A)", "an arm of the junction"),
+    Word("vehicle(V)", "who drives through"),
+    Word("crosser(P)", "who crosses an arm"),
+    Word("ego(V)", "the vehicle under test"),
+    Word("kind(V,K)", "what somebody is: car, truck, pedestrian, …"),
+    Word("enters(V,A)", "the arm by which a vehicle comes"),
+    Word("leaves(V,A)", "the arm by which it leaves"),
+    Word("turns(V,T)", "straight, left, right or u_turn, by geometry"),
+    Word("does(V,M)", "the same, or lane_change, overtake, stay; cross for one who crosses"),
+    Word("crosses(P,A,Side)", "the arm that somebody crosses, starting on the right or left"),
+    Word("comes_from(V,R,W)", "V comes from left, right or opposite, seen from R"),
+    Word(
+        "conflict(V,W,K)",
+        "the ways of two vehicles meet: crossing, merging, diverging, following; in both orders",
+    ),
+)
+VOCABULARY: dict[str, Word] = {word.form.partition("(")[0]: word for word in _WORDS}
+"""Predicates that rules may use, by name; docs/rules.md explains them."""
 
 _HARMLESS = {ast.ASTType.Program, ast.ASTType.Comment, ast.ASTType.Definition}
 
 
-def ruled_solutions(space: Space, path: Path) -> Iterator[Solution]:
-    """Every assignment that the rules in a file allow, once, in the usual order.
+def ruled_solutions(space: Space, rules: RuleFile) -> Iterator[Solution]:
+    """Every assignment that the rules allow, once, in the usual order.
 
     Raises:
-        InputError: the file cannot be read or is not a set of rules; names the line.
+        InputError: they are no rules over the vocabulary; names the line.
     """
-    _check(path)
+    _check(rules)
     said: list[str] = []
     try:
-        control = _program(space, path, said)
+        control = _program(space, rules, said)
     except RuntimeError as error:
-        message = "; ".join(" ".join(text.split()) for text in said) or str(error)
-        raise InputError(message, where="--rules") from error
+        raise _unread(rules, said, error) from error
     seen: set[Solution] = set()  # rules of the user's may have several answers of their own
     for solution in read_solutions(space.problem, control):
         if solution not in seen:
@@ -66,52 +83,66 @@ def ruled_solutions(space: Space, path: Path) -> Iterator[Solution]:
             yield solution
 
 
-def _program(space: Space, path: Path, said: list[str]) -> Control:
+def _program(space: Space, rules: RuleFile, said: list[str]) -> Control:
     problem = space.problem
     facts: list[Predicate] = [*space.facts, *(p.Decides(v.id) for v in problem.vehicles)]
     facts += _kinds(problem)
     parts = (*space.parts, Part.ORDER, Part.RULES)
-    return grounded(facts, parts, "--heuristic=Domain", files=(path,), said=said)
+    return grounded(facts, parts, "--heuristic=Domain", rules=rules.text, said=said)
+
+
+def _unread(rules: RuleFile, said: list[str], error: RuntimeError) -> InputError:
+    """What clingo says of rules that it cannot read, with their own name for the place."""
+    message = "; ".join(" ".join(text.split()) for text in said) or str(error)
+    for nameless in ("<string>", "<block>"):
+        message = message.replace(nameless, rules.name)
+    return InputError(message, where="--rules")
 
 
 def _kinds(problem: Problem) -> list[Predicate]:
     return [p.Kind(m.id, m.kind.value) for m in problem.functional.participants]
 
 
-def _check(path: Path) -> None:
+def _check(rules: RuleFile) -> None:
     """Refuse what is not a rule over the vocabulary."""
-    text = read_text(path)
+    for number, line in enumerate(rules.text.splitlines(), start=1):
+        if "#include" in line:  # clingo would read the other file while it parses this one
+            raise InputError(
+                "rules stand in one file: #include is not read",
+                where=f"{rules.name}, line {number}",
+            )
     statements: list[ast.AST] = []
     said: list[str] = []
     try:
-        ast.parse_string(text, statements.append, logger=lambda _, message: said.append(message))
+        ast.parse_string(
+            rules.text, statements.append, logger=lambda _, message: said.append(message)
+        )
     except RuntimeError as error:
-        message = "; ".join(" ".join(part.split()) for part in said) or str(error)
-        raise InputError(message.replace("<string>", str(path)), where="--rules") from error
+        raise _unread(rules, said, error) from error
     own = set[str]()
     for statement in statements:
-        own |= _head(statement, path)
+        own |= _head(statement, rules)
     for statement in statements:
         if statement.ast_type is ast.ASTType.Rule:
-            _Bodies(path, own).visit_sequence(statement.body)
+            _Bodies(rules, own).visit_sequence(statement.body)
 
 
-def _head(statement: ast.AST, path: Path) -> set[str]:
+def _head(statement: ast.AST, rules: RuleFile) -> set[str]:
     """The predicate that a rule defines, none for a constraint."""
     if statement.ast_type in _HARMLESS:
         return set()
     if statement.ast_type is not ast.ASTType.Rule:
-        raise _refused(path, statement, "only rules and constraints may stand here")
+        raise _refused(rules, statement, "only rules and constraints may stand here")
     head = statement.head
     if head.ast_type is not ast.ASTType.Literal:
-        raise _refused(path, head, "a rule's head is one atom, or nothing; choices are not rules")
+        raise _refused(rules, head, "a rule's head is one atom, or nothing; choices are not rules")
     if head.atom.ast_type is not ast.ASTType.SymbolicAtom:
         return set()
     name, _ = _signature(head.atom)
     if name in VOCABULARY:
-        raise _refused(path, head, f"{name} is given; a rule may ask for it, not define it")
+        raise _refused(rules, head, f"{name} is given; a rule may ask for it, not define it")
     if name in _names_taken():
-        raise _refused(path, head, f"{name} is taken by the program", "Choose another name.")
+        raise _refused(rules, head, f"{name} is taken by the program", "Choose another name.")
     return {name}
 
 
@@ -132,8 +163,8 @@ def _names_taken() -> frozenset[str]:
 class _Bodies(ast.Transformer):
     """Visits the atoms of rule bodies."""
 
-    def __init__(self, path: Path, own: set[str]) -> None:
-        self._path = path
+    def __init__(self, rules: RuleFile, own: set[str]) -> None:
+        self._rules = rules
         self._own = own
 
     def visit_SymbolicAtom(self, atom: ast.AST) -> ast.AST:  # noqa: N802 - named by clingo
@@ -144,10 +175,10 @@ class _Bodies(ast.Transformer):
         if name not in VOCABULARY:
             close = difflib.get_close_matches(name, [*VOCABULARY, *self._own], n=2)
             hint = f"Did you mean {' or '.join(close)}?" if close else "See docs/rules.md."
-            raise _refused(self._path, atom, f"unknown predicate {name}/{arity}", hint)
-        if arity != VOCABULARY[name]:
+            raise _refused(self._rules, atom, f"unknown predicate {name}/{arity}", hint)
+        if arity != VOCABULARY[name].arity:
             raise _refused(
-                self._path, atom, f"{name} takes {VOCABULARY[name]} arguments, not {arity}"
+                self._rules, atom, f"{name} takes {VOCABULARY[name].arity} arguments, not {arity}"
             )
         return atom
 
@@ -161,6 +192,8 @@ def _signature(atom: ast.AST) -> tuple[str, int]:
     return term.name, len(term.arguments)
 
 
-def _refused(path: Path, node: ast.AST, message: str, hint: str | None = None) -> InputError:
+def _refused(rules: RuleFile, node: ast.AST, message: str, hint: str | None = None) -> InputError:
     place = node.location.begin if "location" in node.keys() else node.symbol.location.begin  # noqa: SIM118
-    return InputError(message, where=f"{path}, line {place.line}, column {place.column}", hint=hint)
+    return InputError(
+        message, where=f"{rules.name}, line {place.line}, column {place.column}", hint=hint
+    )

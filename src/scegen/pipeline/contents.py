@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from scegen import __version__
 from scegen.checking import CheckReport, CheckResult
 from scegen.llm import Usage
+from scegen.pipeline.command import Recipe
 from scegen.pipeline.folder import digest
 from scegen.pipeline.judging import Judged
 from scegen.pipeline.raising import proof_summary
@@ -41,14 +42,15 @@ def folder_files(
     made: list[Made],
     skipped: dict[str, str],
     seed: int,
+    how: Recipe,
     understanding: Understanding | None = None,
     usage: Usage | None = None,
 ) -> dict[str, bytes]:
     """The files at the top of the output folder by name, the summary last.
 
-    ``usage`` is what all stages took of language models together.
+    ``how`` makes the folder again; ``usage`` is what all stages took of language models together.
     """
-    files: dict[str, bytes] = {}
+    files: dict[str, bytes] = dict(how.kept)
     tiles: Tiles | None = None
     if functional is not None:
         files["functional.yaml"] = to_yaml(functional).encode()
@@ -59,7 +61,7 @@ def folder_files(
     report = _report_input(functional, logical, made, skipped, understanding, tiles)
     files["report.html"] = report_html(report).encode()
     files["summary.json"] = _summary(
-        logical, made, skipped, seed, files, _models(understanding, usage)
+        logical, made, skipped, seed, how, files, _models(understanding, usage)
     )
     return files
 
@@ -124,6 +126,7 @@ def _summary(
     made: list[Made],
     skipped: dict[str, str],
     seed: int,
+    how: Recipe,
     top: dict[str, bytes],
     models: dict[str, object],
 ) -> bytes:
@@ -135,6 +138,8 @@ def _summary(
     summary = {
         "scegen": __version__,
         "seed": seed,
+        "source": how.source,
+        "options": how.options,
         "description": made[0].concrete.description,
         **models,
         "enumeration": logical

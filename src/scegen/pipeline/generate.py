@@ -14,6 +14,7 @@ from scegen.enumeration import LIST_LIMIT, enumerate_scenarios
 from scegen.errors import InfeasibleError, InputError, NoScenarioError
 from scegen.llm import Session
 from scegen.pipeline.attempts import make_some
+from scegen.pipeline.command import recipe
 from scegen.pipeline.contents import Made, folder_files
 from scegen.pipeline.export import export_scenario
 from scegen.pipeline.folder import replace_content, require_usable
@@ -157,6 +158,7 @@ def generate(
                 made,
                 skipped,
                 options.seed,
+                recipe(source, concretes, options),
                 understanding,
                 session.usage if session is not None else None,
             ),

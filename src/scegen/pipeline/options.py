@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
-from pathlib import Path
 
+from scegen.scenario.rule_file import RuleFile
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 
 
@@ -54,4 +54,4 @@ class Options:
     target: str | None = None
     solutions: int = 1
     where: str | None = None
-    rules: Path | None = None
+    rules: RuleFile | None = None

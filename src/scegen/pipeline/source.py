@@ -20,6 +20,8 @@ Understand = Callable[[str], FunctionalScenario]
 _FILE_ENDINGS = (".yaml", ".yml", ".json", ".txt", ".md")
 _LONGEST_PATH = 1024
 LOGICAL_FILE = "logical.json"
+GIVEN_FILE = "given.json"
+"""The numbers that a search began from, where they were given."""
 
 
 def resolve_source(text_or_path: str, understand: Understand = read) -> Source:
@@ -49,15 +51,16 @@ class Origin:
 
 
 def origin_of(text_or_path: str) -> Origin:
-    """What lies around a concrete.yaml in a folder made by generate; nothing around all else.
+    """What lies around given numbers in a folder made by generate; nothing around all else.
 
     Raises:
         InputError: a file there cannot be used.
     """
     path = _as_path(text_or_path)
-    if path is None or path.name != CONCRETE_FILE:
+    if path is None or path.name not in {CONCRETE_FILE, GIVEN_FILE}:
         return Origin()
-    top = path.absolute().parent.parent.parent
+    place = path.absolute().parent
+    top = place if path.name == GIVEN_FILE else place.parent.parent
     functional, logical = top / FUNCTIONAL_FILE, top / LOGICAL_FILE
     if not functional.is_file():
         return Origin()

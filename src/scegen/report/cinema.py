@@ -51,6 +51,9 @@ def gif_of(film: Film, watch: Watch = iter) -> bytes:
     return buffer.getvalue()
 
 
+VIDEO_HINT = "pip install 'ml-scegen[video]'"
+
+
 def write_mp4(film: Film, path: Path, fps: float, watch: Watch = iter) -> None:
     """A film as H.264 video.
 
@@ -61,7 +64,7 @@ def write_mp4(film: Film, path: Path, fps: float, watch: Watch = iter) -> None:
         ffmpeg = import_module("imageio_ffmpeg")
     except ImportError as error:
         raise MissingToolError(
-            "video needs imageio-ffmpeg", hint="pip install 'ml-scegen[video]', or use --gif"
+            "video needs imageio-ffmpeg", hint=f"{VIDEO_HINT}, or use --gif"
         ) from error
     writer = ffmpeg.write_frames(
         str(path),

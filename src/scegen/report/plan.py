@@ -6,7 +6,7 @@ Coordinates are those of a tile: its centre is (0, 0), x to the right, y up, in 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import atan2, cos, hypot, pi, radians, sin
+from math import asin, atan2, cos, hypot, pi, radians, sin
 
 from scegen.scenario.arms import arm_angles_deg
 from scegen.scenario.functional import Junction
@@ -20,7 +20,7 @@ REACH = 104.0
 _START = 92.0
 _RANK_STEP = 17.0
 _RING = 34.0
-_RING_JOIN = radians(24.0)
+_RING_JOIN, _RING_LEAST = radians(14.0), radians(8.0)
 _ARC_STEPS = 24
 _BOX = 9.0
 _FROM_BESIDE = frozenset({Reverses.FROM_RIGHT, Reverses.FROM_LEFT})
@@ -164,9 +164,12 @@ def _round_the_ring(
 ) -> list[Point]:
     radius = _RING + plan.side * spread
     way = plan.side  # counter-clockwise where traffic keeps right
-    begin = plan.angles[drive.entry] + way * _RING_JOIN
-    sweep = way * (plan.angles[drive.exit] - plan.angles[drive.entry]) % (2 * pi)
-    sweep = max((sweep or 2 * pi) - 2 * _RING_JOIN, 0.05)
+    sweep = (way * (plan.angles[drive.exit] - plan.angles[drive.entry])) % (2 * pi) or 2 * pi
+    # It joins the ring ahead of where its lane meets it, and leaves as far before its exit.
+    joins = [_beside(plan, arm, p) for arm, p in ((drive.entry, enter), (drive.exit, leave))]
+    share = min(1.0, (sweep - _RING_LEAST) / sum(joins))
+    begin = plan.angles[drive.entry] + way * share * joins[0]
+    sweep -= share * sum(joins)
     arc = [
         (
             radius * cos(begin + way * sweep * i / _ARC_STEPS),
@@ -179,6 +182,12 @@ def _round_the_ring(
     after = _toward(arc[-1], begin + way * (sweep + pi / 2), 6.0)
     outward = _toward(leave, plan.angles[drive.exit] + pi, 9.0)
     return [*_bezier(enter, inward, before, arc[0]), *arc, *_bezier(arc[-1], after, outward, leave)]
+
+
+def _beside(plan: Plan, arm: int, point: Point) -> float:
+    """The angle on the ring between the middle of an arm and who drives there at a point."""
+    aside = abs(point[1] * cos(plan.angles[arm]) - point[0] * sin(plan.angles[arm]))
+    return asin(min(aside / _RING, 0.95)) + _RING_JOIN
 
 
 def _toward(point: Point, angle: float, distance: float) -> Point:

@@ -38,8 +38,8 @@ _PICTURE = 240
 _LINE = 15
 _NAME_WIDTH, _ROW_WIDTH = 96.0, 206.0
 _CAPTION, _NUMBER, _MANY = 11.5, 13.0, 3
-_BESIDE, _NUMBERED = 32.0, 16.0
-"""Room for who walks or stands beside a road, and for the number at its end."""
+_BESIDE, _NUMBERED, _NUMBER_AT = 32.0, 16.0, 9.0
+"""Room for who walks or stands beside a road, and for the number at its end; where that is."""
 
 
 def tile_height(functional: FunctionalScenario) -> int:
@@ -53,9 +53,19 @@ def _empty(plan: Plan) -> tuple[int, int]:
     beside = max(plan.half(arm) for arm in range(len(plan.angles))) + _BESIDE
     if plan.is_ring:
         beside = max(beside, plan.ring + plan.lane + _BESIDE / 2)
-    ends = [(REACH + _NUMBERED) * sin(angle) for angle in plan.angles]
-    reach = (max(beside, *ends), max(beside, *(-end for end in ends)))
+    reach = (
+        max(beside, *(_height(plan, arm, up=True) for arm in range(len(plan.angles)))),
+        max(beside, *(_height(plan, arm, up=False) for arm in range(len(plan.angles)))),
+    )
     return int(max(MIDDLE - reach[0], 0.0)), int(max(MIDDLE - reach[1], 0.0))
+
+
+def _height(plan: Plan, arm: int, *, up: bool) -> float:
+    """How far an arm with its number reaches up, or down, from the middle."""
+    angle = plan.angles[arm]
+    along = sin(angle) if up else -sin(angle)
+    corner = REACH * along + (plan.half(arm) + 2.0) * abs(cos(angle))
+    return max(corner, (REACH + _NUMBER_AT) * along + _NUMBERED - _NUMBER_AT)
 
 
 def roads(functional: FunctionalScenario, theme: Theme = LIGHT) -> str:
@@ -199,7 +209,7 @@ def _roads(plan: Plan, functional: FunctionalScenario, theme: Theme) -> str:
     for arm in arms:
         layers.append(_marks(plan, arm, theme, crosswalk=arm in functional.junction.crosswalks))
         a = plan.angles[arm]
-        ((x, y),) = in_tile([((REACH + 9) * cos(a), (REACH + 9) * sin(a))])
+        ((x, y),) = in_tile([((REACH + _NUMBER_AT) * cos(a), (REACH + _NUMBER_AT) * sin(a))])
         layers.append(letters(str(arm), x, y + 4, 11, theme.text_soft, text_anchor="middle"))
     return "".join(layers)
 

@@ -5,16 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
+from scegen.enumeration.choosing.coverage import Meeting, meetings
 from scegen.enumeration.choosing.ranking import richest_first
 from scegen.enumeration.choosing.where import where as where_test
 from scegen.errors import InputError
 from scegen.pipeline.picking import pick
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Certificate, LogicalScenario, LogicalSet
+from scegen.scenario.rule_file import RuleFile
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 from scegen.web import tasks
 from scegen.web.jobs import Job, Jobs
 from scegen.web.undertakings import Undertakings
+
+LONGEST_RULES = 20_000
+"""Characters."""
 
 
 @dataclass
@@ -28,6 +33,17 @@ class Listing:
     notes: tuple[str, ...] = ()
     scenarios: list[LogicalScenario] = field(default_factory=list)
     whole: bool = False
+    _meetings: dict[int, frozenset[Meeting]] = field(default_factory=dict)
+
+    def add(self, scenarios: Iterable[LogicalScenario]) -> None:
+        """Take in more; who meets whom in them is worked out now, not when it is looked at."""
+        for scenario in scenarios:
+            self.scenarios.append(scenario)
+            self._meetings[scenario.index] = meetings(self.functional, scenario)
+
+    def meetings_of(self, scenario: LogicalScenario) -> frozenset[Meeting]:
+        """Who meets whom in one of the scenarios."""
+        return self._meetings[scenario.index]
 
     def logical(self) -> LogicalSet:
         """The set as it is in a file."""
@@ -67,17 +83,23 @@ class Listing:
 
 
 class Choice(Undertakings):
-    """The functional scenario, all its logical ones, and which of them are chosen."""
+    """The functional scenario, all its logical ones, and which of them are chosen.
+
+    ``suggested``: nobody has chosen; what is marked is what is tried first, and another may be
+    made if it shows better what was said.
+    """
 
     def __init__(self, jobs: Jobs) -> None:
         super().__init__(jobs)
         self.functional: FunctionalScenario | None = None
         self.reduction, self.arms = Reduction.EXACT, ArmsMode.DISTINCT
+        self.rules = ""
         self.listing: Listing | None = None
         self.where = ""
         self.where_trouble: str | None = None
         self.shown: list[int] = []
         self.picked: list[int] = []
+        self.suggested = False
         self.choice_note: str | None = None
 
     def list_all(self) -> None:
@@ -87,7 +109,7 @@ class Choice(Undertakings):
         self.cancel("choosing")
         self.listing = Listing(self.functional, self.reduction, self.arms)
         self.where, self.where_trouble, self.picked, self.shown = "", None, [], []
-        self.choice_note = None
+        self.choice_note, self.suggested = None, False
         self._begin(
             "listing",
             self._listed,
@@ -95,6 +117,7 @@ class Choice(Undertakings):
             self.functional,
             self.reduction,
             self.arms,
+            self.rule_file,
             partly=self._take_parts,
         )
         self._changed("listing", "choice", "edition")
@@ -104,6 +127,23 @@ class Choice(Undertakings):
         if (reduction, arms) != (self.reduction, self.arms):
             self.reduction, self.arms = reduction, arms
             self.list_all()
+
+    def keep_rules(self, text: str) -> None:
+        """List again, only what keeps these rules; the same language as ``--rules``.
+
+        Raises:
+            InputError: they are too long.
+        """
+        if len(text) > LONGEST_RULES:
+            raise InputError(f"rules of more than {LONGEST_RULES:,} characters are not taken")
+        if text.strip() != self.rules:
+            self.rules = text.strip()
+            self.list_all()
+
+    @property
+    def rule_file(self) -> RuleFile | None:
+        """The rules that every scenario is to keep, if there are any."""
+        return RuleFile(f"{self.rules}\n") if self.rules else None
 
     def filter(self, expression: str) -> None:
         """Show the scenarios for which an expression holds; the same language as ``--where``."""
@@ -120,7 +160,7 @@ class Choice(Undertakings):
         """Make these, in the order in which they were chosen; what is not listed is left out."""
         known = {s.index for s in self.listing.scenarios} if self.listing else set()
         self.picked = [i for i in dict.fromkeys(indices) if i in known]
-        self.choice_note = note
+        self.choice_note, self.suggested = note, False
         self._changed("choice")
 
     def choose_covering(self) -> None:
@@ -150,6 +190,7 @@ class Choice(Undertakings):
         self.listing.whole = True
         if not self.picked and self.listing.scenarios:
             self.picked = [pick(self.listing.logical(), None)[0].index]
+            self.suggested = True
         self._changed("listing", "choice")
 
     def _take_parts(self, job: Job) -> None:
@@ -161,7 +202,7 @@ class Choice(Undertakings):
             if isinstance(part, Certificate):
                 self.listing.certificate = part
                 continue
-            self.listing.scenarios.extend(part)
+            self.listing.add(part)
             where = "" if self.where_trouble else self.where
             self.shown.extend(self.listing.matching(where, part))
         if parts:

@@ -5,22 +5,22 @@ from __future__ import annotations
 import json
 
 from scegen.concretization import concretize
-from scegen.errors import ScegenError
+from scegen.errors import InfeasibleError
 from scegen.report.player.scene import scene_of
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.proof import Proof
-from scegen.web.made import MadeScenario
+from scegen.web.made import Made, MadeScenario
 
 
-def film(made: MadeScenario, functional: FunctionalScenario | None) -> bytes:
+def film(made: MadeScenario, whole: Made) -> bytes:
     """The scene as found and, where a search has changed it, as it was first laid: JSON.
 
     The object holds ``scene``, ``before`` (or null) and ``environment``.
     """
     before = None
-    if functional is not None and made.proof is not None and made.proof.changed:
-        before = _before(functional, made.concrete, made.proof)
+    if made.proof is not None and made.proof.changed:
+        first = whole.given or _first_timing(whole.functional, made.concrete)
+        before = None if first is None else scene_of(first, made.proof, first=True)
     data = {
         "scene": scene_of(made.concrete, made.proof),
         "before": before,
@@ -29,12 +29,13 @@ def film(made: MadeScenario, functional: FunctionalScenario | None) -> bytes:
     return json.dumps(data, ensure_ascii=False, separators=(",", ":")).encode()
 
 
-def _before(
-    functional: FunctionalScenario, found: ConcreteScenario, proof: Proof
-) -> dict[str, object] | None:
-    """The scenario that the search began from; None if it cannot be laid any more."""
+def _first_timing(
+    functional: FunctionalScenario | None, found: ConcreteScenario
+) -> ConcreteScenario | None:
+    """What the search began from, by the same call; None if it cannot be laid any more."""
+    if functional is None:
+        return None
     try:
-        first = concretize(functional, found.logical, seed=found.seed)
-        return scene_of(first, proof, first=True)
-    except ScegenError:
+        return concretize(functional, found.logical, seed=found.seed)
+    except InfeasibleError:
         return None

@@ -22,8 +22,15 @@ from typing import Any
 
 from scegen.errors import ScegenError
 
+try:
+    import resource
+except ModuleNotFoundError:  # not on every system
+    resource = None  # type: ignore[assignment]
+
 _PRELOADED = "scegen.web.tasks"
 _LONGEST_STEPS = 200
+MOST_MEMORY = 4 << 30
+"""Bytes that one job may take, where the system can hold it to that."""
 
 
 class JobState(StrEnum):
@@ -201,8 +208,13 @@ def _context() -> BaseContext:
 def _work(connection: Connection, task: Task, arguments: tuple[object, ...]) -> None:
     """In the process: do it, and say what came of it."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the server ends its jobs itself
+    if resource is not None:
+        resource.setrlimit(resource.RLIMIT_DATA, (MOST_MEMORY, MOST_MEMORY))
     try:
         connection.send(("done", task(*arguments, Teller(connection))))
+    except MemoryError:
+        message = f"This takes more than {MOST_MEMORY >> 30} GB of memory."
+        connection.send(("failed", Trouble(message, hint="Ask for less.")))
     except ScegenError as error:
         connection.send(("failed", Trouble(error.message, error.where, error.hint)))
     except Exception:  # noqa: BLE001 - the page must hear of whatever it is

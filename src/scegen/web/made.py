@@ -9,19 +9,20 @@ from typing import Any
 
 from pydantic import TypeAdapter
 
+from scegen.checking.subject import FUNCTIONAL_FILE
 from scegen.criticality.careful_driver import Verdict
 from scegen.errors import InputError
 from scegen.pipeline.export import CONCRETE_FILE
 from scegen.pipeline.folder import SUMMARY_FILE
-from scegen.pipeline.options import Options
 from scegen.pipeline.raising import PROOF_FILE
+from scegen.pipeline.source import GIVEN_FILE
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import from_data, load, read_text
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.parsing import parse
 from scegen.scenario.proof import Proof
+from scegen.scenario.rule_file import RULES_FILE
 from scegen.scenario.vocabulary import ArmsMode, Reduction
-from scegen.web.project import FUNCTIONAL_FILE
 
 _SCENARIOS = "scenarios"
 
@@ -61,27 +62,21 @@ class MadeScenario:
 
 @dataclass(frozen=True, slots=True)
 class Made:
-    """A folder of ``scegen generate``, or one that holds a functional scenario alone."""
+    """A folder of ``scegen generate``, or one that holds a functional scenario alone.
+
+    ``given`` are the numbers that a search began from, where it did not begin from a first timing;
+    ``rules`` are those that the logical scenarios keep.
+    """
 
     folder: Path
     functional: FunctionalScenario | None
     reduction: Reduction
     arms: ArmsMode
+    rules: str
+    given: ConcreteScenario | None
     scenarios: tuple[MadeScenario, ...]
     skipped: dict[str, str]
     summary: dict[str, Any]
-
-    def options(self) -> Options:
-        """Options that make these scenarios again, as far as the files tell."""
-        picked = ",".join(str(s.summary.get("logical_index", 0)) for s in self.scenarios)
-        targets = {s.proof.target for s in self.scenarios if s.proof is not None}
-        return Options(
-            pick=picked or None,
-            seed=int(self.summary.get("seed", 0)),
-            reduction=self.reduction,
-            arms=self.arms,
-            target=min(targets) if targets else "none",
-        )
 
 
 def read_made(folder: Path) -> Made:
@@ -107,6 +102,8 @@ def read_made(folder: Path) -> Made:
         functional,
         Reduction(enumeration.get("reduction", Reduction.EXACT)),
         ArmsMode(enumeration.get("arms", ArmsMode.DISTINCT)),
+        read_text(folder / RULES_FILE) if (folder / RULES_FILE).is_file() else "",
+        load(folder / GIVEN_FILE, ConcreteScenario) if (folder / GIVEN_FILE).is_file() else None,
         tuple(scenarios),
         {str(k): str(v) for k, v in summary.get("skipped", {}).items()},
         summary,

@@ -14,12 +14,10 @@ import zipfile
 from dataclasses import dataclass
 from pathlib import Path
 
+from scegen.checking.subject import FUNCTIONAL_FILE
 from scegen.errors import InputError
 from scegen.pipeline.folder import SUMMARY_FILE, digest, made_files
 
-FUNCTIONAL_FILE = "functional.yaml"
-GIVEN_FILE = "given.json"
-"""What the work began from, where that was a list of logical scenarios or numbers."""
 _WORDS_IN_NAME = 5
 _LONGEST_NAME = 48
 _EPOCH = (1980, 1, 1, 0, 0, 0)
@@ -49,7 +47,11 @@ class Project:
         """What can be opened, the newest first."""
         if not self.root.is_dir():
             return []
-        folders = [f for f in self.root.iterdir() if f.is_dir() and (f / FUNCTIONAL_FILE).is_file()]
+        folders = [
+            folder
+            for folder in self.root.iterdir()
+            if any((folder / name).is_file() for name in (FUNCTIONAL_FILE, SUMMARY_FILE))
+        ]
         folders.sort(key=lambda folder: (-folder.stat().st_mtime, folder.name))
         return [_entry(folder) for folder in folders if not folder.is_symlink()]
 
@@ -104,7 +106,7 @@ def changed_outside(folder: Path, kept: str | None) -> bool:
     others = [p for p in folder.rglob("*") if p.is_file()]
     for path in others:
         name = path.relative_to(folder).as_posix()
-        if name in {FUNCTIONAL_FILE, GIVEN_FILE, SUMMARY_FILE}:
+        if name in {FUNCTIONAL_FILE, SUMMARY_FILE}:
             continue
         if made.get(name) != digest(path.read_bytes()):
             return True
@@ -114,8 +116,7 @@ def changed_outside(folder: Path, kept: str | None) -> bool:
 def zipped(folder: Path, readme: str) -> bytes:
     """What was made in a folder as a zip file, with a README; the same bytes for the same files."""
     content = io.BytesIO()
-    names = sorted(made_files(folder))
-    files = {name: folder / name for name in [*names, GIVEN_FILE, SUMMARY_FILE]}
+    files = {name: folder / name for name in [*sorted(made_files(folder)), SUMMARY_FILE]}
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, path in files.items():
             if path.is_file() and path.resolve().is_relative_to(folder.resolve()):

@@ -6,6 +6,7 @@ from typing import Any
 
 from scegen.scenario.functional import Evidence, FunctionalScenario
 from scegen.scenario.vocabulary import EvidenceSource
+from scegen.web.form import Spec, form_spec
 
 BY_HAND, CONFIRMED = "set by hand", "confirmed by hand"
 _NOWHERE = object()
@@ -67,6 +68,42 @@ def value_at(data: Any, path: str) -> Any:  # noqa: ANN401 - JSON-able data
         else:
             return _NOWHERE
     return here
+
+
+def renamed(scenario: FunctionalScenario, old: str, new: str) -> dict[str, Any]:
+    """The data of a functional scenario in which a participant, an object or an act has a new name.
+
+    Fields that hold names are told from their types, so that no other word is taken for one. What
+    rested on words of the text rests on them under the new name.
+    """
+    data = scenario.model_dump(mode="json")
+    data |= _named_anew({"type": "group", "fields": form_spec()}, data, old, new)
+    lists = ("participants.", "objects.", "acts.")
+    for item in data["evidence"]:
+        parts = item["field"].split(".")
+        if item["field"].startswith(lists) and parts[1] == old:
+            item["field"] = ".".join([parts[0], new, *parts[2:]])
+    return data
+
+
+def _named_anew(spec: Spec, value: Any, old: str, new: str) -> Any:  # noqa: ANN401 - JSON-able data
+    """The value of a field, or of an item of a list, with the new name for the old."""
+    if value is None:
+        return None
+    kind = spec["type"]
+    if kind in {"id", "name"}:
+        return new if value == old else value
+    if kind == "names":
+        return [new if name == old else name for name in value]
+    if kind == "list":
+        return [_named_anew({**spec, "type": "group"}, item, old, new) for item in value]
+    if kind == "choice":
+        fields = next(m["fields"] for m in spec["members"] if m["tag"] == value["type"])
+        return {**value, **_named_anew({"type": "group", "fields": fields}, value, old, new)}
+    if kind == "group":
+        parts = {f["name"]: _named_anew(f, value[f["name"]], old, new) for f in spec["fields"]}
+        return {**value, **parts}
+    return value
 
 
 def without(data: Any, name: str) -> Any:  # noqa: ANN401 - JSON-able data

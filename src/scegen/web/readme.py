@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from scegen import __version__
-from scegen.web.steps.take_away import again
+from scegen.web.made import Made
+from scegen.web.steps.take_away import MODEL_SPOKE, again
 from scegen.web.work import Work
 
 _OUTCOMES = {
@@ -29,6 +30,15 @@ def readme(work: Work) -> str:
         "`concrete.yaml` with every number, and `proof.json` with every statement of the "
         "description and whether it holds. `functional.yaml` is what was understood, "
         "`logical.json` every way in which it can happen.\n\n"
-        f"The same files again, byte for byte:\n\n    {again(work)}\n\n"
+        f"{_how(made)}"
         "Check and play them:\n\n    scegen check .\n    scegen play .\n"
     )
+
+
+def _how(made: Made) -> str:
+    """The command that makes the files again, where the folder tells it."""
+    command = again(made)
+    if command is None:
+        return ""
+    spoken = f"{MODEL_SPOKE}\n\n" if "llm" in made.summary else ""
+    return f"The same files again, byte for byte:\n\n    {command}\n\n{spoken}"

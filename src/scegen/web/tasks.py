@@ -23,6 +23,7 @@ from scegen.pipeline.source import Source
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario, LogicalSet
+from scegen.scenario.rule_file import RuleFile
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 from scegen.understanding import ParseReport, read, report_on, report_on_contradiction
 from scegen.understanding.agents import understand_in
@@ -75,11 +76,17 @@ def understand(text: str, models: LlmSettings | None, tell: Teller) -> Understoo
 
 
 def enumerate_all(
-    functional: FunctionalScenario, reduction: Reduction, arms: ArmsMode, tell: Teller
+    functional: FunctionalScenario,
+    reduction: Reduction,
+    arms: ArmsMode,
+    rules: RuleFile | None,
+    tell: Teller,
 ) -> LogicalSet:
     """List all logical scenarios, handing them over as they are found; the set comes without."""
     tell.progress("enumerating")
-    listing = open_listing(functional, reduction=reduction, arms=arms, limit=LIST_LIMIT)
+    listing = open_listing(
+        functional, reduction=reduction, arms=arms, limit=LIST_LIMIT, rules=rules
+    )
     tell.part(listing.certificate())
     scenarios: list[LogicalScenario] = []
     for scenario in listing:
@@ -132,10 +139,10 @@ def look(folder: Path, tell: Teller) -> Made:
     return read_made(folder)
 
 
-def film_one(made: MadeScenario, functional: FunctionalScenario | None, tell: Teller) -> bytes:
+def film_one(made: MadeScenario, whole: Made, tell: Teller) -> bytes:
     """What the player plays of one scenario."""
     tell.progress("drawing the movement")
-    return film(made, functional)
+    return film(made, whole)
 
 
 def render_one(concrete: ConcreteScenario, ending: str, tell: Teller) -> bytes:

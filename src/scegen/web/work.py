@@ -10,12 +10,13 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from scegen.checking.subject import FUNCTIONAL_FILE
 from scegen.errors import InputError, ScegenError
 from scegen.pipeline.folder import digest
 from scegen.pipeline.options import Options
 from scegen.pipeline.picking import pick
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.files import from_data, to_json, to_yaml
+from scegen.scenario.files import from_data, to_yaml
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
 from scegen.understanding import ParseReport, report_on
@@ -24,8 +25,8 @@ from scegen.web.choice import Choice, Listing
 from scegen.web.jobs import Job, Jobs
 from scegen.web.made import Made, MadeScenario
 from scegen.web.models import Models
-from scegen.web.project import FUNCTIONAL_FILE, GIVEN_FILE, Project, changed_outside, keep
-from scegen.web.provenance import carried_over, confirmed, without
+from scegen.web.project import Project, changed_outside, keep
+from scegen.web.provenance import carried_over, confirmed, renamed, without
 
 
 class Work(Choice):
@@ -49,7 +50,6 @@ class Work(Choice):
         self.folder: Path | None = None
         self.kept: str | None = None
         self.made: Made | None = None
-        self.made_with: Options | None = None
         self.made_of: FunctionalScenario | None = None
         self.watched: str | None = None
         self.films: dict[str, bytes] = {}
@@ -94,6 +94,19 @@ class Work(Choice):
         if self.functional is not None:
             self.edit(without(self.functional.model_dump(mode="json"), name))
 
+    def rename(self, old: str, new: str) -> None:
+        """Give a participant, an object or an act another name, wherever it is named."""
+        if self.functional is None or new == old:
+            return
+        try:
+            found = from_data(FunctionalScenario, renamed(self.functional, old, new), where="form")
+        except ScegenError as error:
+            self.form_trouble = error.message
+            self._changed("form")
+            return
+        self.edited = True
+        self.take(found)
+
     def confirm(self, *paths: str) -> None:
         """What was assumed of fields is meant."""
         if self.functional is not None:
@@ -115,6 +128,7 @@ class Work(Choice):
         if self.models is not None and found.usage is not None:
             self.models.spend(found.usage)
         self.folder = self.kept = None
+        self.rules = ""
         if found.functional is not None:
             self.take(found.functional)
         else:
@@ -125,6 +139,7 @@ class Work(Choice):
     def _taken_in(self, job: Job) -> None:
         self.understood = None
         self.folder = self.kept = None
+        self.rules = ""
         if isinstance(job.result, str):
             self.understand(job.result)
         elif isinstance(job.result, FunctionalScenario):
@@ -149,11 +164,12 @@ class Work(Choice):
             logical.arms,
             logical.certificate,
             logical.notes,
-            scenarios,
             whole=True,
         )
+        self.listing.add(scenarios)
         self.shown = [s.index for s in scenarios]
         self.picked = [pick(logical, None)[0].index] if scenarios else []
+        self.suggested = True
         self._changed("listing", "choice", "edition")
 
     def _take_concrete(self, concrete: ConcreteScenario) -> None:
@@ -186,13 +202,16 @@ class Work(Choice):
         listed = self.functional is not None
         if source is None or (listed and not self.picked):
             raise InputError("choose at least one scenario first")
-        picked = ",".join(str(i) for i in self.picked) if listed else None
+        named = listed and not self.suggested
+        picked = ",".join(str(i) for i in self.picked) if named else None
         options = replace(self.options, pick=picked, force=True)
         if self.given is None:
-            options = replace(options, reduction=self.reduction, arms=self.arms)
+            options = replace(
+                options, reduction=self.reduction, arms=self.arms, rules=self.rule_file
+            )
         self.cancel("making", "opening")
         self._own_folder()
-        self.made_with, self.made_of = options, self.functional
+        self.made_of = self.functional
         self._begin("making", self._finished, tasks.make, source, self.folder, options)
         self._changed("making")
 
@@ -209,7 +228,7 @@ class Work(Choice):
         self.watched = name
         self._changed("watched")
         if self.made is not None and name not in self.films:
-            self._begin("filming", self._filmed, tasks.film_one, made, self.made.functional)
+            self._begin("filming", self._filmed, tasks.film_one, made, self.made)
 
     def play(self, name: str) -> None:
         """Play one of the scenarios that were made in esmini, on the server's screen."""
@@ -249,7 +268,11 @@ class Work(Choice):
             self._begin("looking", self._looked, tasks.look, self.folder)
 
     def _looked(self, job: Job) -> None:
-        self._show(job.result)
+        made: Made = job.result
+        self._show(made)
+        if self.suggested and made.scenarios:
+            self.picked = [made.scenarios[0].concrete.logical.index]
+            self._changed("choice")
         self._changed("making")
 
     def _show(self, made: Made) -> None:
@@ -262,13 +285,15 @@ class Work(Choice):
     def _opened(self, job: Job) -> None:
         made: Made = job.result
         self._show(made)
-        self.made_with, self.made_of = None, made.functional
+        self.made_of = made.functional
         self.understood, self.edited = None, False
         if made.functional is not None:
             self.draft = made.functional.description
-            self.reduction, self.arms = made.reduction, made.arms
+            self.reduction, self.arms, self.rules = made.reduction, made.arms, made.rules
             self.kept = digest((made.folder / FUNCTIONAL_FILE).read_bytes())
             self.take(made.functional)
+        elif made.scenarios:
+            self._take_concrete(made.given or made.scenarios[0].concrete)
         self.step = "watch" if made.scenarios else "describe"
         self._changed("made", "step")
 
@@ -281,10 +306,6 @@ class Work(Choice):
             content = to_yaml(self.functional).encode()
             keep(self.folder, FUNCTIONAL_FILE, content)
             self.kept = digest(content)
-        if self.given is not None:
-            keep(self.folder, GIVEN_FILE, to_json(self.given).encode())
-        else:
-            (self.folder / GIVEN_FILE).unlink(missing_ok=True)
 
     @property
     def stale(self) -> bool:

@@ -27,7 +27,9 @@ export class Panel {
   person(one, actions) {
     const swatch = h("i", { style: `background:var(${colourName(one)})`, "aria-hidden": "true" });
     const speed = h("span", { class: "speed" }), doing = h("span", { class: "doing" });
-    const kind = (one.role === "ego" && one.id !== "ego" ? "ego · " : "") + (one.what ?? one.kind).replaceAll("_", " ");
+    // what the name says already is not said again
+    const is = one.what ?? one.kind, ego = one.role === "ego" && one.id !== "ego" ? "ego" : "";
+    const kind = [ego, one.id.startsWith(is) ? "" : is.replaceAll("_", " ")].filter(Boolean).join(" · ");
     const button = h("button", { type: "button", "aria-pressed": "false", onclick: () => actions.select(one.id) },
       swatch, h("span", { class: "who" }, h("b", {}, one.id), " ", h("span", { class: "kind" }, kind)), speed, doing);
     this.rows.set(one.id, { button, speed, doing, still: Boolean(one.category || one.parked) });

@@ -56,7 +56,7 @@ export class Stage {
       const { halfWidth, halfHeight } = Camera.extent(points, angle);
       return Math.min(this.camera.width / (halfWidth + 8), this.camera.height / (halfHeight + 8));
     };
-    return room(Math.PI / 2) > 1.3 * room(0) ? Math.PI / 2 : 0;
+    return room(Math.PI / 2) > 1.6 * room(0) ? Math.PI / 2 : 0;
   }
 
   /** Show what matters; says whether it has to be followed to stay in sight. */

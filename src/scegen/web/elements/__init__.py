@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import nicegui.elements.scene
 from nicegui.element import Element
@@ -84,6 +84,22 @@ def choice(options: Sequence[tuple[str, str]]) -> list[dict[str, str]]:
     return [{"value": value, "label": label} for value, label in options]
 
 
+class Editor(Protocol):
+    """Who hears what is changed in a form."""
+
+    def edit(self, data: dict[str, Any]) -> None:
+        """All data, changed."""
+
+    def rename(self, old: str, new: str) -> None:
+        """Somebody's name."""
+
+    def forget(self, name: str) -> None:
+        """Somebody is taken out."""
+
+    def confirm(self, *paths: str) -> None:
+        """What was assumed of a field is meant."""
+
+
 class Form(Element, component="form.js"):
     """The functional scenario as a form."""
 
@@ -106,11 +122,12 @@ class Form(Element, component="form.js"):
             self.props["colours"] = colours
         self.props["wrong"] = wrong
 
-    def when(self, *, edit: Handler, forget: Handler, confirm: Handler) -> None:
-        """Call these: with all data, with the name of who goes, with the path of a field."""
-        self.on("edit", lambda event: edit(event.args))
-        self.on("forget", lambda event: forget(event.args))
-        self.on("confirm", lambda event: confirm(event.args))
+    def when(self, editor: Editor) -> None:
+        """Tell this of what is changed."""
+        self.on("edit", lambda event: editor.edit(event.args))
+        self.on("rename", lambda event: editor.rename(*event.args))
+        self.on("forget", lambda event: editor.forget(event.args))
+        self.on("confirm", lambda event: editor.confirm(event.args))
 
 
 class Gallery(Element, component="gallery.js"):
@@ -133,6 +150,25 @@ class Gallery(Element, component="gallery.js"):
         """Call these when scenarios are picked, or one alone."""
         self.on("pick", lambda event: pick(event.args))
         self.on("only", lambda event: only(event.args))
+
+
+class Rules(Element, component="rules.js"):
+    """A box for rules of one's own, with what they may ask for."""
+
+    def __init__(self, words: list[dict[str, str]], *, longest: int) -> None:
+        super().__init__()
+        self.props["words"] = words
+        self.props["longest"] = longest
+        self.show("")
+
+    def show(self, text: str) -> None:
+        """Put in the rules that are kept now."""
+        if self.props.get("value") != text:
+            self.props["value"] = text
+
+    def when(self, *, keep: Handler) -> None:
+        """Call this with the rules that are to be kept."""
+        self.on("keep", lambda event: keep(event.args))
 
 
 class Cinema(
@@ -164,6 +200,7 @@ __all__ = [
     "Form",
     "Gallery",
     "GenericEventArguments",
+    "Rules",
     "button",
     "choice",
     "drawn",

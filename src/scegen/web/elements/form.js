@@ -30,7 +30,9 @@ const Field = {
           :disabled="standing.standing === 'understood'" @click="ctx.confirm(path)"></button>
       </span>
       <span class="field-value">
-        <template v-if="f.type === 'id'"><span class="name">{{ value }}</span></template>
+        <input v-if="f.type === 'id'" class="name" :value="value" maxlength="40" :size="Math.max(4, String(value).length)"
+          spellcheck="false" autocomplete="off" :aria-label="'Name of ' + value" data-tip="Its name; a new one takes its place everywhere"
+          @change="rename($event.target)" @keydown.enter.prevent="$event.target.blur()">
         <button v-else-if="f.type === 'flag'" class="tag" :class="{ on: value }" :aria-pressed="!!value"
           @click="set(!value)">{{ value ? 'yes' : 'no' }}</button>
         <select v-else-if="f.type === 'word'" :value="value ?? ''" :aria-label="f.label" :data-tip="meaning(value)"
@@ -145,6 +147,11 @@ const Field = {
       if (!this.ranged || !(range.low <= range.high)) range[other] = number;
       this.set(range);
     },
+    rename(box) {
+      const name = box.value.trim().toLowerCase().replaceAll(/[^a-z0-9_]+/g, "_");
+      if (name && name !== this.value) this.ctx.rename(this.value, name);
+      box.value = this.value;
+    },
     sequence(text) {
       const numbers = text.split(/[\s,;]+/).filter(Boolean).map((n) => Number(n) / this.f.factor);
       this.set(numbers.some(Number.isNaN) ? this.value : numbers);
@@ -237,6 +244,7 @@ export default {
           acts,
           moments: ["start", "contact", ...acts],
         },
+        rename: (old, name) => this.$emit("rename", [old, name]),
         confirm: (path) => this.$emit("confirm", path),
       };
     },

@@ -65,6 +65,7 @@ export default {
     this.observer = new ResizeObserver(this.measure);
     this.observer.observe(this.$refs.box);
     this.measure();
+    this.$nextTick(() => this.chosen.length && this.bringIn(this.indices.indexOf(this.chosen[0])));
     this.fetchMissing();
   },
   unmounted() {
@@ -101,6 +102,11 @@ export default {
         missing.forEach((i) => this.wanted.delete(i));
       }
     },
+    bringIn(place) {
+      const y = Math.floor(place / this.columns) * this.row;
+      const box = this.$refs.box;
+      if (y < box.scrollTop || y + this.row > box.scrollTop + this.tall) box.scrollTop = y - this.tall / 3;
+    },
     toggle(tile, event) {
       if (event.shiftKey && this.at >= 0) {
         const [from, to] = [Math.min(this.at, tile.place), Math.max(this.at, tile.place)];
@@ -120,9 +126,7 @@ export default {
       const step = { ArrowRight: 1, ArrowLeft: -1, ArrowDown: this.columns, ArrowUp: -this.columns }[event.key];
       if (step !== undefined) {
         this.at = Math.min(Math.max(0, this.at + step), this.indices.length - 1);
-        const y = Math.floor(this.at / this.columns) * this.row;
-        const box = this.$refs.box;
-        if (y < box.scrollTop || y + this.row > box.scrollTop + this.tall) box.scrollTop = y - this.tall / 3;
+        this.bringIn(this.at);
         event.preventDefault();
       } else if ((event.key === " " || event.key === "Enter") && this.at >= 0) {
         this.pick(this.indices[this.at]);

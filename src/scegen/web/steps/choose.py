@@ -6,11 +6,12 @@ from collections import Counter
 from html import escape
 from typing import Any
 
-from scegen.enumeration.choosing.coverage import Meeting, meetings
+from scegen.enumeration.choosing.coverage import Meeting
+from scegen.enumeration.user_rules import VOCABULARY
 from scegen.scenario.glossary import meaning_of
-from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.vocabulary import ArmsMode, Reduction
-from scegen.web.elements import Entry, Gallery, Handler, button, choice, drawn, node
+from scegen.web.choice import LONGEST_RULES
+from scegen.web.elements import Entry, Gallery, Handler, Rules, button, choice, drawn, node
 from scegen.web.pictures import tile_ratio
 from scegen.web.steps.filters import Filters
 from scegen.web.steps.step import Activity, Go
@@ -27,7 +28,6 @@ class Choose:
         self._filters: Filters | None = None
         self._only = False
         self._told: tuple[int, bool] | None = None
-        self._meetings: dict[int, frozenset[Meeting]] = {}
 
     def build(self) -> None:
         """Make the elements."""
@@ -37,6 +37,11 @@ class Choose:
                 node("h2", "", "Narrow")
                 self._facets = node("div", "facets")
                 self._expression = node("div", "expression")
+                self._rules = Rules(
+                    [{"form": w.form, "means": w.means} for w in VOCABULARY.values()],
+                    longest=LONGEST_RULES,
+                )
+                self._rules.when(keep=lambda text: work.keep_rules(str(text)))
                 node("h2", "", "Count as one")
                 with node("div", "counting"):
                     self._counting()
@@ -79,6 +84,7 @@ class Choose:
         """Draw again what has changed."""
         self._activity.refresh()
         if changed & {"listing", "choice"}:
+            self._rules.show(self._work.rules)
             self._show_head()
             self._show_tiles()
             self._show_filters()
@@ -120,7 +126,9 @@ class Choose:
         self._next.text = f"Make {chosen} dangerous" if chosen else "Choose at least one"
         self._next.props.set_bool("disabled", not chosen)
         if listing is None or listing.certificate is None:
-            self._title.text = "Counting …"
+            failed = self._work.trouble("listing") is not None
+            self._title.text = "No scenarios" if failed else "Counting …"
+            self._certificate.text = ""
             return
         claim = listing.certificate
         shown = f"{len(work.shown):,} shown of " if work.where else ""
@@ -140,15 +148,9 @@ class Choose:
                 self._filters.refresh()
             return
         self._told = (self._work.edition, listing.whole)
-        self._meetings = {}
         self._facets.clear()
         self._expression.clear()
         self._filters = Filters(self._work, listing, self._facets, self._expression)
-
-    def _of(self, scenario: LogicalScenario) -> frozenset[Meeting]:
-        if scenario.index not in self._meetings and self._work.listing is not None:
-            self._meetings[scenario.index] = meetings(self._work.listing.functional, scenario)
-        return self._meetings[scenario.index]
 
     def _show_coverage(self) -> None:
         """Every possible meeting, and in how many of the chosen scenarios it happens."""
@@ -160,7 +162,7 @@ class Choose:
         chosen: Counter[Meeting] = Counter()
         picked = set(work.picked)
         for scenario in listing.scenarios:
-            held = self._of(scenario)
+            held = listing.meetings_of(scenario)
             possible.update(held)
             if scenario.index in picked:
                 chosen.update(held)

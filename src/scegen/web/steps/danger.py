@@ -53,7 +53,7 @@ class Danger:
                 self._targets = node("div", "targets", role="radiogroup", aria_label="Target")
                 self._band = node("div", "band-box")
                 self._hazards = Form(form_spec(), ("hazards", "outcome"))
-                self._hazards.when(edit=work.edit, forget=work.forget, confirm=work.confirm)
+                self._hazards.when(work)
                 with node("details", "more-options"):
                     node("summary", "", "Files and search")
                     self._more()

@@ -32,8 +32,8 @@ EXAMPLES = {
     "straight and a pedestrian crosses the road it turns into.",
     "Hard braking": "The ego follows a car at 100 km/h with a headway of 1.5 s. The car brakes "
     "with 5 m/s2 to 40 km/h.",
-    "Hidden child": "A child runs out from behind a parked van, 15 m ahead of the ego, which "
-    "drives 50 km/h.",
+    "Hidden child": "A child runs out from behind a parked van, 20 m ahead of the ego, which "
+    "drives 30 km/h.",
     "Red light": "At a four-way intersection with traffic lights, a van from the right runs the "
     "red light as the ego goes straight at 50 km/h.",
     "Every way": "Four cars meet at an uncontrolled four-way intersection.",
@@ -84,9 +84,7 @@ class Describe:
                 self._model = node("div", "model-box")
             with node("section", "pane fields", aria_label="What was understood"):
                 self._form = Form(self._spec, _SECTIONS)
-                self._form.when(
-                    edit=self._work.edit, forget=self._work.forget, confirm=self._work.confirm
-                )
+                self._form.when(self._work)
                 self._wrong = node("div", "problem", role="alert")
             with node("section", "pane plan", aria_label="Plan"):
                 self._plan = node("div", "plan-box")
@@ -158,6 +156,8 @@ class Describe:
         with self._found:
             if understood is not None and understood.trouble is not None:
                 node("div", "problem", understood.trouble, role="alert")
+            if understood is not None and self._work.models is not None:
+                node("p", "note", f"understood by {understood.speaker}")
             with node("ul", "legend"):
                 for standing in Standing:
                     count = len(report.of(standing))
@@ -223,8 +223,12 @@ class Describe:
             node("p", "soft", f"of {certificate.total:,} assignments")
             button("See them all", lambda: self._go("choose"), "primary wide")
             richest = work.richest()
-            if richest is not None:
-                drawn(tile_picture(richest, listing.functional), "paper")
+            picture = (
+                junction(work.functional)
+                if richest is None
+                else tile_picture(richest, listing.functional)
+            )
+            drawn(picture, "paper")
 
 
 def _alike(findings: Iterable[Finding]) -> list[list[Finding]]:

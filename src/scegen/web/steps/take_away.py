@@ -9,14 +9,18 @@ from scegen.pipeline.command import command_line
 from scegen.pipeline.folder import made_files
 from scegen.pipeline.playing import has_screen
 from scegen.pipeline.rendering import GIF, MP4, has_video
+from scegen.report.cinema import VIDEO_HINT
 from scegen.web.elements import button, node
 from scegen.web.made import Made
-from scegen.web.project import FUNCTIONAL_FILE, GIVEN_FILE
 from scegen.web.steps.outcome import outcome_cards
 from scegen.web.steps.step import Activity, Go
 from scegen.web.work import Work
 
 _COPY = "() => navigator.clipboard.writeText(document.getElementById('again').textContent)"
+MODEL_SPOKE = (
+    "A language model took part in this run; numbers that it proposed come again only from its "
+    "recording (--llm-record, --llm-replay)."
+)
 _LEVELS = {
     "functional.yaml": "functional: what was understood",
     "logical.json": "logical: who enters and leaves where",
@@ -28,6 +32,8 @@ _LEVELS = {
     "report.html": "report, opens offline",
     "gallery.svg": "all logical scenarios",
     "summary.json": "what was made, with digests",
+    "given.json": "the numbers that the search began from",
+    "rules.lp": "the rules that the scenarios keep",
 }
 
 
@@ -83,6 +89,8 @@ class TakeAway:
                             "small",
                             data_tip=None if has_screen() else "No screen here: without a window",
                         )
+            if not has_video():
+                node("p", "note", f"MP4 needs imageio-ffmpeg: {VIDEO_HINT}")
             if work.played is not None:
                 said = f"ended with exit code {work.played}" if work.played else "played to its end"
                 node("p", "note", f"esmini: {said}")
@@ -105,10 +113,14 @@ class TakeAway:
             download=f"{made.folder.name}.zip",
         )
         node("p", "soft", f"In the project folder: {made.folder.name}/")
-        node("h2", "", "The same files again, byte for byte")
-        with node("div", "command"):
-            node("code", "", again(self._work), id="again")
-            node("button", "button small", "Copy", type="button").on("click", js_handler=_COPY)
+        command = again(made)
+        if command is not None:
+            node("h2", "", "The same files again, byte for byte")
+            with node("div", "command"):
+                node("code", "", command, id="again")
+                node("button", "button small", "Copy", type="button").on("click", js_handler=_COPY)
+            if "llm" in made.summary:
+                node("p", "note", MODEL_SPOKE)
         node("h2", "", "Files")
         names = sorted(made_files(made.folder), key=lambda name: (name.count("/"), name))
         with node("ul", "file-list"):
@@ -118,11 +130,6 @@ class TakeAway:
                     node("span", "soft", _LEVELS.get(name.rsplit("/", 1)[-1], ""))
 
 
-def again(work: Work) -> str:
-    """The command that makes these files again, to be run beside the functional scenario."""
-    if work.made is None:
-        return ""
-    options = work.made_with or work.made.options()
-    given = (work.made.folder / GIVEN_FILE).is_file()
-    source = GIVEN_FILE if given else FUNCTIONAL_FILE
-    return command_line(options, source, "again")
+def again(made: Made) -> str | None:
+    """The command that makes a folder again, to be run in it; None if it does not tell how."""
+    return command_line(made.summary, "again")

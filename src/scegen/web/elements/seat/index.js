@@ -162,9 +162,13 @@ export class DriversSeat {
   tell(recording, time) {
     const hidden = new Map(recording.hiddenFrom(recording.ego, time));
     const who = [...hidden].map(([target, by]) => `${target} is hidden by ${by}`);
+    const told = who.length > 2 ? [`hidden: ${[...hidden.keys()].join(", ")}`] : who;
     const speed = `${Math.round(recording.pose(recording.ego, time).speed * 3.6)} km/h`;
-    const text = [`${recording.ego}, driver's seat · ${speed}`, ...who].join(" · ");
-    if (text !== this.told) this.caption.textContent = this.told = text;
+    const text = [`${recording.ego}, driver's seat · ${speed}`, ...told].join(" · ");
+    if (text !== this.told) {
+      this.caption.textContent = this.told = text;
+      this.caption.title = who.join("\n");
+    }
     this.host.classList.toggle("blind", hidden.size > 0);
   }
 
