@@ -20,6 +20,7 @@ from scegen.cli import (
     enumerate,  # noqa: A004 - named after its command
     gallery,
     generate,
+    parameterise,
     play,
     render,
     schema,
@@ -88,6 +89,7 @@ app.command("understand")(understand.understand)
 app.command("enumerate")(enumerate.enumerate_)
 app.command("gallery")(gallery.gallery)
 app.command("concretize")(concretize.concretize)
+app.command("parameterise")(parameterise.parameterise)
 app.command("check")(check.check)
 app.command("simulate")(simulate.simulate)
 app.command("play")(play.play)
