@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from scegen.cli.console import result, say
-from scegen.errors import InputError
+from scegen.errors import InputError, MissingToolError
 
 
 def parameterise(
@@ -30,16 +30,23 @@ def parameterise(
         bool,
         typer.Option("--alone", help="Also write every set as a scenario folder of its own."),
     ] = False,
+    confirm: Annotated[
+        bool,
+        typer.Option("--confirm", help="Play every set in esmini, with parameters and --alone."),
+    ] = False,
 ) -> None:
     """Write a scenario with parameters (OpenSCENARIO 1.2), and values to play it with."""
-    from scegen.pipeline.parameter_sets import PARAMETERISED_FILE, VALUES_FILE
+    from scegen.checking.environment import ESMINI_HINT, esmini
+    from scegen.pipeline.parameter_sets import PARAMETERISED_FILE, VALUES_FILE, set_files
     from scegen.pipeline.parameter_sets import write_parameter_files as run
     from scegen.pipeline.parameter_source import parameter_source
 
     if output.exists() and not output.is_dir():
         raise InputError("is a file, not a folder", where=str(output), hint="choose another -o")
+    if confirm and esmini() is None:
+        raise MissingToolError(f"esmini is not on PATH; {ESMINI_HINT}")
     functional, concrete = parameter_source(source, index, seed)
-    made = run(functional, concrete, count=sets, seed=seed, alone=alone)
+    made = run(functional, concrete, count=sets, seed=seed, alone=alone or confirm)
     try:
         for name, content in made.files.items():
             file = output / name
@@ -55,3 +62,13 @@ def parameterise(
         say(f"{times} draws passed over: {reason}")
     result(f"{output / PARAMETERISED_FILE}  {len(made.declared)} parameters")
     result(f"{output / VALUES_FILE}  {len(made.sets)} sets of values")
+    if confirm:
+        from scegen.checking.parameters import check_parameters
+
+        alone_files = set_files(output, len(made.sets))
+        checked = check_parameters(output / PARAMETERISED_FILE, output / VALUES_FILE, alone_files)
+        result(f"{checked.checker} {checked.status}  {checked.detail}")
+        for finding in checked.errors:
+            say(f"  {finding.place}: {finding.message} [{finding.rule}]")
+        if checked.errors:
+            raise typer.Exit(1)

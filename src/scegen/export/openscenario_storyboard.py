@@ -71,7 +71,10 @@ def _init(
         place = vertex_position(path, 0)
         if start := numbers.starts.get(participant.id):
             place = xosc.TrajectoryPosition(
-                _trajectory(participant, start.path), written(start.along_m), 0.0
+                _trajectory(participant, start.path),
+                written(start.along_m),
+                0.0,
+                xosc.Orientation(reference=xosc.ReferenceContext.relative),
             )
         init.add_init_action(participant.id, xosc.TeleportAction(place))
         speed = written(numbers.speeds_mps[participant.id]) if _moves(path) else 0.0

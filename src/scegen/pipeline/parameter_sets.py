@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import numpy as np
 
@@ -95,12 +96,22 @@ def write_parameter_files(
         VALUES_FILE: write_distribution(concrete, PARAMETERISED_FILE, [s.values for s in sets]),
     }
     for number, one in enumerate(sets, start=1) if alone else ():
-        folder = f"{SETS_FOLDER}/{number:03d}"
+        folder = _set_folder(number)
         paths = space.paths(one.concrete)
         files[f"{folder}/{ROAD_FILE}"] = road
         files[f"{folder}/{SCENARIO_FILE}"] = write_openscenario(one.concrete, paths)
         files[f"{folder}/{CONCRETE_FILE}"] = to_yaml(one.concrete).encode()
     return ParameterFiles(files, made.declared, sets, frozen(space, made.numbers), passed_over)
+
+
+def set_files(folder: Path, count: int) -> dict[str, Path]:
+    """The scenario files of sets of their own, by name, where they were written."""
+    names = [_set_folder(number) for number in range(1, count + 1)]
+    return {name: folder / name / SCENARIO_FILE for name in names}
+
+
+def _set_folder(number: int) -> str:
+    return f"{SETS_FOLDER}/{number:03d}"
 
 
 def _road(space: ParameterSpace) -> bytes:

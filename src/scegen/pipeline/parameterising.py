@@ -16,7 +16,6 @@ import numpy as np
 from scegen.claims.view import view_of
 from scegen.claims.ways import paths_of, ways_of
 from scegen.concretization.assemble import require_apart
-from scegen.concretization.limits import LONGEST_DURATION_S
 from scegen.criticality.raising.raising import named_pair
 from scegen.criticality.raising.stage import Stage
 from scegen.criticality.search.problem import Problem, finishing
@@ -36,8 +35,9 @@ from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
 
-_LONGER = 2.0
-"""Slower ones take longer than the scenario as it is."""
+_LONGER = (1.0, 1.25, 1.6, 2.0)
+"""Slower ones take longer than the scenario as it is; no longer than needed is looked at, or those
+who wait at the end of their road would meet there."""
 _AS_WRITTEN = 1.6e-3
 _AS_PLAYED_M = 0.01
 _DURATION, _EGO_GOES = "duration_s", "ego_has_come_m"
@@ -58,7 +58,7 @@ class ParameterSpace:
     concrete: ConcreteScenario
     network: RoadNetwork
     problem: Problem
-    pair: tuple[str, ...]
+    pair: tuple[str, str] | tuple[()]
     names: tuple[str, ...]
 
     @property
@@ -79,6 +79,11 @@ class ParameterSpace:
     def variables(self) -> Sequence[Variable]:
         """What the parameters are, in the order of their names."""
         return self.problem.space.variables
+
+    @property
+    def longest_s(self) -> float:
+        """So long may a scenario be with any values."""
+        return _LONGER[-1] * self.problem.duration_s
 
     def paths(self, concrete: ConcreteScenario) -> dict[str, Path]:
         """The paths of a scenario on this road, from where everybody starts."""
@@ -121,12 +126,14 @@ class ParameterSpace:
     def _duration_s(self, made: Candidates) -> float:
         """Until everybody has left."""
         problem = self.problem
-        traces = simulate_batch(problem.program, made, duration_s=problem.duration_s)
-        view = view_of(problem.concrete, problem.ways, problem.scene, traces, problem.friction)
-        missing, duration = finishing(view, self.pair)  # type: ignore[arg-type]
-        if missing[0] > 0.0:
-            raise UnusableError("somebody does not leave in time")
-        return float(duration[0])
+        for longer in _LONGER:
+            end_s = longer * problem.duration_s
+            traces = simulate_batch(problem.program, made, duration_s=end_s)
+            view = view_of(problem.concrete, problem.ways, problem.scene, traces, problem.friction)
+            missing, duration = finishing(view, self.pair)
+            if missing[0] <= 0.0:
+                return float(duration[0])
+        raise UnusableError("somebody does not leave in time")
 
     def _require_as_told(
         self, concrete: ConcreteScenario, paths: Mapping[str, Path], made: Candidates
@@ -158,9 +165,7 @@ def parameter_space(
     between = named_pair(functional, concrete)
     stage = Stage(functional, concrete, network, parse_target(NEAR_MISS), between)
     problem = stage.problem()
-    problem.duration_s = min(_LONGER * concrete.duration_s, 2 * LONGEST_DURATION_S)
-    names = _names(problem)
-    return ParameterSpace(concrete, network, problem, stage.pair, names)
+    return ParameterSpace(concrete, network, problem, stage.pair, _names(problem))
 
 
 def _names(problem: Problem) -> tuple[str, ...]:
@@ -193,7 +198,7 @@ def parameterised(space: ParameterSpace) -> Parameterisation:
         for name, a, b in zip(space.names, low, high, strict=True)
     ]
     declared += [
-        Declared(_DURATION, given[_DURATION], 0.0, space.problem.duration_s),
+        Declared(_DURATION, given[_DURATION], 0.0, space.longest_s),
         Declared(_EGO_GOES, given[_EGO_GOES], 0.0, _farthest_m(space)),
     ]
     symbols = {item.name: Expression.parameter(item.name, item.low, item.high) for item in declared}
