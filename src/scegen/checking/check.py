@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from scegen.checking import asam, opendrive, openscenario, replay, said, schema
+from scegen.checking import asam, opendrive, openscenario, parameters, replay, said, schema
 from scegen.checking import esmini as player
 from scegen.checking.opendrive.network import Network
 from scegen.checking.results import CheckReport, CheckResult, error, not_run, verdict
@@ -90,6 +90,8 @@ def _own(subject: Subject, checkers: Collection[str]) -> list[CheckResult]:
             )
         )
         results += _played(subject, scenario, network, checkers)
+    if subject.values is not None and player.CHECKER in checkers:
+        results.append(parameters.check_values(subject.values.path, subject.values.content))
     if schema.CHECKER in checkers:
         results.append(schema.check_schema({file.name: file.content for file in subject.files}))
     return [result for result in results if result.checker in checkers]

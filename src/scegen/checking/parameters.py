@@ -7,6 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
+from scegen.checking.documents import parse_document
+from scegen.checking.esmini import CHECKER as ESMINI
 from scegen.checking.esmini.log import check_log
 from scegen.checking.esmini.playing import TIMEOUT_S, NotPlayedError, Played, play, play_sets
 from scegen.checking.esmini.recording import RecordingError, read_recording
@@ -44,6 +46,28 @@ def check_parameters(scenario: Path, values: Path, alone: Mapping[str, Path]) ->
     except RecordingError as problem:
         return verdict(CHECKER, [*findings, error("parameters.played", values.name, str(problem))])
     return verdict(CHECKER, findings, f"{len(alone)} sets, {100 * worst:.2f} cm apart at most")
+
+
+def check_values(values: Path, content: bytes) -> CheckResult:
+    """Play a file of values with the scenario that it names: esmini must take every set."""
+    root = parse_document(values.name, content, "OpenSCENARIO").root
+    named = root.find("ParameterValueDistribution/ScenarioFile")
+    path = named.get("filepath", "") if named is not None else ""
+    scenario = values.parent / path
+    if not path or not scenario.is_file():
+        message = f"names the scenario file {path!r}, which does not exist"
+        return verdict(ESMINI, [error("parameters.scenario", values.name, message)])
+    sets = sum(1 for _ in root.iter("ParameterValueSet"))
+    try:
+        together = play_sets(scenario, values, TIMEOUT_S + _SECONDS_PER_SET * sets)
+    except NotPlayedError as reason:
+        return not_run(ESMINI, str(reason))
+    findings = [f for played in together for f in check_log(played.log)]
+    findings = [f for f in findings if f.severity is Severity.ERROR]
+    if len(together) < sets or any(played.code != 0 for played in together):
+        message = f"{len(together)} of {sets} sets were played"
+        findings.append(error("parameters.played", values.name, message))
+    return verdict(ESMINI, findings, f"played {len(together)} sets of values")
 
 
 def _apart_m(one: Played, other: Played) -> tuple[float, str]:

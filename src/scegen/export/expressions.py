@@ -63,11 +63,6 @@ def written(value: Number) -> float | str:
     return value.written if isinstance(value, Expression) else value
 
 
-def at_most(value: Number) -> float:
-    """The largest that a number can be."""
-    return value.high if isinstance(value, Expression) else value
-
-
 def _expression(item: object) -> Expression:
     if isinstance(item, Expression):
         return item

@@ -123,7 +123,7 @@ def write_distribution(
     with _library_writes(_MINOR[VERSION]) as minor:
         description = f"{header_description(concrete.name)}: {len(sets)} sets of its parameters"
         made = distribution(description, xml_text(scenario_file), sets, minor)
-        made.header.date = _DATE
+        made.header.creation_date = _DATE
         return _document(made.get_element())
 
 
