@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
 
 from scegen.checking.environment import esmini
 from scegen.checking.esmini.layout import simulated_csv
-from scegen.checking.esmini.playing import TIMEOUT_S, NotPlayedError, play
+from scegen.checking.esmini.playing import TIMEOUT_S, NotPlayedError, Played, play
 from scegen.errors import InputError
 from scegen.scenario.concrete import ConcreteScenario
 
@@ -28,8 +29,16 @@ class Recorded:
     csv: str
 
 
-def record(scenario: Path, concrete: ConcreteScenario, *, timeout_s: float = TIMEOUT_S) -> Recorded:
+def record(
+    scenario: Path,
+    concrete: ConcreteScenario,
+    *,
+    timeout_s: float = TIMEOUT_S,
+    once: Callable[[], Played] | None = None,
+) -> Recorded:
     """Run a scenario: in esmini where it is there, else in our own simulation.
+
+    ``once`` plays it in esmini, for others too.
 
     Raises:
         InputError: esmini is there but does not play the file.
@@ -38,7 +47,7 @@ def record(scenario: Path, concrete: ConcreteScenario, *, timeout_s: float = TIM
     if esmini() is None:
         return Recorded(Player.OWN, simulated_csv(concrete))
     try:
-        played = play(scenario, timeout_s)
+        played = once() if once is not None else play(scenario, timeout_s)
     except NotPlayedError as reason:
         raise InputError(str(reason), where=str(scenario)) from reason
     if played.code != 0:

@@ -1,8 +1,8 @@
 """scenariogeneration's ``xodr`` and ``xosc``, loaded without scipy and xmlschema.
 
-The library needs scipy for the length of one kind of curve only, parametric cubics, and xmlschema to
-read files, which is not done here; but it would load both at once, a third of the time that a whole
-run may take.
+The library needs scipy for the length of one kind of curve only, parametric cubics, and xmlschema
+to read files, neither of which is done here; but it would load both at once, a third of the time
+that a whole run may take.
 """
 
 from __future__ import annotations

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import re
 import tempfile
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from scegen.checking.environment import ESMINI_HINT, esmini
@@ -39,6 +41,14 @@ def play(scenario: Path, timeout_s: float = TIMEOUT_S) -> Played:
         folder = Path(name)
         code = _run(scenario, folder, timeout_s)
         return Played(code, _text(folder / "played.log"), _text(folder / "played.csv"))
+
+
+def play_once(scenario: Path) -> Callable[[], Played]:
+    """What plays a scenario when it is first asked for, and then remembers how it went.
+
+    The callable raises as :func:`play` does.
+    """
+    return cache(lambda: play(scenario))
 
 
 def play_sets(scenario: Path, values: Path, timeout_s: float) -> list[Played]:
