@@ -25,7 +25,7 @@ from scegen.cli import (
     render,
     schema,
     serve,
-    simulate,
+    trace,
     understand,
 )
 from scegen.cli.console import INTERRUPTED, stderr
@@ -91,7 +91,7 @@ app.command("gallery")(gallery.gallery)
 app.command("concretize")(concretize.concretize)
 app.command("parameterise")(parameterise.parameterise)
 app.command("check")(check.check)
-app.command("simulate")(simulate.simulate)
+app.command("trace")(trace.trace)
 app.command("play")(play.play)
 app.command("render")(render.render)
 app.command("serve")(serve.serve)
