@@ -24,6 +24,9 @@ def parameterise(
         int | None,
         typer.Option("--index", "-i", min=0, help="Which scenario of a logical.json."),
     ] = None,
+    scenario: Annotated[
+        str | None, typer.Option(help="Which scenario of a folder, by name or its number.")
+    ] = None,
     sets: Annotated[int, typer.Option(help="How many random sets of values.")] = 50,
     seed: Annotated[int, typer.Option(min=0, help="Seed of everything random.")] = 0,
     alone: Annotated[
@@ -45,7 +48,7 @@ def parameterise(
         raise InputError("is a file, not a folder", where=str(output), hint="choose another -o")
     if confirm and esmini() is None:
         raise MissingToolError(f"esmini is not on PATH; {ESMINI_HINT}")
-    functional, concrete = parameter_source(source, index, seed)
+    functional, concrete = parameter_source(source, index, seed, scenario)
     made = run(functional, concrete, count=sets, seed=seed, alone=alone or confirm)
     try:
         for name, content in made.files.items():

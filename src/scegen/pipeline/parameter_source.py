@@ -17,9 +17,11 @@ from scegen.scenario.logical import LogicalSet
 
 
 def parameter_source(
-    place: Path, index: int | None, seed: int
+    place: Path, index: int | None, seed: int, scenario: str | None = None
 ) -> tuple[FunctionalScenario | None, ConcreteScenario]:
     """What a logical.json with an index, a scenario folder or a concrete.yaml stands for.
+
+    Of a folder with several, ``scenario`` names one; the first is taken without.
 
     Raises:
         InputError: none of these, or no index where one is needed.
@@ -31,8 +33,10 @@ def parameter_source(
             raise InputError(
                 f"holds {len(found.scenarios)} scenarios", where=str(place), hint="choose --index"
             )
-        scenario = pick(found, str(index), option="--index")[0]
-        return found.functional, concretize(found.functional, scenario, seed=seed)
+        if scenario is not None:
+            raise InputError("chooses in a folder; of a file, --index does", where="--scenario")
+        logical = pick(found, str(index), option="--index")[0]
+        return found.functional, concretize(found.functional, logical, seed=seed)
     if found is not None and not isinstance(found, ConcreteScenario):
         raise InputError(
             f"is a {found.level} scenario",
@@ -41,5 +45,5 @@ def parameter_source(
         )
     if index is not None:
         raise InputError("names one scenario: there is nothing to choose", where="--index")
-    file = scenario_file(place, CONCRETE_FILE)
+    file = scenario_file(place, CONCRETE_FILE, scenario)
     return origin_of(str(file)).functional, load(file, ConcreteScenario)
