@@ -131,7 +131,7 @@ def test_what_a_command_does_not_take(scegen, tmp_path):
         (tmp_path / f"{level}.json").write_text(json.dumps(data))
     assert_refused(scegen("concretize", "functional.json", "--index", "0"), "scegen enumerate")
     assert_refused(scegen("concretize", "logical.json", "--index", "7"), "--index: '7' names no")
-    assert_refused(scegen("simulate", "functional.json"), "scegen concretize writes one")
+    assert_refused(scegen("trace", "functional.json"), "scegen concretize writes one")
     assert_refused(scegen("enumerate", "concrete.json"), "name the functional.yaml")
     assert_refused(scegen("generate", "concrete.json", "-o", "out", "--pick", "3"), "nothing to")
     assert_refused(scegen("play", "logical.json"), "or a scenario.xosc in it")
@@ -179,7 +179,7 @@ READING = {
     "understand": (),
     "concretize": ("--index", "0"),
     "gallery": (),
-    "simulate": (),
+    "trace": (),
 }
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from scegen.checking import asam, opendrive, openscenario, replay, said, schema
+from scegen.checking import asam, opendrive, openscenario, parameters, replay, said, schema
 from scegen.checking import esmini as player
+from scegen.checking.esmini.playing import Played, play_once
 from scegen.checking.opendrive.network import Network
 from scegen.checking.results import CheckReport, CheckResult, error, not_run, verdict
 from scegen.checking.subject import File, Subject, find_subjects, read_folder
@@ -90,6 +91,8 @@ def _own(subject: Subject, checkers: Collection[str]) -> list[CheckResult]:
             )
         )
         results += _played(subject, scenario, network, checkers)
+    if subject.values is not None and player.CHECKER in checkers:
+        results.append(parameters.check_values(subject.values.path, subject.values.content))
     if schema.CHECKER in checkers:
         results.append(schema.check_schema({file.name: file.content for file in subject.files}))
     return [result for result in results if result.checker in checkers]
@@ -104,9 +107,10 @@ def _played(
         yield from (not_run(name, UNSOUND) for name in asked)
         return
     outside = openscenario.driven_from_outside(scenario.name, scenario.content)
+    once = play_once(scenario.path)
     if player.CHECKER in asked:
         yield player.check_esmini(
-            scenario.path, network, subject.concrete, driven_from_outside=outside
+            scenario.path, network, subject.concrete, driven_from_outside=outside, once=once
         )
     if REPLAY in asked:
         if subject.concrete is None:
@@ -114,19 +118,23 @@ def _played(
         elif outside:
             yield not_run(REPLAY, f"{min(outside)} is driven from outside: nothing is predicted")
         else:
-            yield replay.check_replay(scenario.path, subject.concrete)
+            yield replay.check_replay(scenario.path, subject.concrete, once)
     if said.CHECKER in asked:
-        yield _said(subject, scenario, outside)
+        yield _said(subject, scenario, outside, once)
 
 
-def _said(subject: Subject, scenario: File, outside: frozenset[str]) -> CheckResult:
+def _said(
+    subject: Subject, scenario: File, outside: frozenset[str], once: Callable[[], Played]
+) -> CheckResult:
     """What was said; who is driven from outside does as it likes."""
     if subject.concrete is None or subject.functional is None:
         lacking = "concrete.yaml" if subject.concrete is None else "functional.yaml"
         return not_run(said.CHECKER, f"there is no {lacking} that tells what was said")
     if outside:
         return not_run(said.CHECKER, f"{min(outside)} is driven from outside")
-    return said.check_said(scenario.path, subject.concrete, subject.functional, subject.touching)
+    return said.check_said(
+        scenario.path, subject.concrete, subject.functional, subject.touching, once
+    )
 
 
 @dataclass(frozen=True)

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
 
+import numpy as np
+
 from scegen.checking.environment import esmini
 from scegen.checking.esmini.layout import simulated_csv
-from scegen.checking.esmini.playing import TIMEOUT_S, NotPlayedError, play
+from scegen.checking.esmini.playing import TIMEOUT_S, NotPlayedError, Played, play
+from scegen.checking.esmini.recording import RecordingError, read_recording
 from scegen.errors import InputError
+from scegen.motion.model import Trace
 from scegen.scenario.concrete import ConcreteScenario
 
 
@@ -28,8 +33,16 @@ class Recorded:
     csv: str
 
 
-def record(scenario: Path, concrete: ConcreteScenario, *, timeout_s: float = TIMEOUT_S) -> Recorded:
+def record(
+    scenario: Path,
+    concrete: ConcreteScenario,
+    *,
+    timeout_s: float = TIMEOUT_S,
+    once: Callable[[], Played] | None = None,
+) -> Recorded:
     """Run a scenario: in esmini where it is there, else in our own simulation.
+
+    ``once`` plays it in esmini, for others too.
 
     Raises:
         InputError: esmini is there but does not play the file.
@@ -38,10 +51,39 @@ def record(scenario: Path, concrete: ConcreteScenario, *, timeout_s: float = TIM
     if esmini() is None:
         return Recorded(Player.OWN, simulated_csv(concrete))
     try:
-        played = play(scenario, timeout_s)
+        played = once() if once is not None else play(scenario, timeout_s)
     except NotPlayedError as reason:
         raise InputError(str(reason), where=str(scenario)) from reason
     if played.code != 0:
         ended = "did not end" if played.code is None else f"ended with exit code {played.code}"
         raise InputError(f"esmini {ended}", where=str(scenario))
     return Recorded(Player.ESMINI, played.recording)
+
+
+def traces_of(recorded: Recorded, concrete: ConcreteScenario) -> dict[str, Trace]:
+    """What the participants of a recording did; ``s_m`` is the way gone.
+
+    Raises:
+        InputError: the recording cannot be read, or somebody does not take part in it.
+    """
+    try:
+        movements = {m.entity: m for m in read_recording(recorded.csv)}
+    except RecordingError as problem:
+        raise InputError(str(problem), where=concrete.name) from problem
+    if lacking := [p.id for p in concrete.participants if p.id not in movements]:
+        raise InputError(f"{lacking[0]} does not take part in what is played", where=concrete.name)
+    traces = {}
+    for participant in concrete.participants:
+        movement = movements[participant.id]
+        steps = np.abs(np.diff(movement.point))
+        traces[participant.id] = Trace(
+            participant=participant.id,
+            kind=participant.kind,
+            time_s=movement.time_s,
+            s_m=np.concatenate(([0.0], np.cumsum(steps))),
+            x_m=movement.point.real,
+            y_m=movement.point.imag,
+            heading_rad=np.unwrap(movement.heading_rad),
+            speed_mps=movement.speed_mps,
+        )
+    return traces

@@ -13,14 +13,14 @@ arrival on, any place on that one step straight ahead counts as the predicted on
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from itertools import combinations
 from pathlib import Path as FilePath
 
 import numpy as np
 
-from scegen.checking.esmini.playing import NotPlayedError, play
+from scegen.checking.esmini.playing import NotPlayedError, Played, play
 from scegen.checking.esmini.recording import Movement, RecordingError, read_recording
 from scegen.checking.results import CheckResult, Finding, error, not_run, verdict
 from scegen.errors import ScegenError
@@ -77,11 +77,16 @@ class Agreement:
     findings: tuple[Finding, ...]
 
 
-def check_replay(scenario: FilePath, concrete: ConcreteScenario) -> CheckResult:
-    """Play a scenario file and compare it with the prediction from its concrete scenario."""
+def check_replay(
+    scenario: FilePath, concrete: ConcreteScenario, once: Callable[[], Played] | None = None
+) -> CheckResult:
+    """Play a scenario file and compare it with the prediction from its concrete scenario.
+
+    ``once`` plays it, for others too.
+    """
     try:
         predicted = predict(concrete)
-        played = play(scenario)
+        played = once() if once is not None else play(scenario)
         recording = read_recording(played.recording)
     except NotPlayedError as reason:
         return not_run(CHECKER, str(reason))

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 
+from scegen.checking.esmini.playing import Played
 from scegen.checking.esmini.recording import Movement, RecordingError, read_recording
 from scegen.checking.recording import record
 from scegen.checking.results import CheckResult, Finding, Severity, error, not_run, verdict
@@ -29,6 +31,7 @@ def check_said(
     concrete: ConcreteScenario,
     functional: FunctionalScenario,
     touching: tuple[str, ...] | None = (),
+    once: Callable[[], Played] | None = None,
 ) -> CheckResult:
     """Play a scenario, in esmini or else in our own simulation, and judge every statement.
 
@@ -38,13 +41,14 @@ def check_said(
         functional: what the description says.
         touching: two of whom a contact was asked for that nobody described; None where no danger
             was sought.
+        once: plays it in esmini, for others too.
     """
     missing = {p.id for p in functional.participants} - {p.id for p in concrete.participants}
     if missing:
         message = "is described but does not take part in concrete.yaml"
         return verdict(CHECKER, [error("said.participant", name, message) for name in missing])
     try:
-        recorded = record(scenario, concrete)
+        recorded = record(scenario, concrete, once=once)
         view = recorded_view(concrete, read_recording(recorded.csv))
     except (ScegenError, RecordingError) as problem:
         return not_run(CHECKER, str(problem))

@@ -40,6 +40,7 @@ class Subject:
     """A road, a scenario, or both, and what they were made from, as far as it is there.
 
     ``touching`` are two of whom a contact was asked for, None where no danger was sought.
+    ``values`` is a file of values for a scenario's parameters, which is no scenario itself.
     """
 
     place: Path
@@ -48,11 +49,12 @@ class Subject:
     concrete: ConcreteScenario | None
     functional: FunctionalScenario | None = None
     touching: tuple[str, ...] | None = None
+    values: File | None = None
 
     @property
     def files(self) -> tuple[File, ...]:
         """The files that are there."""
-        return tuple(file for file in (self.road, self.scenario) if file is not None)
+        return tuple(file for file in (self.road, self.scenario, self.values) if file is not None)
 
 
 def find_subjects(path: Path) -> list[Subject]:
@@ -120,6 +122,8 @@ def _single(path: Path) -> Subject:
         return Subject(path, _read(path), None, None)
     if suffix == ".xosc":
         scenario = _read(path)
+        if _holds_values(scenario):
+            return Subject(path, None, None, None, values=scenario)
         return Subject(path, _named_road(scenario), scenario, None)
     raise InputError("is neither an .xodr nor an .xosc file", where=str(path), hint=HINT)
 
@@ -131,6 +135,14 @@ def _read(path: Path) -> File:
     except BrokenXmlError:
         return File(path, content, sound=False)
     return File(path, content, sound=True)
+
+
+def _holds_values(file: File) -> bool:
+    """Whether an .xosc file gives values to the parameters of another."""
+    if not file.sound:
+        return False
+    root = parse_document(file.name, file.content, "OpenSCENARIO").root
+    return root.find("ParameterValueDistribution") is not None
 
 
 def _named_road(scenario: File) -> File | None:

@@ -20,11 +20,12 @@ from scegen.cli import (
     enumerate,  # noqa: A004 - named after its command
     gallery,
     generate,
+    parameterise,
     play,
     render,
     schema,
     serve,
-    simulate,
+    trace,
     understand,
 )
 from scegen.cli.console import INTERRUPTED, stderr
@@ -88,8 +89,9 @@ app.command("understand")(understand.understand)
 app.command("enumerate")(enumerate.enumerate_)
 app.command("gallery")(gallery.gallery)
 app.command("concretize")(concretize.concretize)
+app.command("parameterise")(parameterise.parameterise)
 app.command("check")(check.check)
-app.command("simulate")(simulate.simulate)
+app.command("trace")(trace.trace)
 app.command("play")(play.play)
 app.command("render")(render.render)
 app.command("serve")(serve.serve)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from scegen.concretization.asked import slug_name
@@ -54,7 +56,7 @@ def assemble(scene: Scene, seed: int) -> ConcreteScenario:
         provenance=tuple(scene.changes),
     )
     paths = {p.id: build_path(p.motion, p.kind, scene.network, p.id) for p in concrete.participants}
-    _check_start(concrete, paths)
+    require_apart(concrete, paths)
     _check_turns(concrete, paths)
     duration = _duration_s(scene, concrete, paths)
     if duration is None:
@@ -130,7 +132,12 @@ def _rounded(phase: SpeedPhase) -> SpeedPhase:
     )
 
 
-def _check_start(concrete: ConcreteScenario, paths: dict[str, Path]) -> None:
+def require_apart(concrete: ConcreteScenario, paths: Mapping[str, Path]) -> None:
+    """Refuse a scenario in which two stand in each other at the start.
+
+    Raises:
+        MotionInfeasibleError: bodies overlap.
+    """
     people = concrete.participants
     for i, first in enumerate(people):
         for second in people[i + 1 :]:

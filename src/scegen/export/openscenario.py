@@ -8,7 +8,8 @@ rules start there.
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET  # builds, never parses
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from datetime import datetime
 from threading import Lock
 from typing import Literal
@@ -16,6 +17,13 @@ from typing import Literal
 from scegen.errors import InputError
 from scegen.export.library import VersionBase, xosc
 from scegen.export.openscenario_entities import entities
+from scegen.export.openscenario_numbers import numbers_of
+from scegen.export.openscenario_parameters import (
+    VERSION,
+    Parameterisation,
+    declarations,
+    distribution,
+)
 from scegen.export.openscenario_storyboard import storyboard
 from scegen.export.openscenario_text import header_description, xml_text
 from scegen.motion.model import Path
@@ -62,36 +70,76 @@ def write_openscenario(
     missing = [p.id for p in concrete.participants if p.id not in paths]
     if missing:
         raise InputError(f"no path for {', '.join(missing)}", where=concrete.name)
-    minor = _MINOR[version]
+    with _library_writes(_MINOR[version]) as minor:
+        external = ego == "external"
+        made = xosc.Scenario(
+            header_description(concrete.name),
+            "ML-SceGen",
+            xosc.ParameterDeclarations(),
+            entities(concrete, external_ego=external),
+            storyboard(concrete, paths, numbers_of(concrete, paths), minor, external_ego=external),
+            xosc.RoadNetwork(xml_text(road_file)),
+            xosc.Catalog(),
+            osc_minor_version=minor,
+            creation_date=_DATE,
+        )
+        return _document(made.get_element())
+
+
+def write_parameterised(
+    concrete: ConcreteScenario,
+    paths: Mapping[str, Path],
+    parameters: Parameterisation,
+    *,
+    road_file: str = "road.xodr",
+) -> bytes:
+    """The scenario with parameters in place of numbers; their defaults are its own numbers.
+
+    Args:
+        concrete: the scenario.
+        paths: the path of every participant, by id.
+        parameters: what decides which number.
+        road_file: where the OpenDRIVE file lies, as seen from the scenario file.
+    """
+    with _library_writes(_MINOR[VERSION]) as minor:
+        made = xosc.Scenario(
+            xml_text(f"{header_description(concrete.name)}. {parameters.note}"),
+            "ML-SceGen",
+            declarations(parameters.declared),
+            entities(parameters.fastest),
+            storyboard(concrete, paths, parameters.numbers, minor),
+            xosc.RoadNetwork(xml_text(road_file)),
+            xosc.Catalog(),
+            osc_minor_version=minor,
+            creation_date=_DATE,
+        )
+        return _document(made.get_element())
+
+
+def write_distribution(
+    concrete: ConcreteScenario, scenario_file: str, sets: Sequence[Mapping[str, float]]
+) -> bytes:
+    """The file of values with which a parameterised scenario is played, set after set."""
+    with _library_writes(_MINOR[VERSION]) as minor:
+        description = f"{header_description(concrete.name)}: {len(sets)} sets of its parameters"
+        made = distribution(description, xml_text(scenario_file), sets, minor)
+        made.header.creation_date = _DATE
+        return _document(made.get_element())
+
+
+@contextmanager
+def _library_writes(minor: int) -> Iterator[int]:
+    """Nobody else writes meanwhile, and the library's version is put back."""
     with _VERSION_LOCK:
         before = VersionBase.version_minor
         try:
-            external = ego == "external"
-            root = _scenario(concrete, paths, road_file, minor, external=external).get_element()
+            VersionBase().setVersion(minor=minor)
+            yield minor
         finally:
             VersionBase().setVersion(minor=before)
+
+
+def _document(root: ET.Element) -> bytes:
     ET.indent(root, "  ")
     document: bytes = ET.tostring(root, encoding="utf-8", xml_declaration=True)
     return document + b"\n"
-
-
-def _scenario(
-    concrete: ConcreteScenario,
-    paths: Mapping[str, Path],
-    road_file: str,
-    minor: int,
-    *,
-    external: bool,
-) -> xosc.Scenario:
-    VersionBase().setVersion(minor=minor)
-    return xosc.Scenario(
-        header_description(concrete.name),
-        "ML-SceGen",
-        xosc.ParameterDeclarations(),
-        entities(concrete, external_ego=external),
-        storyboard(concrete, paths, minor, external_ego=external),
-        xosc.RoadNetwork(xml_text(road_file)),
-        xosc.Catalog(),
-        osc_minor_version=minor,
-        creation_date=_DATE,
-    )

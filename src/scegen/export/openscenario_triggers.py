@@ -8,14 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+import numpy as np
+
+from scegen.export.expressions import Number, written
 from scegen.export.library import xosc
+from scegen.export.openscenario_numbers import Numbers
 from scegen.export.openscenario_position import world_position
 from scegen.motion.model import Path
 from scegen.scenario.concrete import (
     ArrivalBelow,
     AtTime,
     ConcreteParticipant,
-    ConcreteScenario,
     SpeedPhase,
     StoodStill,
     Travelled,
@@ -35,12 +38,13 @@ def phase_event_name(participant: ConcreteParticipant, index: int) -> str:
 def phase_trigger(
     participant: ConcreteParticipant,
     index: int,
+    value: Number,
     paths: Mapping[str, Path],
     *,
     duration_s: float,
     minor: int,
 ) -> xosc.Trigger:
-    """The start trigger of phase ``index`` of a participant's speed program.
+    """The start trigger of phase ``index`` of a participant's speed program, at this ``value``.
 
     "Has fired" is "running or complete". Version 1.0 asks for the start instead of the running
     state, which scenario_runner does not know; it remembers a start, and so does esmini until
@@ -54,7 +58,8 @@ def phase_trigger(
         group = xosc.ConditionGroup()
         # Names must differ between groups: scenario_runner keeps what came true by name.
         name = f"{event}_when_{number}"
-        group.add_condition(_condition(name, participant, phase, paths, duration_s, minor))
+        condition = _condition(name, participant, phase, value, paths, duration_s, minor)
+        group.add_condition(condition)
         if state:
             before = phase_event_name(participant, index - 1)
             group.add_condition(_state_condition(f"{event}_after_{number}", "event", before, state))
@@ -72,67 +77,75 @@ def at_once(name: str, duration_s: float) -> xosc.ValueTrigger:
     return _value(name, xosc.SimulationTimeCondition(duration_s, xosc.Rule.lessThan))
 
 
-def at_end(name: str, concrete: ConcreteScenario, ego_goes_m: float, minor: int) -> xosc.Trigger:
+def at_end(name: str, ego: str, numbers: Numbers, minor: int) -> xosc.Trigger:
     """True when the scenario is over, as a stop trigger: an ego that is late is waited for."""
     trigger = xosc.Trigger("stop")
     in_time = xosc.ConditionGroup("stop")
-    in_time.add_condition(_value(f"{name}_in_time", _reached(concrete.duration_s, minor)))
-    gone = xosc.TraveledDistanceCondition(round(ego_goes_m, 3))
-    in_time.add_condition(_entity(f"{name}_ego_has_passed", gone, concrete.ego.id))
+    in_time.add_condition(_value(f"{name}_in_time", _reached(numbers.duration_s, minor)))
+    gone = xosc.TraveledDistanceCondition(written(numbers.ego_goes_m))
+    in_time.add_condition(_entity(f"{name}_ego_has_passed", gone, ego))
     trigger.add_conditiongroup(in_time)
-    trigger.add_conditiongroup(_at_last(name, concrete, minor))
+    trigger.add_conditiongroup(_at_last(name, numbers, minor))
     return trigger
 
 
-def at_the_latest(name: str, concrete: ConcreteScenario, minor: int) -> xosc.Trigger:
+def at_the_latest(name: str, numbers: Numbers, minor: int) -> xosc.Trigger:
     """True when even an ego that is late is waited for no longer.
 
     One condition alone: scenario_runner ends an act when any condition of a group holds.
     """
     trigger = xosc.Trigger("stop")
-    trigger.add_conditiongroup(_at_last(name, concrete, minor))
+    trigger.add_conditiongroup(_at_last(name, numbers, minor))
     return trigger
 
 
-def _at_last(name: str, concrete: ConcreteScenario, minor: int) -> xosc.ConditionGroup:
+def _at_last(name: str, numbers: Numbers, minor: int) -> xosc.ConditionGroup:
     group = xosc.ConditionGroup("stop")
-    latest = _reached(concrete.latest_end_s, minor)
+    latest = _reached(numbers.latest_end_s, minor)
     group.add_condition(_value(f"{name}_at_last", latest))
     return group
 
 
-def _reached(time_s: float, minor: int) -> xosc.SimulationTimeCondition:
+def _reached(time_s: Number, minor: int) -> xosc.SimulationTimeCondition:
     if minor == 0:
-        return xosc.SimulationTimeCondition(round(time_s - _SLACK_S, 6), xosc.Rule.greaterThan)
-    return xosc.SimulationTimeCondition(time_s, xosc.Rule.greaterOrEqual)
+        return xosc.SimulationTimeCondition(_rounded(time_s - _SLACK_S), xosc.Rule.greaterThan)
+    return xosc.SimulationTimeCondition(written(time_s), xosc.Rule.greaterOrEqual)
+
+
+def _rounded(value: Number) -> float | str:
+    """As it is written, a number to 0.001 mm or ms."""
+    return round(value, 6) if isinstance(value, float) else written(value)
 
 
 def _condition(
     name: str,
     owner: ConcreteParticipant,
     phase: SpeedPhase,
+    value: Number,
     paths: Mapping[str, Path],
     duration_s: float,
     minor: int,
 ) -> xosc.ValueTrigger | xosc.EntityTrigger:
     trigger = phase.trigger
     if isinstance(trigger, AtTime):
-        if trigger.time_s <= _SLACK_S:
+        if isinstance(value, float) and value <= _SLACK_S:
             return at_once(name, duration_s)
-        return _value(name, _reached(trigger.time_s, minor))
+        return _value(name, _reached(value, minor))
     if isinstance(trigger, Travelled):
         # Players add up rounded steps: a distance that a step reaches exactly may be missed by one.
-        distance = max(0.0, round(trigger.distance_m - _SLACK_M, 6))
-        return _entity(name, xosc.TraveledDistanceCondition(distance), trigger.participant)
+        distance = np.maximum(value - _SLACK_M, 0.0)
+        return _entity(
+            name, xosc.TraveledDistanceCondition(_rounded(distance)), trigger.participant
+        )
     if isinstance(trigger, StoodStill):
         # Players ask for longer than the duration.
-        stood = max(0.0, round(trigger.duration_s - _SLACK_S, 6))
-        return _entity(name, xosc.StandStillCondition(stood), trigger.participant)
+        stood = np.maximum(value - _SLACK_S, 0.0)
+        return _entity(name, xosc.StandStillCondition(_rounded(stood)), trigger.participant)
     if isinstance(trigger, ArrivalBelow):
-        return _entity(name, _arrival(trigger, paths), trigger.participant)
+        return _entity(name, _arrival(trigger, value, paths), trigger.participant)
     kind = xosc.RelativeDistanceType
     condition = xosc.RelativeDistanceCondition(
-        trigger.distance_m,
+        written(value),
         xosc.Rule.lessThan,
         kind.cartesianDistance if minor == 0 else kind.euclidianDistance,
         trigger.participant,
@@ -141,10 +154,12 @@ def _condition(
     return _entity(name, condition, owner.id)
 
 
-def _arrival(trigger: ArrivalBelow, paths: Mapping[str, Path]) -> xosc.TimeToCollisionCondition:
+def _arrival(
+    trigger: ArrivalBelow, time_s: Number, paths: Mapping[str, Path]
+) -> xosc.TimeToCollisionCondition:
     """Time to a place, in a straight line; the 1.0 reading of "not along the route" is the same."""
     return xosc.TimeToCollisionCondition(
-        trigger.time_s,
+        written(time_s),
         xosc.Rule.lessThan,
         alongroute=False,
         freespace=False,

@@ -75,6 +75,10 @@ class _Mover:
             self.fired = len(self.participant.speed_program)
 
     @property
+    def here(self) -> Pose:
+        return self.path.pose(self.s_m)
+
+    @property
     def position_m(self) -> tuple[float, float]:
         i = bisect_right(self._s, self.s_m)
         if i >= len(self._s):
@@ -82,6 +86,36 @@ class _Mover:
         p = (self.s_m - self._s[i - 1]) / (self._s[i] - self._s[i - 1])
         x0, y0 = self._x[i - 1], self._y[i - 1]
         return x0 + p * (self._x[i] - x0), y0 + p * (self._y[i] - y0)
+
+
+@dataclass
+class _Guest(_Mover):
+    """One who is moved from outside: ``after`` is its pose and speed (m/s) after the next step."""
+
+    after: tuple[Pose, float] | None = None
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        self._pose = self.path.pose(0.0)
+        self.fired = len(self.participant.speed_program)
+
+    def move(self, dt_s: float) -> None:
+        if self.after is None:
+            super().move(dt_s)
+            self._pose = self.path.pose(self.s_m)
+            return
+        before = self._pose
+        self._pose, self.speed_mps = self.after
+        self.s_m += hypot(self._pose.x_m - before.x_m, self._pose.y_m - before.y_m)
+        self.after = None
+
+    @property
+    def here(self) -> Pose:
+        return self._pose
+
+    @property
+    def position_m(self) -> tuple[float, float]:
+        return self._pose.x_m, self._pose.y_m
 
 
 def simulate(
@@ -96,23 +130,74 @@ def simulate(
         paths: its paths by participant, as :func:`scegen.motion.build_paths` makes them.
         dt_s: the time step.
     """
-    movers = {p.id: _Mover(p, paths[p.id], p.speed_mps) for p in concrete.participants}
-    steps = round(concrete.duration_s / dt_s)
-    for step in range(steps + 1):
-        if step:
-            for mover in movers.values():
-                mover.move(dt_s)
-        for mover in movers.values():
-            mover.record(step * dt_s)
-        for mover in movers.values():
+    steps = Steps(concrete, paths, dt_s=dt_s)
+    for _ in range(round(concrete.duration_s / dt_s)):
+        steps.advance()
+    return steps.traces()
+
+
+class Steps:
+    """A scenario that is simulated step by step, from time 0 on; one may be moved from outside."""
+
+    def __init__(
+        self,
+        concrete: ConcreteScenario,
+        paths: Mapping[str, Path],
+        *,
+        dt_s: float = 0.05,
+        outside: str | None = None,
+    ) -> None:
+        self.dt_s = dt_s
+        self._step = 0
+        self._movers = {
+            p.id: (_Guest if p.id == outside else _Mover)(p, paths[p.id], p.speed_mps)
+            for p in concrete.participants
+        }
+        self._look()
+
+    @property
+    def time_s(self) -> float:
+        """The present time."""
+        return self._step * self.dt_s
+
+    def placed(self) -> dict[str, tuple[Pose, float]]:
+        """Pose of the reference point and speed (m/s) of everybody."""
+        return {name: (mover.here, mover.speed_mps) for name, mover in self._movers.items()}
+
+    def put(self, name: str, pose: Pose, speed_mps: float) -> None:
+        """Say where the one who is moved from outside is after the next step.
+
+        Raises:
+            KeyError: nobody of this name is moved from outside.
+        """
+        mover = self._movers[name]
+        if not isinstance(mover, _Guest):
+            raise KeyError(name)
+        mover.after = pose, speed_mps
+
+    def advance(self) -> None:
+        """Go one step on: speeds, then places, then what follows from them."""
+        self._step += 1
+        for mover in self._movers.values():
+            mover.move(self.dt_s)
+        self._look()
+
+    def traces(self) -> dict[str, Trace]:
+        """Everybody's movement until now; one who is moved from outside keeps to its path."""
+        times = np.arange(self._step + 1, dtype=np.float64) * self.dt_s
+        return {name: _trace(mover, times) for name, mover in self._movers.items()}
+
+    def _look(self) -> None:
+        """What everybody sees, all at the same moment."""
+        for mover in self._movers.values():
+            mover.record(self.time_s)
+        for mover in self._movers.values():
             program = mover.participant.speed_program
             if mover.fired < len(program):
                 phase = program[mover.fired]
-                if _holds(phase.trigger, mover, movers, step * dt_s):
+                if _holds(phase.trigger, mover, self._movers, self.time_s):
                     mover.active = phase
                     mover.fired += 1
-    times = np.arange(steps + 1, dtype=np.float64) * dt_s
-    return {name: _trace(mover, times) for name, mover in movers.items()}
 
 
 def _holds(trigger: Trigger, owner: _Mover, movers: Mapping[str, _Mover], time_s: float) -> bool:
@@ -133,7 +218,7 @@ def _holds(trigger: Trigger, owner: _Mover, movers: Mapping[str, _Mover], time_s
 
 def _arrival_s(mover: _Mover, place_m: float) -> float:
     """When a mover is at a place of its way if it goes straight there at its speed; inf: never."""
-    place, here = mover.path.pose(place_m), mover.path.pose(mover.s_m)
+    place, here = mover.path.pose(place_m), mover.here
     dx, dy = place.x_m - here.x_m, place.y_m - here.y_m
     ahead = dx * cos(here.heading_rad) + dy * sin(here.heading_rad) > 0.0
     away = hypot(dx, dy)

@@ -1,4 +1,4 @@
-"""Simulated movements as a table."""
+"""Movements as a tidy table: one row for each time and participant."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ from collections.abc import Mapping
 
 from scegen.motion.model import Trace
 
-COLUMNS = ("time", "id", "x", "y", "heading", "speed")
+COLUMNS = ("time_s", "id", "x_m", "y_m", "heading_rad", "speed_mps")
 
 
 def traces_csv(traces: Mapping[str, Trace]) -> str:
     """All traces as CSV: by time, then in the scenario's order; the same input, the same text.
 
-    ``x``, ``y`` (m, world) and ``heading`` (rad, counter-clockwise from east, unwrapped) are those
-    of the reference point: the middle of the rear axle, a pedestrian's centre. ``speed`` is in m/s.
+    ``x_m``, ``y_m`` (world) and ``heading_rad`` (counter-clockwise from east, unwrapped) are those
+    of the reference point: the middle of the rear axle, a pedestrian's centre.
 
     Args:
         traces: by participant, at the same times.

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from scegen.concretization import concretize
 from scegen.errors import InfeasibleError
-from scegen.llm import Session
 from scegen.pipeline.options import Options
 from scegen.pipeline.raising import Raising, raise_all
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.proof import Proof
+
+if TYPE_CHECKING:  # what speaks to language models takes a tenth of a short run to load
+    from scegen.llm import Session
 
 MOST_SPARE = 7
 """So many more scenarios are tried than are asked for, where no number names them."""

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from scegen import __version__
 from scegen.checking import CheckReport, CheckResult
-from scegen.llm import Usage
 from scegen.pipeline.command import Recipe
 from scegen.pipeline.folder import digest
 from scegen.pipeline.judging import Judged
@@ -21,7 +21,10 @@ from scegen.scenario.files import to_json, to_yaml
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
 from scegen.scenario.proof import Proof
-from scegen.understanding.agents import Understanding
+
+if TYPE_CHECKING:  # what speaks to language models takes a tenth of a short run to load
+    from scegen.llm import Usage
+    from scegen.understanding.agents import Understanding
 
 
 @dataclass(frozen=True, slots=True)

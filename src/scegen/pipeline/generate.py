@@ -6,13 +6,13 @@ import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from scegen.checking import CHECKERS, QUICK_CHECKERS, CheckReport, check_files
 from scegen.checking.subject import FUNCTIONAL_FILE
 from scegen.criticality.raising.refusing import too_fast
 from scegen.enumeration import LIST_LIMIT, enumerate_scenarios
 from scegen.errors import InfeasibleError, InputError, NoScenarioError
-from scegen.llm import Session
 from scegen.pipeline.attempts import make_some
 from scegen.pipeline.command import recipe
 from scegen.pipeline.contents import Made, folder_files
@@ -28,7 +28,10 @@ from scegen.scenario.files import to_json, to_yaml
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
 from scegen.scenario.proof import Proof
-from scegen.understanding.agents import Understanding
+
+if TYPE_CHECKING:  # what speaks to language models takes a tenth of a short run to load
+    from scegen.llm import Session
+    from scegen.understanding.agents import Understanding
 
 Progress = Callable[[str], None]
 _CHECKERS = {

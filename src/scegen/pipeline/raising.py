@@ -5,16 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from time import perf_counter
+from typing import TYPE_CHECKING
 
-from scegen.criticality import OfflineProposer, prove_as_it_is, raise_criticality
-from scegen.criticality.agent import ParameterAgent
+from scegen.criticality import OfflineProposer, Proposer, prove_as_it_is, raise_criticality
 from scegen.criticality.target import AVOIDED, COLLISION, NEAR_MISS, parse_target
-from scegen.llm import Session
 from scegen.pipeline.options import Options
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.proof import Advice, Proof
+
+if TYPE_CHECKING:  # what speaks to language models takes a tenth of a short run to load
+    from scegen.llm import Session
 
 NO_SEARCH = "none"
 PROOF_FILE = "proof.json"
@@ -75,7 +77,11 @@ def raise_all(
     """
     if target is None:
         return Raising(concretes)
-    proposer = OfflineProposer() if session is None else ParameterAgent(session, progress)
+    proposer: Proposer = OfflineProposer()
+    if session is not None:
+        from scegen.criticality.agent import ParameterAgent  # noqa: PLC0415 - see above
+
+        proposer = ParameterAgent(session, progress)
     raising = Raising([])
     for concrete in concretes:
         progress(f"searching for a {target} in {concrete.name}")

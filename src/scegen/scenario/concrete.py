@@ -26,7 +26,8 @@ from scegen.scenario.vocabulary import (
     Side,
 )
 
-_LATEST = 1.3
+LATEST = 1.3
+"""A scenario whose ego is late is over after this many times its duration."""
 
 
 class ArmRoad(FrozenModel):
@@ -304,7 +305,7 @@ class ConcreteScenario(FrozenModel):
     @property
     def latest_end_s(self) -> float:
         """When the scenario ends if the ego has not come as far as planned by ``duration_s``."""
-        return _LATEST * self.duration_s
+        return LATEST * self.duration_s
 
     @property
     def entities(self) -> tuple[ConcreteParticipant | StaticObject, ...]:

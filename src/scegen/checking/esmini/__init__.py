@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from scegen.checking.esmini.log import check_log
 from scegen.checking.esmini.movement import check_movements
-from scegen.checking.esmini.playing import TIMEOUT_S, NotPlayedError, play
+from scegen.checking.esmini.playing import TIMEOUT_S, NotPlayedError, Played, play
 from scegen.checking.esmini.recording import RecordingError, read_recording
 from scegen.checking.opendrive.network import Network
 from scegen.checking.results import CheckResult, error, not_run, verdict
@@ -21,14 +22,16 @@ def check_esmini(
     concrete: ConcreteScenario | None = None,
     timeout_s: float = TIMEOUT_S,
     driven_from_outside: frozenset[str] = frozenset(),
+    once: Callable[[], Played] | None = None,
 ) -> CheckResult:
     """Play a scenario without a window, and check its log and every movement.
 
     esmini exits with 0 for a lane or road that does not exist, so the log decides. Entities
     ``driven_from_outside`` have no way of their own in the file: only their physics is checked.
+    ``once`` plays it, for others too.
     """
     try:
-        played = play(scenario, timeout_s)
+        played = once() if once is not None else play(scenario, timeout_s)
     except NotPlayedError as reason:
         return not_run(CHECKER, str(reason))
     findings = list(check_log(played.log))

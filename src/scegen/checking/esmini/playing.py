@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import re
 import tempfile
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from scegen.checking.environment import ESMINI_HINT, esmini
@@ -11,6 +14,8 @@ from scegen.checking.limits import run_limited
 from scegen.motion.ties import STEP_S
 
 TIMEOUT_S = 30.0
+_OF_A_SET = re.compile(r"played_(\d+)_of_\d+\.csv")
+"""What esmini calls the recording of one set of values."""
 
 
 class NotPlayedError(Exception):
@@ -32,19 +37,52 @@ def play(scenario: Path, timeout_s: float = TIMEOUT_S) -> Played:
     Raises:
         NotPlayedError: esmini is not there or cannot be started.
     """
+    with tempfile.TemporaryDirectory(prefix="scegen-esmini-") as name:
+        folder = Path(name)
+        code = _run(scenario, folder, timeout_s)
+        return Played(code, _text(folder / "played.log"), _text(folder / "played.csv"))
+
+
+def play_once(scenario: Path) -> Callable[[], Played]:
+    """What plays a scenario when it is first asked for, and then remembers how it went.
+
+    The callable raises as :func:`play` does.
+    """
+    return cache(lambda: play(scenario))
+
+
+def play_sets(scenario: Path, values: Path, timeout_s: float) -> list[Played]:
+    """Play a scenario with each set of its parameters' values, in the order of the sets.
+
+    Raises:
+        NotPlayedError: esmini is not there or cannot be started.
+    """
+    with tempfile.TemporaryDirectory(prefix="scegen-esmini-") as name:
+        folder = Path(name)
+        code = _run(scenario, folder, timeout_s, "--param_dist", str(values.absolute()))
+        found = {
+            int(match[1]): file
+            for file in folder.iterdir()
+            if (match := _OF_A_SET.fullmatch(file.name))
+        }
+        return [
+            Played(code, _text(found[number].with_suffix(".log")), _text(found[number]))
+            for number in sorted(found)
+        ]
+
+
+def _run(scenario: Path, folder: Path, timeout_s: float, *more: str) -> int | None:
+    """Play into a folder; its exit code, None if it had to be stopped."""
     player = esmini()
     if player is None:
         raise NotPlayedError(f"esmini is not on PATH; {ESMINI_HINT}")
-    with tempfile.TemporaryDirectory(prefix="scegen-esmini-") as name:
-        folder = Path(name)
-        command = [str(player), "--osc", str(scenario.absolute()), "--headless", "--collision"]
-        command += ["--fixed_timestep", str(STEP_S), "--csv_logger", "played.csv"]
-        command += ["--disable_stdout", "--logfile_path", "played.log"]
-        try:
-            ran = run_limited(command, folder, timeout_s)
-        except OSError as failure:
-            raise NotPlayedError(f"{player} cannot be started: {failure.strerror}") from failure
-        return Played(ran.code, _text(folder / "played.log"), _text(folder / "played.csv"))
+    command = [str(player), "--osc", str(scenario.absolute()), "--headless", "--collision"]
+    command += ["--fixed_timestep", str(STEP_S), "--csv_logger", "played.csv"]
+    command += ["--disable_stdout", "--logfile_path", "played.log", *more]
+    try:
+        return run_limited(command, folder, timeout_s).code
+    except OSError as failure:
+        raise NotPlayedError(f"{player} cannot be started: {failure.strerror}") from failure
 
 
 def _text(path: Path) -> str:

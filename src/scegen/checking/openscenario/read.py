@@ -132,13 +132,22 @@ class _Reader:
         if element is None:
             return None
         world, lane = element.find("WorldPosition"), element.find("LanePosition")
+        along = element.find("TrajectoryPosition")
         try:
             if world is not None:
                 return self.world_point(world)
+            if along is not None:
+                return self.on_trajectory(along)
             return None if lane is None else self.lane_point(lane)
         except _UnreadableError as problem:
             self.report(problem)
             return None
+
+    def on_trajectory(self, element: etree._Element) -> WorldPoint | None:
+        trajectory = element.find("TrajectoryRef/Trajectory")
+        if trajectory is None or self.number(element, "t", "0"):
+            return None
+        return self.trajectory(trajectory, ()).at(self.number(element, "s"))
 
     def world_point(self, element: etree._Element) -> WorldPoint:
         x, y = self.number(element, "x"), self.number(element, "y")
@@ -158,13 +167,17 @@ class _Reader:
     def trajectories(self, root: etree._Element) -> Iterator[Trajectory]:
         for group in root.iterfind(".//ManeuverGroup"):
             actors = tuple(self.text(e, "entityRef") for e in group.iterfind("Actors/EntityRef"))
-            for element in group.iterfind(".//FollowTrajectoryAction//Trajectory"):
-                try:
-                    yield self.trajectory(element, actors)
-                except _UnreadableError as problem:
-                    self.report(problem)
+            for action in group.iterfind(".//FollowTrajectoryAction"):
+                for element in action.iterfind(".//Trajectory"):
+                    try:
+                        begins_m = self.number(action, "initialDistanceOffset", "0")
+                        yield self.trajectory(element, actors, begins_m)
+                    except _UnreadableError as problem:
+                        self.report(problem)
 
-    def trajectory(self, element: etree._Element, actors: tuple[str, ...]) -> Trajectory:
+    def trajectory(
+        self, element: etree._Element, actors: tuple[str, ...], begins_m: float = 0.0
+    ) -> Trajectory:
         if element.find("Shape/Polyline") is None:
             raise _UnreadableError(element, "the trajectory is not a polyline and is not checked")
         times: list[float | None] = []
@@ -175,7 +188,8 @@ class _Reader:
                 raise _UnreadableError(vertex, "a vertex has no world position and is not checked")
             points.append(self.world_point(world))
             times.append(self.number(vertex, "time") if vertex.get("time") else None)
-        return Trajectory(element.get("name", "?"), actors, tuple(times), tuple(points))
+        name = element.get("name", "?")
+        return Trajectory(name, actors, tuple(times), tuple(points), begins_m)
 
     def references(self, root: etree._Element) -> Iterator[Reference]:
         for element in root.iter():

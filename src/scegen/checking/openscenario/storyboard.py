@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 EGO_PROPERTY = ("type", "ego_vehicle")
 """The property by which CARLA's scenario_runner, and so we, know the ego."""
@@ -59,12 +60,26 @@ class Start:
 
 @dataclass(frozen=True, slots=True)
 class Trajectory:
-    """A polyline that the entities of its maneuver group follow."""
+    """A polyline that the entities of its maneuver group follow, from ``begins_m`` along it on."""
 
     name: str
     actors: tuple[str, ...]
     times: tuple[float | None, ...]
     points: tuple[WorldPoint, ...]
+    begins_m: float = 0.0
+
+    def at(self, along_m: float) -> WorldPoint | None:
+        """The place so far along it, None if it ends before that."""
+        if not self.points or along_m < 0.0:
+            return None
+        left = along_m
+        for a, b in pairwise(self.points):
+            chord = b.point - a.point
+            if left < abs(chord):
+                place = a.point + chord * (left / abs(chord))
+                return WorldPoint(place.real, place.imag, a.heading)
+            left -= abs(chord)
+        return self.points[-1] if left == 0.0 else None
 
 
 @dataclass(frozen=True, slots=True)

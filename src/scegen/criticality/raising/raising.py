@@ -81,7 +81,7 @@ def raise_criticality(
     """
     wanted = parse_target(target)
     network = build_network(concrete.road, name=concrete.name)
-    stage = Stage(functional, concrete, network, wanted, _between(functional, concrete))
+    stage = Stage(functional, concrete, network, wanted, named_pair(functional, concrete))
     before = stage.examine(concrete)
     rng = np.random.Generator(np.random.PCG64(seed))
     reason = too_fast(functional) or stage.blocked or too_slow(concrete, stage.pair)
@@ -134,13 +134,13 @@ def prove_as_it_is(
             hint="To make it without its description, copy concrete.yaml to a place of its own.",
         )
     network = build_network(concrete.road, name=concrete.name)
-    between = _between(functional, concrete)
+    between = named_pair(functional, concrete)
     stage = Stage(functional, concrete, network, parse_target(target), between)
     found = stage.examine(concrete)
     return stage.proof(found, found, 1, stage.blocked)
 
 
-def _between(functional: FunctionalScenario | None, concrete: ConcreteScenario) -> Pair | None:
+def named_pair(functional: FunctionalScenario | None, concrete: ConcreteScenario) -> Pair | None:
     """The pair that the description's outcome names, if both have a way of their own here."""
     between = functional.outcome.between if functional and functional.outcome else ()
     known = {entity.id for entity in concrete.entities}

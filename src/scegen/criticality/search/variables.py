@@ -7,9 +7,10 @@ is faster.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum, auto
+from typing import Any
 
 import numpy as np
 
@@ -18,6 +19,11 @@ from scegen.motion.batch.compilation import repeat
 
 LEAD_IN_S = 1.0
 """Everybody drives at least this long before its first phase."""
+
+
+Column = Any
+"""One value for each candidate (c,), one for all of them, or a symbol that stands for a value and
+answers to numpy's functions."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,9 +44,9 @@ class Quantity:
     base: float
     column: int = -1
 
-    def of(self, x: Floats) -> Floats:
-        """Its value in every candidate; ``x`` (c, variables)."""
-        return x[:, self.column] if self.column >= 0 else np.full(x.shape[0], self.base)
+    def of(self, x: Sequence[Column]) -> Column:
+        """Its value where ``x`` are those of the variables."""
+        return x[self.column] if self.column >= 0 else self.base
 
 
 class Place(Enum):
@@ -73,6 +79,24 @@ class PhaseRecipe:
     shift: Quantity
     original_rate_mps2: float
     path_length_m: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class PhaseValues:
+    """What the variables make of one phase."""
+
+    trigger: Column
+    target_speed_mps: Column
+    rate_mps2: Column
+
+
+@dataclass(frozen=True, slots=True)
+class Values:
+    """What the variables make of everybody: by number of the participant, and of the phase."""
+
+    start_m: Sequence[Column]
+    speed_mps: Sequence[Column]
+    phases: Mapping[int, PhaseValues]
 
 
 @dataclass(frozen=True)
@@ -109,35 +133,49 @@ class Space:
         away: Floats = np.mean(((x - base) / scale) ** 2, axis=1)
         return away
 
+    def values(self, x: Sequence[Column]) -> Values:
+        """The numbers that follow from those of the variables."""
+        starts = [start.of(x) for start in self.starts]
+        speeds = [speed.of(x) for speed in self.speeds]
+        moved = [start - self.base.start_m[0, i] for i, start in enumerate(starts)]
+        phases = {
+            recipe.phase: PhaseValues(
+                _trigger(recipe, x, moved, speeds), recipe.target.of(x), recipe.rate.of(x)
+            )
+            for recipe in self.recipes
+        }
+        return Values(starts, speeds, phases)
+
     def candidates(self, x: Floats) -> Candidates:
-        """The candidates of these values."""
+        """The candidates of these values (c, variables)."""
         made = repeat(self.base, x.shape[0])
-        for i, (start, speed) in enumerate(zip(self.starts, self.speeds, strict=True)):
-            made.start_m[:, i] = start.of(x)
-            made.speed_mps[:, i] = speed.of(x)
-        moved = made.start_m - self.base.start_m
-        for recipe in self.recipes:
-            k = recipe.phase
-            made.target_speed_mps[:, k] = recipe.target.of(x)
-            made.rate_mps2[:, k] = recipe.rate.of(x)
-            made.trigger[:, k] = _trigger(recipe, x, moved, made)
+        values = self.values(tuple(x.T))
+        for i, (start, speed) in enumerate(zip(values.start_m, values.speed_mps, strict=True)):
+            made.start_m[:, i] = start
+            made.speed_mps[:, i] = speed
+        for k, phase in values.phases.items():
+            made.target_speed_mps[:, k] = phase.target_speed_mps
+            made.rate_mps2[:, k] = phase.rate_mps2
+            made.trigger[:, k] = phase.trigger
         return made
 
 
-def _trigger(recipe: PhaseRecipe, x: Floats, moved: Floats, made: Candidates) -> Floats:
-    """The trigger value of a phase (c,)."""
+def _trigger(
+    recipe: PhaseRecipe, x: Sequence[Column], moved: Sequence[Column], speeds: Sequence[Column]
+) -> Column:
+    """The trigger value of a phase."""
     value = recipe.trigger + recipe.shift.of(x)
     if recipe.place in {Place.HERE, Place.SLOWED}:
-        value = value - moved[:, recipe.owner]
+        value = value - moved[recipe.owner]
         if recipe.place is Place.SLOWED:
             first, last = recipe.before, recipe.target
             was = (first.base**2 - last.base**2) / (2 * recipe.original_rate_mps2)
             now = (first.of(x) ** 2 - last.of(x) ** 2) / (2 * recipe.rate.of(x))
             value = value + was - now
-        lead = np.minimum(made.speed_mps[:, recipe.owner] * LEAD_IN_S, recipe.trigger)
+        lead = np.minimum(speeds[recipe.owner] * LEAD_IN_S, recipe.trigger)
         return np.maximum(value, lead)
     if recipe.place is Place.OTHER:
-        return np.maximum(value - moved[:, recipe.subject], 0.0)
+        return np.maximum(value - moved[recipe.subject], 0.0)
     if recipe.place is Place.FAR_SIDE:
         share = (recipe.before.of(x) / max(recipe.before.base, 0.1)) ** 2
         left = (recipe.path_length_m - recipe.trigger) * share

@@ -12,6 +12,7 @@ carries a fingerprint of all files with kernels that a function may have been bu
 from __future__ import annotations
 
 import hashlib
+import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cache
@@ -19,6 +20,15 @@ from pathlib import Path
 from typing import Any, ParamSpec, TypeVar, cast
 
 import numba
+
+if "scipy.linalg" not in sys.modules:
+    # numba asks whether there is a BLAS by loading all of scipy.linalg, a tenth of a short run; the
+    # answer only decides whether kernels may call numpy.cov.
+    sys.modules["scipy.linalg"] = None  # type: ignore[assignment]
+    try:
+        import numba.np.arraymath
+    finally:
+        del sys.modules["scipy.linalg"]
 
 _P = ParamSpec("_P")
 _R = TypeVar("_R")

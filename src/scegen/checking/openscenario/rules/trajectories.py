@@ -43,14 +43,17 @@ def check_trajectories(situation: Situation) -> Iterator[Finding]:
 
 
 def check_trajectory_starts(situation: Situation) -> Iterator[Finding]:
-    """``xosc.trajectory_start``: an entity stands at the first vertex of its trajectory."""
+    """``xosc.trajectory_start``: an entity stands where it begins to follow its trajectory."""
     for entity in situation.storyboard.entities:
         trajectory = situation.storyboard.trajectory(entity.name)
         start = situation.in_world(situation.storyboard.start(entity.name))
         if trajectory and trajectory.points and start is not None:
-            gap = abs(trajectory.points[0].point - start)
-            if gap > START_M:
-                message = f"starts {gap:.2f} m from the first vertex of its trajectory"
+            begins = trajectory.at(trajectory.begins_m)
+            if begins is None:
+                message = f"its trajectory ends before {trajectory.begins_m:.2f} m"
+                yield error("xosc.trajectory_start", entity.name, message)
+            elif (gap := abs(begins.point - start)) > START_M:
+                message = f"starts {gap:.2f} m from where its trajectory begins"
                 yield error("xosc.trajectory_start", entity.name, message)
 
 

@@ -1,0 +1,77 @@
+"""scegen parameterise: a scenario with parameters, and sets of values to play it with."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from scegen.cli.console import result, say
+from scegen.errors import InputError, MissingToolError
+
+
+def parameterise(
+    source: Annotated[
+        Path,
+        typer.Argument(
+            metavar="LOGICAL|DIR|CONCRETE",
+            help="logical.json, a scenario folder, or a concrete.yaml.",
+        ),
+    ],
+    output: Annotated[Path, typer.Option("--output", "-o", help="Folder to write to.")],
+    index: Annotated[
+        int | None,
+        typer.Option("--index", "-i", min=0, help="Which scenario of a logical.json."),
+    ] = None,
+    scenario: Annotated[
+        str | None, typer.Option(help="Which scenario of a folder, by name or its number.")
+    ] = None,
+    sets: Annotated[int, typer.Option(help="How many random sets of values.")] = 50,
+    seed: Annotated[int, typer.Option(min=0, help="Seed of everything random.")] = 0,
+    alone: Annotated[
+        bool,
+        typer.Option("--alone", help="Also write every set as a scenario folder of its own."),
+    ] = False,
+    confirm: Annotated[
+        bool,
+        typer.Option("--confirm", help="Play every set in esmini, with parameters and --alone."),
+    ] = False,
+) -> None:
+    """Write a scenario with parameters (OpenSCENARIO 1.2), and values to play it with."""
+    from scegen.checking.environment import ESMINI_HINT, esmini
+    from scegen.pipeline.parameter_sets import PARAMETERISED_FILE, VALUES_FILE, set_files
+    from scegen.pipeline.parameter_sets import write_parameter_files as run
+    from scegen.pipeline.parameter_source import parameter_source
+
+    if output.exists() and not output.is_dir():
+        raise InputError("is a file, not a folder", where=str(output), hint="choose another -o")
+    if confirm and esmini() is None:
+        raise MissingToolError(f"esmini is not on PATH; {ESMINI_HINT}")
+    functional, concrete = parameter_source(source, index, seed, scenario)
+    made = run(functional, concrete, count=sets, seed=seed, alone=alone or confirm)
+    try:
+        for name, content in made.files.items():
+            file = output / name
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_bytes(content)
+    except OSError as error:
+        raise InputError(f"cannot be written: {error.strerror}", where=str(output)) from error
+    for item in made.declared:
+        result(f"{item.name}  {item.low:g} to {item.high:g}, {item.value:g}")
+    for line in made.frozen:
+        result(f"fixed: {line}")
+    for reason, times in made.passed_over.most_common():
+        say(f"{times} draws passed over: {reason}")
+    result(f"{output / PARAMETERISED_FILE}  {len(made.declared)} parameters")
+    result(f"{output / VALUES_FILE}  {len(made.sets)} sets of values")
+    if confirm:
+        from scegen.checking.parameters import check_parameters
+
+        alone_files = set_files(output, len(made.sets))
+        checked = check_parameters(output / PARAMETERISED_FILE, output / VALUES_FILE, alone_files)
+        result(f"{checked.checker} {checked.status}  {checked.detail}")
+        for finding in checked.errors:
+            say(f"  {finding.place}: {finding.message} [{finding.rule}]")
+        if checked.errors:
+            raise typer.Exit(1)

@@ -1,0 +1,60 @@
+"""scegen trace: everybody's movements as a file for other tools."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from scegen.cli.console import result
+from scegen.cli.options import OutputFile
+from scegen.cli.writing import write_bytes
+from scegen.errors import InputError
+from scegen.pipeline.place import scenario_file
+from scegen.pipeline.trace_options import TraceFormat, TracePlayer
+
+CONCRETE_FILE = "concrete.yaml"
+
+
+def trace(
+    place: Annotated[
+        Path, typer.Argument(metavar="DIR|FILE", help="A scenario folder or a concrete.yaml.")
+    ],
+    csv: Annotated[bool, typer.Option("--csv", help="As a table (the default).")] = False,
+    mcap: Annotated[
+        bool,
+        typer.Option("--mcap", help="For Foxglove and Lichtblick; needs ml-scegen[exchange]."),
+    ] = False,
+    output: OutputFile = None,
+    scenario: Annotated[
+        str | None, typer.Option(help="Which scenario of the folder, by name or its number.")
+    ] = None,
+    player: Annotated[
+        TracePlayer, typer.Option(help="Whose movements: our own simulation's, or esmini's.")
+    ] = TracePlayer.OWN,
+    dt: Annotated[
+        float, typer.Option(min=0.001, max=1.0, help="Time step in s; esmini is played at 0.05.")
+    ] = 0.05,
+) -> None:
+    """Write time, place, heading and speed of everybody, in SI units."""
+    from scegen.pipeline.tracing import trace_file
+    from scegen.scenario.concrete import ConcreteScenario
+    from scegen.scenario.files import load
+
+    if csv and mcap:
+        raise InputError("one of --csv and --mcap at a time", where="scegen trace")
+    if mcap and output is None:
+        raise InputError("is no text: name a file with -o", where="--mcap")
+    source = scenario_file(place, CONCRETE_FILE, scenario)
+    content = trace_file(
+        load(source, ConcreteScenario),
+        TraceFormat.MCAP if mcap else TraceFormat.CSV,
+        folder=source.parent,
+        player=player,
+        dt_s=dt,
+    )
+    if output is None:
+        result(content.decode())
+    else:
+        write_bytes(content, output)

@@ -1,0 +1,23 @@
+"""A driver from outside in a scenario, step by step, and what it made of the danger."""
+
+from scegen.checking.esmini.recording import Movement
+from scegen.closed_loop.careful import CarefulDriver
+from scegen.closed_loop.judging import Danger, judged
+from scegen.closed_loop.own import OwnSimulation
+from scegen.closed_loop.player import PlayerSimulation, esmini_library
+from scegen.closed_loop.running import Driver, drive
+from scegen.closed_loop.state import Simulation, State
+
+__all__ = [
+    "CarefulDriver",
+    "Danger",
+    "Driver",
+    "Movement",
+    "OwnSimulation",
+    "PlayerSimulation",
+    "Simulation",
+    "State",
+    "drive",
+    "esmini_library",
+    "judged",
+]

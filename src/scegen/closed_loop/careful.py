@@ -1,0 +1,121 @@
+"""The careful and competent driver of UN R157, who decides from step to step what it does.
+
+Its figures and what it can perceive are those of :mod:`scegen.criticality.careful_driver` and
+:mod:`scegen.criticality.perception`, where their sources stand. It keeps the ego's path and planned
+speed; a danger that it perceives for 0.4 s without a break makes it brake 0.75 s later, to a
+standstill.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from scegen.closed_loop.state import State
+from scegen.criticality.careful_driver import (
+    CRITICAL_TTC_S,
+    DECELERATION_G,
+    DELAY_S,
+    JERK_MPS3,
+    RISK_EVALUATION_S,
+)
+from scegen.criticality.perception import perceivable_dangers
+from scegen.measures.bodies import body_table
+from scegen.measures.injury import PROTECTED, UNPROTECTED
+from scegen.motion import build_paths, simulate
+from scegen.motion.batch.arrays import COS, HEADING, SIN, SPEED, TRACK_ROWS, Floats, S, X, Y
+from scegen.motion.friction import GRAVITY_MPS2, friction_of
+from scegen.motion.model import Path
+from scegen.motion.standing import object_paths
+from scegen.road import build_network
+from scegen.scenario.bodies import BODIES
+from scegen.scenario.concrete import ConcreteScenario
+
+_ROUNDING_S = 1e-6
+
+
+class CarefulDriver:
+    """Drives the ego of a scenario; ask it once a step.
+
+    ``brakes_s`` is when its brakes act and ``danger`` for whom, None as long as they do not.
+
+    Raises:
+        RoadInfeasibleError, MotionInfeasibleError: the numbers cannot be built.
+    """
+
+    def __init__(self, concrete: ConcreteScenario) -> None:
+        self.danger: str | None = None
+        self.brakes_s: float | None = None
+        self._names = [entity.id for entity in concrete.entities]
+        self._ego = self._names.index(concrete.ego.id)
+        own = build_paths(concrete, build_network(concrete.road, concrete.name))
+        paths = {**own, **object_paths(concrete)}
+        self._ways: list[Path] = [paths[name] for name in self._names]
+        self._way = paths[concrete.ego.id]
+        friction = friction_of(concrete.environment)
+        self._bodies = body_table(
+            [*(p.kind for p in concrete.participants), *concrete.objects],
+            friction=friction,
+            protected_curve=PROTECTED,
+            unprotected_curve=UNPROTECTED,
+        )
+        body = BODIES[concrete.ego.kind]
+        self._hardest_mps2 = min(
+            DECELERATION_G * GRAVITY_MPS2, body.max_deceleration_mps2, friction * GRAVITY_MPS2
+        )
+        planned = simulate(concrete, own)[concrete.ego.id]
+        self._planned_s, self._planned_mps = planned.time_s, planned.speed_mps
+        self._s_m = 0.0
+        self._seen: list[Floats] = []
+        self._since: dict[str, float] = {}
+
+    def __call__(self, time_s: float, dt_s: float, states: Mapping[str, State]) -> State:
+        """Where it will be after the next step, from what everybody does now."""
+        self._remember(states)
+        self._perceive(time_s)
+        speed = self._speed(time_s + dt_s, dt_s, states[self._names[self._ego]].speed_mps)
+        self._s_m = min(self._s_m + speed * dt_s, self._way.length_m)
+        pose = self._way.pose(self._s_m)
+        return State(pose.x_m, pose.y_m, pose.heading_rad, speed)
+
+    def _speed(self, time_s: float, dt_s: float, now_mps: float) -> float:
+        """As planned until the brakes act; then the pedal goes down within 0.6 s."""
+        planned = float(np.interp(time_s, self._planned_s, self._planned_mps))
+        if self.brakes_s is None or time_s <= self.brakes_s + _ROUNDING_S:
+            return planned
+        rate = min(self._hardest_mps2, JERK_MPS3 * (time_s - self.brakes_s))
+        return max(0.0, now_mps - rate * dt_s)
+
+    def _perceive(self, time_s: float) -> None:
+        """Who has been a perceivable danger, and since when."""
+        if self.brakes_s is not None:
+            return
+        tracks = np.stack(self._seen, axis=2)
+        speed = tracks[self._ego, SPEED]
+        rise_s = self._hardest_mps2 / JERK_MPS3
+        stop_s = RISK_EVALUATION_S + DELAY_S + rise_s / 2 + speed / self._hardest_mps2
+        horizon_s = np.maximum(CRITICAL_TTC_S, stop_s)
+        now = perceivable_dangers(tracks, self._bodies, self._ways, self._ego, horizon_s)[:, -1]
+        for name, dangerous in zip(self._names, now.tolist(), strict=True):
+            if not dangerous:
+                self._since.pop(name, None)
+                continue
+            since = self._since.setdefault(name, time_s)
+            if time_s - since >= RISK_EVALUATION_S - _ROUNDING_S:
+                self.danger, self.brakes_s = name, time_s + DELAY_S
+                return
+
+    def _remember(self, states: Mapping[str, State]) -> None:
+        """What is seen now, as a step of tracks; a way gone adds up from place to place."""
+        step = np.zeros((len(self._names), TRACK_ROWS))
+        for row, name in zip(step, self._names, strict=True):
+            state = states[name]
+            row[X], row[Y] = state.x_m, state.y_m
+            row[HEADING], row[SPEED] = state.heading_rad, state.speed_mps
+            row[COS], row[SIN] = np.cos(state.heading_rad), np.sin(state.heading_rad)
+        if self._seen:
+            before = self._seen[-1]
+            away = np.hypot(step[:, X] - before[:, X], step[:, Y] - before[:, Y])
+            step[:, S] = before[:, S] + away
+        self._seen.append(step)

@@ -1,0 +1,61 @@
+"""The movements of a scenario, by our own simulation or by esmini, as a file for other tools."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from scegen.checking.environment import ESMINI_HINT, esmini
+from scegen.checking.recording import record, traces_of
+from scegen.checking.subject import SCENARIO_FILE
+from scegen.errors import InputError, MissingToolError
+from scegen.motion import build_paths, simulate
+from scegen.motion.model import Trace
+from scegen.motion.ties import STEP_S
+from scegen.motion.traces import traces_csv
+from scegen.pipeline.trace_options import TraceFormat, TracePlayer
+from scegen.report.mcap_file import mcap_of
+from scegen.road import build_network
+from scegen.scenario.concrete import ConcreteScenario
+
+
+def trace_file(
+    concrete: ConcreteScenario,
+    form: TraceFormat,
+    *,
+    folder: Path,
+    player: TracePlayer = TracePlayer.OWN,
+    dt_s: float = STEP_S,
+) -> bytes:
+    """The content of a file with everybody's movements.
+
+    Args:
+        concrete: the scenario.
+        form: CSV, or MCAP for Foxglove and Lichtblick.
+        folder: where its scenario file lies, for esmini to play.
+        player: our own simulation, or esmini.
+        dt_s: step of our own simulation; esmini is played at ``STEP_S``.
+
+    Raises:
+        MissingToolError: esmini or the extra ``exchange`` is asked for and not there.
+        InputError: esmini is asked for another step, or does not play the file.
+        RoadInfeasibleError, MotionInfeasibleError: the numbers cannot be built.
+    """
+    network = build_network(concrete.road, concrete.name)
+    traces: dict[str, Trace]
+    if player is TracePlayer.OWN:
+        traces = simulate(concrete, build_paths(concrete, network), dt_s=dt_s)
+    else:
+        traces = _played(concrete, folder / SCENARIO_FILE, dt_s)
+    if form is TraceFormat.MCAP:
+        return mcap_of(concrete, network, traces)
+    return traces_csv(traces).encode()
+
+
+def _played(concrete: ConcreteScenario, scenario: Path, dt_s: float) -> dict[str, Trace]:
+    if dt_s != STEP_S:
+        raise InputError(f"esmini is played at {STEP_S:g} s", where="--dt", hint="leave it out")
+    if not scenario.is_file():
+        raise InputError("does not exist", where=str(scenario), hint="name a scenario folder")
+    if esmini() is None:
+        raise MissingToolError(f"esmini is not on PATH; {ESMINI_HINT}", where="--player")
+    return traces_of(record(scenario, concrete), concrete)

@@ -1,0 +1,188 @@
+"""Movements as an MCAP file, which Foxglove and Lichtblick open: a 3D scene, frames and plots.
+
+Topics: ``/road`` (lane edges, once) and ``/scene`` (boxes) as ``foxglove.SceneUpdate``, ``/tf``
+(each reference point's frame in ``map``) as ``foxglove.FrameTransforms``, and
+``/participants/<id>`` as JSON for plots. Times count from 0.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from importlib import import_module
+from io import BytesIO
+from math import cos, sin
+from typing import Any
+
+from scegen.errors import MissingToolError
+from scegen.motion.model import Trace
+from scegen.motion.standing import object_paths
+from scegen.report.lane_shapes import road_shapes
+from scegen.road.model import RoadNetwork
+from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.concrete import ConcreteScenario
+
+INSTALL_EXCHANGE = "pip install 'ml-scegen[exchange]'"
+_LIBRARY = "ML-SceGen"
+_MAP = "map"
+_EGO, _OTHER, _THING, _MARK = (
+    (0.90, 0.35, 0.10, 0.9),
+    (0.20, 0.45, 0.80, 0.9),
+    (0.5, 0.5, 0.5, 0.9),
+    (0.8, 0.8, 0.8, 1.0),
+)
+_MARK_M = 0.12
+_SERIES = ("time_s", "x_m", "y_m", "heading_rad", "speed_mps")
+"""What is plotted; so are the fields of a trace called."""
+
+
+def mcap_of(concrete: ConcreteScenario, network: RoadNetwork, traces: Mapping[str, Trace]) -> bytes:
+    """The file's content; the same input gives the same bytes.
+
+    Args:
+        concrete: who takes part, and what stands around.
+        network: its road.
+        traces: by participant, at the same times, however they came about.
+
+    Raises:
+        MissingToolError: the extra ``exchange`` is not installed.
+    """
+    tools = _Tools()
+    stream = BytesIO()
+    writer = tools.writer(stream)
+    writer.start(library=_LIBRARY)
+    scene = writer.register_channel(
+        topic="/scene", message_encoding="protobuf", schema_id=tools.schema(writer, "SceneUpdate")
+    )
+    road = writer.register_channel(
+        topic="/road", message_encoding="protobuf", schema_id=tools.schema(writer, "SceneUpdate")
+    )
+    frames = writer.register_channel(
+        topic="/tf", message_encoding="protobuf", schema_id=tools.schema(writer, "FrameTransforms")
+    )
+    state = writer.register_schema(
+        name="State", encoding="jsonschema", data=json.dumps(_plotted()).encode()
+    )
+    plots = {
+        name: writer.register_channel(
+            topic=f"/participants/{name}", message_encoding="json", schema_id=state
+        )
+        for name in traces
+    }
+
+    def write(channel: int, time_ns: int, data: bytes) -> None:
+        writer.add_message(channel, log_time=time_ns, publish_time=time_ns, data=data)
+
+    write(road, 0, _bytes(_road(tools, network)))
+    times = next(iter(traces.values())).time_s.tolist() if traces else []
+    for step, time_s in enumerate(times):
+        time_ns = round(time_s * 1e9)
+        write(scene, time_ns, _bytes(_scene(tools, concrete, traces, step)))
+        write(frames, time_ns, _bytes(_frames(tools, traces, step)))
+        for name, trace in traces.items():
+            write(plots[name], time_ns, json.dumps(_state(trace, step)).encode())
+    writer.finish()
+    return stream.getvalue()
+
+
+def _bytes(message: Any) -> bytes:  # noqa: ANN401
+    return bytes(message.SerializeToString(deterministic=True))
+
+
+class _Tools:
+    """The libraries of the extra, and the messages made with them."""
+
+    def __init__(self) -> None:
+        try:
+            self._writing = import_module("mcap.writer")
+            self._schemas = import_module("mcap_protobuf.schema")
+            self.scene_update = self._message("SceneUpdate")
+            self.frame_transforms = self._message("FrameTransforms")
+        except ImportError as error:
+            raise MissingToolError(
+                f"MCAP needs the library {error.name}, which is not installed",
+                where="--mcap",
+                hint=f"run: {INSTALL_EXCHANGE}",
+            ) from error
+
+    def writer(self, stream: BytesIO) -> Any:  # noqa: ANN401 - an optional library's type
+        return self._writing.Writer(stream)
+
+    def schema(self, writer: Any, name: str) -> int:  # noqa: ANN401
+        return int(self._schemas.register_schema(writer, self._message(name)))
+
+    def _message(self, name: str) -> Any:  # noqa: ANN401
+        return getattr(import_module(f"foxglove_schemas_protobuf.{name}_pb2"), name)
+
+
+def _road(tools: _Tools, network: RoadNetwork) -> Any:  # noqa: ANN401
+    shapes = road_shapes(network)
+    update = tools.scene_update()
+    entity = update.entities.add(id="road", frame_id=_MAP)
+    for points in (*shapes.edge_lines, *shapes.centre_lines, *shapes.lane_lines):
+        line = entity.lines.add(type=0, thickness=_MARK_M)
+        line.pose.orientation.w = 1.0
+        _colour(line, _MARK)
+        for x, y in points.tolist():
+            line.points.add(x=x, y=y)
+    return update
+
+
+def _scene(
+    tools: _Tools, concrete: ConcreteScenario, traces: Mapping[str, Trace], step: int
+) -> Any:  # noqa: ANN401
+    update = tools.scene_update()
+    for participant in concrete.participants:
+        if participant.id not in traces:
+            continue
+        trace = traces[participant.id]
+        colour = _EGO if participant is concrete.ego else _OTHER
+        at = float(trace.x_m[step]), float(trace.y_m[step]), float(trace.heading_rad[step])
+        _box(update, participant.id, BODIES[participant.kind], at, colour)
+    still = object_paths(concrete)
+    for thing in concrete.objects:
+        start = still[thing.id].start
+        at = start.x_m, start.y_m, start.heading_rad
+        _box(update, thing.id, thing.body, at, _THING)
+    return update
+
+
+def _box(
+    update: Any,  # noqa: ANN401
+    name: str,
+    body: Body,
+    at: tuple[float, float, float],
+    colour: tuple[float, ...],
+) -> None:
+    """A box round the body of one whose reference point is ``at`` x, y (m) and heading (rad)."""
+    x, y, heading = at
+    cube = update.entities.add(id=name, frame_id=_MAP).cubes.add()
+    cube.pose.position.x = x + body.centre_ahead_m * cos(heading)
+    cube.pose.position.y = y + body.centre_ahead_m * sin(heading)
+    cube.pose.position.z = body.height_m / 2
+    cube.pose.orientation.z, cube.pose.orientation.w = sin(heading / 2), cos(heading / 2)
+    cube.size.x, cube.size.y, cube.size.z = body.length_m, body.width_m, body.height_m
+    _colour(cube, colour)
+
+
+def _colour(primitive: Any, colour: tuple[float, ...]) -> None:  # noqa: ANN401
+    primitive.color.r, primitive.color.g, primitive.color.b, primitive.color.a = colour
+
+
+def _frames(tools: _Tools, traces: Mapping[str, Trace], step: int) -> Any:  # noqa: ANN401
+    update = tools.frame_transforms()
+    for name, trace in traces.items():
+        frame = update.transforms.add(parent_frame_id=_MAP, child_frame_id=name)
+        frame.timestamp.FromNanoseconds(round(float(trace.time_s[step]) * 1e9))
+        frame.translation.x, frame.translation.y = float(trace.x_m[step]), float(trace.y_m[step])
+        half = float(trace.heading_rad[step]) / 2
+        frame.rotation.z, frame.rotation.w = sin(half), cos(half)
+    return update
+
+
+def _plotted() -> dict[str, Any]:
+    return {"type": "object", "properties": {name: {"type": "number"} for name in _SERIES}}
+
+
+def _state(trace: Trace, step: int) -> dict[str, float]:
+    return {name: round(float(getattr(trace, name)[step]), 6) + 0.0 for name in _SERIES}
