@@ -17,7 +17,11 @@ PREVIEW_FILE = "preview.png"
 
 
 def export_scenario(
-    concrete: ConcreteScenario, *, osc: str = "1.0", ego: str = "scripted"
+    concrete: ConcreteScenario,
+    *,
+    osc: str = "1.0",
+    ego: str = "scripted",
+    picture: bool = True,
 ) -> dict[str, bytes]:
     """The files of one scenario folder by name.
 
@@ -25,13 +29,14 @@ def export_scenario(
         concrete: the scenario.
         osc: version of OpenSCENARIO, ``1.0`` or ``1.2``.
         ego: ``scripted``, or ``external`` for a driver outside the scenario file.
+        picture: whether there is a preview, which takes longer than all else.
 
     Raises:
         RoadInfeasibleError, MotionInfeasibleError: the numbers cannot be built.
     """
     network = build_network(concrete.road, name=concrete.name)
     paths = build_paths(concrete, network)
-    return {
+    files = {
         ROAD_FILE: write_opendrive(
             network,
             control=concrete.road.control,
@@ -41,5 +46,7 @@ def export_scenario(
             concrete, paths, road_file=ROAD_FILE, version=osc, ego=ego
         ),
         CONCRETE_FILE: to_yaml(concrete).encode(),
-        PREVIEW_FILE: preview_png(concrete, network, paths),
     }
+    if picture:
+        files[PREVIEW_FILE] = preview_png(concrete, network, paths)
+    return files
