@@ -100,9 +100,7 @@ def _objects(store: Store, found: Examined) -> set[str]:
     return present
 
 
-def _batch(
-    path: Path, present: set[str], used: set[str], found: Examined, *, rows: bool
-) -> None:
+def _batch(path: Path, present: set[str], used: set[str], found: Examined, *, rows: bool) -> None:
     if not sound(path):
         found.bad[path] = "is not what was written: it is made again"
         return
@@ -115,9 +113,7 @@ def _batch(
         found.bad[path] = "has other columns: it is made again"
         return
     keys = table.column("key").to_pylist()
-    named = {
-        name for column in OBJECT_COLUMNS for name in table.column(column).to_pylist() if name
-    }
+    named = {name for column in OBJECT_COLUMNS for name in table.column(column).to_pylist() if name}
     twice = [key for key, times in Counter(keys).items() if times > 1 or key in found.done]
     strange = [key for key in keys if key not in found.planned and found.plans_whole]
     if twice:

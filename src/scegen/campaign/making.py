@@ -113,7 +113,9 @@ def make_batch(store: Store, campaign: Campaign, batch: Batch) -> Done:
     """
     begin = perf_counter()
     rows = [
-        make_item(store, campaign, item) for path, numbers in batch for item in items(path, list(numbers))
+        make_item(store, campaign, item)
+        for path, numbers in batch
+        for item in items(path, list(numbers))
     ]
     store.settle(row[name] for row in rows for name in OBJECT_COLUMNS if row.get(name))
     store.write_batch(table_of(rows))

@@ -207,9 +207,7 @@ def _parameters(concrete: ConcreteScenario) -> dict[str, float]:
     return found
 
 
-def _pair(
-    functional: FunctionalScenario, concrete: ConcreteScenario, pair: tuple[str, ...]
-) -> Row:
+def _pair(functional: FunctionalScenario, concrete: ConcreteScenario, pair: tuple[str, ...]) -> Row:
     """How the two that the target is about meet."""
     if not pair:
         return {}

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import fcntl
 import json
-import os
 import platform
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
@@ -70,9 +69,7 @@ class _Work:
     cost_s: float
 
 
-def run_campaign(
-    campaign: Campaign, folder: Path, workforce: Workforce, watch: Watch
-) -> Finished:
+def run_campaign(campaign: Campaign, folder: Path, workforce: Workforce, watch: Watch) -> Finished:
     """Make a campaign in ``folder``, or what is missing of it.
 
     Raises:
@@ -139,7 +136,9 @@ def _table_sound(store: Store, found: Examined) -> bool:
     except (OSError, ValueError):
         return False
     keys, digests = (table.column(name).to_pylist() for name in ("key", "row_digest"))
-    return len(keys) == len(found.digests) and dict(zip(keys, digests, strict=True)) == found.digests
+    return (
+        len(keys) == len(found.digests) and dict(zip(keys, digests, strict=True)) == found.digests
+    )
 
 
 def _digest(found: Examined) -> str:
@@ -166,9 +165,7 @@ def _claim(store: Store, campaign: Campaign) -> None:
         return
     order = _order(campaign)
     earlier = manifest.get("campaign", {})
-    differing = sorted(
-        name for name in {*order, *earlier} if order.get(name) != earlier.get(name)
-    )
+    differing = sorted(name for name in {*order, *earlier} if order.get(name) != earlier.get(name))
     if manifest.get("scegen") != __version__ or manifest.get("format") != FORMAT:
         differing.insert(0, f"version {manifest.get('scegen')}")
     if differing:

@@ -1,9 +1,9 @@
 """The folder of a campaign: every file of it is whole or not there, and named by its content.
 
-    DIR/manifest.json              what is made, with which versions; what came of it
-    DIR/plan/KEY.SHA256.parquet    the work on one description, one row an item
-    DIR/batches/SHA256.parquet     finished work, one row a concrete scenario
-    DIR/objects/ab/cdef….xosc      files of scenarios, equal ones once
+DIR/manifest.json              what is made, with which versions; what came of it
+DIR/plan/KEY.SHA256.parquet    the work on one description, one row an item
+DIR/batches/SHA256.parquet     finished work, one row a concrete scenario
+DIR/objects/ab/cdef….xosc      files of scenarios, equal ones once
 """
 
 from __future__ import annotations

@@ -36,7 +36,7 @@ def simulate(
     from scegen.scenario.files import load
 
     concrete = load(_concrete_file(place), ConcreteScenario)
-    paths = build_paths(concrete, build_network(concrete.road, concrete.name))
+    paths = build_paths(concrete, build_network(concrete.road))
     table = traces_csv(run(concrete, paths, dt_s=dt))
     write_text(table, output)
 

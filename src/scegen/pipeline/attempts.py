@@ -33,9 +33,7 @@ def make_one(
         InfeasibleError: it cannot be made.
     """
     concrete = concretize(functional, scenario, seed=seed)
-    return raise_all(
-        functional, [concrete], target, seed, progress, session, solutions=solutions
-    )
+    return raise_all(functional, [concrete], target, seed, progress, session, solutions=solutions)
 
 
 def make_some(
