@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import cache
 from typing import Any, TypeVar
 
 from scegen.errors import InputError, MissingToolError
@@ -33,9 +34,16 @@ class Workforce:
     address: str | None = None
 
     def each(
-        self, work: Callable[[T], R], tasks: Sequence[T], prepare: Callable[[], None]
+        self,
+        work: Callable[[T], R],
+        tasks: Sequence[T],
+        prepare: Callable[[], None],
+        enlist: Callable[[], None],
     ) -> Iterator[R]:
-        """What ``work`` gives for every task, as it comes; ``prepare`` runs first in each worker.
+        """What ``work`` gives for every task, as it comes.
+
+        ``prepare`` runs first where the work is done; ``enlist`` instead of it in processes that
+        are ours alone.
 
         Raises:
             WorkerLostError: a worker died, by whatever cause.
@@ -46,28 +54,27 @@ class Workforce:
             return iter(())
         if self.engine is Engine.RAY:
             return _by_ray(self, work, tasks, prepare)
-        return _by_joblib(self.workers, work, tasks, prepare)
+        if self.workers == 1:
+            prepare()
+            return map(work, tasks)
+        return _by_joblib(self.workers, work, tasks, enlist)
 
 
 def _by_joblib(
-    workers: int, work: Callable[[T], R], tasks: Sequence[T], prepare: Callable[[], None]
+    workers: int, work: Callable[[T], R], tasks: Sequence[T], enlist: Callable[[], None]
 ) -> Iterator[R]:
     from joblib import Parallel, delayed  # noqa: PLC0415 - of the extra
     from joblib.externals.loky.process_executor import (  # noqa: PLC0415
         TerminatedWorkerError,
     )
 
-    if workers == 1:
-        prepare()
-        yield from map(work, tasks)
-        return
     pool = Parallel(
         n_jobs=workers,
         backend="loky",
         return_as="generator_unordered",
         batch_size=1,
         pre_dispatch="2 * n_jobs",
-        initializer=prepare,
+        initializer=enlist,
     )
     results = pool(delayed(work)(task) for task in tasks)
     try:
@@ -76,6 +83,11 @@ def _by_joblib(
         raise WorkerLostError(str(error)) from error
     finally:
         results.close()
+
+
+@cache
+def _once(prepare: Callable[[], None]) -> None:
+    prepare()
 
 
 def _by_ray(
@@ -98,7 +110,7 @@ def _by_ray(
         ) from error
 
     def prepared(task: T) -> R:
-        prepare()
+        _once(prepare)
         return work(task)
 
     # A task that is run again must not run beside the first: the plan is looked at anew instead.

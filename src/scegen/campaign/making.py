@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import tempfile
-import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -62,6 +62,8 @@ _COLUMNS = {
 }
 """In which column the object of a file is named, and what it ends in."""
 _SHARE_DIGITS = 8
+_EMPLOYER = "SCEGEN_CAMPAIGN_EMPLOYER"
+"""Where a worker process keeps the id of the process that started it."""
 
 Batch = tuple[tuple[Path, tuple[int, ...]], ...]
 """Plans, and rows of theirs."""
@@ -97,12 +99,23 @@ class Clock:
         return told | {SECONDS: sum(self.seconds.values())}
 
 
-@lru_cache(maxsize=1)
 def warm() -> None:
-    """Once in a worker: load what every batch needs, and leave Ctrl-C to who started it."""
-    if threading.current_thread() is threading.main_thread():
-        signal.signal(signal.SIGINT, signal.SIG_IGN)
+    """Load what every batch needs, before the clock runs."""
     warm_kernels()
+
+
+def enlist() -> None:
+    """Once in a worker process: leave Ctrl-C to who started it, remember who that is, get warm."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    os.environ[_EMPLOYER] = str(os.getppid())
+    warm()
+
+
+def _leave_if_alone() -> None:
+    """End a worker process whose employer was killed: the next one has its work made anew."""
+    employer = os.environ.get(_EMPLOYER)
+    if employer is not None and employer != str(os.getppid()):
+        os._exit(1)
 
 
 def make_batch(store: Store, campaign: Campaign, batch: Batch) -> Done:
@@ -112,13 +125,15 @@ def make_batch(store: Store, campaign: Campaign, batch: Batch) -> Done:
         StoreError: the folder cannot be written.
     """
     begin = perf_counter()
-    rows = [
-        make_item(store, campaign, item)
-        for path, numbers in batch
-        for item in items(path, list(numbers))
-    ]
+    rows = []
+    for path, numbers in batch:
+        for item in items(path, list(numbers)):
+            _leave_if_alone()
+            rows.append(make_item(store, campaign, item))
     store.settle(row[name] for row in rows for name in OBJECT_COLUMNS if row.get(name))
-    store.write_batch(table_of(rows))
+    table = table_of(rows)
+    _leave_if_alone()
+    store.write_batch(table)
     made = sum(row["status"] == MADE for row in rows)
     return Done(made, len(rows) - made, perf_counter() - begin)
 

@@ -210,7 +210,7 @@ def _failure(
 
 def _cost(functional: FunctionalScenario) -> float:
     """About how many seconds one takes: every participant moves, every pair is looked at."""
-    return 0.03 + 0.005 * len(functional.participants) ** 2
+    return 0.05 + 0.02 * len(functional.participants) ** 2
 
 
 @lru_cache(maxsize=8)

@@ -19,7 +19,7 @@ import pyarrow.parquet as pq
 from scegen import __version__
 from scegen.campaign.engines import WorkerLostError, Workforce
 from scegen.campaign.examining import Examined, examine
-from scegen.campaign.making import Batch, Done, make_batch, warm
+from scegen.campaign.making import Batch, Done, enlist, make_batch, warm
 from scegen.campaign.order import Campaign, Described
 from scegen.campaign.planning import content_of, plan_description, plan_key
 from scegen.campaign.rows import FAILED, table_of
@@ -240,7 +240,7 @@ def _plan(
     total = len(by_key)
     watch.planning(total - len(left), total)
     work = partial(plan_description, store, campaign)
-    for number, _ in enumerate(workforce.each(work, left, warm), start=1):
+    for number, _ in enumerate(workforce.each(work, left, warm, enlist), start=1):
         watch.planning(total - len(left) + number, total)
 
 
@@ -274,7 +274,7 @@ def _make(
         before_round = len(found.done)
         try:
             made: Done
-            for made in workforce.each(work, batches, warm):
+            for made in workforce.each(work, batches, warm, enlist):
                 done, failed = done + made.made + made.failed, failed + made.failed
                 watch.making(done, failed, total)
         except WorkerLostError as error:
