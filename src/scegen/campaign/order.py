@@ -26,7 +26,7 @@ class Described(FrozenModel):
     """One description: its words, or the functional.yaml in which it is understood already."""
 
     id: str = Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$", max_length=80)
-    text: str | None = None
+    text: str | None = Field(default=None, min_length=1)
     file: str | None = None
 
     @model_validator(mode="after")

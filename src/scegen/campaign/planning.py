@@ -71,7 +71,7 @@ def content_of(described: Described) -> str:
     Raises:
         InputError: its file cannot be read.
     """
-    return described.text if described.file is None else read_text(Path(described.file))
+    return described.text or read_text(Path(str(described.file)))
 
 
 def plan_key(campaign: Campaign, described: Described) -> str:

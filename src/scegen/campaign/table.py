@@ -38,7 +38,7 @@ def query(store: Store, sql: str) -> pa.Table:
     """
     with connect(store) as connection:
         try:
-            return connection.execute(sql).to_arrow_table()
+            return connection.sql(sql).to_arrow_table()
         except duckdb.Error as error:
             raise InputError(f"the query fails: {error}") from error
 

@@ -134,9 +134,6 @@ def _codes(values: Sequence[object]) -> Ints:
     """Equal values become equal numbers."""
     numbers: dict[Hashable, int] = {}
     return np.array(
-        [
-            numbers.setdefault(tuple(v) if isinstance(v, list) else v, len(numbers))  # type: ignore[arg-type]
-            for v in values
-        ],
+        [numbers.setdefault(tuple(v) if isinstance(v, list) else v, len(numbers)) for v in values],
         dtype=np.int64,
     )

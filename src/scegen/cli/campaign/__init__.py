@@ -7,7 +7,9 @@ from typing import Any
 import typer
 from typer.core import TyperGroup
 
+from scegen.cli.campaign.report import report
 from scegen.cli.campaign.run import run
+from scegen.cli.campaign.select import select
 
 _OWN = {"--help", "run"}
 
@@ -36,3 +38,5 @@ def _group() -> None:
 
 
 app.command("run")(run)
+app.command("report")(report)
+app.command("select")(select)
