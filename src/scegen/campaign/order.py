@@ -57,18 +57,24 @@ class Sweep(FrozenModel):
         if self.first is not None and self.to is not None and self.first > self.to:
             msg = f"from {self.first:g} lies above to {self.to:g}"
             raise ValueError(msg)
-        if len(self.points) > MOST_POINTS:
-            msg = f"{len(self.points):,} values are more than {MOST_POINTS:,}"
+        if self.count > MOST_POINTS:
+            msg = f"{self.count:,} values are more than {MOST_POINTS:,}"
             raise ValueError(msg)
         return self
+
+    @property
+    def count(self) -> int:
+        """How many values there are."""
+        if self.first is None or self.to is None or self.step is None:
+            return len(self.values)
+        return int((self.to - self.first) / self.step + _ROUNDING) + 1
 
     @property
     def points(self) -> tuple[float, ...]:
         """The values, in order; ``to`` is the last one if steps lead there."""
         if self.first is None or self.to is None or self.step is None:
             return self.values
-        count = int((self.to - self.first) / self.step + _ROUNDING)
-        return tuple(round(self.first + n * self.step, 9) for n in range(count + 1))
+        return tuple(round(self.first + n * self.step, 9) for n in range(self.count))
 
 
 class Campaign(FrozenModel):
@@ -107,7 +113,7 @@ class Campaign(FrozenModel):
             parse_target(self.target)
         points = 1
         for sweep in self.sweep.values():
-            points *= len(sweep.points)
+            points *= sweep.count
         if points > MOST_POINTS:
             msg = f"the sweep has {points:,} points, more than {MOST_POINTS:,}"
             raise ValueError(msg)

@@ -87,12 +87,13 @@ def run_campaign(campaign: Campaign, folder: Path, workforce: Workforce, watch: 
         found = _examined(store, keys, watch)
         _keep_manifest(store, campaign, keys, None)
         fresh = _make(store, campaign, keys, found, workforce, watch)
-        found = examine(store, keys)
-        if found.bad or found.missing:
+        found = _examined(store, keys, watch)
+        if found.missing:
             raise StoreError(
-                f"{len(found.missing)} scenarios are missing", where=str(folder),
-                hint="scegen campaign --verify says why; the same command goes on",
-            )  # fmt: skip
+                f"{len(found.missing)} scenarios are missing, as files were changed meanwhile",
+                where=str(folder),
+                hint="the same command goes on",
+            )
         rows, failed = write_table(store)
         told = _digest(found)
         finished = Finished(rows, failed, fresh, perf_counter() - begin, told)

@@ -92,11 +92,11 @@ def run(
     changes = {name: value for name, value in given.items() if value is not None}
     with of_extra():
         finished = _run(source, output, changes, engine, workers, address)
-    result(
-        f"{finished.rows} scenarios, {finished.failed} of them failed, {finished.fresh} made now "
-        f"in {finished.seconds:.1f} s"
+    result(f"{finished.rows} scenarios, {finished.failed} of them failed")
+    say(
+        f"{finished.fresh} made now in {finished.seconds:.1f} s; all rows together: "
+        f"{finished.digest[:16]}"
     )
-    result(f"rows {finished.digest}")
     if finished.failed:
         say(f"why they failed: scegen campaign report {output}")
         raise typer.Exit(1)

@@ -37,10 +37,7 @@ def select(
     else:
         for item in data["scenarios"]:
             brings = f" {len(item['brings'])} cells" if item["brings"] else ""
-            result(
-                f"{item['key'][:12]}  {item['description']} {item['logical']}  "
-                f"{item['reason']}{brings}"
-            )
+            result(f"{item['description']} {item['logical']}  {item['reason']}{brings}")
     proved = "no fewer do" if suite.proved else "the fewest found"
     say(
         f"{data['covered']} of {data['coverable']} cells covered; all take {suite.needed} "
