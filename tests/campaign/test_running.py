@@ -169,11 +169,10 @@ def test_a_row_that_was_changed_is_seen(copied):
 
 def test_rows_that_are_there_twice_are_seen(first, copied):
     table = pq.read_table(copied.batches()[0])
-    doubled = copied.write_batch(table.slice(0, 1))
+    copied.write_batch(table.slice(0, 1))
     found, _ = verify(copied.folder)
     assert any("there already" in line for line in found.in_words())
     assert make(campaign(), copied.folder).digest == first[1].digest
-    assert doubled not in copied.batches() or len(copied.batches()) == 1
     assert whole(copied.folder)
 
 

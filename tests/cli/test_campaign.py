@@ -1,8 +1,10 @@
 """Campaigns on the command line: from a list of sentences to a suite that passes its checks."""
 
 import json
+import os
 
 import pytest
+from command import PROGRAM, as_process
 
 
 @pytest.fixture
@@ -58,10 +60,6 @@ def test_what_cannot_be_is_told(scegen, tmp_path, arguments, word):
 
 
 def test_without_the_extra_it_says_what_to_install(tmp_path):
-    import os
-
-    from command import PROGRAM, as_process
-
     (tmp_path / "list.txt").write_text("Two cars meet.", encoding="utf-8")
     program = f"import sys; sys.modules['duckdb'] = None; {PROGRAM}"
     arguments = ["campaign", "list.txt", "-o", "x"]

@@ -77,7 +77,8 @@ def smallest(sets: Sequence[frozenset[str]]) -> tuple[tuple[int, ...], bool]:
     """
     greedy = _reduced(_greedy(sets), sets)
     optimal, proved = fewest(sets, _MOST_CONFLICTS)
-    return (optimal, proved) if optimal and len(optimal) <= len(greedy) else (greedy, False)
+    better = proved or 0 < len(optimal) <= len(greedy)
+    return (optimal, proved) if better else (greedy, False)
 
 
 def _greedy(sets: Sequence[frozenset[str]]) -> list[int]:
