@@ -9,7 +9,7 @@ import numpy as np
 from scegen.campaign.analysis.features import Floats
 from scegen.report.drawing import box, document, letters, line
 
-_WIDTH, _HEIGHT, _LEFT, _BOTTOM, _TOP = 420.0, 190.0, 44.0, 30.0, 24.0
+_WIDTH, _HEIGHT, _LEFT, _RIGHT, _BOTTOM, _TOP = 420.0, 190.0, 44.0, 26.0, 30.0, 24.0
 _BARS = 24
 _ROW, _NAMES = 22.0, 190.0
 _TEXT, _SOFT, _BAR, _GRID = "var(--text)", "var(--text-soft)", "var(--accent)", "var(--line)"
@@ -25,7 +25,7 @@ def histogram(title: str, unit: str, values: Floats, critical: float | None = No
     high = high if high > low else low + 1.0
     counts, edges = np.histogram(np.minimum(known, high), bins=_BARS, range=(low, high))
     most = int(counts.max())
-    wide, tall = _WIDTH - _LEFT - 8, _HEIGHT - _BOTTOM - _TOP
+    wide, tall = _WIDTH - _LEFT - _RIGHT, _HEIGHT - _BOTTOM - _TOP
 
     def x(value: float) -> float:
         return _LEFT + (value - low) / (high - low) * wide
@@ -33,9 +33,9 @@ def histogram(title: str, unit: str, values: Floats, critical: float | None = No
     parts = [letters(f"{title}, {unit} ({len(known):,} scenarios)", 0, 14, 13, _TEXT, bold=True)]
     for share in (0.0, 0.5, 1.0):
         y = _TOP + tall * (1 - share)
-        parts.append(line([(_LEFT, y), (_WIDTH - 8, y)], _GRID, 1))
+        parts.append(line([(_LEFT, y), (_WIDTH - _RIGHT, y)], _GRID, 1))
         parts.append(
-            letters(f"{share * most:,.0f}", _LEFT - 6, y + 4, 11, _SOFT, text_anchor="end")
+            letters(f"{share * most:,.4g}", _LEFT - 6, y + 4, 11, _SOFT, text_anchor="end")
         )
     for count, left, right in zip(counts, edges, edges[1:], strict=False):
         height = tall * float(count) / most
