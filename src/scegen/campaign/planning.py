@@ -28,6 +28,7 @@ from scegen.pipeline.source import resolve_source
 from scegen.scenario.files import read_text, to_json
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario, LogicalSet
+from scegen.scenario.rule_file import RuleFile
 from scegen.understanding import read
 
 LEFT_OUT = b"left_out"
@@ -133,7 +134,7 @@ def _at_point(
         arms=campaign.arms,
         limit=LIST_LIMIT,
         where=campaign.where,
-        rules=None if campaign.rules is None else Path(campaign.rules),
+        rules=_rules(campaign),
     )
     if not logical.scenarios:
         raise NoScenarioError("no scenario is as asked for", where=f"where {campaign.where}")
@@ -163,6 +164,12 @@ def _at_point(
                 }
             )
     return rows, _left_out(logical, picked)
+
+
+def _rules(campaign: Campaign) -> RuleFile | None:
+    """The rules that every scenario keeps."""
+    path = campaign.rules
+    return None if path is None else RuleFile(read_text(Path(path)), path)
 
 
 def _key(campaign: Campaign, *parts: object) -> str:
