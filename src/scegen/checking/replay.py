@@ -106,7 +106,7 @@ def predict(concrete: ConcreteScenario) -> Prediction:
     Raises:
         InfeasibleError: the concrete scenario cannot be built.
     """
-    paths = build_paths(concrete, build_network(concrete.road, concrete.name))
+    paths = build_paths(concrete, build_network(concrete.road))
     traces = simulate(concrete, paths, dt_s=STEP_S)
     program, candidate = compile_program(concrete, paths)
     batch = simulate_batch(program, candidate, duration_s=concrete.duration_s, dt_s=STEP_S)

@@ -73,7 +73,7 @@ def recorded_view(concrete: ConcreteScenario, recording: list[Movement]) -> View
         RecordingError: somebody is not in it.
         RoadInfeasibleError, MotionInfeasibleError: the numbers cannot be built.
     """
-    ways = ways_of(concrete, build_network(concrete.road, name=concrete.name))
+    ways = ways_of(concrete, build_network(concrete.road))
     ego = concrete.ego.id
     everybody = [(ego, entity.id) for entity in concrete.entities if entity.id != ego]
     focus = list(dict.fromkeys([*judged_pairs(concrete), *everybody]))

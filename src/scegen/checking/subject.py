@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -94,7 +95,26 @@ def read_folder(folder: Path) -> Subject:
         scenario=_read(folder / SCENARIO_FILE),
         concrete=load(concrete, ConcreteScenario) if concrete.is_file() else None,
         functional=load(functional, FunctionalScenario) if functional.is_file() else None,
-        touching=_touching(proof) if proof.is_file() else None,
+        touching=_touching(read_proof(proof)) if proof.is_file() else None,
+    )
+
+
+def subject_of(
+    place: Path,
+    files: Mapping[str, bytes],
+    concrete: ConcreteScenario,
+    functional: FunctionalScenario | None = None,
+    proof: Proof | None = None,
+) -> Subject:
+    """A scenario in memory; only the player needs its files to lie in the folder ``place``."""
+    touching = None if proof is None else _touching(proof)
+    return Subject(
+        place=place,
+        road=_file(place / ROAD_FILE, files[ROAD_FILE]),
+        scenario=_file(place / SCENARIO_FILE, files[SCENARIO_FILE]),
+        concrete=concrete,
+        functional=functional,
+        touching=touching,
     )
 
 
@@ -110,9 +130,8 @@ def read_proof(file: Path) -> Proof:
         raise InputError("is no proof of a search", where=str(file)) from problem
 
 
-def _touching(file: Path) -> tuple[str, ...]:
+def _touching(proof: Proof) -> tuple[str, ...]:
     """Whom a search was asked to bring into contact, or was allowed to."""
-    proof = read_proof(file)
     return proof.pair if parse_target(proof.target).contact is not False else ()
 
 
@@ -129,7 +148,10 @@ def _single(path: Path) -> Subject:
 
 
 def _read(path: Path) -> File:
-    content = read_bytes(path)
+    return _file(path, read_bytes(path))
+
+
+def _file(path: Path, content: bytes) -> File:
     try:
         parse_document(path.name, content, SUFFIXES[path.suffix.lower()])
     except BrokenXmlError:

@@ -26,7 +26,7 @@ def make_twin(concrete: ConcreteScenario, road_file: str, ego: str = "scripted")
     Raises:
         InfeasibleError: the concrete scenario cannot be built.
     """
-    network = build_network(concrete.road, concrete.name)
+    network = build_network(concrete.road)
     paths = build_paths(concrete, network)
     played, checked = (
         write_openscenario(concrete, paths, road_file=road_file, version=version, ego=ego)

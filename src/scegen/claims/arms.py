@@ -61,7 +61,7 @@ def arms_of(view: View) -> tuple[Arm, ...]:
 
 @lru_cache(maxsize=64)
 def _built(road: RoadParameters) -> tuple[Arm, ...]:
-    network = build_network(road, name="claims")
+    network = build_network(road)
     inward = -1 if road.driving_side is DrivingSide.RIGHT else 1
     made = []
     for described in road.arms:

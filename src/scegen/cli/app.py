@@ -14,6 +14,7 @@ from typer.core import TyperGroup
 from scegen import __version__
 from scegen.cli import (
     benchmark,
+    campaign,
     check,
     concretize,
     doctor,
@@ -97,6 +98,7 @@ app.command("render")(render.render)
 app.command("serve")(serve.serve)
 app.command("schema")(schema.schema)
 app.command("doctor")(doctor.doctor)
+app.add_typer(campaign.app, name="campaign")
 app.add_typer(benchmark.app, name="benchmark")
 
 

@@ -19,6 +19,7 @@ import numpy as np
 from scegen.measures.bodies import Body, body_of
 from scegen.measures.boxes import Box
 from scegen.measures.contact import boxes_touch
+from scegen.measures.remembering import remembered
 from scegen.motion.batch.arrays import Bools, Floats, Ints
 from scegen.motion.batch.kernels import kernel
 from scegen.motion.model import Path
@@ -69,6 +70,7 @@ def area_table(
     return AreaTable(first.astype(np.int64), table[:, :2].copy(), table[:, 2:].copy())
 
 
+@remembered
 def _areas(first: Path, second: Path, a: Body, b: Body) -> list[tuple[float, float, float, float]]:
     """(enter a, enter b, leave a, leave b) of each area of a pair."""
     small = min(a.half_length_m, a.half_width_m, b.half_length_m, b.half_width_m)
@@ -206,17 +208,44 @@ def merge_point(
     second_s = np.linspace(s_second[0], s_second[-1], 4 * len(s_second))
     h1 = np.interp(s_first, first.s_m, first.heading_rad)
     h2 = np.interp(second_s, second.s_m, second.heading_rad)
-    dx = np.interp(s_first, first.s_m, first.x_m)[:, None] - np.interp(
-        second_s, second.s_m, second.x_m
+    nearest, away = _nearest(
+        np.interp(s_first, first.s_m, first.x_m),
+        np.interp(s_first, first.s_m, first.y_m),
+        np.interp(second_s, second.s_m, second.x_m),
+        np.interp(second_s, second.s_m, second.y_m),
+        float(s_second[-1] - s_second[0]) / (len(second_s) - 1),
     )
-    dy = np.interp(s_first, first.s_m, first.y_m)[:, None] - np.interp(
-        second_s, second.s_m, second.y_m
-    )
-    nearest = np.argmin(dx**2 + dy**2, axis=1)
-    rows = np.arange(len(s_first))
     turn = np.abs(np.angle(np.exp(1j * (h1 - h2[nearest]))))
-    near = (np.hypot(dx, dy)[rows, nearest] < MERGED_ASIDE_M) & (turn < MERGED_TURN_RAD)
+    near = (away < MERGED_ASIDE_M) & (turn < MERGED_TURN_RAD)
     for run in _runs(near, 0):
         if s_first[run.stop - 1] - s_first[run.start] >= MERGED_FOR_M:
             return float(s_first[run.start]), float(second_s[nearest[run.start]])
     return None
+
+
+@kernel
+def _nearest(x: Floats, y: Floats, fx: Floats, fy: Floats, step_m: float) -> tuple[Ints, Floats]:
+    """For each point the nearest one of a line, the first of several, and its distance.
+
+    Points of the line that follow one another are at most ``step_m`` apart: none is looked at that
+    cannot be nearer than the nearest so far.
+    """
+    index = np.zeros(x.shape[0], dtype=np.int64)
+    away = np.empty(x.shape[0])
+    for n in range(x.shape[0]):
+        best = index[n - 1] if n else 0
+        dx, dy = x[n] - fx[best], y[n] - fy[best]
+        least = dx * dx + dy * dy
+        m = 0
+        while m < fx.shape[0]:
+            dx, dy = x[n] - fx[m], y[n] - fy[m]
+            squared = dx * dx + dy * dy
+            if squared < least or (squared == least and m < best):
+                least, best = squared, m
+            skip = 1
+            if step_m > 0.0:
+                skip = max(1, int((np.sqrt(squared) - np.sqrt(least)) / step_m))
+            m += skip
+        index[n] = best
+        away[n] = np.hypot(x[n] - fx[best], y[n] - fy[best])
+    return index, away

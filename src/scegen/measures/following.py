@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from scegen.measures.bodies import Body, body_of
+from scegen.measures.remembering import remembered
 from scegen.motion.batch.arrays import Floats, Ints, S
 from scegen.motion.batch.kernels import kernel
 from scegen.motion.model import Path
@@ -54,6 +55,7 @@ def follow_table(
     return FollowTable(first, np.concatenate(parts) if parts else np.empty(0))
 
 
+@remembered
 def rear_stations(follower: Path, leader: Path, own: Body, other: Body) -> Floats:
     """Station of the leader's rear on the follower's path, by position of the leader.
 
@@ -71,7 +73,7 @@ def rear_stations(follower: Path, leader: Path, own: Body, other: Body) -> Float
     s = np.linspace(0.0, follower.length_m, int(np.ceil(follower.length_m / 0.25)) + 1)
     way = np.interp(s, follower.s_m, follower.heading_rad)
     fx, fy = np.interp(s, follower.s_m, follower.x_m), np.interp(s, follower.s_m, follower.y_m)
-    nearest, away = _nearest(x, y, heading, fx, fy, way)
+    nearest, away = _nearest(x, y, heading, fx, fy, way, follower.length_m / max(len(s) - 1, 1))
     way = way[nearest]
     turn = np.abs((heading - way + np.pi) % (2 * np.pi) - np.pi)
     dx, dy = x - fx[nearest], y - fy[nearest]
@@ -89,22 +91,38 @@ def rear_stations(follower: Path, leader: Path, own: Body, other: Body) -> Float
 
 @kernel
 def _nearest(
-    x: Floats, y: Floats, heading: Floats, fx: Floats, fy: Floats, way: Floats
+    x: Floats, y: Floats, heading: Floats, fx: Floats, fy: Floats, way: Floats, step_m: float
 ) -> tuple[Ints, Floats]:
     """For each pose the nearest point of a path with a similar heading, and its squared distance.
 
-    The distance is inf, the point the first, where no heading is similar.
+    The distance is inf, the point the first, where no heading is similar. Points that follow one
+    another are at most ``step_m`` apart: none is looked at that cannot be nearer than the nearest
+    so far, and the one that was nearest to the pose before is looked at first.
     """
     index = np.zeros(x.shape[0], dtype=np.int64)
     away = np.full(x.shape[0], np.inf)
+    last = -1
     for n in range(x.shape[0]):
-        for m in range(fx.shape[0]):
+        if last >= 0:
+            turn = (heading[n] - way[last] + np.pi) % (2 * np.pi) - np.pi
+            if abs(turn) <= SAME_WAY_RAD:
+                dx, dy = x[n] - fx[last], y[n] - fy[last]
+                # An earlier point that is as near is to be found, too.
+                away[n], index[n] = np.nextafter(dx * dx + dy * dy, np.inf), last
+        m = 0
+        while m < fx.shape[0]:
             dx, dy = x[n] - fx[m], y[n] - fy[m]
             squared = dx * dx + dy * dy
             if squared < away[n]:
                 turn = (heading[n] - way[m] + np.pi) % (2 * np.pi) - np.pi
                 if abs(turn) <= SAME_WAY_RAD:
                     away[n], index[n] = squared, m
+                m += 1
+            elif away[n] < np.inf:
+                m += max(1, int((np.sqrt(squared) - np.sqrt(away[n])) / step_m))
+            else:
+                m += 1
+        last = index[n] if away[n] < np.inf else -1
     return index, away
 
 

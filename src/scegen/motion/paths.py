@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from functools import lru_cache
+
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.model import Path
 from scegen.motion.polyline import LaidDrive
@@ -14,6 +17,8 @@ from scegen.scenario.vocabulary import ParticipantKind
 
 END_MARGIN_M = 2.0
 """Paths end this far before the outer end of the exit arm: esmini must not run off the road."""
+KEPT = 256
+"""Drives that are kept: trials of one scenario differ in speeds more often than in ways."""
 
 
 def build_paths(concrete: ConcreteScenario, network: RoadNetwork) -> dict[str, Path]:
@@ -38,13 +43,32 @@ def build_path(motion: Motion, kind: ParticipantKind, network: RoadNetwork, who:
     return standing_path(network, motion, kind, who)
 
 
+@dataclass(frozen=True, eq=False, slots=True)
+class _This:
+    """A network, itself: one that is only equal is another."""
+
+    network: RoadNetwork
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _This) and other.network is self.network
+
+    def __hash__(self) -> int:
+        return id(self.network)
+
+
 def lay_drive(network: RoadNetwork, motion: DriveMotion, who: str) -> LaidDrive:
-    """A drive laid out on the road, with stations for every vertex.
+    """A drive laid out on the road, with stations for every vertex; nobody changes it.
 
     Raises:
         MotionInfeasibleError: no such route or lane, a lane change without room, or a start
             beyond the entry arm.
     """
+    return _laid(_This(network), motion, who)
+
+
+@lru_cache(maxsize=KEPT)
+def _laid(this: _This, motion: DriveMotion, who: str) -> LaidDrive:
+    network = this.network
     stretches = route_stretches(network, motion, who)
     entry_m = stretches[0].end_m
     end_m = stretches[-1].end_m - END_MARGIN_M

@@ -20,6 +20,25 @@ MOST_SPARE = 7
 """So many more scenarios are tried than are asked for, where no number names them."""
 
 
+def make_one(
+    functional: FunctionalScenario,
+    scenario: LogicalScenario,
+    target: str | None,
+    seed: int,
+    progress: Callable[[str], None] = lambda _: None,
+    session: Session | None = None,
+    *,
+    solutions: int = 1,
+) -> Raising:
+    """One logical scenario made concrete in memory, its danger raised, its claims proved.
+
+    Raises:
+        InfeasibleError: it cannot be made.
+    """
+    concrete = concretize(functional, scenario, seed=seed)
+    return raise_all(functional, [concrete], target, seed, progress, session, solutions=solutions)
+
+
 def make_some(
     functional: FunctionalScenario,
     picked: Sequence[LogicalScenario],
@@ -48,21 +67,19 @@ def make_some(
         name = f"{scenario.index:03d}-{scenario.slug}"
         progress(f"concretizing {name}")
         try:
-            concrete = concretize(functional, scenario, seed=options.seed)
-        except InfeasibleError as error:
-            skipped[name] = error.render()
-            continue
-        tried.append(
-            raise_all(
+            raising = make_one(
                 functional,
-                [concrete],
+                scenario,
                 target,
                 options.seed,
                 progress,
                 session,
                 solutions=options.solutions,
             )
-        )
+        except InfeasibleError as error:
+            skipped[name] = error.render()
+            continue
+        tried.append(raising)
     if not tried:
         name, reason = next(iter(skipped.items()))
         more = f" (and {len(skipped) - 1} more)" if len(skipped) > 1 else ""

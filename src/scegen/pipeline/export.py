@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from scegen.export.opendrive import write_opendrive
 from scegen.export.openscenario import write_openscenario
 from scegen.motion import build_paths
 from scegen.report.preview import preview_png
 from scegen.road import build_network
-from scegen.scenario.concrete import ConcreteScenario
+from scegen.road.build import KEPT
+from scegen.scenario.concrete import ConcreteScenario, RoadParameters
 from scegen.scenario.files import to_yaml
 
 ROAD_FILE = "road.xodr"
@@ -17,7 +20,11 @@ PREVIEW_FILE = "preview.png"
 
 
 def export_scenario(
-    concrete: ConcreteScenario, *, osc: str = "1.0", ego: str = "scripted"
+    concrete: ConcreteScenario,
+    *,
+    osc: str = "1.0",
+    ego: str = "scripted",
+    picture: bool = True,
 ) -> dict[str, bytes]:
     """The files of one scenario folder by name.
 
@@ -25,21 +32,33 @@ def export_scenario(
         concrete: the scenario.
         osc: version of OpenSCENARIO, ``1.0`` or ``1.2``.
         ego: ``scripted``, or ``external`` for a driver outside the scenario file.
+        picture: whether there is a preview, which takes longer than all else.
 
     Raises:
         RoadInfeasibleError, MotionInfeasibleError: the numbers cannot be built.
     """
-    network = build_network(concrete.road, name=concrete.name)
+    network = build_network(concrete.road)
     paths = build_paths(concrete, network)
-    return {
-        ROAD_FILE: write_opendrive(
-            network,
-            control=concrete.road.control,
-            controlled_arms=concrete.road.controlled_arms,
-        ).encode(),
+    files = {
+        ROAD_FILE: road_file(concrete.road),
         SCENARIO_FILE: write_openscenario(
             concrete, paths, road_file=ROAD_FILE, version=osc, ego=ego
         ),
         CONCRETE_FILE: to_yaml(concrete).encode(),
-        PREVIEW_FILE: preview_png(concrete, network, paths),
     }
+    if picture:
+        files[PREVIEW_FILE] = preview_png(concrete, network, paths)
+    return files
+
+
+@lru_cache(maxsize=KEPT)
+def road_file(road: RoadParameters) -> bytes:
+    """The OpenDRIVE file of a road; scenarios on equal roads share it.
+
+    Raises:
+        RoadInfeasibleError: it cannot be built.
+    """
+    text = write_opendrive(
+        build_network(road), control=road.control, controlled_arms=road.controlled_arms
+    )
+    return text.encode()

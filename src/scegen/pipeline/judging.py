@@ -40,7 +40,7 @@ def judge(concrete: ConcreteScenario, proof: Proof | None = None) -> Judged:
     Raises:
         RoadInfeasibleError, MotionInfeasibleError: the numbers cannot be built.
     """
-    paths = build_paths(concrete, build_network(concrete.road, concrete.name))
+    paths = build_paths(concrete, build_network(concrete.road))
     ego = concrete.ego.id
     pair = proof.pair if proof is not None and ego in proof.pair else ()
     partner = next((name for name in pair if name != ego), None)

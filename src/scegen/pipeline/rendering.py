@@ -45,7 +45,7 @@ def rendered(
         RoadInfeasibleError, MotionInfeasibleError: the numbers cannot be built.
     """
     cut = cut or Cut(fps=RATES[ending])
-    network = build_network(concrete.road, concrete.name)
+    network = build_network(concrete.road)
     film = make_film(concrete, network, build_paths(concrete, network), cut, theme)
     if ending == PNG:
         return png_of(film.picture(film.critical))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from scegen.road.crossing import build_crossing
 from scegen.road.feasibility import check_parameters
 from scegen.road.model import RoadNetwork
@@ -10,11 +12,15 @@ from scegen.road.straight import build_straight
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.vocabulary import JunctionKind
 
+KEPT = 16
+"""Networks that are kept: every stage asks for the same one, and many scenarios share theirs."""
 
+
+@lru_cache(maxsize=KEPT)
 def build_network(parameters: RoadParameters, name: str = "road") -> RoadNetwork:
     """The road network with these parameters, its centre at the origin.
 
-    The same parameters always give the same network.
+    The same parameters always give the same network, which nobody changes.
 
     Raises:
         RoadInfeasibleError: if there is none; the message gives the reason with numbers.

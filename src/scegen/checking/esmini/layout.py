@@ -38,7 +38,7 @@ def simulated_csv(concrete: ConcreteScenario) -> str:
     Raises:
         RoadInfeasibleError, MotionInfeasibleError: the numbers cannot be built.
     """
-    paths = build_paths(concrete, build_network(concrete.road, concrete.name))
+    paths = build_paths(concrete, build_network(concrete.road))
     traces = simulate(concrete, paths, dt_s=STEP_S)
     still = object_paths(concrete)
     header = [f"#{n} {name}" for n in range(1, len(concrete.entities) + 1) for name in _COLUMNS]

@@ -7,6 +7,7 @@ deleted connections or wrong lane links; these rules do not.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import lru_cache
 from typing import NamedTuple
 
 from scegen.checking.documents import BrokenXmlError, parse_document
@@ -53,6 +54,8 @@ RULES: tuple[Rule, ...] = (
     check_dead_ends,
     check_reachability,
 )
+_KEPT = 8
+"""Roads that are kept: many scenarios of a campaign share theirs."""
 
 
 class CheckedRoad(NamedTuple):
@@ -67,12 +70,22 @@ def check_opendrive(
 ) -> CheckedRoad:
     """Check an OpenDRIVE file, against the concrete scenario it should serve if there is one."""
     try:
-        document = parse_document(name, content, "OpenDRIVE")
+        network, found = _looked_at(name, content)
     except BrokenXmlError as broken:
         return CheckedRoad(verdict(CHECKER, [broken.finding]), None)
-    network, unread = read_network(document)
-    findings = [*unread, *(finding for rule in RULES for finding in rule(network))]
+    findings = list(found)
     if concrete is not None and network.roads:
         findings += check_described(network, concrete)
     detail = f"{len(network.roads)} roads, {len(network.junctions)} junctions, {len(RULES)} rules"
     return CheckedRoad(verdict(CHECKER, findings, detail), network)
+
+
+@lru_cache(maxsize=_KEPT)
+def _looked_at(name: str, content: bytes) -> tuple[Network, tuple[Finding, ...]]:
+    """A road as read, and what the rules find in it, whatever drives there.
+
+    Raises:
+        BrokenXmlError: it cannot be read.
+    """
+    network, unread = read_network(parse_document(name, content, "OpenDRIVE"))
+    return network, (*unread, *(finding for rule in RULES for finding in rule(network)))

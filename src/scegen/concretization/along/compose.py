@@ -87,7 +87,7 @@ def compose_along(
     lasts = min(closest_s(story, ends_s(story, walks)) + _AFTER_S, _LONGEST_S)
     frame = frame_of(story, walks, parked, [], min(_SPARE * lasts, _LONGEST_S))
     parameters = road_of(road or plan(functional, logical, _PLAIN_M, story.lane_count), frame)
-    network = build_network(parameters, slug_name(story.logical))
+    network = build_network(parameters)
     standing = [written_parked(frame, p, functional.participant(p.id)) for p in parked]
     made = _written(story, frame, parameters, network, walks, seed, lasts, standing)
     return hide(functional, made, network)

@@ -80,7 +80,7 @@ def raise_criticality(
         MotionInfeasibleError, RoadInfeasibleError: the scenario itself cannot be built.
     """
     wanted = parse_target(target)
-    network = build_network(concrete.road, name=concrete.name)
+    network = build_network(concrete.road)
     stage = Stage(functional, concrete, network, wanted, named_pair(functional, concrete))
     before = stage.examine(concrete)
     rng = np.random.Generator(np.random.PCG64(seed))
@@ -133,7 +133,7 @@ def prove_as_it_is(
             where=concrete.name,
             hint="To make it without its description, copy concrete.yaml to a place of its own.",
         )
-    network = build_network(concrete.road, name=concrete.name)
+    network = build_network(concrete.road)
     between = named_pair(functional, concrete)
     stage = Stage(functional, concrete, network, parse_target(target), between)
     found = stage.examine(concrete)

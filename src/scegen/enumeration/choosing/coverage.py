@@ -60,11 +60,15 @@ def coverage(
 
 def meetings(functional: FunctionalScenario, scenario: LogicalScenario) -> frozenset[Meeting]:
     """The meetings in one scenario."""
-    by_name = {a.participant: a for a in scenario.assignments}
-    angles = arm_angles_deg(functional.junction)
-    return frozenset(
-        _meeting(c, by_name[c.first], by_name[c.second], angles) for c in scenario.conflicts
-    )
+    return frozenset(meeting_of(functional, scenario, c) for c in scenario.conflicts)
+
+
+def meeting_of(
+    functional: FunctionalScenario, scenario: LogicalScenario, conflict: Conflict
+) -> Meeting:
+    """The meeting that one of the scenario's conflicts is."""
+    first, second = scenario.assignment(conflict.first), scenario.assignment(conflict.second)
+    return _meeting(conflict, first, second, arm_angles_deg(functional.junction))
 
 
 def _tally(

@@ -95,7 +95,7 @@ def scene_of(
     Raises:
         RoadInfeasibleError, MotionInfeasibleError: the numbers cannot be built.
     """
-    network = build_network(concrete.road, name=concrete.name)
+    network = build_network(concrete.road)
     paths = build_paths(concrete, network)
     traces = simulate(concrete, paths, dt_s=PROOF_DT_S)
     if first and proof is not None:

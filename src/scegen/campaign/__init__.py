@@ -1,0 +1,1 @@
+"""Many descriptions, many scenarios: planned, made on many processors, kept, looked through."""

@@ -1,0 +1,100 @@
+"""What a campaign covers, of what it planned, and why it does not cover the rest.
+
+A cell is something that a scenario can show: how two movements meet on a kind of junction, in
+which conflict and under which rule; a danger there; a band of speed of the ego or of who meets it.
+It is covered by a scenario that shows it, in which all that is said holds and no check fails.
+"""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from dataclasses import dataclass
+from typing import Any
+
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+from scegen.campaign.planning import LEFT_OUT
+from scegen.campaign.rows import FAILED, MADE, speed_cells
+from scegen.campaign.store import Store
+
+NEEDED = (
+    "status",
+    "stage",
+    "reason",
+    "junction",
+    "ego_speed_mps",
+    "other_speed_mps",
+    "blocked_by",
+    "claims",
+    "claims_held",
+    "claims_missed",
+    "check_findings",
+    "checks",
+    "confirmed",
+    "hazards_missing",
+    "cells",
+    "covered",
+)
+
+
+@dataclass(frozen=True)
+class Coverage:
+    """Cells with the rows that show them (by number), and why others are not covered.
+
+    ``held`` has the cells of every row; none for one that is not good enough. ``left_out`` are
+    cells of logical scenarios that were not picked, with how many scenarios show them.
+    """
+
+    held: tuple[frozenset[str], ...]
+    counts: Counter[str]
+    why_not: dict[str, str]
+    left_out: dict[str, int]
+
+
+def coverage(store: Store, table: pa.Table) -> Coverage:
+    """The coverage of the rows of a table with the columns ``NEEDED``."""
+    rows: list[dict[str, Any]] = table.select(list(NEEDED)).to_pylist()
+    held = tuple(_held(row) for row in rows)
+    counts = Counter(cell for cells in held for cell in cells)
+    reasons: dict[str, Counter[str]] = {}
+    for row in rows:
+        for cell in row["cells"] or ():
+            if cell not in counts:
+                reasons.setdefault(cell, Counter())[_why(row, cell)] += 1
+    why_not = {
+        cell: f"{told.most_common(1)[0][0]} (in {told.most_common(1)[0][1]} of {told.total()})"
+        for cell, told in sorted(reasons.items())
+    }
+    left_out: Counter[str] = Counter()
+    for path in store.plans().values():
+        metadata = pq.read_schema(path).metadata or {}
+        left_out.update(json.loads(metadata.get(LEFT_OUT, b"{}")))
+    beyond = {c: n for c, n in sorted(left_out.items()) if c not in counts and c not in why_not}
+    return Coverage(held, counts, why_not, beyond)
+
+
+def good(row: dict[str, Any]) -> bool:
+    """Whether a scenario is what was said, and no check of it failed."""
+    return (
+        row["status"] == MADE
+        and row["claims"] == row["claims_held"]
+        and "failed" not in dict(row["checks"] or ()).values()
+        and row["confirmed"] != "failed"
+    )
+
+
+def _held(row: dict[str, Any]) -> frozenset[str]:
+    return frozenset({*(row["covered"] or ()), *speed_cells(row)} if good(row) else ())
+
+
+def _why(row: dict[str, Any], cell: str) -> str:
+    """Why a row does not cover a cell that it was to show."""
+    if row["status"] == FAILED:
+        return f"it cannot be made: {str(row['reason']).partition(chr(10))[0]}"
+    if cell not in (row["covered"] or ()):
+        return f"the danger does not happen: {row['blocked_by'] or 'no numbers do it'}"
+    if row["claims_missed"]:
+        return f"not as it is said: {row['claims_missed'][0]}"
+    return f"a check fails: {(row['check_findings'] or ['in the player'])[0]}"

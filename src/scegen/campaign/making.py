@@ -1,0 +1,256 @@
+"""Making a batch of items, in one worker: the pipeline's functions one after the other, timed."""
+
+from __future__ import annotations
+
+import os
+import signal
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from functools import lru_cache
+from pathlib import Path
+from time import perf_counter
+from traceback import extract_tb
+
+from scegen.campaign.order import Campaign
+from scegen.campaign.parameters import spread
+from scegen.campaign.planning import Item, items
+from scegen.campaign.rows import (
+    FAILED,
+    MADE,
+    OBJECT_COLUMNS,
+    SECONDS,
+    Row,
+    planned,
+    shown,
+    table_of,
+)
+from scegen.campaign.store import Store, StoreError
+from scegen.checking import esmini as player
+from scegen.checking import opendrive, openscenario, said, schema
+from scegen.checking.check import check_subjects
+from scegen.checking.results import CheckReport, CheckStatus
+from scegen.checking.subject import subject_of
+from scegen.errors import ScegenError
+from scegen.measures import warm_kernels
+from scegen.pipeline.attempts import make_one
+from scegen.pipeline.export import (
+    CONCRETE_FILE,
+    PREVIEW_FILE,
+    ROAD_FILE,
+    SCENARIO_FILE,
+    export_scenario,
+)
+from scegen.pipeline.judging import judge
+from scegen.pipeline.options import Options
+from scegen.pipeline.raising import chosen_target
+from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.files import to_json
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.logical import LogicalScenario
+from scegen.scenario.proof import Proof
+
+OWN_CHECKERS = (opendrive.CHECKER, openscenario.CHECKER, schema.CHECKER)
+"""What needs neither the player nor another environment."""
+PLAYED_CHECKERS = (player.CHECKER, said.CHECKER)
+_COLUMNS = {
+    ROAD_FILE: ("road", "xodr"),
+    SCENARIO_FILE: ("scenario", "xosc"),
+    CONCRETE_FILE: ("concrete", "yaml"),
+    PREVIEW_FILE: ("preview", "png"),
+}
+"""In which column the object of a file is named, and what it ends in."""
+_SHARE_DIGITS = 8
+_EMPLOYER = "SCEGEN_CAMPAIGN_EMPLOYER"
+"""Where a worker process keeps the id of the process that started it."""
+
+Batch = tuple[tuple[Path, tuple[int, ...]], ...]
+"""Plans, and rows of theirs."""
+
+
+@dataclass(frozen=True, slots=True)
+class Done:
+    """What became of a batch: items by status, and seconds that a worker spent on it."""
+
+    made: int
+    failed: int
+    seconds: float
+
+
+@dataclass
+class Clock:
+    """Seconds by step."""
+
+    seconds: dict[str, float] = field(default_factory=dict)
+
+    @contextmanager
+    def step(self, name: str) -> Iterator[None]:
+        """Count the time of a step."""
+        begin = perf_counter()
+        try:
+            yield
+        finally:
+            self.seconds[name] = self.seconds.get(name, 0.0) + perf_counter() - begin
+
+    def columns(self) -> dict[str, float]:
+        """The columns of a row."""
+        told = {f"{SECONDS}_{name}": value for name, value in self.seconds.items()}
+        return told | {SECONDS: sum(self.seconds.values())}
+
+
+def warm() -> None:
+    """Load what every batch needs, before the clock runs."""
+    warm_kernels()
+
+
+def enlist() -> None:
+    """Once in a worker process: leave Ctrl-C to who started it, remember who that is, get warm."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    os.environ[_EMPLOYER] = str(os.getppid())
+    warm()
+
+
+def _leave_if_alone() -> None:
+    """End a worker process whose employer was killed: the next one has its work made anew."""
+    employer = os.environ.get(_EMPLOYER)
+    if employer is not None and employer != str(os.getppid()):
+        os._exit(1)
+
+
+def make_batch(store: Store, campaign: Campaign, batch: Batch) -> Done:
+    """Make the items of a batch and write them down; until that is done, nothing counts.
+
+    Raises:
+        StoreError: the folder cannot be written.
+    """
+    begin = perf_counter()
+    rows = []
+    for path, numbers in batch:
+        for item in items(path, list(numbers)):
+            _leave_if_alone()
+            rows.append(make_item(store, campaign, item))
+    store.settle(row[name] for row in rows for name in OBJECT_COLUMNS if row.get(name))
+    table = table_of(rows)
+    _leave_if_alone()
+    store.write_batch(table)
+    made = sum(row["status"] == MADE for row in rows)
+    return Done(made, len(rows) - made, perf_counter() - begin)
+
+
+def make_item(store: Store, campaign: Campaign, item: Item) -> Row:
+    """The row of one item; what cannot be made is a row with its reason.
+
+    Raises:
+        StoreError: the folder cannot be written.
+    """
+    clock = Clock()
+    row: Row = {
+        "key": item.key,
+        "description": item.description,
+        "functional": item.functional,
+        "sweep": item.point,
+        "concretization": item.concretization,
+        "seed": item.seed,
+    }
+    if item.functional is None or item.logical is None:
+        return row | {"status": FAILED, "stage": item.stage, "reason": item.reason, SECONDS: 0.0}
+    functional = _functional(store, item.functional)
+    logical = LogicalScenario.model_validate_json(item.logical)
+    row |= planned(functional, logical)
+    stage = ["concretize"]
+    try:
+        row |= _made(store, campaign, item, functional, logical, clock, stage)
+        row["status"] = MADE
+    except StoreError:
+        raise
+    except ScegenError as error:
+        row |= {"status": FAILED, "stage": stage[0], "reason": error.render()}
+    except Exception as error:  # noqa: BLE001 - one scenario must not end the campaign
+        place = extract_tb(error.__traceback__)[-1]
+        told = f"{type(error).__name__}: {error} ({Path(place.filename).name}, {place.lineno})"
+        row |= {"status": FAILED, "stage": stage[0], "reason": f"an error of the program: {told}"}
+    return row | clock.columns()
+
+
+@lru_cache(maxsize=64)
+def _functional(store: Store, name: str) -> FunctionalScenario:
+    return FunctionalScenario.model_validate_json(store.get(name))
+
+
+def _made(
+    store: Store,
+    campaign: Campaign,
+    item: Item,
+    functional: FunctionalScenario,
+    logical: LogicalScenario,
+    clock: Clock,
+    stage: list[str],
+) -> Row:
+    """One concrete scenario: numbers, danger, judgement, files, checks; ``stage`` is kept told."""
+    functional, logical = spread(
+        functional, logical, item.concretization, campaign.concretizations, item.seed
+    )
+    target = chosen_target(Options(target=campaign.target), functional, numbers_given=False)
+    with clock.step("search"):
+        raised = make_one(functional, logical, target, item.seed)
+    (concrete,) = raised.concretes
+    clock.seconds["concretize"] = clock.seconds["search"] - raised.search_s.get(concrete.name, 0.0)
+    clock.seconds["search"] -= clock.seconds["concretize"]
+    proof = raised.proofs.get(concrete.name)
+    stage[0] = "judge"
+    with clock.step("judge"):
+        row = shown(functional, concrete, proof, judge(concrete, proof))
+    stage[0] = "write"
+    with clock.step("write"):
+        files = export_scenario(concrete, osc=campaign.osc, picture=campaign.pictures)
+        for name, content in files.items():
+            column, ending = _COLUMNS[name]
+            row[column] = store.put(content, ending)
+        if proof is not None:
+            row["proof"] = store.put(to_json(proof).encode(), "json")
+    stage[0] = "check"
+    return row | _checked(campaign, item, files, concrete, functional, proof, clock)
+
+
+def _checked(
+    campaign: Campaign,
+    item: Item,
+    files: dict[str, bytes],
+    concrete: ConcreteScenario,
+    functional: FunctionalScenario,
+    proof: Proof | None,
+    clock: Clock,
+) -> Row:
+    """Our own checks of the files, and of a share of them what the player plays."""
+    checks: dict[str, str] = {}
+    findings: list[str] = []
+
+    def note(report: CheckReport) -> None:
+        for result in report.results:
+            checks[result.checker] = str(result.status)
+            findings.extend(
+                f"{result.checker}: {f.place}: {f.message} [{f.rule}]" for f in result.errors
+            )
+
+    if campaign.check:
+        with clock.step("check"):
+            subject = subject_of(Path(item.key), files, concrete, functional, proof)
+            note(check_subjects([subject], OWN_CHECKERS)[0])
+    confirmed = None
+    if int(item.key[-_SHARE_DIGITS:], 16) < campaign.confirm * 16**_SHARE_DIGITS:
+        with clock.step("confirm"), tempfile.TemporaryDirectory(prefix="scegen-") as place:
+            for name, content in files.items():
+                Path(place, name).write_bytes(content)
+            subject = subject_of(Path(place), files, concrete, functional, proof)
+            played = check_subjects([subject], PLAYED_CHECKERS)[0]
+            note(played)
+            confirmed = _worst(played)
+    return {"checks": checks, "check_findings": findings, "confirmed": confirmed}
+
+
+def _worst(report: CheckReport) -> str:
+    """Failed if one failed, not run if one did not run, else passed."""
+    found = {result.status for result in report.results}
+    order = (CheckStatus.FAILED, CheckStatus.NOT_RUN)
+    return str(next((status for status in order if status in found), CheckStatus.PASSED))

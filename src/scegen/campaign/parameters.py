@@ -1,0 +1,140 @@
+"""Parameters of a scenario by name: swept through values, or spread over their ranges."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import product
+from typing import Any
+
+import numpy as np
+
+from scegen.campaign.order import Sweep
+from scegen.errors import InputError
+from scegen.scenario.files import from_data
+from scegen.scenario.functional import Evidence, FunctionalScenario
+from scegen.scenario.logical import LogicalScenario
+from scegen.scenario.model import Interval
+from scegen.scenario.vocabulary import EvidenceSource
+from scegen.units import SPEED_UNITS_MPS
+
+_UNITS = {"_kph": ("_mps", SPEED_UNITS_MPS["km/h"]), "_mph": ("_mps", SPEED_UNITS_MPS["mph"])}
+_SPEED = ".speed_mps"
+_EGO = "ego."
+
+
+def points(sweep: Mapping[str, Sweep]) -> Iterator[dict[str, float]]:
+    """Every combination of the values, by the names as they are written; one without a sweep."""
+    names = sorted(sweep)
+    for values in product(*(sweep[name].points for name in names)):
+        yield dict(zip(names, values, strict=True))
+
+
+def at_point(functional: FunctionalScenario, point: Mapping[str, float]) -> FunctionalScenario:
+    """The description with these numbers in place of what it says of them.
+
+    Raises:
+        InputError: it has no such parameter, or the number cannot stand there.
+    """
+    for name, value in point.items():
+        plain, factor = name, 1.0
+        for suffix, (si, times) in _UNITS.items():
+            if name.endswith(suffix):
+                plain, factor = name.removesuffix(suffix) + si, times
+        said = Interval(low=value * factor, high=value * factor)
+        functional = _said(functional, plain, said, "a point of the sweep", name)
+    return functional
+
+
+def spread(
+    functional: FunctionalScenario, logical: LogicalScenario, number: int, count: int, seed: int
+) -> tuple[FunctionalScenario, LogicalScenario]:
+    """The scenario with every parameter's range cut down to one of ``count`` equal parts.
+
+    Each of the ``count`` concretizations gets every part of every range once (Latin hypercube:
+    McKay, Beckman, Conover, Technometrics 21, 1979), in an order of its own by parameter. Within
+    its part, the search is free.
+    """
+    if count == 1:
+        return functional, logical
+    rng = np.random.Generator(np.random.PCG64(seed))
+    kept = []
+    for parameter in logical.parameters:
+        part = int(rng.permutation(count)[number])
+        width = (parameter.high - parameter.low) / count
+        low = parameter.low + part * width
+        cut = {"low": low, "high": low + width, "default": low + width / 2}
+        if width <= 0.0:
+            kept.append(parameter)
+            continue
+        kept.append(parameter.model_copy(update=cut))
+        if parameter.reason == "stated":
+            said = Interval(low=low, high=low + width)
+            functional = _said(functional, parameter.name, said, "a part of it", parameter.name)
+    return functional, logical.model_copy(update={"parameters": tuple(kept)})
+
+
+def _said(
+    functional: FunctionalScenario, name: str, value: Interval, reason: str, told: str
+) -> FunctionalScenario:
+    """The functional scenario as if its text gave this value."""
+    data = functional.model_dump(mode="python")
+    if name.startswith(_EGO):
+        name = f"{functional.ego.id}.{name.removeprefix(_EGO)}"
+    field = _set(data, name, value)
+    if field is None:
+        raise InputError(
+            f"there is no parameter {told!r}",
+            where="sweep",
+            hint="name one of the logical scenario, such as ego.speed_kph, brake.rate_mps2, "
+            "spacing_0.gap_m or outcome.impact_percent",
+        )
+    others = tuple(item for item in functional.evidence if item.field != field)
+    own = Evidence(field=field, source=EvidenceSource.DEFAULT, reason=reason)
+    data["evidence"] = (*others, own)
+    return from_data(FunctionalScenario, data, where=f"sweep: {told}")
+
+
+def _set(data: dict[str, Any], name: str, value: Interval) -> str | None:
+    """Put the value where the parameter of this name stands; its path, None if there is none."""
+    who, _, quantity = name.partition(".")
+    for number, participant in enumerate(data["participants"]):
+        if participant["id"] == who and name.endswith(_SPEED):
+            data["participants"] = _with(data["participants"], number, {"speed_mps": value})
+            return f"participants.{who}.speed_mps"
+    for number, act in enumerate(data["acts"]):
+        if act["id"] != who:
+            continue
+        if quantity.startswith("when.") and act["when"] is not None:
+            changed = _quantity(act["when"], quantity.removeprefix("when."), value)
+            if changed is not None:
+                data["acts"] = _with(data["acts"], number, {"when": changed})
+                return f"acts.{who}.when"
+        changed = _quantity(act, quantity, value)
+        if changed is not None:
+            data["acts"] = _with(data["acts"], number, changed)
+            return f"acts.{who}.{quantity}"
+    for number, spacing in enumerate(data["spacings"]):
+        if who == f"spacing_{number}" and str(spacing["measure"]) == quantity:
+            data["spacings"] = _with(data["spacings"], number, {"value": value})
+            return f"spacings.{number}.value"
+    if who == "outcome" and data["outcome"] is not None:
+        changed = _quantity(data["outcome"], quantity, value)
+        if changed is not None:
+            data["outcome"] = changed
+            return f"outcome.{quantity}"
+    return None
+
+
+def _quantity(said: dict[str, Any], name: str, value: Interval) -> dict[str, Any] | None:
+    """The fields with this one changed, where it is a quantity; that of a measure is its value."""
+    if str(said.get("measure", "")) == name:
+        return {**said, "value": value}
+    unit = name.rpartition("_")[2]
+    known = name in said and unit in {"mps", "mps2", "s", "m", "percent"}
+    return {**said, name: value} if known else None
+
+
+def _with(items: tuple[Any, ...], number: int, changes: dict[str, Any]) -> tuple[Any, ...]:
+    return tuple(
+        {**item, **changes} if place == number else item for place, item in enumerate(items)
+    )

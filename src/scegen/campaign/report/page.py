@@ -1,0 +1,269 @@
+"""The page of a campaign: numbers, plots, coverage, what stands out, and every row to look up."""
+
+from __future__ import annotations
+
+import json
+from base64 import b64encode
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from hashlib import sha256
+from importlib.resources import files
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup
+
+from scegen.campaign.analysis.coverage import Coverage, good
+from scegen.campaign.analysis.features import (
+    CRITICAL_DISTANCE_M,
+    CRITICAL_DRAC_MPS2,
+    CRITICAL_PET_S,
+    CRITICAL_TTC_S,
+    Features,
+    criticality,
+    numbers_of,
+)
+from scegen.campaign.report.charts import bars, histogram
+from scegen.campaign.rows import FAILED, MADE, MEASURES, SECONDS
+from scegen.report.theme import css
+
+MOST_GROUPS = 10
+MOST_REASONS = 20
+_LISTED = (
+    "description",
+    "logical_name",
+    "sweep",
+    "junction",
+    "movements",
+    "conflict",
+    "right_of_way",
+    "ego_speed_mps",
+    "pet_s",
+    "distance_m",
+    "ttc_s",
+    "drac_mps2",
+    "avoidable",
+)
+_DISTRIBUTIONS = (
+    ("Post-encroachment time", "s", "pet_s", CRITICAL_PET_S),
+    ("Smallest distance", "m", "distance_m", CRITICAL_DISTANCE_M),
+    ("Time to collision", "s", "ttc_s", CRITICAL_TTC_S),
+    ("Deceleration rate to avoid a crash", "m/s²", "drac_mps2", CRITICAL_DRAC_MPS2),
+    ("Headway", "s", "headway_s", None),
+    ("Speed of the ego at the start", "m/s", "ego_speed_mps", None),
+    ("Speed of the other", "m/s", "other_speed_mps", None),
+    ("Computing time", "s", SECONDS, None),
+)
+
+
+@dataclass(frozen=True)
+class Outlook:
+    """What stands out: rows by number."""
+
+    critical: tuple[int, ...]
+    different: tuple[int, ...]
+    alike: tuple[tuple[int, ...], ...]
+
+
+def outlook(table: pa.Table, count: int) -> Outlook:
+    """The most critical, the most different ones, and groups that are nearly the same."""
+    made = [n for n, s in enumerate(table.column("status").to_pylist()) if s == MADE]
+    if not made:
+        return Outlook((), (), ())
+    part = table.take(made)
+    danger, features = criticality(part), Features.of(part)
+    order = np.lexsort((np.arange(len(made)), -danger))
+    different = features.most_different(count, int(order[0]))
+    return Outlook(
+        tuple(made[int(n)] for n in order[:count]),
+        tuple(made[n] for n in different),
+        tuple(tuple(made[n] for n in group) for group in features.alike()),
+    )
+
+
+def campaign_page(
+    table: pa.Table,
+    covered: Coverage,
+    found: Outlook,
+    links: Mapping[int, str],
+    manifest: Mapping[str, Any],
+) -> str:
+    """The page as an HTML document.
+
+    Args:
+        table: all rows.
+        covered: their coverage.
+        found: what stands out.
+        links: pages of the player by number of row.
+        manifest: of the campaign.
+    """
+    environment = Environment(
+        loader=PackageLoader("scegen.campaign.report"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    rows: list[dict[str, Any]] = table.to_pylist()
+    danger = criticality(table)
+    script = _asset("campaign.js")
+    sheet = files("scegen.report").joinpath("templates", "report.css").read_text(encoding="utf-8")
+    return environment.get_template(
+        "campaign.html.j2"
+    ).render(
+        facts=_facts(rows, covered, found),
+        plots=[
+            # Our own drawings; what comes from outside is escaped there.
+            Markup(plot)  # noqa: S704
+            for title, unit, name, critical in _DISTRIBUTIONS
+            if (plot := histogram(title, unit, numbers_of(table, name), critical))
+        ],
+        charts=[Markup(chart) for chart in _charts(rows) if chart],  # noqa: S704
+        cells=sorted(
+            covered.counts.items(), key=lambda item: (item[0].partition(":")[0], -item[1])
+        ),
+        why_not=covered.why_not,
+        left_out=covered.left_out,
+        critical=[_highlight(rows, n, f"{danger[n]:.2f}", links) for n in found.critical],
+        different=[_highlight(rows, n, f"{danger[n]:.2f}", links) for n in found.different],
+        alike=[
+            (len(group), _name(rows[group[0]]), _measured(rows[group[0]]))
+            for group in found.alike[:MOST_GROUPS]
+        ],
+        missed=_missed(rows),
+        failures=_failures(rows),
+        manifest=manifest,
+        data=_data(rows, links),
+        style=Markup(css() + sheet + _asset("campaign.css")),  # noqa: S704
+        script=Markup(script),  # noqa: S704
+        digest=b64encode(sha256(f"\n{script}".encode()).digest()).decode(),
+    )
+
+
+def _asset(name: str) -> str:
+    place = files("scegen.campaign.report").joinpath("templates", name)
+    return place.read_text(encoding="utf-8")
+
+
+def _facts(rows: list[dict[str, Any]], covered: Coverage, found: Outlook) -> list[tuple[str, str]]:
+    made = [row for row in rows if row["status"] == MADE]
+    reached = sum(bool(row["reached"]) for row in made)
+    said = sum(row["claims"] == row["claims_held"] for row in made)
+    played = Counter(row["confirmed"] for row in made if row["confirmed"])
+    cells = len(covered.counts) + len(covered.why_not)
+    doubled = sum(len(group) - 1 for group in found.alike)
+    facts = [
+        ("descriptions", f"{len({row['description'] for row in rows}):,}"),
+        ("scenarios made", f"{len(made):,} of {len(rows):,}"),
+        ("all that is said holds", _share(said, len(made))),
+        ("danger reached", _share(reached, len(made))),
+        ("good (said, and no check fails)", _share(sum(map(good, made)), len(made))),
+        ("covered", f"{len(covered.counts):,} of {cells:,} cells"),
+        ("nearly the same as another", _share(doubled, len(made))),
+        ("computing time", f"{sum(row[SECONDS] or 0.0 for row in rows):,.0f} s"),
+    ]
+    if played:
+        told = ", ".join(f"{count:,} {status}" for status, count in sorted(played.items()))
+        facts.append(("played in esmini", told.replace("_", " ")))
+    return facts
+
+
+def _share(part: int, whole: int) -> str:
+    return f"{part:,} of {whole:,} ({part / whole:.0%})" if whole else "none"
+
+
+def _charts(rows: list[dict[str, Any]]) -> list[str]:
+    made = [row for row in rows if row["status"] == MADE]
+    verdicts = ("avoidable", "unavoidable")
+    by_junction = {
+        str(kind).replace("_", " "): [
+            sum(row["junction"] == kind and row["avoidable"] == verdict for row in made)
+            for verdict in verdicts
+        ]
+        for kind in sorted({row["junction"] for row in made})
+    }
+    conflicts = Counter(
+        f"{row['conflict'] or 'none'}: {row['right_of_way'] or '-'}" for row in made
+    )
+    dangers: dict[str, list[int]] = {}
+    for row in made:
+        missing = {hazard.partition("(")[0] for hazard in row["hazards_missing"] or ()}
+        for kind in {hazard.partition("(")[0] for hazard in row["hazards"] or ()}:
+            told = dangers.setdefault(kind.replace("_", " "), [0, 0])
+            told[kind in missing] += 1
+    return [
+        bars("A careful driver could have avoided it", by_junction, verdicts),
+        bars("Conflict and rule of the pair", {n: [c] for n, c in conflicts.most_common(16)}, ()),
+        bars(
+            "Dangers", dict(sorted(dangers.items(), key=lambda d: -sum(d[1]))),
+            ("happens", "does not"),
+        ),
+    ]  # fmt: skip
+
+
+def _highlight(
+    rows: Sequence[Mapping[str, Any]], number: int, score: str, links: Mapping[int, str]
+) -> tuple[str, str, str, str | None]:
+    row = rows[number]
+    return _name(row), score, _measured(row), links.get(number)
+
+
+def _name(row: Mapping[str, Any]) -> str:
+    point = ", ".join(f"{name}={value:g}" for name, value in row["sweep"] or ())
+    told = f"{row['description']} {row['logical_name']}"
+    return f"{told} #{row['concretization']}" + (f" ({point})" if point else "")
+
+
+def _measured(row: Mapping[str, Any]) -> str:
+    """The measures that a row has, in words."""
+    units = {column: column.rpartition("_")[2].replace("mps2", "m/s²").replace("mps", "m/s")
+             for column in MEASURES.values()}  # fmt: skip
+    return ", ".join(
+        f"{name.replace('_', ' ')} {row[column]:.2f} {units[column]}"
+        for name, column in MEASURES.items()
+        if row[column] is not None
+    )
+
+
+def _missed(rows: list[dict[str, Any]]) -> list[tuple[str, int, int]]:
+    """Statements that do not hold, without their figures: how often, in how many descriptions."""
+    where: dict[str, list[str]] = {}
+    for row in rows:
+        for told in row["claims_missed"] or ():
+            where.setdefault(told.partition(": ")[0], []).append(row["description"])
+    listed = [(told, len(found), len(set(found))) for told, found in where.items()]
+    return sorted(listed, key=lambda item: (-item[1], item[0]))[:MOST_REASONS]
+
+
+def _failures(rows: list[dict[str, Any]]) -> list[tuple[str, str, int]]:
+    failed = (row for row in rows if row["status"] == FAILED)
+    counts = Counter((row["description"], row["stage"], row["reason"]) for row in failed)
+    return [
+        (f"{description}, {stage}", reason, count)
+        for (description, stage, reason), count in counts.most_common(MOST_REASONS)
+    ]
+
+
+def _data(rows: list[dict[str, Any]], links: Mapping[int, str]) -> Markup:
+    """What the table of all rows shows, as JSON that ends no element."""
+    listed = [
+        [_shown(row[name]) for name in _LISTED]
+        + [row["claims"] == row["claims_held"] and bool(row["reached"]), row["key"], links.get(n)]
+        for n, row in enumerate(rows)
+        if row["status"] == MADE
+    ]
+    heads = [name.replace("_mps2", ", m/s²").replace("_mps", ", m/s").replace("_", " ")
+             for name in _LISTED]  # fmt: skip
+    text = json.dumps({"heads": heads, "rows": listed}, ensure_ascii=False, separators=(",", ":"))
+    for sign in "<>&\u2028\u2029":
+        text = text.replace(sign, f"\\u{ord(sign):04x}")
+    return Markup(text)  # noqa: S704 - no markup is left in it
+
+
+def _shown(value: object) -> object:
+    if isinstance(value, list):
+        return ", ".join(f"{name}={number:g}" for name, number in value)
+    return round(value, 2) if isinstance(value, float) else value

@@ -1,0 +1,111 @@
+"""One scenario of a campaign from its objects: read back, as a folder, as a page of the player."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from scegen.campaign.store import Store, digest
+from scegen.errors import InputError
+from scegen.pipeline.export import CONCRETE_FILE, PREVIEW_FILE, ROAD_FILE, SCENARIO_FILE
+from scegen.pipeline.judging import judge
+from scegen.pipeline.raising import PROOF_FILE
+from scegen.report.contents import CheckRow
+from scegen.report.html import ConcreteEntry, ReportInput, report_html
+from scegen.report.player.scene import scene_of
+from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.files import from_text
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.proof import Proof
+
+COLUMNS = {
+    ROAD_FILE: "road",
+    SCENARIO_FILE: "scenario",
+    CONCRETE_FILE: "concrete",
+    PROOF_FILE: "proof",
+    PREVIEW_FILE: "preview",
+}
+"""In which column a file of a scenario folder is named."""
+
+
+@dataclass(frozen=True, slots=True)
+class Kept:
+    """A scenario as it lies in the store."""
+
+    functional: FunctionalScenario
+    concrete: ConcreteScenario
+    proof: Proof | None
+    checks: tuple[CheckRow, ...]
+
+
+def files_of(store: Store, row: Mapping[str, Any]) -> dict[str, bytes]:
+    """The files of a scenario folder by name, each as it was made.
+
+    Raises:
+        InputError: one of them is missing or broken.
+    """
+    return {file: _sound(store, row[name]) for file, name in COLUMNS.items() if row[name]}
+
+
+def _sound(store: Store, name: str) -> bytes:
+    content = store.get(name)
+    if digest(content) != name.partition(".")[0]:
+        raise InputError(
+            "is not what was written",
+            where=str(store.object_path(name)),
+            hint="run the campaign again: it is made anew",
+        )
+    return content
+
+
+def kept(store: Store, row: Mapping[str, Any]) -> Kept:
+    """A scenario, read back.
+
+    Raises:
+        InputError: a file is missing or broken.
+    """
+    functional = FunctionalScenario.model_validate_json(_sound(store, row["functional"]))
+    text = _sound(store, row["concrete"]).decode()
+    concrete = from_text(text, where=str(store.object_path(row["concrete"])))
+    if not isinstance(concrete, ConcreteScenario):
+        raise InputError("is no concrete scenario", where=str(row["concrete"]))
+    proof = Proof.model_validate_json(_sound(store, row["proof"])) if row["proof"] else None
+    findings = "\n".join(row["check_findings"] or ())
+    checks = tuple(
+        CheckRow(checker, status, findings if status == "failed" else "")
+        for checker, status in sorted(dict(row["checks"] or ()).items())
+    )
+    return Kept(functional, concrete, proof, checks)
+
+
+def page(store: Store, row: Mapping[str, Any], folder: str) -> str:
+    """A page with the player; ``folder`` is where its files lie, seen from the page."""
+    found = kept(store, row)
+    judged = judge(found.concrete, found.proof)
+    entry = ConcreteEntry(
+        concrete=found.concrete,
+        folder=folder,
+        scene=scene_of(found.concrete, found.proof),
+        checks=found.checks,
+        verdict=judged.verdict,
+        sensitivity=judged.sensitivity,
+        proof=found.proof,
+    )
+    return report_html(ReportInput(found.functional, None, (entry,)))
+
+
+def write_folder(store: Store, row: Mapping[str, Any], folder: Path) -> None:
+    """Write the files of a scenario into a folder.
+
+    Raises:
+        InputError: a file is missing or broken, or the folder cannot be written.
+    """
+    files = files_of(store, row)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, content in files.items():
+            (folder / name).write_bytes(content)
+    except OSError as error:
+        raise InputError(f"cannot be written: {error.strerror}", where=str(folder)) from error

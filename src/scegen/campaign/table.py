@@ -1,0 +1,77 @@
+"""The rows of a campaign, asked in SQL: DuckDB over Parquet."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import duckdb
+import pyarrow as pa
+
+from scegen.campaign.store import BATCHES, Store, StoreError
+from scegen.errors import InputError
+
+ROWS = "rows"
+"""The name of the table in queries."""
+
+
+def connect(store: Store) -> duckdb.DuckDBPyConnection:
+    """A connection in which ``rows`` are all rows: of the table, or of the batches so far.
+
+    Raises:
+        InputError: there are none.
+    """
+    source = store.table if store.table.exists() else store.folder / BATCHES / "*.parquet"
+    if not store.table.exists() and not store.batches():
+        raise InputError("holds no rows", where=str(store.folder), hint="run scegen campaign first")
+    connection = duckdb.connect()
+    connection.execute("SET enable_progress_bar = false")
+    connection.from_parquet(str(source)).create_view(ROWS)
+    return connection
+
+
+def query(store: Store, sql: str) -> pa.Table:
+    """What a query gives back; the table is called ``rows``.
+
+    Raises:
+        InputError: there are no rows, or it is no query.
+    """
+    with connect(store) as connection:
+        try:
+            return connection.sql(sql).to_arrow_table()
+        except duckdb.Error as error:
+            raise InputError(f"the query fails: {error}") from error
+
+
+def write_table(store: Store) -> tuple[int, int]:
+    """Put all batches together in one file; how many rows there are, and how many failed.
+
+    Raises:
+        StoreError: it cannot be written.
+    """
+    if not store.batches():
+        return 0, 0
+    part = store.folder / f"{store.table.name}.{os.getpid()}.part"
+    with duckdb.connect() as connection:
+        connection.execute("SET enable_progress_bar = false")
+        connection.execute("SET memory_limit = '1GB'")
+        connection.from_parquet(str(store.folder / BATCHES / "*.parquet")).create_view(ROWS)
+        try:
+            connection.execute(
+                f"COPY (SELECT * FROM {ROWS} ORDER BY key) TO {_quoted(part)} "  # noqa: S608
+                "(FORMAT parquet, COMPRESSION zstd)"
+            )
+            with part.open("rb") as file:
+                os.fsync(file.fileno())
+            part.replace(store.table)
+        except (duckdb.Error, OSError) as error:
+            part.unlink(missing_ok=True)
+            raise StoreError(f"cannot be written: {error}", where=str(store.table)) from error
+        counted = connection.execute(
+            f"SELECT count(*), count(*) FILTER (status = 'failed') FROM {ROWS}"  # noqa: S608
+        ).fetchone()
+    return (0, 0) if counted is None else (int(counted[0]), int(counted[1]))
+
+
+def _quoted(path: Path) -> str:
+    return "'" + str(path).replace("'", "''") + "'"
