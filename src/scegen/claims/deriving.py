@@ -17,6 +17,7 @@ from scegen.claims.statements import (
     objects,
     outcomes,
     roads,
+    rules,
     spacings,
     speeds,
 )
@@ -35,6 +36,7 @@ STATEMENTS: tuple[Callable[[Told], Iterator[Claim]], ...] = (
     speeds.claims,
     spacings.claims,
     acts.claims,
+    rules.claims,
     dangers.claims,
     objects.claims,
     outcomes.claims,

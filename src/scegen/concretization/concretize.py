@@ -52,11 +52,11 @@ from scegen.concretization.walkers import (
 )
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
+from scegen.motion.rules.stopping import must_stop
 from scegen.road import build_network
 from scegen.scenario.concrete import ConcreteScenario, RoadParameters
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
-from scegen.scenario.vocabulary import Control
 
 _ATTEMPTS = 30
 _ARM_STEP_M = 10.0
@@ -185,7 +185,7 @@ def _draft(scene: Scene, drive: Drive) -> DriveDraft:
         drive=drive,
         cruise_mps=cruise,
         grip_mps2=friction_of(scene.functional.environment) * GRAVITY_MPS2,
-        stops_at_line=scene.road.control is Control.ALL_WAY_STOP,
+        stops_at_line=participant.id in must_stop(scene.functional, scene.logical),
     )
 
 

@@ -22,6 +22,7 @@ from scegen.motion.paths import END_MARGIN_M
 from scegen.motion.polyline import LaidDrive
 from scegen.motion.reversing import lay_way
 from scegen.motion.routing import walk_route
+from scegen.motion.rules.stopping import AT_LINE_M, OVER_LINE_M, STOPPED_S
 from scegen.road.model import RoadNetwork
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import BODIES, Body
@@ -91,6 +92,7 @@ class DriveDraft:
     triggers: dict[str, Trigger] = field(default_factory=dict)
     laid_: LaidDrive | None = None
     course_: Timeline | None = None
+    line_back_m: float = 0.0
 
     @property
     def body(self) -> Body:
@@ -124,6 +126,11 @@ class DriveDraft:
     def junction_s_m(self) -> float:
         """Arc length at the inner end of the entry arm."""
         return self.laid.path_s_m(self.laid.turning_starts_m)
+
+    @property
+    def stop_line_s_m(self) -> float:
+        """Arc length at the stop line of the entry arm."""
+        return self.junction_s_m - self.line_back_m
 
     @property
     def arrives_s_m(self) -> float:
@@ -184,6 +191,7 @@ class DriveDraft:
         """Lay the drive out anew, after lanes or lane changes have changed."""
         self.lane_changes.sort(key=lambda change: change.position_m)
         motion = self.motion()
+        self.line_back_m = network.arm_road(motion.entry).stop_line_m
         stretches, self.exit_lane = walk_route(network, motion, self.id)
         end_m = stretches[-1].end_m - END_MARGIN_M
         self.laid_ = lay_way(network, motion, stretches, end_m, self.id)
@@ -204,7 +212,7 @@ class DriveDraft:
             self.laid,
             self.cruise_mps,
             lateral_mps2=min(self.lateral_mps2, _SIDEWAYS * self.grip_mps2),
-            stops_at_line=self.stops_at_line,
+            stops_at_m=self.stop_line_s_m if self.stops_at_line else None,
             front_m=self.body.front_m,
             slowing_mps2=min(self.slowing_mps2, self.grip_mps2),
             faster_mps2=self.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2),
@@ -217,7 +225,17 @@ class DriveDraft:
         turning = self.base_marks() if self.halts_at_m is None else []
         low, high = self.alone_s_m or (1.0, 0.0)
         ordinary = [mark for mark in turning if not low <= mark.s_m <= high]
+        if any(self._stands_at_line(mark) for mark in self.marks):
+            ordinary = [mark for mark in ordinary if mark.hold_s is None]
         return sorted([*ordinary, *self.marks, *self.deeds], key=lambda mark: mark.s_m)
+
+    def _stands_at_line(self, mark: Mark) -> bool:
+        """Whether a danger's mark lets it stand at the stop line long enough, as a stop does."""
+        if not self.stops_at_line or mark.target_mps > 0.0 or (mark.hold_s or 0.0) < STOPPED_S:
+            return False
+        before = self.cruise_mps if self.approach_mps is None else self.approach_mps
+        front = mark.s_m + before**2 / (2 * mark.rate_mps2) + self.body.front_m
+        return -AT_LINE_M < front - self.stop_line_s_m < OVER_LINE_M
 
     def first_speed(self) -> float:
         """The speed at the outer end of the entry arm, or where it comes out."""
@@ -228,7 +246,7 @@ class DriveDraft:
         speed = self.cruise_mps
         for mark in self.base_marks():
             if mark.s_m <= s_m:
-                speed = mark.target_mps
+                speed = mark.target_mps if mark.hold_s is None else mark.resume_mps
         return speed
 
 

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import sqrt
 
-from scegen.concretization.limits import (
-    STOP_LINE_SPEED_MPS,
-)
+from scegen.concretization.limits import STOPS_FOR_S
 from scegen.concretization.marks import Mark, Sort
 from scegen.motion.polyline import LaidDrive
 
 _WORTH_IT = 0.98
 _REACTION_M = 1.0
-_STOP_LINE_M = 1.5
-"""From the front bumper of a stopping vehicle to the inner end of its arm."""
+_SHORT_OF_LINE_M = 1.0
+"""From the front bumper of one who stops to the stop line."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +52,7 @@ def turning_marks(
     cruise_mps: float,
     *,
     lateral_mps2: float,
-    stops_at_line: bool,
+    stops_at_m: float | None,
     front_m: float,
     slowing_mps2: float,
     faster_mps2: float,
@@ -63,20 +61,20 @@ def turning_marks(
 ) -> list[Mark]:
     """The marks of a drive along a way at ``cruise_mps``.
 
-    ``approach_mps`` is its speed when it begins to slow down, ``resume_mps`` its speed after
+    ``stops_at_m`` is a stop line before which it stands for a while. ``approach_mps`` is its speed when it begins to slow down, ``resume_mps`` its speed after
     the bend; None: ``cruise_mps``.
     """
     bend = bend_of(laid, cruise_mps, lateral_mps2)
-    line_s = laid.path_s_m(laid.turning_starts_m) - front_m - _STOP_LINE_M
     marks: list[Mark] = []
-    through = bend.speed_mps if bend else cruise_mps
     before = cruise_mps if approach_mps is None else approach_mps
     after = cruise_mps if resume_mps is None else resume_mps
-    if stops_at_line:
-        slow = min(STOP_LINE_SPEED_MPS, through)
-        marks.append(_slow_before(line_s, before, slow, slowing_mps2))
-        place = max(line_s, 0.1)
-        marks.append(Mark(place, through, faster_mps2, sort=Sort.SLOWS, by_m=place))
+    if stops_at_m is not None:
+        rest = stops_at_m - front_m - _SHORT_OF_LINE_M
+        stop = _slow_before(rest + _REACTION_M, before, 0.0, slowing_mps2)
+        onward = bend.speed_mps if bend else after
+        marks.append(
+            replace(stop, hold_s=STOPS_FOR_S, resume_mps=onward, resume_rate_mps2=faster_mps2)
+        )
     elif bend:
         marks.append(_slow_before(bend.start_s_m, before, bend.speed_mps, slowing_mps2))
     if bend:

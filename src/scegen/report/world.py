@@ -239,11 +239,10 @@ def placed(content: str, x_m: float, y_m: float, heading_rad: float) -> str:
 
 
 def entry_of(network: RoadNetwork, arm: int) -> tuple[Pose, float]:
-    """The inner end of an arm, looking in, and how far its entering lanes reach to the left."""
+    """The stop line of an arm, looking in, and how far its entering lanes reach to the left."""
     road = network.arm_road(arm)
     sign = -1 if network.driving_side == "right" else 1
-    back = max((road.length_m - c.s_m + c.width_m / 2 + 1.0 for c in road.crosswalks), default=0.0)
-    return road.line.pose(road.length_m - min(back, 12.0) - 0.4), road.edge_t_m(sign)
+    return road.line.pose(road.length_m - road.stop_line_m), road.edge_t_m(sign)
 
 
 def _beside(pose: Pose, left_m: float) -> tuple[float, float]:
