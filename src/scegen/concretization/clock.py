@@ -13,6 +13,7 @@ import numpy as np
 
 from scegen.concretization.clearance import LONGEST_S, clear_offset
 from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.lights import Lights, lights_of
 from scegen.concretization.limits import APPROACH_S, HEADWAY_S, LEAD_IN_S, QUEUE_GAP_M
 from scegen.concretization.meetings import (
     BYSTANDER,
@@ -33,8 +34,14 @@ def arrange(scene: Scene, meetings: Sequence[Meeting]) -> dict[str, float]:
     """The offset of every drive against the ego's timeline (s)."""
     offsets = {scene.ego.id: 0.0}
     ordered = sorted(meetings, key=lambda m: m.priority)
+    dangers = [m for m in ordered if m.priority < ORDINARY]
+    while _arrange_one(scene, dangers, offsets, None):
+        continue
+    lights = lights_of(scene, offsets)
     while len(offsets) < len(scene.drives):
-        if _arrange_one(scene, ordered, offsets) or _queue_one(scene, ordered, offsets):
+        if _arrange_one(scene, ordered, offsets, lights):
+            continue
+        if _queue_one(scene, ordered, offsets, lights):
             continue
         free = [n for n in scene.drives if n not in offsets]
         name = min(free, key=lambda n: scene.drives[n].drive.rank)
@@ -46,7 +53,9 @@ def arrange(scene: Scene, meetings: Sequence[Meeting]) -> dict[str, float]:
             _placed(scene, offsets),
             offsets,
             companions=_companions(scene, ordered, name, offsets),
+            lights=lights,
         )
+    scene.signals = lights.plan if lights is not None else None
     return offsets
 
 
@@ -79,7 +88,12 @@ def _placed(
     return [d for n, d in scene.drives.items() if n in offsets and n not in without]
 
 
-def _arrange_one(scene: Scene, meetings: Sequence[Meeting], offsets: dict[str, float]) -> bool:
+def _arrange_one(
+    scene: Scene,
+    meetings: Sequence[Meeting],
+    offsets: dict[str, float],
+    lights: Lights | None,
+) -> bool:
     """Arrange the most important meeting of which one side is fixed."""
     for meeting in meetings:
         known, other = meeting.first in offsets, meeting.second in offsets
@@ -104,10 +118,13 @@ def _arrange_one(scene: Scene, meetings: Sequence[Meeting], offsets: dict[str, f
                 offsets,
                 direction=1 if bystander else 0,
                 within_s=LONGEST_S if meeting.priority >= ORDINARY else _DANGER_WITHIN_S,
+                lights=lights if meeting.priority >= ORDINARY else None,
             )
         offsets[draft.id] = offset
         if meeting.priority >= 0:
             _keep_apart(scene, draft, offsets, partner.id)
+            if lights is not None and meeting.priority >= ORDINARY:
+                lights.wait(draft, offsets[draft.id])
         return True
     return False
 
@@ -124,7 +141,12 @@ def _keep_apart(scene: Scene, draft: DriveDraft, offsets: dict[str, float], part
             offsets[draft.id] = behind if after else before
 
 
-def _queue_one(scene: Scene, meetings: Sequence[Meeting], offsets: dict[str, float]) -> bool:
+def _queue_one(
+    scene: Scene,
+    meetings: Sequence[Meeting],
+    offsets: dict[str, float],
+    lights: Lights | None,
+) -> bool:
     """Line one vehicle up behind or before those of its arm and lane that are fixed."""
     for name, draft in sorted(scene.drives.items(), key=lambda item: item[1].drive.rank):
         if name in offsets:
@@ -147,6 +169,7 @@ def _queue_one(scene: Scene, meetings: Sequence[Meeting], offsets: dict[str, flo
             offsets,
             direction=direction,
             companions=_companions(scene, meetings, name, offsets),
+            lights=lights,
         )
         return True
     return False

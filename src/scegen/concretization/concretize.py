@@ -24,6 +24,7 @@ from scegen.concretization.encounters import conflict_meetings
 from scegen.concretization.fitting import conditioned, fit, is_anything_said
 from scegen.concretization.hazards.table import ordered_rules
 from scegen.concretization.lane_choice import choose_lanes
+from scegen.concretization.lights import set_lights
 from scegen.concretization.maneuvers import prepare_maneuvers, shape_maneuvers
 from scegen.concretization.meeting_lanes import choose_lanes_that_meet
 from scegen.concretization.meetings import Meeting
@@ -204,6 +205,7 @@ def _start(scene: Scene, meetings: list[Meeting]) -> Moments:
         reason = reasons.get(name, "in line on its arm")
         scene.note(f"{name}.start_m", station, reason)
     set_triggers(scene, moments)
+    set_lights(scene)
     start_farther_out(scene)
     return moments
 

@@ -12,10 +12,11 @@ from scegen.concretization.limits import (
     COMFORTABLE_BRAKING_MPS2,
     CREEP_MPS,
     LATERAL_MPS2,
+    STOPS_FOR_S,
 )
 from scegen.concretization.marks import Mark, Timeline, timeline
 from scegen.concretization.others import Expected, PullDraft, StandDraft, WalkDraft
-from scegen.concretization.turning import turning_marks
+from scegen.concretization.turning import Stop, turning_marks
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.paths import END_MARGIN_M
@@ -27,6 +28,7 @@ from scegen.road.model import RoadNetwork
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.concrete import (
+    AtTime,
     Change,
     DriveMotion,
     LaneChange,
@@ -38,6 +40,7 @@ from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.reversing import BacksOut, Reversal
+from scegen.scenario.signals import SignalPlan
 from scegen.scenario.speed_limits import implied_limit_mps
 from scegen.scenario.vocabulary import Maneuver, ParticipantKind
 
@@ -59,7 +62,8 @@ class DriveDraft:
     ``halts_at_m`` where it stays. ``reversal`` is a part driven backwards;
     one that backs out (of arm ``from_arm``, if not from beside the road) joins its drive at station
     ``joins_m``. Within ``alone_s_m`` of its path only the marks of dangers count. ``backs_to`` is
-    somebody who crosses behind it. ``offset_s`` is how late it is against its course.
+    somebody who crosses behind it. ``waits_s`` is how long it stands at a red light, if it does,
+    and ``goes_at`` when it goes on there. ``offset_s`` is how late it is against its course.
     """
 
     id: str
@@ -93,6 +97,8 @@ class DriveDraft:
     laid_: LaidDrive | None = None
     course_: Timeline | None = None
     line_back_m: float = 0.0
+    waits_s: float | None = None
+    goes_at: AtTime | None = None
 
     @property
     def body(self) -> Body:
@@ -212,13 +218,19 @@ class DriveDraft:
             self.laid,
             self.cruise_mps,
             lateral_mps2=min(self.lateral_mps2, _SIDEWAYS * self.grip_mps2),
-            stops_at_m=self.stop_line_s_m if self.stops_at_line else None,
-            front_m=self.body.front_m,
+            stop=self._stop(),
             slowing_mps2=min(self.slowing_mps2, self.grip_mps2),
             faster_mps2=self.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2),
             approach_mps=self.approach_mps,
             resume_mps=self.resume_mps,
         )
+
+    def _stop(self) -> Stop | None:
+        """Where it stands at its line, at red or for a sign."""
+        stands_s = STOPS_FOR_S if self.waits_s is None else self.waits_s
+        if self.waits_s is None and not self.stops_at_line:
+            return None
+        return Stop(self.stop_line_s_m - self.body.front_m, stands_s, self.goes_at)
 
     def all_marks(self) -> list[Mark]:
         """All marks in the order of the path; one that stays before the junction does not turn."""
@@ -255,7 +267,8 @@ class Scene:
     """Everything about one scenario in the making.
 
     ``obstacles`` says whether things may be laid in the way, ``expected`` are the dangers that they
-    are to cause, ``objects`` the things that have a place.
+    are to cause, ``objects`` the things that have a place, ``signals`` what its lights show: on the
+    clock of the ego's course until everybody has a start, then on the scenario's.
     """
 
     functional: FunctionalScenario
@@ -272,6 +285,7 @@ class Scene:
     objects: list[StaticObject] = field(default_factory=list)
     caused: dict[Hazard, Hazard] = field(default_factory=dict)
     changes: list[Change] = field(default_factory=list)
+    signals: SignalPlan | None = None
 
     @property
     def hazards(self) -> tuple[Hazard, ...]:

@@ -14,7 +14,14 @@ import numpy as np
 
 from scegen.concretization.profile import NEVER_S, Profile
 from scegen.motion.model import Array
-from scegen.scenario.concrete import ArrivalBelow, SpeedPhase, StoodStill, Travelled, Trigger
+from scegen.scenario.concrete import (
+    ArrivalBelow,
+    AtTime,
+    SpeedPhase,
+    StoodStill,
+    Travelled,
+    Trigger,
+)
 from scegen.scenario.vocabulary import HazardKind
 
 STEP_S = 0.05
@@ -50,7 +57,7 @@ class Mark:
     resume_mps: float = 0.0
     resume_rate_mps2: float = 2.0
     resume_hazard: HazardKind | None = None
-    waits_for: ArrivalBelow | None = None
+    waits_for: ArrivalBelow | AtTime | None = None
     sort: Sort = Sort.DANGER
     then_s: float | None = None
     act: str | None = None

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from math import sqrt
 
-from scegen.concretization.limits import STOPS_FOR_S
 from scegen.concretization.marks import Mark, Sort
 from scegen.motion.polyline import LaidDrive
+from scegen.scenario.concrete import AtTime
 
 _WORTH_IT = 0.98
 _REACTION_M = 1.0
@@ -22,6 +22,15 @@ class Bend:
     start_s_m: float
     end_s_m: float
     speed_mps: float
+
+
+@dataclass(frozen=True, slots=True)
+class Stop:
+    """A stop before the line that the front reaches at ``line_s_m``, for so long or until then."""
+
+    line_s_m: float
+    stands_s: float
+    goes_at: AtTime | None = None
 
 
 def bend_of(laid: LaidDrive, cruise_mps: float, lateral_mps2: float) -> Bend | None:
@@ -52,8 +61,7 @@ def turning_marks(
     cruise_mps: float,
     *,
     lateral_mps2: float,
-    stops_at_m: float | None,
-    front_m: float,
+    stop: Stop | None,
     slowing_mps2: float,
     faster_mps2: float,
     approach_mps: float | None = None,
@@ -61,19 +69,24 @@ def turning_marks(
 ) -> list[Mark]:
     """The marks of a drive along a way at ``cruise_mps``.
 
-    ``stops_at_m`` is a stop line before which it stands for a while. ``approach_mps`` is its speed when it begins to slow down, ``resume_mps`` its speed after
-    the bend; None: ``cruise_mps``.
+    ``stop`` is where it stands for a while, ``approach_mps`` its speed when it begins to slow down,
+    ``resume_mps`` its speed after the bend; None: ``cruise_mps``.
     """
     bend = bend_of(laid, cruise_mps, lateral_mps2)
     marks: list[Mark] = []
     before = cruise_mps if approach_mps is None else approach_mps
     after = cruise_mps if resume_mps is None else resume_mps
-    if stops_at_m is not None:
-        rest = stops_at_m - front_m - _SHORT_OF_LINE_M
-        stop = _slow_before(rest + _REACTION_M, before, 0.0, slowing_mps2)
-        onward = bend.speed_mps if bend else after
+    if stop is not None:
+        # The reaction is before the braking: here it comes to rest exactly there.
+        rest = stop.line_s_m - _SHORT_OF_LINE_M + _REACTION_M
         marks.append(
-            replace(stop, hold_s=STOPS_FOR_S, resume_mps=onward, resume_rate_mps2=faster_mps2)
+            replace(
+                _slow_before(rest, before, 0.0, slowing_mps2),
+                hold_s=stop.stands_s,
+                resume_mps=bend.speed_mps if bend else after,
+                resume_rate_mps2=faster_mps2,
+                waits_for=stop.goes_at,
+            )
         )
     elif bend:
         marks.append(_slow_before(bend.start_s_m, before, bend.speed_mps, slowing_mps2))

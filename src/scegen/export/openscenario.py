@@ -16,6 +16,7 @@ from typing import Literal
 from scegen.errors import InputError
 from scegen.export.library import VersionBase, xosc
 from scegen.export.openscenario_entities import entities
+from scegen.export.openscenario_signals import controllers
 from scegen.export.openscenario_storyboard import storyboard
 from scegen.export.openscenario_text import header_description, xml_text
 from scegen.motion.model import Path
@@ -39,6 +40,7 @@ def write_openscenario(
     road_file: str = "road.xodr",
     version: str = "1.0",
     ego: str = "scripted",
+    lamps: bool = False,
 ) -> bytes:
     """The scenario as an OpenSCENARIO file; the same input gives the same bytes.
 
@@ -49,6 +51,7 @@ def write_openscenario(
         version: of OpenSCENARIO, ``1.0`` or ``1.2``.
         ego: ``scripted`` follows its path and program; ``external`` is placed with its speed
             and has no motion of its own, for a driver outside the file.
+        lamps: change the lights by actions as well, as esmini needs it and others refuse it.
 
     Raises:
         InputError: the version or the ego is none of these, or a participant has no path.
@@ -67,7 +70,9 @@ def write_openscenario(
         before = VersionBase.version_minor
         try:
             external = ego == "external"
-            root = _scenario(concrete, paths, road_file, minor, external=external).get_element()
+            root = _scenario(
+                concrete, paths, road_file, minor, external=external, lamps=lamps
+            ).get_element()
         finally:
             VersionBase().setVersion(minor=before)
     ET.indent(root, "  ")
@@ -82,15 +87,19 @@ def _scenario(
     minor: int,
     *,
     external: bool,
+    lamps: bool,
 ) -> xosc.Scenario:
     VersionBase().setVersion(minor=minor)
+    roads = xosc.RoadNetwork(xml_text(road_file))
+    for controller in controllers(concrete.signals) if concrete.signals else ():
+        roads.add_traffic_signal_controller(controller)
     return xosc.Scenario(
         header_description(concrete.name),
         "ML-SceGen",
         xosc.ParameterDeclarations(),
         entities(concrete, external_ego=external),
-        storyboard(concrete, paths, minor, external_ego=external),
-        xosc.RoadNetwork(xml_text(road_file)),
+        storyboard(concrete, paths, minor, external_ego=external, lamps=lamps),
+        roads,
         xosc.Catalog(),
         osc_minor_version=minor,
         creation_date=_DATE,

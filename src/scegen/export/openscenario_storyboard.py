@@ -9,6 +9,7 @@ import numpy as np
 from scegen.export.library import xosc
 from scegen.export.openscenario_environment import environment_action
 from scegen.export.openscenario_position import vertex_position
+from scegen.export.openscenario_signals import first_lamps, lamp_act
 from scegen.export.openscenario_triggers import (
     at_end,
     at_once,
@@ -28,15 +29,25 @@ _SHORT_OF_REST_M = 0.1
 
 
 def storyboard(
-    concrete: ConcreteScenario, paths: Mapping[str, Path], minor: int, *, external_ego: bool = False
+    concrete: ConcreteScenario,
+    paths: Mapping[str, Path],
+    minor: int,
+    *,
+    external_ego: bool = False,
+    lamps: bool = False,
 ) -> xosc.StoryBoard:
     """The storyboard: one act, one maneuver group for each participant that moves.
 
     An ego that somebody else drives has none: it is placed, and keeps its speed until then.
+    With ``lamps`` actions change what the lights show.
     """
     duration, goes_m = concrete.duration_s, _ego_goes_m(concrete, paths)
     stop = at_end("scenario_over", concrete, goes_m, minor)
-    board = xosc.StoryBoard(_init(concrete, paths, minor), stop)
+    plan = concrete.signals if lamps else None
+    init = _init(concrete, paths, minor)
+    for action in first_lamps(plan) if plan else ():
+        init.add_global_action(action)
+    board = xosc.StoryBoard(init, stop)
     moving = [
         p
         for p in concrete.participants
@@ -53,6 +64,8 @@ def storyboard(
         act.add_maneuver_group(xosc.ManeuverGroup("nobody_moves").add_actor(concrete.ego.id))
     story = xosc.Story("story")
     story.add_act(act)
+    if plan:
+        story.add_act(lamp_act(concrete, plan, minor))
     board.add_story(story)
     return board
 

@@ -12,6 +12,8 @@ from scegen.scenario.files import to_yaml
 
 ROAD_FILE = "road.xodr"
 SCENARIO_FILE = "scenario.xosc"
+LAMPS_FILE = "scenario-esmini.xosc"
+"""Beside the scenario where it has lights: the same, with them changed as esmini needs it."""
 CONCRETE_FILE = "concrete.yaml"
 PREVIEW_FILE = "preview.png"
 
@@ -31,11 +33,12 @@ def export_scenario(
     """
     network = build_network(concrete.road, name=concrete.name)
     paths = build_paths(concrete, network)
-    return {
+    files = {
         ROAD_FILE: write_opendrive(
             network,
             control=concrete.road.control,
             controlled_arms=concrete.road.controlled_arms,
+            signals=concrete.signals,
         ).encode(),
         SCENARIO_FILE: write_openscenario(
             concrete, paths, road_file=ROAD_FILE, version=osc, ego=ego
@@ -43,3 +46,8 @@ def export_scenario(
         CONCRETE_FILE: to_yaml(concrete).encode(),
         PREVIEW_FILE: preview_png(concrete, network, paths),
     }
+    if concrete.signals is not None:
+        files[LAMPS_FILE] = write_openscenario(
+            concrete, paths, road_file=ROAD_FILE, version=osc, ego=ego, lamps=True
+        )
+    return files

@@ -12,7 +12,7 @@ from scegen.scenario.control import controlled_arms
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.hazards import RoadRule
 from scegen.scenario.logical import Drive, LogicalScenario
-from scegen.scenario.vocabulary import Control, Maneuver
+from scegen.scenario.vocabulary import Control, JunctionKind, Maneuver
 
 STOPPED_MPS = 0.1
 """Who is slower stands."""
@@ -28,7 +28,8 @@ _STOP_SIGNS = frozenset({Control.STOP, Control.ALL_WAY_STOP})
 def enters_at_sign(functional: FunctionalScenario, drive: Drive) -> bool:
     """Whether one drives forwards past the sign or light of its entry arm."""
     return (
-        drive.entry in controlled_arms(functional.junction)
+        functional.junction.kind is not JunctionKind.STRAIGHT
+        and drive.entry in controlled_arms(functional.junction)
         and drive.maneuver is not Maneuver.STAY
         and drive.reverses is None
         and not drive.circulating
@@ -42,5 +43,5 @@ def must_stop(functional: FunctionalScenario, logical: LogicalScenario) -> froze
     """
     if functional.junction.control not in _STOP_SIGNS:
         return frozenset()
-    drivers = {d.participant for d in logical.drives if enters_at_sign(functional, d)}
+    drivers = frozenset(d.participant for d in logical.drives if enters_at_sign(functional, d))
     return drivers - breaks(functional, logical, RoadRule.RIGHT_OF_WAY)
