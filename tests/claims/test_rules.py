@@ -5,6 +5,7 @@ from saying import made, missed, person, said
 
 from scegen.concretization import concretize
 from scegen.enumeration import enumerate_scenarios
+from scegen.motion.rules.giving_way import must_give_way
 from scegen.motion.rules.stopping import must_stop
 
 STOPS = ["stop", "all_way_stop"]
@@ -65,3 +66,65 @@ def test_nobody_stops_for_a_sign_on_another_arm():
     for scenario in enumerate_scenarios(functional).scenarios:
         minor = {d.participant for d in scenario.drives if d.entry in {1, 3}}
         assert must_stop(functional, scenario) == minor
+
+
+def yielding(control, **fields):
+    """The ego on the main road, and a car that comes from its right at a crossing."""
+    people = person("ego", maneuvers=["straight"]), person("car", approaches=["right"])
+    return said("four_way", *people, junction={"control": control, "lanes": [1] * 4}, **fields)
+
+
+@pytest.mark.parametrize("control", ["priority_to_right", "yield", "all_way_stop"])
+def test_who_has_to_gives_way_as_laid_and_as_raised(control):
+    functional = yielding(control)
+    for index in range(len(enumerate_scenarios(functional).scenarios)):
+        concrete = laid(functional, index)
+        duties = must_give_way(functional, concrete.logical)
+        ids = {f"rule.way.{d.yields}.{d.other}" for d in duties}
+        assert not ids & missed(functional, concrete)
+    raised = made(functional)
+    assert raised.proof.in_band
+    assert not raised.proof.missed
+
+
+def test_who_comes_too_soon_takes_the_way():
+    functional = yielding("priority_to_right")
+    concrete = laid(functional)
+    (duty,) = must_give_way(functional, concrete.logical)
+    claim = f"rule.way.{duty.yields}.{duty.other}"
+    late = concrete.participant(duty.yields)
+    taken = set()
+    for metres in (-30.0, -20.0, -10.0, 10.0, 20.0, 30.0):
+        start = late.motion.start_m + metres
+        moved = late.model_copy(
+            update={"motion": late.motion.model_copy(update={"start_m": start})}
+        )
+        people = [moved if p is late else p for p in concrete.participants]
+        other = concrete.model_copy(update={"participants": tuple(people)})
+        taken.add(claim in missed(functional, other))
+    assert taken == {True, False}
+
+
+@pytest.mark.parametrize(
+    "fields",
+    [
+        {"hazards": [{"kind": "failure_to_yield", "by": ["ego"], "to": ["car"]}]},
+        {"outcome": {"kind": "collision", "between": ["ego", "car"]}},
+        {"acts": [{"id": "a", "participant": "ego", "kind": "accelerate"}]},
+        {
+            "spacings": [
+                {
+                    "participant": "car",
+                    "reference": "ego",
+                    "measure": "gap_m",
+                    "value": 30,
+                    "at": "start",
+                }
+            ]
+        },
+    ],
+)
+def test_what_is_said_of_two_wins_over_right_of_way(fields):
+    functional = yielding("priority_to_right", **fields)
+    logical = enumerate_scenarios(functional).scenarios[0]
+    assert must_give_way(functional, logical) == ()
