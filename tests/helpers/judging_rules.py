@@ -226,7 +226,7 @@ def broken(rule, logical, files, log, by=()):
         step = None if line is None else over_at(mover, line)
         if mover.v[-1] < STANDS_MPS or way < 20.0 or (line is not None and step is None):
             found.add(("stuck", name, None))
-        elif line is not None:
+        if step is not None:
             least_s = 0.0 if name not in by else RED_FOR_S
             kinds = _at_line(rule, mover, drive, line, lights, least_s)
             found |= {(kind, name, None) for kind in kinds}

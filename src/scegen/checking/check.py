@@ -126,7 +126,13 @@ def _said(subject: Subject, scenario: File, outside: frozenset[str]) -> CheckRes
         return not_run(said.CHECKER, f"there is no {lacking} that tells what was said")
     if outside:
         return not_run(said.CHECKER, f"{min(outside)} is driven from outside")
-    return said.check_said(scenario.path, subject.concrete, subject.functional, subject.touching)
+    return said.check_said(
+        scenario.path,
+        subject.concrete,
+        subject.functional,
+        subject.touching,
+        subject.brought_together,
+    )
 
 
 @dataclass(frozen=True)

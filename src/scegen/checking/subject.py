@@ -8,7 +8,7 @@ from pathlib import Path
 from pydantic import ValidationError
 
 from scegen.checking.documents import BrokenXmlError, parse_document, read_bytes
-from scegen.criticality.target import parse_target
+from scegen.criticality.target import asks_for_measure, parse_target
 from scegen.errors import InputError
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import load
@@ -39,7 +39,8 @@ class File:
 class Subject:
     """A road, a scenario, or both, and what they were made from, as far as it is there.
 
-    ``touching`` are two of whom a contact was asked for, None where no danger was sought.
+    ``touching`` are two of whom a contact was asked for, None where no danger was sought;
+    ``brought_together`` of whom a measure was asked for.
     """
 
     place: Path
@@ -48,6 +49,7 @@ class Subject:
     concrete: ConcreteScenario | None
     functional: FunctionalScenario | None = None
     touching: tuple[str, ...] | None = None
+    brought_together: tuple[str, ...] = ()
 
     @property
     def files(self) -> tuple[File, ...]:
@@ -93,6 +95,7 @@ def read_folder(folder: Path) -> Subject:
         concrete=load(concrete, ConcreteScenario) if concrete.is_file() else None,
         functional=load(functional, FunctionalScenario) if functional.is_file() else None,
         touching=_touching(proof) if proof.is_file() else None,
+        brought_together=_brought_together(proof) if proof.is_file() else (),
     )
 
 
@@ -112,6 +115,12 @@ def _touching(file: Path) -> tuple[str, ...]:
     """Whom a search was asked to bring into contact, or was allowed to."""
     proof = read_proof(file)
     return proof.pair if parse_target(proof.target).contact is not False else ()
+
+
+def _brought_together(file: Path) -> tuple[str, ...]:
+    """Of whom a search was asked for a range of a measure."""
+    proof = read_proof(file)
+    return proof.pair if asks_for_measure(parse_target(proof.target)) else ()
 
 
 def _single(path: Path) -> Subject:

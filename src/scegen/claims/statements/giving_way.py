@@ -23,6 +23,8 @@ _ENOUGH_S = 10.0
 def claims(told: Told) -> Iterator[Claim]:
     """One for every two whose ways meet."""
     for duty in must_give_way(told.functional, told.logical):
+        if {duty.yields, duty.other} == {*told.brought_together}:
+            continue
         order = "whoever of both stops later" if duty.by_arrival else duty.yields
         between = f"{duty.yields} and {duty.other}" if duty.by_arrival else duty.other
         yield Claim(

@@ -57,7 +57,10 @@ def must_give_way(functional: FunctionalScenario, logical: LogicalScenario) -> t
     """
     told = _told_pairs(functional, logical)
     acting = {act.participant for act in (*functional.acts, *logical.acts)}
-    free = acting | breaks(functional, logical, RoadRule.RIGHT_OF_WAY)
+    walking = {crossing.participant for crossing in logical.crossings}
+    # Who steps out before somebody does so in time for that one, not for those behind it.
+    stepping = {n for h in told_hazards(functional, logical) for n in h.by if n in walking}
+    free = acting | stepping | breaks(functional, logical, RoadRule.RIGHT_OF_WAY)
     all_way = functional.junction.control is Control.ALL_WAY_STOP
     return tuple(
         Duty(yields, other, conflict.rule, all_way and conflict.rule is not Rule.CROSSWALK)
