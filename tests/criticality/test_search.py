@@ -295,7 +295,7 @@ def test_nothing_is_dangerous_at_a_crawl():
 
 
 def test_no_car_goes_500_mps():
-    reason = refused(two_cars(speed=Interval(low=500, high=500)), "near-miss")
+    reason = refused(two_cars(speed=Interval(low=500, high=500)), "collision")
     assert "500 m/s" in reason
     assert "60 m/s" in reason
 

@@ -133,7 +133,12 @@ def _said(
     if outside:
         return not_run(said.CHECKER, f"{min(outside)} is driven from outside")
     return said.check_said(
-        scenario.path, subject.concrete, subject.functional, subject.touching, once
+        scenario.path,
+        subject.concrete,
+        subject.functional,
+        subject.touching,
+        subject.brought_together,
+        once,
     )
 
 

@@ -31,6 +31,7 @@ def check_said(
     concrete: ConcreteScenario,
     functional: FunctionalScenario,
     touching: tuple[str, ...] | None = (),
+    brought_together: tuple[str, ...] = (),
     once: Callable[[], Played] | None = None,
 ) -> CheckResult:
     """Play a scenario, in esmini or else in our own simulation, and judge every statement.
@@ -41,6 +42,7 @@ def check_said(
         functional: what the description says.
         touching: two of whom a contact was asked for that nobody described; None where no danger
             was sought.
+        brought_together: two of whom a measure was asked for.
         once: plays it in esmini, for others too.
     """
     missing = {p.id for p in functional.participants} - {p.id for p in concrete.participants}
@@ -52,7 +54,10 @@ def check_said(
         view = recorded_view(concrete, read_recording(recorded.csv))
     except (ScegenError, RecordingError) as problem:
         return not_run(CHECKER, str(problem))
-    proofs = prove(claims_of(functional, concrete.logical, touching=touching), view)
+    claims = claims_of(
+        functional, concrete.logical, touching=touching, brought_together=brought_together
+    )
+    proofs = prove(claims, view)
     findings = []
     for claim in proofs:
         if not claim.holds:

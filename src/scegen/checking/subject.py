@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from pydantic import ValidationError
 
 from scegen.checking.documents import BrokenXmlError, parse_document, read_bytes
-from scegen.criticality.target import parse_target
+from scegen.criticality.target import asks_for_measure, parse_target
 from scegen.errors import InputError
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import load
@@ -40,8 +40,9 @@ class File:
 class Subject:
     """A road, a scenario, or both, and what they were made from, as far as it is there.
 
-    ``touching`` are two of whom a contact was asked for, None where no danger was sought.
-    ``values`` is a file of values for a scenario's parameters, which is no scenario itself.
+    ``touching`` are two of whom a contact was asked for, None where no danger was sought;
+    ``brought_together`` of whom a measure was asked for. ``values`` is a file of values for a
+    scenario's parameters, which is no scenario itself.
     """
 
     place: Path
@@ -51,6 +52,7 @@ class Subject:
     functional: FunctionalScenario | None = None
     touching: tuple[str, ...] | None = None
     values: File | None = None
+    brought_together: tuple[str, ...] = ()
 
     @property
     def files(self) -> tuple[File, ...]:
@@ -89,14 +91,14 @@ def read_folder(folder: Path) -> Subject:
     concrete, proof = folder / CONCRETE_FILE, folder / PROOF_FILE
     # Made by generate, the folder lies two levels below what it was made from.
     functional = folder.absolute().parent.parent / FUNCTIONAL_FILE
-    return Subject(
+    found = Subject(
         place=folder,
         road=_read(folder / ROAD_FILE),
         scenario=_read(folder / SCENARIO_FILE),
         concrete=load(concrete, ConcreteScenario) if concrete.is_file() else None,
         functional=load(functional, FunctionalScenario) if functional.is_file() else None,
-        touching=_touching(read_proof(proof)) if proof.is_file() else None,
     )
+    return _as_asked(found, read_proof(proof)) if proof.is_file() else found
 
 
 def subject_of(
@@ -107,15 +109,14 @@ def subject_of(
     proof: Proof | None = None,
 ) -> Subject:
     """A scenario in memory; only the player needs its files to lie in the folder ``place``."""
-    touching = None if proof is None else _touching(proof)
-    return Subject(
+    made = Subject(
         place=place,
         road=_file(place / ROAD_FILE, files[ROAD_FILE]),
         scenario=_file(place / SCENARIO_FILE, files[SCENARIO_FILE]),
         concrete=concrete,
         functional=functional,
-        touching=touching,
     )
+    return made if proof is None else _as_asked(made, proof)
 
 
 def read_proof(file: Path) -> Proof:
@@ -130,9 +131,14 @@ def read_proof(file: Path) -> Proof:
         raise InputError("is no proof of a search", where=str(file)) from problem
 
 
-def _touching(proof: Proof) -> tuple[str, ...]:
-    """Whom a search was asked to bring into contact, or was allowed to."""
-    return proof.pair if parse_target(proof.target).contact is not False else ()
+def _as_asked(subject: Subject, proof: Proof) -> Subject:
+    """With whom a search was asked, or allowed, to bring together, and into contact."""
+    target = parse_target(proof.target)
+    return replace(
+        subject,
+        touching=proof.pair if target.contact is not False else (),
+        brought_together=proof.pair if asks_for_measure(target) else (),
+    )
 
 
 def _single(path: Path) -> Subject:

@@ -33,6 +33,7 @@ class ClaimKind(StrEnum):
     SPEED = "speed"
     SPACING = "spacing"
     ACT = "act"
+    RULE = "rule"
     HAZARD = "hazard"
     OBJECT = "object"
     OUTCOME = "outcome"

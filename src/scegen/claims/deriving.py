@@ -13,10 +13,12 @@ from scegen.claims.statements import (
     bodies,
     dangers,
     endings,
+    giving_way,
     maneuvers,
     objects,
     outcomes,
     roads,
+    rules,
     spacings,
     speeds,
 )
@@ -35,6 +37,8 @@ STATEMENTS: tuple[Callable[[Told], Iterator[Claim]], ...] = (
     speeds.claims,
     spacings.claims,
     acts.claims,
+    rules.claims,
+    giving_way.claims,
     dangers.claims,
     objects.claims,
     outcomes.claims,
@@ -49,6 +53,7 @@ def claims_of(
     logical: LogicalScenario,
     *,
     touching: tuple[str, ...] | None = (),
+    brought_together: tuple[str, ...] = (),
 ) -> tuple[Claim, ...]:
     """What must be seen when one of a description's scenarios runs.
 
@@ -57,6 +62,7 @@ def claims_of(
         logical: one of its scenarios: who enters and leaves where.
         touching: two who are to touch, whatever the description says; None where no danger was
             sought: what the description does not say of the end is then open.
+        brought_together: two of whom a measure was asked for: they need not give way.
     """
     if touching and (functional.outcome is None or functional.outcome.kind is not COLLISION):
         asked = Outcome(kind=COLLISION, between=touching)
@@ -64,7 +70,7 @@ def claims_of(
     if logical.acts:
         # With the sides and lanes that the text leaves open.
         functional = functional.model_copy(update={"acts": logical.acts})
-    told = Told(functional, logical, open_end=touching is None)
+    told = Told(functional, logical, open_end=touching is None, brought_together=brought_together)
     return tuple(
         replace(claim, words=told.words(claim.field))
         for statement in STATEMENTS

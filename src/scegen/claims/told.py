@@ -19,12 +19,14 @@ class Told:
     """Both levels, and who does what in them.
 
     ``open_end``: where the text tells of no outcome, nobody has asked for one either, so that
-    those who meet may touch or not.
+    those who meet may touch or not. ``brought_together`` are two whom somebody asked to meet so
+    closely, whatever the text says.
     """
 
     functional: FunctionalScenario
     logical: LogicalScenario
     open_end: bool = False
+    brought_together: tuple[str, ...] = ()
 
     @property
     def ego(self) -> str:

@@ -42,7 +42,8 @@ class Way:
 
     ``turn_start_m`` and ``turn_end_m`` are where the junction begins and ends, ``goal_m`` how far
     it must come before the scenario may end, unless it ``halts``: stops on the way and stays;
-    ``curvature_1pm`` belongs to ``at_m``; ``lanes_in`` is the number of lanes of its entry arm.
+    ``curvature_1pm`` belongs to ``at_m``; ``lanes_in`` is the number of lanes of its entry arm,
+    ``line_m`` where that has its stop line.
     """
 
     participant: ConcreteParticipant
@@ -56,6 +57,7 @@ class Way:
     curvature_1pm: Floats
     laid: LaidDrive | None
     lanes_in: int = 0
+    line_m: float = 0.0
     halts: bool = False
 
     @property
@@ -121,6 +123,7 @@ def _way(participant: ConcreteParticipant, concrete: ConcreteScenario, network: 
         curvature_1pm=curvature,
         laid=laid,
         lanes_in=arms[motion.entry].lanes_in,
+        line_m=laid.path_s_m(laid.turning_starts_m) - network.arm_road(motion.entry).stop_line_m,
         halts=halts(participant),
     )
 

@@ -53,6 +53,7 @@ def assemble(scene: Scene, seed: int) -> ConcreteScenario:
         environment=scene.functional.environment,
         hazards=scene.hazards,
         duration_s=MAX_DURATION_S,
+        signals=scene.signals,
         provenance=tuple(scene.changes),
     )
     paths = {p.id: build_path(p.motion, p.kind, scene.network, p.id) for p in concrete.participants}

@@ -8,6 +8,7 @@ import numpy as np
 
 from scegen.concretization.boxes import Poses, overlaps
 from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.priorities import Manners
 from scegen.motion.model import Array
 
 _SAMPLE_S = 0.05
@@ -66,21 +67,32 @@ def clear_offset(
     direction: int = 1,
     within_s: float = LONGEST_S,
     companions: Sequence[tuple[DriveDraft, float]] = (),
+    manners: Manners | None = None,
+    meeting: Iterable[DriveDraft] = (),
 ) -> float:
     """The offset next to ``offset_s`` at which a drive touches none of the others.
 
     Nor do its ``companions``, each with how much later its own offset is. ``direction`` 1 looks
-    later, -1 earlier, 0 both ways. Where none ``within_s`` is free, the offset stays.
+    later, -1 earlier, 0 both ways. Where none ``within_s`` is free, the offset stays. With
+    ``manners`` it waits for its green, and nobody takes another's way, of the others or of those
+    whom it is ``meeting`` and may touch.
     """
     placed = [(other, offsets_s[other.id]) for other in others]
+    everybody = [*placed, *((other, offsets_s[other.id]) for other in meeting)]
     for k in range(int(within_s / _STEP_S) + 1):
         signs = (direction,) if direction else (1, -1)
         for sign in signs:
             tried = offset_s + sign * k * _STEP_S
+            if manners is not None:
+                manners.wait(draft, tried)
+                if manners.broken(draft, tried, everybody):
+                    continue
             if not any(
                 touch(one, tried + later, other, at)
                 for one, later in ((draft, 0.0), *companions)
                 for other, at in placed
             ):
                 return tried
+    if manners is not None:
+        manners.wait(draft, offset_s)
     return offset_s

@@ -13,6 +13,7 @@ import numpy as np
 
 from scegen.concretization.clearance import LONGEST_S, clear_offset
 from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.lights import lights_of
 from scegen.concretization.limits import APPROACH_S, HEADWAY_S, LEAD_IN_S, QUEUE_GAP_M
 from scegen.concretization.meetings import (
     BYSTANDER,
@@ -20,7 +21,9 @@ from scegen.concretization.meetings import (
     Meeting,
     shared_length_m,
 )
+from scegen.concretization.priorities import Manners
 from scegen.concretization.walkers import Appointment
+from scegen.motion.rules.giving_way import must_give_way
 
 _ARM_MARGIN_M = 1.0
 _BEFORE_JUNCTION_M = 5.0
@@ -33,8 +36,15 @@ def arrange(scene: Scene, meetings: Sequence[Meeting]) -> dict[str, float]:
     """The offset of every drive against the ego's timeline (s)."""
     offsets = {scene.ego.id: 0.0}
     ordered = sorted(meetings, key=lambda m: m.priority)
+    dangers = [m for m in ordered if m.priority < ORDINARY]
+    while _arrange_one(scene, dangers, offsets, None):
+        continue
+    duties = must_give_way(scene.functional, scene.logical)
+    manners = Manners(lights_of(scene, offsets), duties)
     while len(offsets) < len(scene.drives):
-        if _arrange_one(scene, ordered, offsets) or _queue_one(scene, ordered, offsets):
+        if _arrange_one(scene, ordered, offsets, manners):
+            continue
+        if _queue_one(scene, ordered, offsets, manners):
             continue
         free = [n for n in scene.drives if n not in offsets]
         name = min(free, key=lambda n: scene.drives[n].drive.rank)
@@ -46,7 +56,9 @@ def arrange(scene: Scene, meetings: Sequence[Meeting]) -> dict[str, float]:
             _placed(scene, offsets),
             offsets,
             companions=_companions(scene, ordered, name, offsets),
+            manners=manners,
         )
+    scene.signals = manners.lights.plan if manners.lights is not None else None
     return offsets
 
 
@@ -79,7 +91,12 @@ def _placed(
     return [d for n, d in scene.drives.items() if n in offsets and n not in without]
 
 
-def _arrange_one(scene: Scene, meetings: Sequence[Meeting], offsets: dict[str, float]) -> bool:
+def _arrange_one(
+    scene: Scene,
+    meetings: Sequence[Meeting],
+    offsets: dict[str, float],
+    manners: Manners | None,
+) -> bool:
     """Arrange the most important meeting of which one side is fixed."""
     for meeting in meetings:
         known, other = meeting.first in offsets, meeting.second in offsets
@@ -96,7 +113,7 @@ def _arrange_one(scene: Scene, meetings: Sequence[Meeting], offsets: dict[str, f
         if meeting.priority >= 0:
             # Those who meet touch nobody else; who has no part in a danger touches nobody.
             bystander = meeting.priority >= BYSTANDER
-            spared = set() if bystander else {partner.id, *_partners(meetings, draft.id)}
+            spared: set[str] = set() if bystander else {partner.id, *_partners(meetings, draft.id)}
             offset = clear_offset(
                 draft,
                 offset,
@@ -104,10 +121,14 @@ def _arrange_one(scene: Scene, meetings: Sequence[Meeting], offsets: dict[str, f
                 offsets,
                 direction=1 if bystander else 0,
                 within_s=LONGEST_S if meeting.priority >= ORDINARY else _DANGER_WITHIN_S,
+                manners=manners if meeting.priority >= ORDINARY else None,
+                meeting=[scene.drives[n] for n in spared if n in offsets],
             )
         offsets[draft.id] = offset
         if meeting.priority >= 0:
             _keep_apart(scene, draft, offsets, partner.id)
+            if manners is not None and meeting.priority >= ORDINARY:
+                manners.wait(draft, offsets[draft.id])
         return True
     return False
 
@@ -124,7 +145,12 @@ def _keep_apart(scene: Scene, draft: DriveDraft, offsets: dict[str, float], part
             offsets[draft.id] = behind if after else before
 
 
-def _queue_one(scene: Scene, meetings: Sequence[Meeting], offsets: dict[str, float]) -> bool:
+def _queue_one(
+    scene: Scene,
+    meetings: Sequence[Meeting],
+    offsets: dict[str, float],
+    manners: Manners | None,
+) -> bool:
     """Line one vehicle up behind or before those of its arm and lane that are fixed."""
     for name, draft in sorted(scene.drives.items(), key=lambda item: item[1].drive.rank):
         if name in offsets:
@@ -147,6 +173,7 @@ def _queue_one(scene: Scene, meetings: Sequence[Meeting], offsets: dict[str, flo
             offsets,
             direction=direction,
             companions=_companions(scene, meetings, name, offsets),
+            manners=manners,
         )
         return True
     return False

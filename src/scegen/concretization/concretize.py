@@ -24,6 +24,7 @@ from scegen.concretization.encounters import conflict_meetings
 from scegen.concretization.fitting import conditioned, fit, is_anything_said
 from scegen.concretization.hazards.table import ordered_rules
 from scegen.concretization.lane_choice import choose_lanes
+from scegen.concretization.lights import set_lights
 from scegen.concretization.maneuvers import prepare_maneuvers, shape_maneuvers
 from scegen.concretization.meeting_lanes import choose_lanes_that_meet
 from scegen.concretization.meetings import Meeting
@@ -52,11 +53,11 @@ from scegen.concretization.walkers import (
 )
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
+from scegen.motion.rules.stopping import must_stop
 from scegen.road import build_network
 from scegen.scenario.concrete import ConcreteScenario, RoadParameters
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
-from scegen.scenario.vocabulary import Control
 
 _ATTEMPTS = 30
 _ARM_STEP_M = 10.0
@@ -185,7 +186,7 @@ def _draft(scene: Scene, drive: Drive) -> DriveDraft:
         drive=drive,
         cruise_mps=cruise,
         grip_mps2=friction_of(scene.functional.environment) * GRAVITY_MPS2,
-        stops_at_line=scene.road.control is Control.ALL_WAY_STOP,
+        stops_at_line=participant.id in must_stop(scene.functional, scene.logical),
     )
 
 
@@ -204,6 +205,7 @@ def _start(scene: Scene, meetings: list[Meeting]) -> Moments:
         reason = reasons.get(name, "in line on its arm")
         scene.note(f"{name}.start_m", station, reason)
     set_triggers(scene, moments)
+    set_lights(scene)
     start_farther_out(scene)
     return moments
 

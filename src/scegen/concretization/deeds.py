@@ -52,7 +52,8 @@ def do_acts(scene: Scene, offsets_s: Mapping[str, float]) -> dict[str, float]:
         marks = list(_marks(scene, draft))
         if not marks:
             continue
-        draft.stops_at_line = False
+        if scene.sets_off(draft.id):
+            draft.stops_at_line = False  # it stands there
         if any(a.kind in GAINING and a.target_speed_mps for a in scene.speed_acts(draft.id)):
             draft.lateral_mps2 = max(draft.lateral_mps2, FAST_LATERAL_MPS2)
         came_s = draft.course.time_at(draft.junction_s_m - draft.body.front_m - _BEFORE_LINE_M)

@@ -12,20 +12,23 @@ from scegen.concretization.limits import (
     COMFORTABLE_BRAKING_MPS2,
     CREEP_MPS,
     LATERAL_MPS2,
+    STOPS_FOR_S,
 )
 from scegen.concretization.marks import Mark, Timeline, timeline
 from scegen.concretization.others import Expected, PullDraft, StandDraft, WalkDraft
-from scegen.concretization.turning import turning_marks
+from scegen.concretization.turning import Stop, turning_marks
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.paths import END_MARGIN_M
 from scegen.motion.polyline import LaidDrive
 from scegen.motion.reversing import lay_way
 from scegen.motion.routing import walk_route
+from scegen.motion.rules.stopping import AT_LINE_M, OVER_LINE_M, STOPPED_S
 from scegen.road.model import RoadNetwork
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.concrete import (
+    AtTime,
     Change,
     DriveMotion,
     LaneChange,
@@ -37,6 +40,7 @@ from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.reversing import BacksOut, Reversal
+from scegen.scenario.signals import SignalPlan
 from scegen.scenario.speed_limits import implied_limit_mps
 from scegen.scenario.vocabulary import Maneuver, ParticipantKind
 
@@ -58,7 +62,8 @@ class DriveDraft:
     ``halts_at_m`` where it stays. ``reversal`` is a part driven backwards;
     one that backs out (of arm ``from_arm``, if not from beside the road) joins its drive at station
     ``joins_m``. Within ``alone_s_m`` of its path only the marks of dangers count. ``backs_to`` is
-    somebody who crosses behind it. ``offset_s`` is how late it is against its course.
+    somebody who crosses behind it. ``waits_s`` is how long it stands at a red light, if it does,
+    and ``goes_at`` when it goes on there. ``offset_s`` is how late it is against its course.
     """
 
     id: str
@@ -91,6 +96,9 @@ class DriveDraft:
     triggers: dict[str, Trigger] = field(default_factory=dict)
     laid_: LaidDrive | None = None
     course_: Timeline | None = None
+    line_back_m: float = 0.0
+    waits_s: float | None = None
+    goes_at: AtTime | None = None
 
     @property
     def body(self) -> Body:
@@ -124,6 +132,11 @@ class DriveDraft:
     def junction_s_m(self) -> float:
         """Arc length at the inner end of the entry arm."""
         return self.laid.path_s_m(self.laid.turning_starts_m)
+
+    @property
+    def stop_line_s_m(self) -> float:
+        """Arc length at the stop line of the entry arm."""
+        return self.junction_s_m - self.line_back_m
 
     @property
     def arrives_s_m(self) -> float:
@@ -184,6 +197,7 @@ class DriveDraft:
         """Lay the drive out anew, after lanes or lane changes have changed."""
         self.lane_changes.sort(key=lambda change: change.position_m)
         motion = self.motion()
+        self.line_back_m = network.arm_road(motion.entry).stop_line_m
         stretches, self.exit_lane = walk_route(network, motion, self.id)
         end_m = stretches[-1].end_m - END_MARGIN_M
         self.laid_ = lay_way(network, motion, stretches, end_m, self.id)
@@ -204,20 +218,36 @@ class DriveDraft:
             self.laid,
             self.cruise_mps,
             lateral_mps2=min(self.lateral_mps2, _SIDEWAYS * self.grip_mps2),
-            stops_at_line=self.stops_at_line,
-            front_m=self.body.front_m,
+            stop=self._stop(),
             slowing_mps2=min(self.slowing_mps2, self.grip_mps2),
             faster_mps2=self.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2),
             approach_mps=self.approach_mps,
             resume_mps=self.resume_mps,
         )
 
+    def _stop(self) -> Stop | None:
+        """Where it stands at its line, at red or for a sign."""
+        stands_s = STOPS_FOR_S if self.waits_s is None else self.waits_s
+        if self.waits_s is None and not self.stops_at_line:
+            return None
+        return Stop(self.stop_line_s_m - self.body.front_m, stands_s, self.goes_at)
+
     def all_marks(self) -> list[Mark]:
         """All marks in the order of the path; one that stays before the junction does not turn."""
         turning = self.base_marks() if self.halts_at_m is None else []
         low, high = self.alone_s_m or (1.0, 0.0)
         ordinary = [mark for mark in turning if not low <= mark.s_m <= high]
+        if any(self._stands_at_line(mark) for mark in self.marks):
+            ordinary = [mark for mark in ordinary if mark.hold_s is None]
         return sorted([*ordinary, *self.marks, *self.deeds], key=lambda mark: mark.s_m)
+
+    def _stands_at_line(self, mark: Mark) -> bool:
+        """Whether a danger's mark lets it stand at the stop line long enough, as a stop does."""
+        if not self.stops_at_line or mark.target_mps > 0.0 or (mark.hold_s or 0.0) < STOPPED_S:
+            return False
+        before = self.cruise_mps if self.approach_mps is None else self.approach_mps
+        front = mark.s_m + before**2 / (2 * mark.rate_mps2) + self.body.front_m
+        return -AT_LINE_M < front - self.stop_line_s_m < OVER_LINE_M
 
     def first_speed(self) -> float:
         """The speed at the outer end of the entry arm, or where it comes out."""
@@ -228,7 +258,7 @@ class DriveDraft:
         speed = self.cruise_mps
         for mark in self.base_marks():
             if mark.s_m <= s_m:
-                speed = mark.target_mps
+                speed = mark.target_mps if mark.hold_s is None else mark.resume_mps
         return speed
 
 
@@ -237,7 +267,8 @@ class Scene:
     """Everything about one scenario in the making.
 
     ``obstacles`` says whether things may be laid in the way, ``expected`` are the dangers that they
-    are to cause, ``objects`` the things that have a place.
+    are to cause, ``objects`` the things that have a place, ``signals`` what its lights show: on the
+    clock of the ego's course until everybody has a start, then on the scenario's.
     """
 
     functional: FunctionalScenario
@@ -254,6 +285,7 @@ class Scene:
     objects: list[StaticObject] = field(default_factory=list)
     caused: dict[Hazard, Hazard] = field(default_factory=dict)
     changes: list[Change] = field(default_factory=list)
+    signals: SignalPlan | None = None
 
     @property
     def hazards(self) -> tuple[Hazard, ...]:

@@ -45,8 +45,8 @@ JITTER = 0.04  # relative spread of ordinary speeds
 WALKING_MPS = 1.4  # above the 1.2 of [MUTCD]
 CYCLING_MPS = 4.0
 WALKING_START_MPS2 = 2.5
-STOP_LINE_SPEED_MPS = 1.5
-"""At stop lines vehicles slow to this, a rolling stop, and go."""
+STOPS_FOR_S = 1.5
+"""At stop lines vehicles stand so long at least: clearly longer than ``rules.stopping`` asks."""
 
 APPROACH_S = 6.023
 """The ego drives at least this long before it meets its first conflict partner."""

@@ -14,7 +14,14 @@ import numpy as np
 
 from scegen.concretization.profile import NEVER_S, Profile
 from scegen.motion.model import Array
-from scegen.scenario.concrete import ArrivalBelow, SpeedPhase, StoodStill, Travelled, Trigger
+from scegen.scenario.concrete import (
+    ArrivalBelow,
+    AtTime,
+    SpeedPhase,
+    StoodStill,
+    Travelled,
+    Trigger,
+)
 from scegen.scenario.vocabulary import HazardKind
 
 STEP_S = 0.05
@@ -50,7 +57,7 @@ class Mark:
     resume_mps: float = 0.0
     resume_rate_mps2: float = 2.0
     resume_hazard: HazardKind | None = None
-    waits_for: ArrivalBelow | None = None
+    waits_for: ArrivalBelow | AtTime | None = None
     sort: Sort = Sort.DANGER
     then_s: float | None = None
     act: str | None = None
@@ -137,12 +144,13 @@ class _Driving:
         if mark.sort is Sort.ACT:
             self.wanted = target
         if mark.sort is Sort.SLOWS:
-            self.bend = target
+            self.bend = target if mark.hold_s is None else mark.resume_mps
         elif mark.sort is Sort.FREES:
             self.bend = None
         by_road = mark.sort in {Sort.SLOWS, Sort.FREES}
         if self.wanted is not None and mark.sort is not Sort.DANGER:
-            target = min(self.wanted, self.wanted if self.bend is None else self.bend)
+            bend = self.bend if mark.hold_s is None else target
+            target = min(self.wanted, self.wanted if bend is None else bend)
             if by_road and abs(target - self.target) < _SAME_MPS:
                 return
         stood = mark.then_s if self.profile.speed_mps(time_s) < _SAME_MPS else None
@@ -150,9 +158,10 @@ class _Driving:
         if mark.hold_s is not None:
             again = self.profile.settles_s(time_s) + mark.hold_s
             stood = mark.hold_s if target == 0.0 else None
-            self._change(
-                Phase(again, 0.0, mark.resume_mps, mark.resume_rate_mps2, mark, True, stood)
-            )
+            onward = mark.resume_mps
+            if mark.sort is Sort.SLOWS and self.wanted is not None:
+                onward = min(onward, self.wanted)
+            self._change(Phase(again, 0.0, onward, mark.resume_rate_mps2, mark, True, stood))
 
     def place_m(self, mark: Mark, others: Sequence[Mark]) -> float:
         """Where a mark is carried out, as fast as it is by then.

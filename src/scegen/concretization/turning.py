@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import sqrt
 
-from scegen.concretization.limits import (
-    STOP_LINE_SPEED_MPS,
-)
 from scegen.concretization.marks import Mark, Sort
 from scegen.motion.polyline import LaidDrive
+from scegen.scenario.concrete import AtTime
 
 _WORTH_IT = 0.98
 _REACTION_M = 1.0
-_STOP_LINE_M = 1.5
-"""From the front bumper of a stopping vehicle to the inner end of its arm."""
+_SHORT_OF_LINE_M = 1.0
+"""From the front bumper of one who stops to the stop line."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,6 +22,15 @@ class Bend:
     start_s_m: float
     end_s_m: float
     speed_mps: float
+
+
+@dataclass(frozen=True, slots=True)
+class Stop:
+    """A stop before the line that the front reaches at ``line_s_m``, for so long or until then."""
+
+    line_s_m: float
+    stands_s: float
+    goes_at: AtTime | None = None
 
 
 def bend_of(laid: LaidDrive, cruise_mps: float, lateral_mps2: float) -> Bend | None:
@@ -54,8 +61,7 @@ def turning_marks(
     cruise_mps: float,
     *,
     lateral_mps2: float,
-    stops_at_line: bool,
-    front_m: float,
+    stop: Stop | None,
     slowing_mps2: float,
     faster_mps2: float,
     approach_mps: float | None = None,
@@ -63,20 +69,25 @@ def turning_marks(
 ) -> list[Mark]:
     """The marks of a drive along a way at ``cruise_mps``.
 
-    ``approach_mps`` is its speed when it begins to slow down, ``resume_mps`` its speed after
-    the bend; None: ``cruise_mps``.
+    ``stop`` is where it stands for a while, ``approach_mps`` its speed when it begins to slow down,
+    ``resume_mps`` its speed after the bend; None: ``cruise_mps``.
     """
     bend = bend_of(laid, cruise_mps, lateral_mps2)
-    line_s = laid.path_s_m(laid.turning_starts_m) - front_m - _STOP_LINE_M
     marks: list[Mark] = []
-    through = bend.speed_mps if bend else cruise_mps
     before = cruise_mps if approach_mps is None else approach_mps
     after = cruise_mps if resume_mps is None else resume_mps
-    if stops_at_line:
-        slow = min(STOP_LINE_SPEED_MPS, through)
-        marks.append(_slow_before(line_s, before, slow, slowing_mps2))
-        place = max(line_s, 0.1)
-        marks.append(Mark(place, through, faster_mps2, sort=Sort.SLOWS, by_m=place))
+    if stop is not None:
+        # The reaction is before the braking: here it comes to rest exactly there.
+        rest = stop.line_s_m - _SHORT_OF_LINE_M + _REACTION_M
+        marks.append(
+            replace(
+                _slow_before(rest, before, 0.0, slowing_mps2),
+                hold_s=stop.stands_s,
+                resume_mps=bend.speed_mps if bend else after,
+                resume_rate_mps2=faster_mps2,
+                waits_for=stop.goes_at,
+            )
+        )
     elif bend:
         marks.append(_slow_before(bend.start_s_m, before, bend.speed_mps, slowing_mps2))
     if bend:

@@ -39,6 +39,12 @@ BANDS: dict[str, tuple[float, float]] = {
 }
 """Measures that a band can be asked for, and the widest range that makes sense."""
 
+
+def asks_for_measure(target: Target) -> bool:
+    """Whether somebody asked for a range of a measure, instead of a word for how it ends."""
+    return target.text not in {COLLISION, NEAR_MISS, AVOIDED}
+
+
 _PATTERN = re.compile(r"\s*([a-z]+)\s*=\s*(-?[0-9.]+)\s*\.\.\s*(-?[0-9.]+)\s*")
 
 

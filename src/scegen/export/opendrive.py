@@ -12,9 +12,10 @@ from copy import deepcopy
 
 from scegen.export.library import xodr
 from scegen.export.road_marks import road_mark
-from scegen.export.signs import entry_sign
+from scegen.export.signs import add_controllers, entry_sign, name_catalogue
 from scegen.road.fillet import wrapped
 from scegen.road.model import Connection, ContactPoint, Crosswalk, Road, RoadLink, RoadNetwork
+from scegen.scenario.signals import SignalPlan
 from scegen.scenario.vocabulary import Control
 
 _DATE = "2025-01-01T00:00:00"
@@ -28,6 +29,7 @@ def write_opendrive(
     *,
     control: Control = Control.UNCONTROLLED,
     controlled_arms: Iterable[int] | None = None,
+    signals: SignalPlan | None = None,
 ) -> str:
     """The network as OpenDRIVE 1.7 (ASAM, 2021), the same text for the same input.
 
@@ -38,6 +40,7 @@ def write_opendrive(
         control: which sign or light stands at the entries: stop, yield or signals; with any
             other control none.
         controlled_arms: the arms whose entries have it; all if left out.
+        signals: which lights show the same, as controllers.
     """
     document = xodr.OpenDrive(network.name, revMajor="1", revMinor="7")
     arms = range(len(network.arm_roads)) if controlled_arms is None else controlled_arms
@@ -51,6 +54,9 @@ def write_opendrive(
         document.add_junction(junction)
     root = document.get_element()
     _complete_header(root, network)
+    name_catalogue(root)
+    if signals is not None:
+        add_controllers(root, network, signals)
     for item in root.iter("object"):
         _repeat_outline(item)
     ET.indent(root)

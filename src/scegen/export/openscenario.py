@@ -24,6 +24,7 @@ from scegen.export.openscenario_parameters import (
     declarations,
     distribution,
 )
+from scegen.export.openscenario_signals import controllers
 from scegen.export.openscenario_storyboard import storyboard
 from scegen.export.openscenario_text import header_description, xml_text
 from scegen.motion.model import Path
@@ -47,6 +48,7 @@ def write_openscenario(
     road_file: str = "road.xodr",
     version: str = "1.0",
     ego: str = "scripted",
+    lamps: bool = False,
 ) -> bytes:
     """The scenario as an OpenSCENARIO file; the same input gives the same bytes.
 
@@ -57,6 +59,7 @@ def write_openscenario(
         version: of OpenSCENARIO, ``1.0`` or ``1.2``.
         ego: ``scripted`` follows its path and program; ``external`` is placed with its speed
             and has no motion of its own, for a driver outside the file.
+        lamps: change the lights by actions as well, as esmini needs it and others refuse it.
 
     Raises:
         InputError: the version or the ego is none of these, or a participant has no path.
@@ -77,8 +80,15 @@ def write_openscenario(
             "ML-SceGen",
             xosc.ParameterDeclarations(),
             entities(concrete, external_ego=external),
-            storyboard(concrete, paths, numbers_of(concrete, paths), minor, external_ego=external),
-            xosc.RoadNetwork(xml_text(road_file)),
+            storyboard(
+                concrete,
+                paths,
+                numbers_of(concrete, paths),
+                minor,
+                external_ego=external,
+                lamps=lamps,
+            ),
+            _roads(concrete, road_file),
             xosc.Catalog(),
             osc_minor_version=minor,
             creation_date=_DATE,
@@ -108,7 +118,7 @@ def write_parameterised(
             declarations(parameters.declared),
             entities(parameters.fastest),
             storyboard(concrete, paths, parameters.numbers, minor),
-            xosc.RoadNetwork(xml_text(road_file)),
+            _roads(concrete, road_file),
             xosc.Catalog(),
             osc_minor_version=minor,
             creation_date=_DATE,
@@ -125,6 +135,13 @@ def write_distribution(
         made = distribution(description, xml_text(scenario_file), sets, minor)
         made.header.creation_date = _DATE
         return _document(made.get_element())
+
+
+def _roads(concrete: ConcreteScenario, road_file: str) -> xosc.RoadNetwork:
+    roads = xosc.RoadNetwork(xml_text(road_file))
+    for controller in controllers(concrete.signals) if concrete.signals else ():
+        roads.add_traffic_signal_controller(controller)
+    return roads
 
 
 @contextmanager

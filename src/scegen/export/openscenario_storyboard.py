@@ -9,6 +9,7 @@ from scegen.export.library import xosc
 from scegen.export.openscenario_environment import environment_action
 from scegen.export.openscenario_numbers import Numbers, Start
 from scegen.export.openscenario_position import vertex_position
+from scegen.export.openscenario_signals import first_lamps, lamp_act
 from scegen.export.openscenario_triggers import (
     at_end,
     at_once,
@@ -29,13 +30,19 @@ def storyboard(
     minor: int,
     *,
     external_ego: bool = False,
+    lamps: bool = False,
 ) -> xosc.StoryBoard:
     """The storyboard: one act, one maneuver group for each participant that moves.
 
     An ego that somebody else drives has none: it is placed, and keeps its speed until then.
+    With ``lamps`` actions change what the lights show.
     """
     stop = at_end("scenario_over", concrete.ego.id, numbers, minor)
-    board = xosc.StoryBoard(_init(concrete, paths, numbers, minor), stop)
+    plan = concrete.signals if lamps else None
+    init = _init(concrete, paths, numbers, minor)
+    for action in first_lamps(plan) if plan else ():
+        init.add_global_action(action)
+    board = xosc.StoryBoard(init, stop)
     moving = [
         p
         for p in concrete.participants
@@ -53,6 +60,8 @@ def storyboard(
         act.add_maneuver_group(xosc.ManeuverGroup("nobody_moves").add_actor(concrete.ego.id))
     story = xosc.Story("story")
     story.add_act(act)
+    if plan:
+        story.add_act(lamp_act(concrete, plan, numbers, minor))
     board.add_story(story)
     return board
 

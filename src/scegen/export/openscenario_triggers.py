@@ -77,6 +77,11 @@ def at_once(name: str, duration_s: float) -> xosc.ValueTrigger:
     return _value(name, xosc.SimulationTimeCondition(duration_s, xosc.Rule.lessThan))
 
 
+def at_time(name: str, time_s: float, minor: int) -> xosc.ValueTrigger:
+    """True from a time on."""
+    return _value(name, _reached(time_s, minor))
+
+
 def at_end(name: str, ego: str, numbers: Numbers, minor: int) -> xosc.Trigger:
     """True when the scenario is over, as a stop trigger: an ego that is late is waited for."""
     trigger = xosc.Trigger("stop")

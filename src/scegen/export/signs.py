@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import xml.etree.ElementTree as ET  # builds, never parses
+
 from scegen.export.library import xodr
-from scegen.road.model import LaneType, Road
+from scegen.road.model import LaneType, Road, RoadNetwork
+from scegen.scenario.signals import SignalPlan
 from scegen.scenario.vocabulary import Control
 
 _STVO: dict[Control, tuple[str, str]] = {
@@ -12,7 +15,7 @@ _STVO: dict[Control, tuple[str, str]] = {
     Control.ALL_WAY_STOP: ("206", "stop"),
     Control.SIGNALS: ("1000001", "traffic_light"),
 }
-"""Type and name by control, numbers of the German catalogue (StVO; 1000001 as in OpenDRIVE)."""
+"""Type and name by control: signs of the German catalogue (StVO), the three lamps of OpenDRIVE."""
 _BESIDE_M = 0.5
 _HEIGHT_M = 2.3
 
@@ -25,14 +28,15 @@ def entry_sign(road: Road, control: Control) -> xodr.Signal | None:
     sign = -1 if road.driving_side == "right" else 1
     inward = [lane for lane in road.lanes if lane.id * sign > 0]
     kerb = sum(lane.width_m for lane in inward if lane.type is not LaneType.SIDEWALK)
+    lights = control is Control.SIGNALS
     signal = xodr.Signal(
-        s=round(road.length_m, 9),
+        s=round(road.length_m - road.stop_line_m, 9),
         t=round(sign * (kerb + _BESIDE_M), 9),
         country="DE",
         Type=kind,
         id=str(road.id),
         name=f"{name}_{road.id}",
-        dynamic=xodr.Dynamic.yes if control is Control.SIGNALS else xodr.Dynamic.no,
+        dynamic=xodr.Dynamic.yes if lights else xodr.Dynamic.no,
         zOffset=_HEIGHT_M,
         orientation=xodr.Orientation.positive,
         width=0.6,
@@ -41,3 +45,36 @@ def entry_sign(road: Road, control: Control) -> xodr.Signal | None:
     driving = [lane.id for lane in inward if lane.type is LaneType.DRIVING]
     signal.add_validity(min(driving), max(driving))
     return signal
+
+
+def signal_id(network: RoadNetwork, arm: int) -> str:
+    """The id of what stands at an arm."""
+    return str(network.arm_roads[arm])
+
+
+def name_catalogue(root: ET.Element) -> None:
+    """Lights are OpenDRIVE's own, which scenariogeneration would write in capitals."""
+    for signal in root.iter("signal"):
+        if signal.get("type") == _STVO[Control.SIGNALS][0]:
+            signal.set("country", "OpenDRIVE")
+
+
+def add_controllers(root: ET.Element, network: RoadNetwork, plan: SignalPlan) -> None:
+    """One controller for every group of lights that show the same, known to its junctions.
+
+    scenariogeneration has no class for them; their place is between roads and junctions.
+    """
+    place = list(root).index(next(root.iter("junction")))
+    for number, group in enumerate(plan.groups):
+        name = {"id": str(group.id), "name": f"lights_{group.id}"}
+        controller = ET.Element("controller", name | {"sequence": str(number)})
+        for arm in sorted(group.arms):
+            ET.SubElement(controller, "control", {"signalId": signal_id(network, arm)})
+        root.insert(place + number, controller)
+    for junction in root.iter("junction"):
+        incoming = {c.get("incomingRoad") for c in junction.iter("connection")}
+        for number, group in enumerate(plan.groups):
+            if incoming & {signal_id(network, arm) for arm in group.arms}:
+                ET.SubElement(
+                    junction, "controller", {"id": str(group.id), "sequence": str(number)}
+                )

@@ -12,9 +12,12 @@ from scegen.road import build_network
 from scegen.road.build import KEPT
 from scegen.scenario.concrete import ConcreteScenario, RoadParameters
 from scegen.scenario.files import to_yaml
+from scegen.scenario.signals import SignalPlan
 
 ROAD_FILE = "road.xodr"
 SCENARIO_FILE = "scenario.xosc"
+LAMPS_FILE = "scenario-esmini.xosc"
+"""Beside the scenario where it has lights: the same, with them changed as esmini needs it."""
 CONCRETE_FILE = "concrete.yaml"
 PREVIEW_FILE = "preview.png"
 
@@ -40,7 +43,7 @@ def export_scenario(
     network = build_network(concrete.road)
     paths = build_paths(concrete, network)
     files = {
-        ROAD_FILE: road_file(concrete.road),
+        ROAD_FILE: road_file(concrete.road, concrete.signals),
         SCENARIO_FILE: write_openscenario(
             concrete, paths, road_file=ROAD_FILE, version=osc, ego=ego
         ),
@@ -48,17 +51,24 @@ def export_scenario(
     }
     if picture:
         files[PREVIEW_FILE] = preview_png(concrete, network, paths)
+    if concrete.signals is not None:
+        files[LAMPS_FILE] = write_openscenario(
+            concrete, paths, road_file=ROAD_FILE, version=osc, ego=ego, lamps=True
+        )
     return files
 
 
 @lru_cache(maxsize=KEPT)
-def road_file(road: RoadParameters) -> bytes:
-    """The OpenDRIVE file of a road; scenarios on equal roads share it.
+def road_file(road: RoadParameters, signals: SignalPlan | None) -> bytes:
+    """The OpenDRIVE file of a road with its lights; scenarios on equal ones share it.
 
     Raises:
         RoadInfeasibleError: it cannot be built.
     """
     text = write_opendrive(
-        build_network(road), control=road.control, controlled_arms=road.controlled_arms
+        build_network(road),
+        control=road.control,
+        controlled_arms=road.controlled_arms,
+        signals=signals,
     )
     return text.encode()

@@ -73,7 +73,8 @@ class Film:
         stage, view = self.stage, self.views[number]
         theme = stage.theme
         people = stage.concrete.participants
-        world = [self._ground, *(self._ways(p.id, number, view) for p in people)]
+        lights = stage.surroundings.lights(view, float(self.times_s[number]))
+        world = [self._ground, lights, *(self._ways(p.id, number, view) for p in people)]
         world.append(stage.bodies(number, view, self._brakes))
         meets = self._meeting is not None and number == self._meeting.step
         if meets and self._meeting is not None and self._meeting.distance_m > 0.0:

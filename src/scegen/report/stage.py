@@ -94,7 +94,7 @@ def overview(stage: Stage, view: View, encounter: Encounter | None, framed: View
     ``framed`` is the view of a close-up, shown as a thin frame.
     """
     theme, colour = stage.theme, stage.colour
-    world = [stage.surroundings.drawn(view)]
+    world = [stage.surroundings.drawn(view), stage.surroundings.lights(view, 0.0)]
     moving = [p for p in stage.concrete.participants if stage.traces[p.id].s_m[-1] > 0.0]
     world += [
         haze(view.cut(swept(stage.traces[p.id]), closed=True), colour[p.id], _HAZE) for p in moving
@@ -126,7 +126,8 @@ def moment(stage: Stage, view: View, step: int, title: str, encounter: Encounter
     """Where everybody is at one step, and how far the ego is from whom it meets."""
     theme = stage.theme
     brakes = {name: braking(trace) for name, trace in stage.traces.items()}
-    world = [stage.surroundings.drawn(view)]
+    time_s = float(stage.traces[stage.concrete.ego.id].time_s[step])
+    world = [stage.surroundings.drawn(view), stage.surroundings.lights(view, time_s)]
     for participant in stage.concrete.participants:
         trace = stage.traces[participant.id]
         if trace.s_m[-1] > 0.0:

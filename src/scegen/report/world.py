@@ -17,12 +17,13 @@ from numpy.typing import NDArray
 from scegen.report.corners import thing_corners
 from scegen.report.drawing import area, areas, box, circle, element, group, line, lines, number
 from scegen.report.lane_shapes import RoadShapes, road_shapes
-from scegen.report.lights import red_arms
+from scegen.report.lights import state_at
 from scegen.report.theme import Theme
 from scegen.road.geometry import Pose
 from scegen.road.model import LaneType, RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.objects import ObjectCategory, StaticObject
+from scegen.scenario.signals import SignalState
 from scegen.scenario.vocabulary import Control
 
 Array = NDArray[np.float64]
@@ -115,7 +116,7 @@ class Surroundings:
     """All that never moves, drawn once and shown in every view and frame.
 
     Args:
-        concrete: the scenario; it says where signs and objects stand, and which lights are red.
+        concrete: the scenario; it says where signs and objects stand, and what lights show.
         network: its roads.
         theme: the colours.
     """
@@ -124,9 +125,9 @@ class Surroundings:
         self._theme = theme
         self._shapes: RoadShapes = road_shapes(network)
         self._control = concrete.road.control
-        red = red_arms(concrete) if self._control is Control.SIGNALS else frozenset()
+        self._concrete = concrete
         self._entries = [
-            (*entry_of(network, arm), arm in red) for arm in sorted(concrete.road.controlled_arms)
+            (*entry_of(network, arm), arm) for arm in sorted(concrete.road.controlled_arms)
         ]
         self._things = concrete.objects
 
@@ -170,8 +171,8 @@ class Surroundings:
         layers.append(lines(marks(shapes.lane_lines), theme.mark, width, stroke_dasharray=_DASHES))
         layers.append(areas(shapes.stripes, theme.mark))
         layers += [
-            self._entry_marks(pose, half_m, view, red=red)
-            for pose, half_m, red in self._entries
+            self._entry_marks(pose, half_m, view)
+            for pose, half_m, _ in self._entries
             if not cut or view.shows(pose.x_m, pose.y_m)
         ]
         layers += [
@@ -181,7 +182,32 @@ class Surroundings:
         ]
         return "".join(layers)
 
-    def _entry_marks(self, pose: Pose, half_m: float, view: View, *, red: bool) -> str:
+    def lights(self, view: View, time_s: float) -> str:
+        """The lights beside the stop lines as they are at a time."""
+        if self._control is not Control.SIGNALS:
+            return ""
+        return "".join(
+            self._light(pose, half_m, view, state_at(self._concrete, arm, time_s))
+            for pose, half_m, arm in self._entries
+            if view.shows(pose.x_m, pose.y_m)
+        )
+
+    def _light(self, pose: Pose, half_m: float, view: View, state: SignalState | None) -> str:
+        theme, size = self._theme, view.at_least(_SIGN_M, _SIGN_PX)
+        x, y = _beside(pose, half_m + size * (1.6 if half_m > 0 else -1.6))
+        lamps = {
+            SignalState.RED: theme.signal_red,
+            SignalState.AMBER: theme.signal_amber,
+            SignalState.GREEN: theme.signal_green,
+        }
+        drawn = box(-size * 0.6, -size * 1.5, size * 1.2, size * 3, theme.outline, rx=0.3)
+        drawn += "".join(
+            circle(0, size * (1 - n), size * 0.36, colour if lit is state else theme.signal_off)
+            for n, (lit, colour) in enumerate(lamps.items())
+        )
+        return group(drawn, transform=f"translate({number(x)} {number(y)})")
+
+    def _entry_marks(self, pose: Pose, half_m: float, view: View) -> str:
         """The line to stop at and what stands beside it, for traffic that enters."""
         theme, size = self._theme, view.at_least(_SIGN_M, _SIGN_PX)
         ends = [_beside(pose, t) for t in (0.2 * half_m / abs(half_m), half_m)]
@@ -189,13 +215,8 @@ class Surroundings:
         stop = line(ends, theme.mark, view.at_least(0.4, 1.2), stroke_dasharray=dashes)
         x, y = _beside(pose, half_m + size * (1.6 if half_m > 0 else -1.6))
         if self._control is Control.SIGNALS:
-            off = theme.signal_off
-            lamps = (theme.signal_red, off, off) if red else (off, off, theme.signal_green)
-            drawn = box(-size * 0.6, -size * 1.5, size * 1.2, size * 3, theme.outline, rx=0.3)
-            drawn += "".join(
-                circle(0, size * (1 - n), size * 0.36, colour) for n, colour in enumerate(lamps)
-            )
-        elif self._control is Control.YIELD:
+            return stop
+        if self._control is Control.YIELD:
             drawn = area(
                 _regular(3, size * 1.25, -pi / 2),
                 theme.mark,
@@ -239,11 +260,10 @@ def placed(content: str, x_m: float, y_m: float, heading_rad: float) -> str:
 
 
 def entry_of(network: RoadNetwork, arm: int) -> tuple[Pose, float]:
-    """The inner end of an arm, looking in, and how far its entering lanes reach to the left."""
+    """The stop line of an arm, looking in, and how far its entering lanes reach to the left."""
     road = network.arm_road(arm)
     sign = -1 if network.driving_side == "right" else 1
-    back = max((road.length_m - c.s_m + c.width_m / 2 + 1.0 for c in road.crosswalks), default=0.0)
-    return road.line.pose(road.length_m - min(back, 12.0) - 0.4), road.edge_t_m(sign)
+    return road.line.pose(road.length_m - road.stop_line_m), road.edge_t_m(sign)
 
 
 def _beside(pose: Pose, left_m: float) -> tuple[float, float]:

@@ -58,6 +58,10 @@ class Lane:
     successor: int | None = None
 
 
+_STOP_LINE_M = 0.4
+_OFF_CROSSWALK_M = 1.2
+
+
 @dataclass(frozen=True, slots=True)
 class RoadLink:
     """What a road end is joined to: another road's end, or a junction (contact None)."""
@@ -103,6 +107,15 @@ class Road:
     def length_m(self) -> float:
         """Length of the reference line."""
         return self.line.length_m
+
+    @property
+    def stop_line_m(self) -> float:
+        """How far before its inner end an arm has its line for entering traffic.
+
+        Outside a crosswalk it lies ``_OFF_CROSSWALK_M`` before that (MUTCD 3B.16: 4 ft).
+        """
+        before = [self.length_m - c.s_m + c.width_m / 2 + _OFF_CROSSWALK_M for c in self.crosswalks]
+        return max(before, default=0.0) + _STOP_LINE_M
 
     def lane(self, lane_id: int) -> Lane:
         """The lane with this id; KeyError if there is none."""

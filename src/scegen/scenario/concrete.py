@@ -16,6 +16,7 @@ from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.model import ArmSet, FrozenModel, Identifier
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.reversing import Reversal
+from scegen.scenario.signals import SignalPlan
 from scegen.scenario.vocabulary import (
     Control,
     DrivingSide,
@@ -268,7 +269,10 @@ class Change(FrozenModel):
 
 
 class ConcreteScenario(FrozenModel):
-    """All numbers of one scenario; ``hazards`` may name objects as their cause."""
+    """All numbers of one scenario; ``hazards`` may name objects as their cause.
+
+    ``signals`` is what its lights show, on its own clock; None where there are none.
+    """
 
     level: Literal["concrete"] = "concrete"
     name: str = Field(pattern=r"^[A-Za-z0-9_-]+$", max_length=100)
@@ -281,6 +285,7 @@ class ConcreteScenario(FrozenModel):
     environment: Environment = Environment()
     hazards: tuple[Hazard, ...] = ()
     duration_s: float = Field(gt=0, le=600)
+    signals: SignalPlan | None = None
     provenance: tuple[Change, ...] = ()
 
     @model_validator(mode="after")

@@ -104,13 +104,27 @@ def test_same_input_same_bytes_and_few_of_them():
     assert len(first) < 60_000
 
 
-def test_lights_are_red_for_who_runs_them():
+def test_lights_change_as_the_plan_says():
     road = concrete().road.model_dump(mode="json")
     road |= {"control": "signals", "controlled_arms": [0, 1, 2, 3]}
-    hazard = {"kind": "red_light_running", "by": ["car_1"], "to": ["ego"]}
-    made, _ = scene(concrete(road=road, hazards=[hazard]), proof=None)
-    states = {light["arm"]: light["states"][0][1] for light in made["road"]["lights"]}
-    assert states == {0: "green", 1: "red", 2: "green", 3: "red"}
+    groups = [
+        {"id": 1, "arms": [0, 2], "green_from_s": 28.0, "green_s": 10.0},
+        {"id": 2, "arms": [1, 3], "green_from_s": 13.0, "green_s": 10.0},
+    ]
+    plan = {"cycle_s": 30.0, "amber_s": 3.0, "groups": groups}
+    made, _ = scene(concrete(road=road, signals=plan), proof=None)
+    states = {light["arm"]: light["states"] for light in made["road"]["lights"]}
+    assert states[0] == states[2]
+    assert states[0][:3] == [[0.0, "green"], [8.0, "amber"], [11.0, "red"]]
+    assert states[1][:2] == [[0.0, "red"], [13.0, "green"]][: len(states[1])]
+
+
+def test_lights_without_a_plan_are_dark():
+    road = concrete().road.model_dump(mode="json")
+    made, _ = scene(
+        concrete(road=road | {"control": "signals", "controlled_arms": [0]}), proof=None
+    )
+    assert [light["states"] for light in made["road"]["lights"]] == [[]]
 
 
 def test_series_end_with_their_last_change():

@@ -68,7 +68,7 @@ def _in_time(view: View, by: str, to: str) -> list[Part]:
 def drives_on(view: View, by: str, to: str) -> list[Part]:
     """The same, by one who should have stopped and does not.
 
-    Signal states are not simulated: running a red light is entering without a stop.
+    What the light shows meanwhile is a claim of its own, on the rule that is broken.
     """
     way, place = view.ways[by], view.place_m(by)
     bound = limits.DRIVES_ON.value

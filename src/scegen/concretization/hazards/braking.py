@@ -32,11 +32,6 @@ _IN_LINE_M = 3.0
 _AFTER_WALKER_S = 0.5
 
 
-def _keep_going(scene: Scene, hazard: Hazard) -> None:
-    for draft in culprits(scene, hazard):
-        draft.stops_at_line = False
-
-
 def _stopping_by_itself(scene: Scene, hazard: Hazard) -> list[DriveDraft]:
     """Those who cause it, but for those who stop to reverse, or as the text says."""
     return [
@@ -125,6 +120,6 @@ def _stopping(scene: Scene, hazard: Hazard) -> None:
         _stop_at(draft, event, rate, HazardKind.STOPPING, _STOP_HOLD_S)
 
 
-HARD_BRAKING = Rule(prepare=_keep_going, act=_hard)
-DELAYED_BRAKING = Rule(prepare=_keep_going, act=_late)
-STOPPING = Rule(prepare=_keep_going, act=_stopping)
+HARD_BRAKING = Rule(act=_hard)
+DELAYED_BRAKING = Rule(act=_late)
+STOPPING = Rule(act=_stopping)

@@ -4,20 +4,14 @@ from __future__ import annotations
 
 from scegen.concretization.drafts import Scene
 from scegen.concretization.hazards.cut_in import on_arm
-from scegen.concretization.hazards.rule import Rule, culprits, pairs, same_arm
+from scegen.concretization.hazards.rule import Rule, pairs, same_arm
 from scegen.concretization.hazards.swerving import swerve
 from scegen.concretization.lane_choice import lanes_in
 from scegen.concretization.meetings import Meeting, drives_meet
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import Maneuver
 
-
-def _keep_going(scene: Scene, hazard: Hazard) -> None:
-    for draft in culprits(scene, hazard):
-        draft.stops_at_line = False
-
-
-ARRIVES_TOGETHER = Rule(prepare=_keep_going)
+ARRIVES_TOGETHER = Rule()
 """Merging conflict, unprotected left turn, red-light running, failure to yield."""
 
 

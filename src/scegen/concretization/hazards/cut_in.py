@@ -59,7 +59,6 @@ def _prepare(scene: Scene, hazard: Hazard) -> None:
         inner = min(routes_of(scene, draft), key=lambda route: route.ring_lane or 0)
         draft.entry_lane = draft.exit_lane = inner.entry_lane
         choose_ring_lane(scene, draft, inner=True)
-        draft.stops_at_line = False
 
 
 def come_in(scene: Scene, hazard: Hazard) -> list[Meeting]:

@@ -79,7 +79,6 @@ def _prepare(scene: Scene, hazard: Hazard) -> None:
     """Who comes out backwards enters, as it were, ahead of the other, in its lane."""
     for draft in culprits(scene, hazard):
         other = _sufferer(scene, hazard, draft)
-        draft.stops_at_line = False
         if draft.drive.maneuver in _SIDEWAYS:
             raise MotionInfeasibleError(
                 f"reversing and {draft.drive.maneuver.value.replace('_', ' ')} in one drive are "
@@ -89,7 +88,6 @@ def _prepare(scene: Scene, hazard: Hazard) -> None:
             )
         if other is None:
             continue
-        other.stops_at_line = False
         if draft.drive.reverses is Reverses.OUT_OF_ARM:
             update = {"entry": other.drive.entry, "rank": other.drive.rank - 1}
             draft.from_arm = draft.drive.entry

@@ -29,7 +29,6 @@ def _prepare(scene: Scene, hazard: Hazard) -> None:
         )
         draft.cruise_mps = speed
         draft.lateral_mps2 = FAST_LATERAL_MPS2
-        draft.stops_at_line = False
 
 
 SPEEDING = Rule(prepare=_prepare)

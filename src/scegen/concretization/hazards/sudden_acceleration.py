@@ -39,7 +39,6 @@ def _as_said(scene: Scene, draft: DriveDraft) -> bool:
 
 def _prepare(scene: Scene, hazard: Hazard) -> None:
     for draft in culprits(scene, hazard):
-        draft.stops_at_line = False
         if not _slows_first(scene, hazard, draft):
             continue
         scene.note(

@@ -19,7 +19,6 @@ def _prepare(scene: Scene, hazard: Hazard) -> None:
     for draft in culprits(scene, hazard):
         draft.lateral_mps2 = FAST_LATERAL_MPS2
         draft.slowing_mps2 = 6.0
-        draft.stops_at_line = False
 
 
 def _shape(scene: Scene, hazard: Hazard) -> list[Meeting]:

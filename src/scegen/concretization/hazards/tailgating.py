@@ -29,7 +29,6 @@ def _shape(scene: Scene, hazard: Hazard) -> list[Meeting]:
         if not comes_up:
             follower.cruise_mps = leader.cruise_mps
         follower.lateral_mps2 = leader.lateral_mps2
-        follower.stops_at_line = leader.stops_at_line
         follower.lay(scene.network)
         gap = max(_LEAST_GAP_M, headway * leader.cruise_mps)
         bodies = leader.body.rear_m + follower.body.front_m

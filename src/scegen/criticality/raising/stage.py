@@ -23,7 +23,7 @@ from scegen.criticality.search.pairs import candidate_pairs
 from scegen.criticality.search.problem import Problem, lateral_limits
 from scegen.criticality.search.proving import Evidence, examine, proof_of
 from scegen.criticality.search.stated import Stated
-from scegen.criticality.target import NEAR_MISS, Target
+from scegen.criticality.target import NEAR_MISS, Target, asks_for_measure
 from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.batch.compilation import compile_program
 from scegen.motion.batch.simulation import simulate_batch
@@ -66,7 +66,8 @@ class Stage:
         self.target = self._with_headway(target)
         said = functional or described_by(concrete)
         touching = self.pair if target.contact is not False else ()
-        self.claims = claims_of(said, concrete.logical, touching=touching)
+        asked = self.pair if asks_for_measure(target) else ()
+        self.claims = claims_of(said, concrete.logical, touching=touching, brought_together=asked)
         self.given_up: frozenset[str] = frozenset()
         self.untargeted = False
 

@@ -9,7 +9,7 @@ from scegen.claims.hazards.scenes import Pair
 from scegen.claims.hazards.table import PREDICATES
 from scegen.measures.scene import Scene
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
-from scegen.scenario.logical import ConflictKind
+from scegen.scenario.logical import ConflictKind, Rule
 
 MEETS = (ConflictKind.CROSSING, ConflictKind.MERGING)
 
@@ -18,7 +18,8 @@ def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
     """Pairs that the danger may be about, the best first, each once.
 
     First those of the dangers, plain conflicts and the ego's before others, what only stands there
-    last; then the ego's conflicts, then all others; those between whom somebody drives come last.
+    last; then the ego's conflicts, then all others; those between whom somebody drives, and whom
+    lights keep apart, come last.
     """
     ego = concrete.ego.id
     things = {thing.id for thing in concrete.objects}
@@ -43,7 +44,13 @@ def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
         if frozenset(pair) not in seen and pair[0] != pair[1]:
             seen.add(frozenset(pair))
             result.append(pair)
-    return sorted(result, key=lambda pair: _parted(concrete, pair))
+    apart = {
+        frozenset((c.first, c.second))
+        for c in concrete.logical.conflicts
+        if c.rule is Rule.SIGNAL
+        and not any({c.first, c.second} & {*h.by} for h in concrete.hazards)
+    }
+    return sorted(result, key=lambda pair: (frozenset(pair) in apart, _parted(concrete, pair)))
 
 
 def _parted(concrete: ConcreteScenario, pair: Pair) -> bool:

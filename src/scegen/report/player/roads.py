@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scegen.report.lane_shapes import road_shapes
-from scegen.report.lights import red_arms
+from scegen.report.lights import shown
 from scegen.report.player.series import points
 from scegen.report.world import entry_of
 from scegen.road.geometry import Pose
@@ -39,7 +39,6 @@ def road_data(concrete: ConcreteScenario, network: RoadNetwork) -> Data:
     entries = [(arm, *entry_of(network, arm)) for arm in sorted(concrete.road.controlled_arms)]
     control = concrete.road.control
     across = "yield_line" if control is Control.YIELD else "stop_line"
-    red = red_arms(concrete)
     return {
         "kind": concrete.road.kind.value,
         "side": network.driving_side.value,
@@ -57,7 +56,13 @@ def road_data(concrete: ConcreteScenario, network: RoadNetwork) -> Data:
             {"kind": _SIGNS[control], **_beside(*entry)} for entry in entries if control in _SIGNS
         ],
         "lights": [
-            {"states": [[0.0, "red" if entry[0] in red else "green"]], **_beside(*entry)}
+            {
+                "states": [
+                    [time_s, state.value]
+                    for time_s, state in shown(concrete, entry[0], concrete.latest_end_s)
+                ],
+                **_beside(*entry),
+            }
             for entry in entries
             if control is Control.SIGNALS
         ],

@@ -1,0 +1,86 @@
+"""Right of way: kept by everybody who meets another of whom the text says nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+import numpy as np
+
+from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged
+from scegen.claims.moments import first
+from scegen.claims.told import Told, plain
+from scegen.claims.tolerances import TIME_S
+from scegen.claims.view import View
+from scegen.measures.grounds import Ground, grounds
+from scegen.motion.batch.arrays import Floats
+from scegen.motion.rules.giving_way import CLEAR_S, TOGETHER_S, Duty, must_give_way
+from scegen.motion.rules.stopping import AT_LINE_M, OVER_LINE_M, STOPPED_MPS
+
+_ENOUGH_S = 10.0
+
+
+def claims(told: Told) -> Iterator[Claim]:
+    """One for every two whose ways meet."""
+    for duty in must_give_way(told.functional, told.logical):
+        if {duty.yields, duty.other} == {*told.brought_together}:
+            continue
+        order = "whoever of both stops later" if duty.by_arrival else duty.yields
+        between = f"{duty.yields} and {duty.other}" if duty.by_arrival else duty.other
+        yield Claim(
+            id=f"rule.way.{duty.yields}.{duty.other}",
+            kind=ClaimKind.RULE,
+            statement=f"{order} gives way: {between} ({plain(duty.rule)})",
+            field="junction.control",
+            unit="s",
+            test=partial(_in_order if duty.by_arrival else _gives_way, duty),
+            tolerance=TIME_S,
+            scale=1.0,
+        )
+
+
+def _gives_way(duty: Duty, view: View) -> Judged:
+    margin, time_s = _given(view, duty.yields, duty.other)
+    return Judged(margin, margin, time_s)
+
+
+def _in_order(duty: Duty, view: View) -> Judged:
+    """By order of arrival; who gives way where both come at once is in the duty."""
+    late = _stands_s(view, duty.yields) - _stands_s(view, duty.other)
+    usual, time_s = _given(view, duty.yields, duty.other)
+    turned, then_s = _given(view, duty.other, duty.yields)
+    first_come = late < -TOGETHER_S
+    margin = np.where(first_come, turned, usual)
+    return Judged(margin, margin, np.where(first_come, then_s, time_s))
+
+
+def _stands_s(view: View, name: str) -> Floats:
+    """When somebody first stands at its line; the end if it never does (c,)."""
+    front = view.place_m(name) + view.body(name).front_m - view.ways[name].line_m
+    rests = view.speed_mps(name) < STOPPED_MPS
+    return view.time_of(first(rests & (front > -AT_LINE_M) & (front < OVER_LINE_M)))
+
+
+def _given(view: View, name: str, other: str) -> tuple[Floats, Floats]:
+    """How long after the other, or how much more than long enough before it, one goes (c,), when.
+
+    Below 0 it takes the other's way. One that does not come onto their ground gives way.
+    """
+    margin, time_s = np.full(view.count, _ENOUGH_S), np.zeros(view.count)
+    for ground in _grounds(view, name, other):
+        comes, goes = view.reaches_s(name, ground.enter_m), view.reaches_s(name, ground.leave_m)
+        they_come = view.reaches_s(other, ground.other_enters_m)
+        they_go = view.reaches_s(other, ground.other_leaves_m)
+        with np.errstate(invalid="ignore"):
+            own = np.fmax(comes - they_go, they_come - goes - CLEAR_S)
+        own = np.where(np.isfinite(comes) & np.isfinite(they_come), own, _ENOUGH_S)
+        own = np.clip(np.nan_to_num(own, nan=-NEVER), -_ENOUGH_S, _ENOUGH_S) + TIME_S
+        time_s = np.where(own < margin, np.where(np.isfinite(comes), comes, 0.0), time_s)
+        margin = np.minimum(margin, own)
+    return margin, time_s
+
+
+def _grounds(view: View, name: str, other: str) -> tuple[Ground, ...]:
+    """The grounds that two use; of any two, not only of those whose measures are asked for."""
+    one, two = view.ways[name], view.ways[other]
+    return grounds(one.path, one.participant.kind, two.path, two.participant.kind)

@@ -1,0 +1,109 @@
+"""Rules of the road: kept by everybody whom the text does not make break them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+import numpy as np
+
+from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged
+from scegen.claims.moments import first
+from scegen.claims.told import Told
+from scegen.claims.tolerances import TIME_S
+from scegen.claims.view import View, longest_run
+from scegen.motion.batch.arrays import Bools, Floats, Ints
+from scegen.motion.rules.lights import RED_FOR_S, at_lights, light_runners, must_obey
+from scegen.motion.rules.stopping import (
+    AT_LINE_M,
+    OVER_LINE_M,
+    STOPPED_MPS,
+    STOPPED_S,
+    must_stop,
+)
+from scegen.scenario.logical import Drive
+
+
+def claims(told: Told) -> Iterator[Claim]:
+    """One for everybody and every rule that it meets with."""
+    for name in sorted(must_stop(told.functional, told.logical)):
+        yield Claim(
+            id=f"rule.stop.{name}",
+            kind=ClaimKind.RULE,
+            statement=f"{name} stands at the stop line before it goes over it",
+            field="junction.control",
+            unit="s",
+            test=partial(_stops, name),
+            tolerance=TIME_S,
+            scale=0.5,
+        )
+    drives = at_lights(told.functional, told.logical)
+    runners = light_runners(told.functional, told.logical)
+    for name in sorted(runners | must_obey(told.functional, told.logical)):
+        runs = name in runners
+        at_red = f"at red, {RED_FOR_S} s or more after amber"
+        yield Claim(
+            id=f"rule.light.{name}",
+            kind=ClaimKind.RULE,
+            statement=f"{name} goes over the line {at_red if runs else 'while it is not red'}",
+            field="junction.control",
+            unit="s",
+            test=partial(_runs if runs else _obeys, drives[name]),
+            scale=2.0,
+        )
+
+
+def _stops(name: str, view: View) -> Judged:
+    """The longest rest at the line before it is passed; at the end there is none to be missed."""
+    front = view.place_m(name) + view.body(name).front_m - view.ways[name].line_m
+    before = np.arange(view.steps) < first(front > OVER_LINE_M)[:, None]
+    at_line = before & (front > -AT_LINE_M) & (view.speed_mps(name) < STOPPED_MPS)
+    steps, begins = longest_run(at_line)
+    rest = np.where(steps > 0, (steps - 1) * view.dt_s, 0.0)
+    margin = np.where(_goes_over(front > OVER_LINE_M, view), rest - STOPPED_S + TIME_S, 0.0)
+    return Judged(margin, rest, np.asarray(begins * view.dt_s))
+
+
+def _goes_over(over: Bools, view: View) -> Bools:
+    """Whether it passes before the scenario is over (c,)."""
+    return first(over) <= view.last_step
+
+
+def _obeys(drive: Drive, view: View) -> Judged:
+    """How far from red it goes over the line; measured: for how long it has been red, or not yet.
+
+    One that does not get there has not run it.
+    """
+    red_s, left_s, step = _red_at_line(drive, view)
+    margin = np.where(red_s < 0.0, -red_s, -np.minimum(red_s, left_s))
+    margin = np.where(step <= view.last_step, margin, 0.0)
+    return Judged(margin, red_s, view.time_of(step))
+
+
+def _runs(drive: Drive, view: View) -> Judged:
+    """How much longer it has been red than it must; before green as far from it."""
+    red_s, left_s, step = _red_at_line(drive, view)
+    margin = np.where(red_s < 0.0, red_s, np.minimum(red_s - RED_FOR_S, left_s))
+    margin = np.where(step <= view.last_step, margin, -NEVER)
+    return Judged(margin, red_s, view.time_of(step))
+
+
+def _red_at_line(drive: Drive, view: View) -> tuple[Floats, Floats, Ints]:
+    """For how long it has been red as the front goes over the line, how much longer, and the step.
+
+    Below 0 it is not red: that far from it.
+    """
+    plan, name = view.concrete.signals, drive.participant
+    group = None if plan is None else plan.group_of(drive.entry)
+    over = view.place_m(name) + view.body(name).front_m > view.ways[name].line_m
+    step = first(over)
+    if plan is None or group is None:
+        nothing = np.full(view.count, np.nan)
+        return nothing, nothing, step
+    since = (view.time_of(step) - group.green_from_s) % plan.cycle_s
+    free = group.green_s + plan.amber_s
+    return (
+        np.where(since < free, -np.minimum(since + TIME_S, free - since), since - free),
+        (plan.cycle_s - since),
+        step,
+    )

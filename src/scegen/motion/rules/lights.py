@@ -1,0 +1,81 @@
+"""Traffic lights: who must obey them, who runs them, and which arms have green together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from scegen.motion.rules.breaches import breaks, told_hazards
+from scegen.motion.rules.stopping import enters_at_sign
+from scegen.scenario.control import signal_phases
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.hazards import RoadRule
+from scegen.scenario.logical import Drive, LogicalScenario
+from scegen.scenario.outcome import OutcomeKind
+from scegen.scenario.vocabulary import Control
+
+RED_FOR_S = 0.5
+"""Who goes over the line so long after amber has ended runs the light, and did not just hurry."""
+
+
+def at_lights(functional: FunctionalScenario, logical: LogicalScenario) -> dict[str, Drive]:
+    """The drives that pass a light, by participant."""
+    if functional.junction.control is not Control.SIGNALS:
+        return {}
+    return {d.participant: d for d in logical.drives if enters_at_sign(functional, d)}
+
+
+def light_runners(functional: FunctionalScenario, logical: LogicalScenario) -> frozenset[str]:
+    """Those who are said to run a red light."""
+    return breaks(functional, logical, RoadRule.SIGNAL) & at_lights(functional, logical).keys()
+
+
+def green_phases(functional: FunctionalScenario, logical: LogicalScenario) -> tuple[int, ...]:
+    """The phase in which each arm has green.
+
+    Where somebody runs a light before one who would have green with it, every arm has its own.
+    """
+    phases = signal_phases(functional.junction)
+    drives, runners = at_lights(functional, logical), light_runners(functional, logical)
+    for by, to in _endangered(functional, logical):
+        if by in runners and to in drives and to not in runners:
+            one, other = drives[by].entry, drives[to].entry
+            if one != other and phases[one] == phases[other]:
+                return tuple(range(len(phases)))
+    return phases
+
+
+def must_obey(functional: FunctionalScenario, logical: LogicalScenario) -> frozenset[str]:
+    """Those who must not go over the line at red.
+
+    Not who runs the light; nor who is said to endanger or to hit one who has green when it has
+    red: what is stated wins over what nobody is said to break.
+    """
+    drives = at_lights(functional, logical)
+    phases = green_phases(functional, logical) if drives else ()
+    excused = set(light_runners(functional, logical))
+    for by, to in (*_endangered(functional, logical), *_struck(functional)):
+        pair = {by, to}
+        apart = pair <= drives.keys() and phases[drives[by].entry] != phases[drives[to].entry]
+        if apart and not pair & excused:
+            excused.add(by)
+    return frozenset(drives.keys() - excused)
+
+
+def _endangered(
+    functional: FunctionalScenario, logical: LogicalScenario
+) -> Iterator[tuple[str, str]]:
+    """(who causes a danger, who suffers it)."""
+    everybody = [p.id for p in functional.participants]
+    for hazard in told_hazards(functional, logical):
+        for by in hazard.by:
+            for to in hazard.to or everybody:
+                if by != to:
+                    yield by, to
+
+
+def _struck(functional: FunctionalScenario) -> Iterator[tuple[str, str]]:
+    """Two who are said to meet in the end: the one who is not the ego, and the other."""
+    outcome = functional.outcome
+    if outcome is not None and outcome.kind is not OutcomeKind.AVOIDED and len(outcome.between) > 1:
+        one, other = outcome.between[:2]
+        yield (other, one) if one == functional.ego.id else (one, other)

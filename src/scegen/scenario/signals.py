@@ -1,0 +1,67 @@
+"""The lights of a junction over time: which arms have green together, and when."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from enum import StrEnum
+
+from pydantic import Field
+
+from scegen.scenario.model import ArmSet, FrozenModel
+
+_TICK_S = 1e-3
+"""Changes are told to the millisecond: one so near to time 0 is at time 0."""
+
+
+class SignalState(StrEnum):
+    """What a light shows."""
+
+    GREEN = "green"
+    AMBER = "amber"
+    RED = "red"
+
+
+class SignalGroup(FrozenModel):
+    """Arms whose lights show the same; green begins ``green_from_s`` into every cycle."""
+
+    id: int = Field(ge=1)
+    arms: ArmSet
+    green_from_s: float = Field(ge=0)
+    green_s: float = Field(gt=0)
+
+
+class SignalPlan(FrozenModel):
+    """Lights with a fixed cycle, which has gone on before time 0 and goes on for ever.
+
+    Every group has its green, then ``amber_s`` of amber, then red.
+    """
+
+    cycle_s: float = Field(gt=0, le=300)
+    amber_s: float = Field(gt=0, le=10)
+    groups: tuple[SignalGroup, ...] = Field(min_length=1)
+
+    def group_of(self, arm: int) -> SignalGroup | None:
+        """The group of an arm; None where no light stands."""
+        return next((group for group in self.groups if arm in group.arms), None)
+
+    def state(self, group: SignalGroup, time_s: float) -> SignalState:
+        """What the lights of a group show at a time."""
+        since = (time_s - group.green_from_s) % self.cycle_s
+        if since < group.green_s:
+            return SignalState.GREEN
+        return SignalState.AMBER if since < group.green_s + self.amber_s else SignalState.RED
+
+    def changes(self, group: SignalGroup, until_s: float) -> Iterator[tuple[float, SignalState]]:
+        """(time, state) at time 0 and at every change after it, up to a time."""
+        yield 0.0, self.state(group, _TICK_S / 2)
+        edges = (
+            (0.0, SignalState.GREEN),
+            (group.green_s, SignalState.AMBER),
+            (group.green_s + self.amber_s, SignalState.RED),
+        )
+        first = group.green_from_s - self.cycle_s
+        for cycle in range(int(until_s / self.cycle_s) + 3):
+            for edge, state in edges:
+                time_s = round(first + cycle * self.cycle_s + edge, 3)
+                if 0.0 < time_s <= until_s:
+                    yield time_s, state
