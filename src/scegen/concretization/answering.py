@@ -38,6 +38,8 @@ class _Contact:
 
 def answer(scene: Scene, moments: Moments) -> None:
     """Let everybody brake who would run into somebody ahead, or who crosses as the text says."""
+    # Who stops in somebody's way does so when it is said to, whatever is done about it.
+    moments.sets_off_s |= {n: moments.leaves_s(n) for n, w in scene.walks.items() if w.stops}
     settled: set[tuple[str, str]] = set()
     for _ in range(2 * len(scene.drives)):
         found = [

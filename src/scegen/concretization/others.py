@@ -44,6 +44,11 @@ class WalkDraft:
         return BODIES[self.kind]
 
     @property
+    def stops(self) -> bool:
+        """Whether it stops in somebody's way."""
+        return self.motion.stops_after_m is not None
+
+    @property
     def rate_mps2(self) -> float:
         """How fast it gains speed, and loses it."""
         return min(WALKING_START_MPS2, self.body.max_acceleration_mps2)
