@@ -6,6 +6,7 @@ from collections.abc import Callable
 from functools import partial
 
 from scegen.concretization.along.passing import JUST_M, apart_m, just_missed_s
+from scegen.concretization.along.reactions import brakes_for
 from scegen.concretization.along.runner import Move, Runner, Step, gap_m
 from scegen.concretization.along.spacing import level
 from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank, contact_wanted
@@ -24,6 +25,8 @@ _LOOK_S, _LONGEST_S = 0.05, 60.0
 _CLEAR_BEFORE_S, _CLEAR_AFTER = 0.9, 0.6
 """Who strays has left the way of who comes so long before they are level: after this share of its
 change back."""
+_STILL_THERE = 0.35
+"""The share of a change back after which one is still in the way of who comes, and brakes for it."""
 _FASTER_MPS = 6.0
 """By so much who overtakes one of its own speed speeds up."""
 
@@ -95,9 +98,14 @@ def _meet_after(story: Story, strays: set[str]) -> None:
 def _meeting_when_back_s(
     story: Story, stray: Runner, other: Runner, out: Move, back: Move
 ) -> float:
-    """When the two are level: in its lane if they are to touch, just not if it is a danger."""
+    """When the two are level: in its lane if they are to touch, just not if it is a danger.
+
+    One that brakes for it would be level with it there, if it did not.
+    """
     if contact_wanted(story, stray.id, other.id):
         return (out.ends_s + back.begins_s) / 2
+    if brakes_for(story, other.id, stray.id):
+        return back.begins_s + _STILL_THERE * back.lasts_s
     if _at_odds(story, stray.id, other.id):
         return just_missed_s(stray, other, back)
     return back.ends_s + _LONG_BACK_S
