@@ -15,6 +15,7 @@ from scegen.claims.statements import (
     endings,
     maneuvers,
     objects,
+    openings,
     outcomes,
     roads,
     spacings,
@@ -38,6 +39,7 @@ STATEMENTS: tuple[Callable[[Told], Iterator[Claim]], ...] = (
     dangers.claims,
     objects.claims,
     outcomes.claims,
+    openings.claims,
     endings.claims,
     bodies.claims,
 )

@@ -15,7 +15,7 @@ from scegen.concretization.marks import Mark, Sort
 from scegen.concretization.moments import Moments
 from scegen.concretization.profile import Profile
 from scegen.concretization.room import NeedsLongerArms
-from scegen.scenario.acts import AfterAct, AfterStart, BeforeJunction
+from scegen.scenario.acts import ActKind, AfterAct, AfterStart, BeforeJunction
 from scegen.scenario.concrete import AtTime, Travelled, Trigger
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
@@ -106,6 +106,8 @@ def _marks(scene: Scene, draft: DriveDraft) -> Iterator[Mark]:
         place = 0.0
         if isinstance(when, BeforeJunction) and then is None:
             place = draft.junction_s_m - draft.body.front_m - when.distance_m.middle
+            if act.kind is ActKind.STOP:  # where it stands
+                place -= before**2 / (2 * rate)
         yield Mark(place, target, rate, hazard, sort=Sort.ACT, then_s=then, act=act.id)
         took_s = abs(target - before) / rate
         before = target
