@@ -8,8 +8,7 @@ from dataclasses import replace
 from scegen.concretization.amounts import GAINING, change_of_speed
 from scegen.concretization.asked import hazard_of
 from scegen.concretization.drafts import DriveDraft, Scene
-from scegen.concretization.hazards.braking import stops_for_walkers
-from scegen.concretization.hazards.rule import event_s_m
+from scegen.concretization.hazards.rule import event_s_m, stops_for_walkers
 from scegen.concretization.limits import FAST_LATERAL_MPS2, LEAD_IN_S
 from scegen.concretization.marks import Mark, Sort
 from scegen.concretization.moments import Moments
@@ -127,7 +126,9 @@ def _place(scene: Scene, draft: DriveDraft) -> None:
     first = draft.deeds[0]
     place = first.s_m
     if is_open(scene, first):
-        place = _event_s_m(scene, draft, first) - way
+        kind = first.hazard or HazardKind.HARD_BRAKING
+        act = scene.act(first.act or "").kind
+        place = happens_s_m(scene, draft, kind, act) - way
     least = draft.body.rear_m + LEAD_IN_S * draft.cruise_mps
     if place < least:
         raise NeedsLongerArms(least - place + 5.0, draft.id)
@@ -148,18 +149,18 @@ def _way_m(speed_mps: float, marks: list[Mark]) -> float:
     return profile.way_m(ready)
 
 
-def _event_s_m(scene: Scene, draft: DriveDraft, mark: Mark) -> float:
-    """Where a chain of acts is to be over, as far as nobody says."""
-    kind = mark.hazard or HazardKind.HARD_BRAKING
+def happens_s_m(scene: Scene, draft: DriveDraft, kind: HazardKind, act: ActKind) -> float:
+    """Where a change of speed is to be over (or a gain of it to begin), as far as nobody says."""
     to = [h.to for h in scene.functional.hazards if draft.id in h.by and h.kind is kind]
     hazard = Hazard(kind=kind, by=(draft.id,), to=to[0] if to else ())
     place = event_s_m(scene, draft, hazard)
-    if scene.act(mark.act or "").kind in GAINING:
+    if act in GAINING:
         return place - _BEFORE_S * draft.cruise_mps
     walkers = stops_for_walkers(scene, draft)
     if walkers is not None:
         return walkers[0]
     if draft is scene.ego and draft.rests_at_m is None:
+        # The ego brakes to avoid, the others brake in its way.
         place -= draft.body.length_m / 2 + _CLEAR_OF_OTHER_M
     return place
 

@@ -6,11 +6,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from scegen.concretization.drafts import DriveDraft, Scene
-from scegen.concretization.meetings import Meeting, drives_meet
+from scegen.concretization.meetings import Meeting, drives_meet, meeting_point
 from scegen.scenario.functional import Hazard
 
 Shape = Callable[[Scene, Hazard], list[Meeting]]
 Act = Callable[[Scene, Hazard], None]
+
+_CLEAR_OF_WALKER_M = 2.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,3 +79,17 @@ def event_s_m(scene: Scene, draft: DriveDraft, hazard: Hazard) -> float:
             return point.first_s_m
     base = [mark.s_m for mark in draft.base_marks() if mark.s_m > 1.0]
     return min([draft.junction_s_m - 10.0, *base]) - 5.0
+
+
+def stops_for_walkers(scene: Scene, draft: DriveDraft) -> tuple[float, float] | None:
+    """Where the reference point must rest for those who cross, and how long until they have."""
+    stops = []
+    for walk in scene.walks.values():
+        point = meeting_point(draft.laid.path, walk.path)
+        if point is not None:
+            place = point.first_s_m - draft.body.front_m - _CLEAR_OF_WALKER_M
+            clear = point.second_s_m + draft.body.width_m / 2 + 1.0 - walk.motion.setback_m
+            stops.append((place, clear / walk.speed_mps))
+    if not stops:
+        return None
+    return min(place for place, _ in stops), max(clear for _, clear in stops)
