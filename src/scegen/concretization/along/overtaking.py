@@ -26,7 +26,7 @@ _CLEAR_BEFORE_S, _CLEAR_AFTER = 0.9, 0.6
 """Who strays has left the way of who comes so long before they are level: after this share of its
 change back."""
 _STILL_THERE = 0.35
-"""The share of a change back after which one is still in the way of who comes, and brakes for it."""
+"""The share of a change back after which one is still in the way of who brakes for it."""
 _FASTER_MPS = 6.0
 """By so much who overtakes one of its own speed speeds up."""
 
