@@ -8,7 +8,7 @@ from dataclasses import replace
 from scegen.concretization.amounts import GAINING, change_of_speed
 from scegen.concretization.asked import hazard_of
 from scegen.concretization.drafts import DriveDraft, Scene
-from scegen.concretization.hazards.rule import event_s_m, stops_for_walkers
+from scegen.concretization.hazards.rule import happens_s_m
 from scegen.concretization.limits import FAST_LATERAL_MPS2, LEAD_IN_S
 from scegen.concretization.marks import Mark, Sort
 from scegen.concretization.moments import Moments
@@ -16,7 +16,6 @@ from scegen.concretization.profile import Profile
 from scegen.concretization.room import NeedsLongerArms
 from scegen.scenario.acts import ActKind, AfterAct, AfterStart, BeforeJunction
 from scegen.scenario.concrete import AtTime, Travelled, Trigger
-from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
 
 STOOD_S = 200.0
@@ -24,9 +23,6 @@ STOOD_S = 200.0
 _HOLDS_S = 1.5
 """Between two acts of one driver, where no time is said: long enough to see the speed held."""
 _BEFORE_LINE_M = 1.0
-_CLEAR_OF_OTHER_M = 3.0
-_BEFORE_S = 1.5
-"""Who gains speed begins to so long before the place where it matters."""
 
 
 def usual_speed_mps(scene: Scene, name: str) -> float:
@@ -147,22 +143,6 @@ def _way_m(speed_mps: float, marks: list[Mark]) -> float:
         profile.change(begins, mark.target_mps, mark.rate_mps2)
         ready = profile.settles_s(begins)
     return profile.way_m(ready)
-
-
-def happens_s_m(scene: Scene, draft: DriveDraft, kind: HazardKind, act: ActKind) -> float:
-    """Where a change of speed is to be over (or a gain of it to begin), as far as nobody says."""
-    to = [h.to for h in scene.functional.hazards if draft.id in h.by and h.kind is kind]
-    hazard = Hazard(kind=kind, by=(draft.id,), to=to[0] if to else ())
-    place = event_s_m(scene, draft, hazard)
-    if act in GAINING:
-        return place - _BEFORE_S * draft.cruise_mps
-    walkers = stops_for_walkers(scene, draft)
-    if walkers is not None:
-        return walkers[0]
-    if draft is scene.ego and draft.rests_at_m is None:
-        # The ego brakes to avoid, the others brake in its way.
-        place -= draft.body.length_m / 2 + _CLEAR_OF_OTHER_M
-    return place
 
 
 def set_triggers(scene: Scene, moments: Moments) -> None:

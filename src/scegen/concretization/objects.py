@@ -58,8 +58,9 @@ def lying_in_the_way(
         taken = {each.id for each in lying} | {*drivers}
         name = free_name(functional, ThingKind.OBSTACLE, taken)
         thing = thing or Thing(id=name, kind=ThingKind.OBSTACLE)
-        who = thing.in_way_of if thing.in_way_of in drivers else who
-        found.append((hazard, thing.model_copy(update={"in_way_of": who})))
+        said = thing.in_way_of in drivers
+        blocked = thing if said else thing.model_copy(update={"in_way_of": who})
+        found.append((hazard, blocked))
     return found
 
 

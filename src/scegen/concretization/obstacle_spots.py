@@ -50,12 +50,11 @@ def spots(scene: Scene, draft: DriveDraft, body: Body, *, stays: bool) -> Iterat
     room = 0.0 if stays else _room_m(scene, draft, body)
     if draft.changes_before:
         stations, inwards = _where_it_has_left(scene, draft, body)
-        shares = _SHARES
     else:
-        stations, shares = _ahead(scene, draft, body, stays=stays), _SHARES[:1]
+        stations = _ahead(scene, draft, body, stays=stays)
         inwards = neighbour_lane(scene, draft, oncoming=True) < draft.entry_lane
     for station in stations:
-        for share in shares:
+        for share in _SHARES if draft.changes_before else _SHARES[:1]:
             aside = _left_m(scene, room * share, inwards=inwards)
             yield Spot(station, _pose(scene, draft, station, aside))
 

@@ -7,9 +7,15 @@ an act by the text does it so; who reverses stops for that.
 from __future__ import annotations
 
 from scegen.concretization.amounts import GAINING, SLOWING, change_of_speed
-from scegen.concretization.deeds import happens_s_m
 from scegen.concretization.drafts import DriveDraft, Scene
-from scegen.concretization.hazards.rule import Rule, culprits, same_arm, stops_for_walkers, victims
+from scegen.concretization.hazards.rule import (
+    Rule,
+    culprits,
+    happens_s_m,
+    same_arm,
+    stops_for_walkers,
+    victims,
+)
 from scegen.concretization.marks import Mark
 from scegen.concretization.turning import bend_of
 from scegen.scenario.acts import Act
