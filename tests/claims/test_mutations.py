@@ -3,9 +3,9 @@
 import pytest
 from mutating import changed, later, phase, start
 from saying import made, missed
-from sayings import BRAKES, CROSSES, CUTS_IN, EVERY, HIDES, STANDS, WALKS
+from sayings import BRAKES, CROSSES, CUTS_AND_BRAKES, CUTS_IN, EVERY, HIDES, STANDS, WALKS
 
-from scegen.scenario.concrete import ConcreteParticipant, SpeedPhase, Travelled
+from scegen.scenario.concrete import AtTime, ConcreteParticipant, SpeedPhase, Travelled
 from scegen.scenario.vocabulary import Control, ParticipantKind, Side, Weather
 
 
@@ -75,6 +75,16 @@ MUTATIONS = {
         "act.brake.target_speed_mps",
     ),
     "it does not brake": (BRAKES, lambda c: changed(c, "car", speed_program=()), "act.brake"),
+    "it brakes at once": (
+        CUTS_AND_BRAKES,
+        lambda c: phase(c, "car", trigger=AtTime(time_s=0.4)),
+        "opening.car",
+    ),
+    "it brakes before it cuts in": (
+        CUTS_AND_BRAKES,
+        lambda c: phase(c, "car", trigger=AtTime(time_s=1.5)),
+        "act.brake.order",
+    ),
     "the gap is longer": (
         BRAKES,
         lambda c: changed(c, "car", {"start_m": start(c, "car") + 2.0}),

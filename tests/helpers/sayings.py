@@ -21,6 +21,20 @@ BRAKES = said(
     hazards=[{"kind": "hard_braking", "by": ["car"], "to": ["ego"]}],
     environment={"weather": "rain"},
 )
+CUTS_AND_BRAKES = said(
+    "straight",
+    person("ego", speed=50),
+    person("car", speed=50, approaches=["adjacent", "left"], maneuvers=["lane_change"]),
+    junction={"lanes": [2, 2]},
+    acts=[
+        {"id": "cut", "participant": "car", "kind": "change_lane", "side": "right", "into": "ego"},
+        {"id": "brake", "participant": "car", "kind": "brake"},
+    ],
+    hazards=[
+        {"kind": "cut_in", "by": ["car"], "to": ["ego"]},
+        {"kind": "hard_braking", "by": ["car"], "to": ["ego"]},
+    ],
+)
 CUTS_IN = said(
     "straight",
     person("ego", speed=90),
@@ -129,4 +143,4 @@ LANES = said(
     junction={"lanes": [2, 2, 2, 2]},
 )
 AT_JUNCTIONS = [TURNS_LEFT, RUSHES, QUEUE, RING, ZEBRA, RED, SKEWED, LANES]
-EVERY = [BRAKES, CUTS_IN, CROSSES, WALKS, STANDS, HIDES]
+EVERY = [BRAKES, CUTS_IN, CUTS_AND_BRAKES, CROSSES, WALKS, STANDS, HIDES]

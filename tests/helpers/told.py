@@ -5,6 +5,9 @@ from __future__ import annotations
 from scegen.concretization import concretize
 from scegen.criticality import raise_criticality
 from scegen.enumeration import enumerate_scenarios
+from scegen.pipeline.attempts import make_some
+from scegen.pipeline.options import Options
+from scegen.pipeline.picking import pick
 from scegen.scenario.functional import ARM_COUNTS, FunctionalScenario
 from scegen.scenario.vocabulary import JunctionKind
 
@@ -95,3 +98,11 @@ def first(functional, seed=0):
 def raised(functional, seed=0, target="near-miss"):
     """The same, with its danger raised."""
     return raise_criticality(functional, first(functional, seed), target=target, seed=seed)
+
+
+def made(functional, seed=0, target="near-miss"):
+    """(scenario, proof) of the first scenario in which all that is told comes about."""
+    listed = pick(enumerate_scenarios(functional), None)
+    raising = make_some(functional, listed, target, Options(seed=seed), lambda _: None)
+    (concrete,) = raising.concretes
+    return concrete, raising.proofs[concrete.name]

@@ -18,14 +18,7 @@ SENTENCES = {
 }
 
 
-OTHERS = pytest.mark.xfail(
-    strict=True, reason="the obstacle of another is read as the ego's; the claim says it is missed"
-)
-
-
-@pytest.mark.parametrize(
-    "name", [pytest.param(n, marks=OTHERS if n == "line" else ()) for n in SENTENCES]
-)
+@pytest.mark.parametrize("name", SENTENCES)
 def test_every_danger_happens_and_the_files_are_sound(tmp_path, name):
     result = generate(read(SENTENCES[name]), tmp_path, Options(depth=CheckDepth.QUICK))
     assert result.ok

@@ -38,6 +38,7 @@ class ClaimKind(StrEnum):
     OBJECT = "object"
     OUTCOME = "outcome"
     CONTACT = "contact"
+    OPENING = "opening"
     ENDING = "ending"
     BODY = "body"
 

@@ -16,6 +16,7 @@ from scegen.claims.statements import (
     giving_way,
     maneuvers,
     objects,
+    openings,
     outcomes,
     roads,
     rules,
@@ -42,6 +43,7 @@ STATEMENTS: tuple[Callable[[Told], Iterator[Claim]], ...] = (
     dangers.claims,
     objects.claims,
     outcomes.claims,
+    openings.claims,
     endings.claims,
     bodies.claims,
 )

@@ -20,6 +20,8 @@ from scegen.scenario.vocabulary import HazardKind, Side
 
 CHANGES_MPS2 = 0.3
 """Speed that changes faster than this is braking or accelerating."""
+_OTHERS = 3
+"""Changes of speed that are looked at where the text tells of one, and by how much."""
 STANDS_MPS = 0.05
 LEAVES_M, HELD_M = 0.01, 0.001
 """Who is so far from its line has left it; the moment is when it was last so near."""
@@ -139,8 +141,11 @@ def act_run(view: View, functional: FunctionalScenario, act: Act) -> Run:
     """The change of speed that an act is: the one of its number among the greatest."""
     kinds = SLOWING if act.kind in SLOWING else GAINING
     same = [a for a in functional.acts if a.participant == act.participant and a.kind in kinds]
+    sense = -1 if act.kind in SLOWING else 1
+    if len(same) == 1 and act.rate_mps2 is not None:
+        return _alike(speed_runs(view, act.participant, sense, _OTHERS), act.rate_mps2.middle, view)
     number = next(n for n, a in enumerate(same) if a.id == act.id)
-    runs = speed_runs(view, act.participant, -1 if act.kind in SLOWING else 1, len(same))
+    runs = speed_runs(view, act.participant, sense, len(same))
     chosen = runs[0]
     for run in runs[1 : number + 1]:
         # Two acts that follow on without a break are one run: both are then that one.
@@ -149,6 +154,17 @@ def act_run(view: View, functional: FunctionalScenario, act: Act) -> Run:
             np.where(run.happens, run.end, chosen.end),
             np.where(run.happens, run.change_mps, chosen.change_mps),
         )
+    return chosen
+
+
+def _alike(runs: list[Run], rate_mps2: float, view: View) -> Run:
+    """The run whose rate comes nearest: one who slows down for a bend besides does it otherwise."""
+    chosen, least = runs[0], np.full(view.count, np.inf)
+    for run in runs:
+        rate = run.change_mps / (np.maximum(run.end - run.begin, 1) * view.dt_s)
+        off = np.where(run.happens, np.abs(rate - rate_mps2), np.inf)
+        chosen = Run(*(np.where(off < least, a, b) for a, b in zip(run, chosen, strict=True)))
+        least = np.minimum(off, least)
     return chosen
 
 

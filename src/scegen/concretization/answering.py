@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from math import inf
 
@@ -38,6 +38,8 @@ class _Contact:
 
 def answer(scene: Scene, moments: Moments) -> None:
     """Let everybody brake who would run into somebody ahead, or who crosses as the text says."""
+    # Who stops in somebody's way does so when it is said to, whatever is done about it.
+    moments.sets_off_s |= {n: moments.leaves_s(n) for n, w in scene.walks.items() if w.stops}
     settled: set[tuple[str, str]] = set()
     for _ in range(2 * len(scene.drives)):
         found = [
@@ -92,10 +94,16 @@ def _contacts(scene: Scene, moments: Moments) -> Iterator[_Contact]:
             yield _Contact(float(times[touching[0]]), name, other, runs_in)
 
 
-def _least_m(moments: Moments, who: str, other: str) -> float:
-    """How near two come."""
+def _room(moments: Moments, who: str, other: str) -> Callable[[], float]:
+    """What says how near one comes to another, whose way does not change meanwhile."""
     times = _times(moments)
-    return float(apart(moments.track(who, times)[0], moments.track(other, times)[0]).min())
+    there = moments.track(other, times)[0] if other in moments.scene.drives else None
+
+    def least_m() -> float:
+        others = moments.track(other, times)[0] if there is None else there
+        return float(apart(moments.track(who, times)[0], others).min())
+
+    return least_m
 
 
 def _brake_for(scene: Scene, moments: Moments, who: DriveDraft, contact: _Contact) -> None:
@@ -106,7 +114,7 @@ def _brake_for(scene: Scene, moments: Moments, who: DriveDraft, contact: _Contac
     kinds = [h.kind for h in scene.functional.hazards if h.kind in BRAKING and who.id in h.by]
     target = _slowest_mps(scene, moments, contact)
     who.deeds, who.course_ = rest, None
-    free = who.course
+    free, least_m = who.course, _room(moments, who.id, contact.other)
     late = moments.offsets_s[who.id]
     low = max(_seen_s(scene, moments, contact.other) + REACTION_S, late, 0.0)
 
@@ -118,7 +126,7 @@ def _brake_for(scene: Scene, moments: Moments, who: DriveDraft, contact: _Contac
             hazard = next(iter(kinds), None)
             mark = Mark(place, target, rate, hazard, sort=Sort.ACT)
         who.deeds, who.course_ = [*rest, mark], None
-        return _least_m(moments, who.id, contact.other)
+        return least_m()
 
     for rate in _rates_mps2(scene, who, own, hard=bool(kinds)):
         if brake(low, rate) < CLOSEST_M / 2:
@@ -129,14 +137,14 @@ def _brake_for(scene: Scene, moments: Moments, who: DriveDraft, contact: _Contac
             early, after = (middle, after) if brake(middle, rate) >= CLOSEST_M else (early, middle)
         brake(early, rate)
         if own is None:
-            _go_on(moments, who, contact.other)
+            _go_on(who, least_m)
             reason = f"brakes for {contact.other}, as a driver who sees it does"
             scene.note(f"{who.id}.rate_mps2", rate, reason)
         return
     who.deeds, who.course_ = before, None
 
 
-def _go_on(moments: Moments, who: DriveDraft, other: str) -> None:
+def _go_on(who: DriveDraft, least_m: Callable[[], float]) -> None:
     """Drive on as soon as that is free; where it never is, stay as slow."""
     if any(mark.act is not None for mark in who.deeds):
         return
@@ -145,7 +153,7 @@ def _go_on(moments: Moments, who: DriveDraft, other: str) -> None:
     for then in _GOES_ON_S:
         on = Mark(kept[-1].s_m, who.cruise_mps, rate, sort=Sort.ACT, then_s=then)
         who.deeds, who.course_ = [*kept, on], None
-        if _least_m(moments, who.id, other) >= CLOSEST_M - 0.1:
+        if least_m() >= CLOSEST_M - 0.1:
             return
     who.deeds, who.course_ = kept, None
 

@@ -50,6 +50,7 @@ from scegen.concretization.walkers import (
     place_walkers,
     program_walkers,
     start_farther_out,
+    stop_in_the_way,
 )
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
@@ -154,6 +155,7 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
     meetings += come_up(scene)
     pull_out(scene)
     stop_short(scene)
+    stop_in_the_way(scene)
     meetings += conflict_meetings(scene, rules, meetings)
     moments = _start(scene, meetings)
     for rule, hazard in rules:

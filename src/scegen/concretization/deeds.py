@@ -8,16 +8,14 @@ from dataclasses import replace
 from scegen.concretization.amounts import GAINING, change_of_speed
 from scegen.concretization.asked import hazard_of
 from scegen.concretization.drafts import DriveDraft, Scene
-from scegen.concretization.hazards.braking import stops_for_walkers
-from scegen.concretization.hazards.rule import event_s_m
+from scegen.concretization.hazards.rule import happens_s_m
 from scegen.concretization.limits import FAST_LATERAL_MPS2, LEAD_IN_S
 from scegen.concretization.marks import Mark, Sort
 from scegen.concretization.moments import Moments
 from scegen.concretization.profile import Profile
 from scegen.concretization.room import NeedsLongerArms
-from scegen.scenario.acts import AfterAct, AfterStart, BeforeJunction
+from scegen.scenario.acts import ActKind, AfterAct, AfterStart, BeforeJunction
 from scegen.scenario.concrete import AtTime, Travelled, Trigger
-from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
 
 STOOD_S = 200.0
@@ -25,9 +23,6 @@ STOOD_S = 200.0
 _HOLDS_S = 1.5
 """Between two acts of one driver, where no time is said: long enough to see the speed held."""
 _BEFORE_LINE_M = 1.0
-_CLEAR_OF_OTHER_M = 3.0
-_BEFORE_S = 1.5
-"""Who gains speed begins to so long before the place where it matters."""
 
 
 def usual_speed_mps(scene: Scene, name: str) -> float:
@@ -107,6 +102,8 @@ def _marks(scene: Scene, draft: DriveDraft) -> Iterator[Mark]:
         place = 0.0
         if isinstance(when, BeforeJunction) and then is None:
             place = draft.junction_s_m - draft.body.front_m - when.distance_m.middle
+            if act.kind is ActKind.STOP:  # where it stands
+                place -= before**2 / (2 * rate)
         yield Mark(place, target, rate, hazard, sort=Sort.ACT, then_s=then, act=act.id)
         took_s = abs(target - before) / rate
         before = target
@@ -126,7 +123,9 @@ def _place(scene: Scene, draft: DriveDraft) -> None:
     first = draft.deeds[0]
     place = first.s_m
     if is_open(scene, first):
-        place = _event_s_m(scene, draft, first) - way
+        kind = first.hazard or HazardKind.HARD_BRAKING
+        act = scene.act(first.act or "").kind
+        place = happens_s_m(scene, draft, kind, act) - way
     least = draft.body.rear_m + LEAD_IN_S * draft.cruise_mps
     if place < least:
         raise NeedsLongerArms(least - place + 5.0, draft.id)
@@ -145,22 +144,6 @@ def _way_m(speed_mps: float, marks: list[Mark]) -> float:
         profile.change(begins, mark.target_mps, mark.rate_mps2)
         ready = profile.settles_s(begins)
     return profile.way_m(ready)
-
-
-def _event_s_m(scene: Scene, draft: DriveDraft, mark: Mark) -> float:
-    """Where a chain of acts is to be over, as far as nobody says."""
-    kind = mark.hazard or HazardKind.HARD_BRAKING
-    to = [h.to for h in scene.functional.hazards if draft.id in h.by and h.kind is kind]
-    hazard = Hazard(kind=kind, by=(draft.id,), to=to[0] if to else ())
-    place = event_s_m(scene, draft, hazard)
-    if scene.act(mark.act or "").kind in GAINING:
-        return place - _BEFORE_S * draft.cruise_mps
-    walkers = stops_for_walkers(scene, draft)
-    if walkers is not None:
-        return walkers[0]
-    if draft is scene.ego and draft.rests_at_m is None:
-        place -= draft.body.length_m / 2 + _CLEAR_OF_OTHER_M
-    return place
 
 
 def set_triggers(scene: Scene, moments: Moments) -> None:

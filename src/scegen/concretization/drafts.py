@@ -15,7 +15,7 @@ from scegen.concretization.limits import (
     STOPS_FOR_S,
 )
 from scegen.concretization.marks import Mark, Timeline, timeline
-from scegen.concretization.others import Expected, PullDraft, StandDraft, WalkDraft
+from scegen.concretization.others import PullDraft, StandDraft, WalkDraft
 from scegen.concretization.turning import Stop, turning_marks
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.friction import GRAVITY_MPS2
@@ -42,6 +42,7 @@ from scegen.scenario.objects import StaticObject
 from scegen.scenario.reversing import BacksOut, Reversal
 from scegen.scenario.signals import SignalPlan
 from scegen.scenario.speed_limits import implied_limit_mps
+from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import Maneuver, ParticipantKind
 
 _SIDEWAYS = 0.9
@@ -266,9 +267,10 @@ class DriveDraft:
 class Scene:
     """Everything about one scenario in the making.
 
-    ``obstacles`` says whether things may be laid in the way, ``expected`` are the dangers that they
-    are to cause, ``objects`` the things that have a place, ``signals`` what its lights show: on the
-    clock of the ego's course until everybody has a start, then on the scenario's.
+    ``obstacles`` says whether things may be laid in the way, ``expected`` are the dangers with the
+    things that are to cause them, ``objects`` the things that have a place, ``signals`` what its
+    lights show: on the clock of the ego's course until everybody has a start, then on the
+    scenario's.
     """
 
     functional: FunctionalScenario
@@ -281,7 +283,7 @@ class Scene:
     walks: dict[str, WalkDraft] = field(default_factory=dict)
     stands: dict[str, StandDraft] = field(default_factory=dict)
     pulls: dict[str, PullDraft] = field(default_factory=dict)
-    expected: list[Expected] = field(default_factory=list)
+    expected: list[tuple[Hazard, Thing]] = field(default_factory=list)
     objects: list[StaticObject] = field(default_factory=list)
     caused: dict[Hazard, Hazard] = field(default_factory=dict)
     changes: list[Change] = field(default_factory=list)

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from math import degrees
 
+from scegen.concretization.asked import dangers
 from scegen.concretization.things import SHAPES, Shape
 from scegen.road.geometry import Pose
 from scegen.scenario.functional import FunctionalScenario, Hazard
+from scegen.scenario.hazards import HAZARDS
+from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.things import Thing, ThingKind
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import HazardKind, Maneuver
 
 
 def shape_of(kind: ThingKind) -> Shape:
@@ -34,6 +38,41 @@ def caused_by_nobody(functional: FunctionalScenario, hazard: Hazard) -> bool:
     """Whether no participant causes a danger: a thing does."""
     people = {p.id for p in functional.participants}
     return not people & {*hazard.by}
+
+
+def lying_in_the_way(
+    functional: FunctionalScenario, logical: LogicalScenario, drivers: Collection[str]
+) -> list[tuple[Hazard, Thing]]:
+    """The things that dangers need which nobody causes, each in the way of one of the drivers."""
+    found: list[tuple[Hazard, Thing]] = []
+    for hazard in dangers(functional, logical):
+        if hazard.kind is not HazardKind.OBSTACLE or not caused_by_nobody(functional, hazard):
+            continue
+        thing = causes_it(functional, hazard)
+        lying = [each for _, each in found]
+        if thing is None and (found or logical.standings):
+            continue
+        if thing is not None and any(each.id == thing.id for each in lying):
+            continue
+        who = next((n for n in hazard.to if n in drivers), _who_reacts(functional, logical))
+        taken = {each.id for each in lying} | {*drivers}
+        name = free_name(functional, ThingKind.OBSTACLE, taken)
+        thing = thing or Thing(id=name, kind=ThingKind.OBSTACLE)
+        said = thing.in_way_of in drivers
+        blocked = thing if said else thing.model_copy(update={"in_way_of": who})
+        found.append((hazard, blocked))
+    return found
+
+
+def _who_reacts(functional: FunctionalScenario, logical: LogicalScenario) -> str:
+    """Who does something that one does because of a thing in its way; else the ego."""
+    for hazard in dangers(functional, logical):
+        if hazard.by and HAZARDS[hazard.kind].acts:
+            return hazard.by[0]
+    sideways = {Maneuver.LANE_CHANGE, Maneuver.OVERTAKE}
+    return next(
+        (d.participant for d in logical.drives if d.maneuver in sideways), functional.ego.id
+    )
 
 
 def made_of(name: str, shape: Shape, called: str | None, pose: Pose) -> StaticObject:

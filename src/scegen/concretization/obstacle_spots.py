@@ -28,8 +28,8 @@ _WOULD_HIT_M = 0.1
 _LEAST_WAY_M = 30.0
 _ROOM_M = 6.0
 """Beside the change back and the two bodies: what who goes round keeps before and behind."""
-_EARLIER_M = 40.0
-_STEP_M = 1.0
+_EARLIER, _STEP_M = 40, 1.0
+_SHARES = (1.0, 0.75, 0.5, 0.25, 0.0)
 _SAMPLE_M = 0.5
 
 
@@ -41,48 +41,54 @@ class Spot:
     pose: Pose
 
 
-def spots_ahead(scene: Scene, draft: DriveDraft, body: Body, *, stays: bool) -> Iterator[Spot]:
-    """In the lane of one that keeps to it, before the junction, then farther away from it.
+def spots(scene: Scene, draft: DriveDraft, body: Body, *, stays: bool) -> Iterator[Spot]:
+    """In the lane of one that keeps to it, before the junction and then farther away from it.
 
-    In the middle for one that stops; towards those who pass for one that goes round.
+    In the lane that one leaves, as near to its way as can be. In the middle for one that stops;
+    towards those who pass for one that goes round.
     """
+    room = 0.0 if stays else _room_m(scene, draft, body)
+    if draft.changes_before:
+        stations, inwards = _where_it_has_left(scene, draft, body)
+    else:
+        stations = _ahead(scene, draft, body, stays=stays)
+        inwards = neighbour_lane(scene, draft, oncoming=True) < draft.entry_lane
+    for station in stations:
+        for share in _SHARES if draft.changes_before else _SHARES[:1]:
+            aside = _left_m(scene, room * share, inwards=inwards)
+            yield Spot(station, _pose(scene, draft, station, aside))
+
+
+def _ahead(scene: Scene, draft: DriveDraft, body: Body, *, stays: bool) -> list[float]:
     arm = scene.road.arms[draft.drive.entry]
-    inwards = neighbour_lane(scene, draft, oncoming=True) < draft.entry_lane
-    aside = 0.0 if stays else _left_m(scene, _room_m(scene, draft, body), inwards=inwards)
     nearest = BLOCKS_STRAIGHT_AT_M
     if scene.network.junctions:
         back = 0.0 if stays else calm_change_length_m(draft, arm.lane_width_m)
         nearest = max(BLOCKS_AT_M, back + draft.body.length_m + body.length_m + _ROOM_M)
-    if draft.laid.turning_starts_m - nearest <= _LEAST_WAY_M:
-        short = nearest + _LEAST_WAY_M - draft.laid.turning_starts_m
-        raise NeedsLongerArms(short + 1.0, draft.id)
-    for k in range(int(_EARLIER_M / _STEP_M)):
-        station = draft.laid.turning_starts_m - nearest - k * _STEP_M
-        if station > _LEAST_WAY_M:
-            yield Spot(station, _pose(scene, draft, station, aside))
+    first = draft.laid.turning_starts_m - nearest
+    if first <= _LEAST_WAY_M:
+        raise NeedsLongerArms(_LEAST_WAY_M - first + 1.0, draft.id)
+    return [s for s in (first - k * _STEP_M for k in range(_EARLIER)) if s > _LEAST_WAY_M]
 
 
-def spots_beside(scene: Scene, draft: DriveDraft, body: Body) -> Iterator[Spot]:
-    """In the lane that one leaves, where it has left it; as near to its way as can be."""
-    leaving = next((c for c in draft.lane_changes if c.lane_after != draft.entry_lane), None)
+def _where_it_has_left(scene: Scene, draft: DriveDraft, body: Body) -> tuple[list[float], bool]:
+    """From where it leaves its lane until it comes back; and whether it leaves it inwards."""
+    changes = draft.lane_changes
+    leaving = next((c for c in changes if c.lane_after != draft.entry_lane), None)
     if leaving is None:
-        return
+        return [], False
     back = [
         c.position_m + c.length_m
-        for c in draft.lane_changes
+        for c in changes
         if c.position_m > leaving.position_m and c.lane_after == draft.entry_lane
     ]
     end = draft.laid.turning_starts_m
     if not scene.network.junctions:
         end += scene.road.arms[draft.drive.exit].length_m
     last = min([*back, end - body.length_m])
-    room = _room_m(scene, draft, body)
+    steps = range(max(0, ceil((last - leaving.position_m) / _STEP_M)))
     inwards = leaving.lane_after < draft.entry_lane
-    for k in range(max(0, ceil((last - leaving.position_m) / _STEP_M))):
-        station = leaving.position_m + k * _STEP_M
-        for share in (1.0, 0.75, 0.5, 0.25, 0.0):
-            aside = _left_m(scene, room * share, inwards=inwards)
-            yield Spot(station, _pose(scene, draft, station, aside))
+    return [leaving.position_m + k * _STEP_M for k in steps], inwards
 
 
 def _room_m(scene: Scene, draft: DriveDraft, body: Body) -> float:

@@ -16,35 +16,19 @@ from scegen.concretization.lane_choice import lanes_in
 from scegen.concretization.limits import HARD_BRAKING_MPS2
 from scegen.concretization.marks import Mark
 from scegen.concretization.meetings import drives_meet
-from scegen.concretization.objects import caused_by_nobody, causes_it, free_name, made_of, shape_of
-from scegen.concretization.obstacle_spots import (
-    Spot,
-    is_free,
-    spots_ahead,
-    spots_beside,
-    touches,
+from scegen.concretization.objects import (
+    caused_by_nobody,
+    lying_in_the_way,
+    made_of,
+    shape_of,
 )
-from scegen.concretization.others import Expected
+from scegen.concretization.obstacle_spots import Spot, is_free, spots, touches
 from scegen.concretization.passing import calm_change_length_m, pass_standing
-from scegen.concretization.things import OBSTACLE
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.bodies import Body
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 
-_REACTS = (
-    HazardKind.HARD_BRAKING,
-    HazardKind.SWERVING,
-    HazardKind.STOPPING,
-    HazardKind.DELAYED_BRAKING,
-    HazardKind.LOSS_OF_CONTROL,
-    HazardKind.MERGING_CONFLICT,
-    HazardKind.CUT_IN,
-    HazardKind.ONCOMING_LANE,
-    HazardKind.OVERTAKING,
-    HazardKind.SUDDEN_TURN,
-)
-"""What somebody may do because of a thing in its way, the plainest first."""
 _BRAKES = frozenset({HazardKind.HARD_BRAKING, HazardKind.STOPPING, HazardKind.DELAYED_BRAKING})
 _BY_THINGS = frozenset({HazardKind.OBSTACLE, HazardKind.OCCLUSION})
 _IN_LINE = _BRAKES | {HazardKind.SPEEDING, HazardKind.TAILGATING}
@@ -67,38 +51,13 @@ def needs_obstacle(functional: FunctionalScenario, hazard: Hazard) -> bool:
 
 def expect_obstacles(scene: Scene) -> None:
     """Which dangers need a thing in the way, what it is, and in whose way it lies."""
-    for hazard in scene.functional.hazards:
-        if not (scene.obstacles and needs_obstacle(scene.functional, hazard)):
-            continue
-        thing = causes_it(scene.functional, hazard)
-        if thing is None and scene.stands:
-            continue
-        named_victims = [name for name in hazard.to if name in scene.drives]
-        if thing is not None and thing.in_way_of in scene.drives:
-            named_victims = [thing.in_way_of]
-        who = named_victims[0] if named_victims else _who_reacts(scene)
-        shape = OBSTACLE if thing is None else shape_of(thing.kind)
-        taken = {plan.name for plan in scene.expected}
-        name = free_name(scene.functional, shape.kind, taken) if thing is None else thing.id
-        called = None if thing is None else thing.called
-        scene.expected.append(Expected(hazard, name, shape, who, called))
-
-
-def _who_reacts(scene: Scene) -> str:
-    """Who does something that one does because of a thing in the way; else the ego."""
-    for kind in _REACTS:
-        for hazard in scene.functional.hazards:
-            if hazard.kind is kind:
-                found = [d for d in culprits(scene, hazard) if _for_it(scene, hazard, d)]
-                if found:
-                    return found[0].id
-    sideways = [d.id for d in scene.drives.values() if d.drive.maneuver in _SIDEWAYS]
-    return next(iter(sideways), scene.ego.id) if scene.ego.id not in sideways else scene.ego.id
+    if scene.obstacles:
+        scene.expected = lying_in_the_way(scene.functional, scene.logical, scene.drives)
 
 
 def goes_round_a_thing(scene: Scene, draft: DriveDraft) -> bool:
     """Whether a drive that overtakes or changes lanes does so round a thing in its way."""
-    expected = any(plan.who == draft.id for plan in scene.expected)
+    expected = any(thing.in_way_of == draft.id for _, thing in scene.expected)
     return expected and (draft.drive.maneuver is Maneuver.OVERTAKE or lanes_in(scene, draft) == 1)
 
 
@@ -107,22 +66,19 @@ def place_obstacles(scene: Scene) -> None:
 
     Where there is no place for it, it is left out, and the danger with it.
     """
-    for plan in scene.expected:
-        draft = scene.drives[plan.who]
+    for hazard, thing in scene.expected:
+        draft = scene.drives[thing.in_way_of or ""]
         width = scene.road.arms[draft.drive.entry].lane_width_m - 2 * _KERB_M
-        thing = replace(plan.shape, width_m=min(plan.shape.width_m, width))
-        body = thing.body
+        shape = shape_of(thing.kind)
+        shape = replace(shape, width_m=min(shape.width_m, width))
         stays = _may_stay(scene, draft)
-        if draft.changes_before:
-            spots = spots_beside(scene, draft, body)
-        else:
-            spots = spots_ahead(scene, draft, body, stays=stays)
-        free = (spot for spot in spots if is_free(scene, draft, spot, body))
-        spot = next((s for s in free if _react(scene, draft, s, body, stays=stays)), None)
+        free = (s for s in spots(scene, draft, shape.body, stays=stays)
+                if is_free(scene, draft, s, shape.body))  # fmt: skip
+        spot = next((s for s in free if _react(scene, draft, s, shape.body, stays=stays)), None)
         if spot is None:
             continue
-        made = made_of(plan.name, thing, plan.called, spot.pose)
-        scene.add_object(made, plan.hazard, draft.id)
+        made = made_of(thing.id, shape, thing.called, spot.pose)
+        scene.add_object(made, hazard, draft.id)
         away = draft.laid.turning_starts_m - spot.station_m
         scene.note(f"{made.id}.from_junction_m", away, f"lies in the way of {draft.id}")
 
@@ -195,23 +151,16 @@ def _go_round(scene: Scene, draft: DriveDraft, spot: Spot, body: Body, *, stays:
 
 
 def _brakes(scene: Scene, draft: DriveDraft) -> bool:
-    """Whether a drive is said to brake or to stop, as one does before a thing."""
+    """Whether a drive is said to brake or to stop, as one does before a thing.
+
+    Who brakes in the way of one from another arm does it where the two meet.
+    """
     return any(
         hazard.kind in _BRAKES
         and draft in culprits(scene, hazard)
-        and _for_it(scene, hazard, draft)
+        and all(same_arm(victim, draft) for victim in victims(scene, hazard, draft))
         for hazard in scene.functional.hazards
     )
-
-
-def _for_it(scene: Scene, hazard: Hazard, draft: DriveDraft) -> bool:
-    """Whether somebody may do it because of a thing on its approach.
-
-    Who brakes in the way of one from another arm does it where the two meet, not for the thing.
-    """
-    if hazard.kind not in _BRAKES or not hazard.to:
-        return True
-    return any(same_arm(victim, draft) for victim in victims(scene, hazard, draft))
 
 
 def stop_short(scene: Scene) -> None:

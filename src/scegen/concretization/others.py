@@ -1,4 +1,4 @@
-"""Those who cross, stand or pull out, in the making, and what is to lie in the way."""
+"""Those who cross, stand or pull out, in the making."""
 
 from __future__ import annotations
 
@@ -7,12 +7,10 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from scegen.concretization.limits import WALKING_START_MPS2
-from scegen.concretization.things import Shape
 from scegen.motion.model import Array, Path
 from scegen.motion.polyline import LaidDrive
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.concrete import CrossingMotion, DriveMotion, SpeedPhase, StandingMotion
-from scegen.scenario.functional import Hazard
 from scegen.scenario.logical import Crossing, Standing
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 
@@ -42,6 +40,11 @@ class WalkDraft:
     def body(self) -> Body:
         """Its size."""
         return BODIES[self.kind]
+
+    @property
+    def stops(self) -> bool:
+        """Whether it stops in somebody's way."""
+        return self.motion.stops_after_m is not None
 
     @property
     def rate_mps2(self) -> float:
@@ -85,14 +88,3 @@ class PullDraft:
     place_m: float = 0.0
     takes_s: float = 0.0
     program: list[SpeedPhase] = field(default_factory=list)
-
-
-@dataclass(frozen=True, slots=True)
-class Expected:
-    """A danger that a thing is to cause, its name and shape, and in whose way it lies."""
-
-    hazard: Hazard
-    name: str
-    shape: Shape
-    who: str
-    called: str | None = None

@@ -214,12 +214,6 @@ def program_walkers(scene: Scene, leaves_s: Callable[[str], float]) -> None:
     """Step off when the driver has come so far that both arrive together; stop at the far side."""
     for walk in scene.walks.values():
         found = partner_of(scene, walk)
-        stops = any(
-            hazard.kind is HazardKind.STOPPING and walk.id in hazard.by
-            for hazard in scene.functional.hazards
-        )
-        if stops and found is not None:
-            _stop_in_the_way(scene, walk, found[1])
         kind = _HAZARD.get(walk.kind)
         act = next((a for a in scene.acts if a.participant == walk.id and _crosses(a)), None)
         go = leaves_s(walk.id)
@@ -245,13 +239,22 @@ def program_walkers(scene: Scene, leaves_s: Callable[[str], float]) -> None:
                 trigger=Travelled(participant=walk.id, distance_m=round(end, 3)),
                 target_speed_mps=0.0,
                 rate_mps2=walk.rate_mps2,
-                hazard=HazardKind.STOPPING if stops else None,
+                hazard=HazardKind.STOPPING if walk.stops else None,
             ),
         ]
 
 
-def _stop_in_the_way(scene: Scene, walk: WalkDraft, point: MeetingPoint) -> None:
-    """End the way where the driver comes by."""
+def stop_in_the_way(scene: Scene) -> None:
+    """End the ways of those who are said to stop where the driver whom they meet comes by."""
+    for hazard in scene.functional.hazards:
+        walks = [scene.walks[n] for n in hazard.by if n in scene.walks]
+        for walk in walks if hazard.kind is HazardKind.STOPPING else ():
+            found = partner_of(scene, walk)
+            if found is not None:
+                _end_at(scene, walk, found[1])
+
+
+def _end_at(scene: Scene, walk: WalkDraft, point: MeetingPoint) -> None:
     length = min(point.second_s_m + _STOP_SHORT_M, walk.path.length_m)
     if length <= 0:
         raise MotionInfeasibleError("stops before it has started", where=walk.id)

@@ -102,6 +102,8 @@ def _named(scene: _View, hazard: Hazard, known: Parties) -> Hazard:
     if known.by and known.by != by:
         by = known.by  # presumed, or one of two who merge into each other
     by = by or _party(scene, row.causes, to or (ego,), to, ())
+    things = (thing for thing in scene.functional.objects if thing.id in by)
+    to = to or tuple(dict.fromkeys(t.in_way_of for t in things if t.in_way_of is not None))
     to = to or _party(scene, row.suffers, by, by, known.to)
     return hazard.model_copy(update={"by": by, "to": to})
 

@@ -98,12 +98,13 @@ class Ending:
 
 @dataclass(slots=True, eq=False)
 class Item:
-    """A thing in the making."""
+    """A thing in the making; ``blocked`` is in whose way it lies, None where that is the ego."""
 
     kind: ThingKind
     called: str
     basis: Basis
     blocks: bool = False
+    blocked: Entity | None = None
     hides: list[Entity] = field(default_factory=list)
     side: Side | None = None
     name: str = ""

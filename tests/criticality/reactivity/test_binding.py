@@ -33,15 +33,7 @@ def sensitivity(concrete, partner):
     return ego_start_sensitivity(concrete, paths, partner=partner)
 
 
-ALONG = pytest.mark.xfail(
-    strict=True, reason="along a plain road, who cuts in at a steady speed has no phase to bind"
-)
-
-
-@pytest.mark.parametrize(
-    "sentence",
-    [pytest.param(s, id=n, marks=ALONG if n == "cut in" else ()) for n, s in SENTENCES.items()],
-)
+@pytest.mark.parametrize("sentence", SENTENCES.values(), ids=SENTENCES)
 def test_dangers_are_bound_to_the_ego_and_still_proved(sentence):
     result = raised(sentence)
     assert result.proof.reached

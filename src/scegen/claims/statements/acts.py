@@ -50,6 +50,7 @@ _THEN_S = Interval(low=0.0, high=2.0)
 def claims(told: Told) -> Iterator[Claim]:
     """Of every act: that it happens, each of its amounts, what sets it off."""
     for act in told.functional.acts:
+        yield from _in_order(told, act)
         does = f"{act.participant} is to {plain(act.kind)}"
         yield _claim(told, act, "", f"{act.participant} does {plain(act.kind)}", "s", _happens)
         if act.kind in SLOWING | GAINING:
@@ -57,6 +58,23 @@ def claims(told: Told) -> Iterator[Claim]:
         if act.kind in SIDEWAYS:
             yield from _sideways(told, act)
         yield from _triggered(told, act, does)
+
+
+def _in_order(told: Told, act: Act) -> Iterator[Claim]:
+    """What one does comes in the order of the text, where no moments are given."""
+    own = told.acts_of(act.participant)
+    before = own[own.index(act) - 1] if own.index(act) else None
+    if before is None or isinstance(act.when, AfterAct) or before.when is not None:
+        return
+    statement = f"{act.participant} does {plain(before.kind)} first, and then {plain(act.kind)}"
+    tolerance = tolerances.TIME_S
+    yield _claim(told, act, "order", statement, "s", _follows, before, tolerance=tolerance)
+
+
+def _follows(told: Told, act: Act, before: Act, view: View) -> Judged:
+    """How much later the second begins."""
+    first_s, then_s = (_when(view, _begins(told, each, view)) for each in (before, act))
+    return Judged(then_s - first_s + tolerances.TIME_S, then_s - first_s, then_s)
 
 
 def _claim(
@@ -322,9 +340,13 @@ def _at_measure(told: Told, act: Act, when: WhenMeasure, view: View) -> Judged:
 
 
 def _before(told: Told, act: Act, when: BeforeJunction, drive: Drive, view: View) -> Judged:
+    """Where it begins; of one that stops, where it stands."""
     arm = arms_of(view)[drive.entry]
     box = boxes(view, act.participant)
     step = _begins(told, act, view)
+    if act.kind is ActKind.STOP:
+        run = act_run(view, told.functional, act)
+        step = np.where(run.happens, run.end, view.steps)
     left = arm.length_m - at(arm.place(box)[0], step) - box.half_length
     margin = within(left, when.distance_m, tolerances.DISTANCE_M)
     return Judged(np.where(step < view.steps, margin, np.nan), left, view.time_of(step))

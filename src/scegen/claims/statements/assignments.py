@@ -145,15 +145,21 @@ def _off_its_side(told: Told, drive: Drive) -> bool:
 
 
 def _comes_in(drive: Drive, off_its_side: bool, view: View) -> Judged:
-    """On its arm at the start, heading in, on the side of the traffic that comes in."""
-    arm = arms_of(view)[drive.entry]
+    """On its arm at the start, heading in, on the side of the traffic that comes in.
+
+    A road without a junction is one road, wherever its two arms join.
+    """
+    arms = arms_of(view)
+    arm = arms[drive.entry]
+    plain = view.concrete.road.kind is JunctionKind.STRAIGHT
+    ends_m = sum(each.length_m for each in arms) if plain else arm.length_m
     box = box_at(view, drive.participant, 0)
     along, offset = arm.place(box)
     # Out of the strip for parking, it starts beside the lanes; a lane's width is let pass.
     side = arm.inward * offset + arm.lane_width_m / 4
     if off_its_side:
         side = np.minimum(offset - arm.edges_m[0], arm.edges_m[1] - offset)
-    inside = np.min([along + 1.0, arm.length_m + 1.0 - along, side], axis=0)
+    inside = np.min([along + 1.0, ends_m + 1.0 - along, side], axis=0)
     margin = np.where(arm.facing(box) > _SAME_WAY, inside, -NEVER)
     return Judged(margin, along, np.zeros(view.count))
 

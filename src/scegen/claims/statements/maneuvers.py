@@ -123,8 +123,10 @@ def _driven(told: Told, drive: Drive, field: str) -> Iterator[Claim]:
         yield _claim(f"lane_change.{name}", f"{name} changes lane{to}", field, "m", test)
     elif drive.maneuver is Maneuver.OVERTAKE:
         passed = _overtaken(told, name)
-        whom = either(passed) if passed else "another who goes the same way"
-        test = partial(_overtakes, name, passed or [p.id for p in told.people if p.id != name])
+        things = [t.id for t in told.functional.objects if t.in_way_of == name]
+        whom = either(passed or things) if passed or things else "another who goes the same way"
+        others = [p.id for p in told.people if p.id != name]
+        test = partial(_overtakes, name, passed or [*others, *things])
         does = f"{name} passes {whom}"
         yield _claim(f"overtake.{name}", does, field, "m", test, fixed=False)
     if drive.turn in {Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN} and drive.reverses is None:

@@ -74,7 +74,8 @@ class Walk:
         """How far it has come."""
         since, gains = max(0.0, time_s - self.sets_off_s), self.speed_mps / self.rate_mps2
         way = self.speed_mps * (since - gains / 2)
-        return way if since > gains else self.rate_mps2 * since**2 / 2
+        way = way if since > gains else self.rate_mps2 * since**2 / 2
+        return way if self.stops_after_m is None else min(way, self.stops_after_m)
 
     @property
     def rate_mps2(self) -> float:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from functools import partial
 
 from scegen.concretization.along.passing import JUST_M, apart_m, just_missed_s
+from scegen.concretization.along.reactions import brakes_for
 from scegen.concretization.along.runner import Move, Runner, Step, gap_m
 from scegen.concretization.along.spacing import level
 from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank, contact_wanted
@@ -24,6 +25,8 @@ _LOOK_S, _LONGEST_S = 0.05, 60.0
 _CLEAR_BEFORE_S, _CLEAR_AFTER = 0.9, 0.6
 """Who strays has left the way of who comes so long before they are level: after this share of its
 change back."""
+_STILL_THERE = 0.35
+"""The share of a change back after which one is still in the way of who brakes for it."""
 _FASTER_MPS = 6.0
 """By so much who overtakes one of its own speed speeds up."""
 
@@ -38,7 +41,7 @@ def overtake(story: Story) -> None:
         if not story.goes_round(act):
             continue
         slow = passed_by(story, act)
-        if slow is not None:
+        if slow:
             _pass(story, act, story.runners[act.participant], slow)
         elif act.kind is ActKind.CHANGE_LANE or story.hazard_of(act) is not None:
             _stray(story, act, story.runners[act.participant])
@@ -95,9 +98,14 @@ def _meet_after(story: Story, strays: set[str]) -> None:
 def _meeting_when_back_s(
     story: Story, stray: Runner, other: Runner, out: Move, back: Move
 ) -> float:
-    """When the two are level: in its lane if they are to touch, just not if it is a danger."""
+    """When the two are level: in its lane if they are to touch, just not if it is a danger.
+
+    One that brakes for it would be level with it there, if it did not.
+    """
     if contact_wanted(story, stray.id, other.id):
         return (out.ends_s + back.begins_s) / 2
+    if brakes_for(story, other.id, stray.id):
+        return back.begins_s + _STILL_THERE * back.lasts_s
     if _at_odds(story, stray.id, other.id):
         return just_missed_s(stray, other, back)
     return back.ends_s + _LONG_BACK_S
@@ -112,47 +120,49 @@ def _at_odds(story: Story, first: str, second: str) -> bool:
     return any({first, second} <= {*h.by, *h.to} for h in story.hazards)
 
 
-def passed_by(story: Story, act: Act) -> Runner | None:
-    """Who is overtaken: who is named, whom the danger is to, else the next ahead in line."""
+def passed_by(story: Story, act: Act) -> list[Runner]:
+    """Who is overtaken, the last in line first: who is named, whom the danger is to, or the next.
+
+    All whom the danger is to are passed in one go.
+    """
     own = story.runners[act.participant]
-    named = [act.into] if act.into else []
-    named += [
+    to = {
         name
         for hazard in story.hazards
         if hazard.kind is HazardKind.OVERTAKING and own.id in hazard.by
         for name in hazard.to
-    ]
+    }
+    alike = {n: r for n, r in story.runners.items() if r.forward == own.forward and r is not own}
+    meant = to if act.into is None or act.into in to else {act.into}
+    named = [alike[name] for name in meant if name in alike]
+    if named:
+        return sorted(named, key=lambda r: (r.at_m or 0.0) * r.sign)
     order = by_rank(story.logical, story.runners)
-    line = [
-        name
-        for name, other in story.runners.items()
-        if other.forward == own.forward and (other.stands or order[name] < order[own.id])
-    ]
-    named += sorted(line, key=lambda name: -order[name])
-    for name in named:
-        other = story.runners.get(name)
-        if other is not None and other.forward == own.forward and other is not own:
-            return other
-    return None
+    line = [name for name, r in alike.items() if r.stands or order[name] < order[own.id]]
+    return [alike[name] for name in sorted(line, key=lambda name: -order[name])[:1]]
 
 
-def _pass(story: Story, act: Act, fast: Runner, slow: Runner) -> None:
-    """Out as late as it can, past the other, and back so far ahead of it as is said, or usual."""
+def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
+    """Out as late as it can, past them all, and back so far ahead as is said, or usual.
+
+    Who drives in another lane than all of them stays in it.
+    """
     hazard, lasts = story.hazard_of(act), LANE_CHANGE_S
+    slow, foremost = line[0], line[-1]
     out_lane, offset = _beside_lane(story, fast, slow)
     begins = max(FIRST_ACT_S / 2, story.begins_s[act.id] - FIRST_ACT_S)
-    if fast.speed_mps - slow.speed_mps < _FASTER_MPS / 2:
-        top = min(slow.speed_mps + _FASTER_MPS, fast.body.top_speed_mps)
+    if fast.speed_mps - foremost.speed_mps < _FASTER_MPS / 2:
+        top = min(foremost.speed_mps + _FASTER_MPS, fast.body.top_speed_mps)
         begins = story.begins_s[act.id]
         fast.steps.append(Step(begins + lasts, top, COMFORTABLE_ACCELERATION_MPS2, act.id))
+    back = _return_of(story, act, fast, slow)
+    if back is None and all(each.lane != fast.lane for each in line):
+        story.ends_s[act.id] = _when(partial(_is_past, fast, foremost, 0.0), begins)
+        return
     if not any(spacing.at == act.id for spacing in story.functional.spacings):
         begins = _latest_out_s(fast, slow, (out_lane, offset), lasts, begins)
-    back = _return_of(story, act, fast, slow)
     clear_m = _CLEAR_M if back is None else _gap_at(story, back)
-    clear = _when(
-        lambda t: (fast.x_m(t) - slow.x_m(t)) * fast.sign > 0 and gap_m(fast, slow, t) >= clear_m,
-        begins + lasts,
-    )
+    clear = _when(partial(_is_past, fast, foremost, clear_m), begins + lasts)
     home = back.id if back is not None else act.id
     fast.moves = [
         Move(begins, lasts, out_lane, offset, act.id, hazard),
@@ -161,6 +171,11 @@ def _pass(story: Story, act: Act, fast: Runner, slow: Runner) -> None:
     story.ends_s[act.id] = clear if back is not None else clear + lasts
     if back is not None:
         story.begins_s[back.id], story.ends_s[back.id] = clear, clear + lasts
+
+
+def _is_past(fast: Runner, slow: Runner, clear_m: float, time_s: float) -> bool:
+    ahead = (fast.x_m(time_s) - slow.x_m(time_s)) * fast.sign > 0
+    return ahead and gap_m(fast, slow, time_s) >= clear_m
 
 
 def _beside_lane(story: Story, fast: Runner, slow: Runner) -> tuple[int, float]:

@@ -49,7 +49,10 @@ def contacts(story: Story) -> Iterator[tuple[str, str, float]]:
             a, b = story.runners[first], story.runners[second]
             time_s = _contact_s(a, b)
             if time_s is not None:
-                yield (*_who_runs_in(a, b, time_s), time_s)
+                who, other = _who_runs_in(a, b, time_s)
+                if not _same_way(story, who, other) and brakes_for(story, other, who):
+                    who, other = other, who
+                yield who, other, time_s
 
 
 def _first_contact(story: Story, without: list[tuple[str, str]]) -> tuple[str, str, float] | None:
@@ -57,9 +60,18 @@ def _first_contact(story: Story, without: list[tuple[str, str]]) -> tuple[str, s
         (who, other, at)
         for who, other, at in contacts(story)
         if (who, other) not in without and not contact_wanted(story, who, other)
-        and story.runners[who].forward == story.runners[other].forward
+        and (_same_way(story, who, other) or brakes_for(story, who, other))
     ]  # fmt: skip
     return min(found, key=lambda f: f[2], default=None)
+
+
+def _same_way(story: Story, first: str, second: str) -> bool:
+    return story.runners[first].forward == story.runners[second].forward
+
+
+def brakes_for(story: Story, who: str, other: str) -> bool:
+    """Whether the braking of one is said to be a danger to the other."""
+    return any(h.kind in BRAKING and who in h.by and other in h.to for h in story.hazards)
 
 
 def _contact_s(first: Runner, second: Runner) -> float | None:
@@ -131,7 +143,7 @@ def _brake_for(story: Story, who: Runner, other: Runner, loose: Step | None = No
             enough = rate
             if len(rates) > 1:
                 enough = _just_enough(who, other, rest, begins, rate, own)
-            who.steps = [*rest, _braking(begins, enough, other, own, hazard)]
+            who.steps = [*rest, _braking(begins, enough, who, other, own, hazard)]
             return True
     who.steps = before
     return False
@@ -144,7 +156,7 @@ def _just_enough(
     low, high = rate * _SOFTER, rate
     for _ in range(_ROUNDS // 2):
         middle = (low + high) / 2
-        who.steps = [*rest, _braking(begins_s, middle, other, own, None)]
+        who.steps = [*rest, _braking(begins_s, middle, who, other, own, None)]
         low, high = (low, middle) if _least_gap_m(who, other) >= CLOSEST_M else (middle, high)
     return high
 
@@ -165,11 +177,16 @@ def _sees_s(other: Runner) -> float:
 
 
 def _braking(
-    begins_s: float, rate: float, other: Runner, own: Step | None, hazard: HazardKind | None
+    begins_s: float,
+    rate: float,
+    who: Runner,
+    other: Runner,
+    own: Step | None,
+    hazard: HazardKind | None,
 ) -> Step:
-    """Down to the other's last speed, or to the one that the text gives."""
+    """Down to the other's last speed, or to the one that the text gives; to rest if it comes."""
     slowest = min([other.speed_mps, *(s.target_mps for s in other.steps)])
-    slowest = slowest if other.speed_mps > 0.0 else 0.0
+    slowest = slowest if other.speed_mps > 0.0 and who.forward == other.forward else 0.0
     if own is not None:
         target = min(own.target_mps, slowest)
         return Step(begins_s, target, rate, own.act, own.hazard, reacts_to=other.id)
@@ -187,7 +204,7 @@ def _latest_s(
     """The latest moment at which braking so hard still leaves a little room; None if none does."""
 
     def near(begins_s: float) -> float:
-        step = _braking(begins_s, rate, other, own, None)
+        step = _braking(begins_s, rate, who, other, own, None)
         who.steps = [*rest, step]
         return _least_gap_m(who, other)
 

@@ -7,16 +7,14 @@ from scegen.concretization.along.casting import cast
 from scegen.concretization.along.lanes import choose_lanes
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.story import Story
-from scegen.concretization.asked import dangers
-from scegen.concretization.objects import caused_by_nobody, causes_it, free_name, shape_of
+from scegen.concretization.objects import lying_in_the_way, shape_of
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.speed_limits import implied_limit_mps
-from scegen.scenario.things import Thing, ThingKind
-from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind
+from scegen.scenario.things import Thing
+from scegen.scenario.vocabulary import ParticipantKind
 
 
 def story_of(
@@ -57,26 +55,7 @@ def _things(
     functional: FunctionalScenario, logical: LogicalScenario, runners: dict[str, Runner]
 ) -> list[Thing]:
     """What lies in somebody's lane: what is said, and what a danger needs that nobody causes."""
-    found = [thing for thing in functional.objects if thing.in_way_of in runners]
-    for hazard in dangers(functional, logical):
-        if hazard.kind is not HazardKind.OBSTACLE or not caused_by_nobody(functional, hazard):
-            continue
-        thing = causes_it(functional, hazard)
-        if thing in found or (thing is None and (found or logical.standings)):
-            continue
-        who = next((n for n in hazard.to if n in runners), _who_reacts(functional, logical))
-        name = free_name(functional, ThingKind.OBSTACLE, set(runners))
-        thing = thing or Thing(id=name, kind=ThingKind.OBSTACLE)
-        found.append(thing.model_copy(update={"in_way_of": thing.in_way_of or who}))
-    return found
-
-
-def _who_reacts(functional: FunctionalScenario, logical: LogicalScenario) -> str:
-    """Who does something that one does because of a thing in its way; else the ego."""
-    for hazard in dangers(functional, logical):
-        if hazard.by and (HAZARDS[hazard.kind].acts or hazard.kind is HazardKind.DELAYED_BRAKING):
-            return hazard.by[0]
-    sideways = {Maneuver.LANE_CHANGE, Maneuver.OVERTAKE}
-    return next(
-        (d.participant for d in logical.drives if d.maneuver in sideways), functional.ego.id
-    )
+    needed = [thing for _, thing in lying_in_the_way(functional, logical, runners)]
+    known = {thing.id for thing in needed}
+    said = [t for t in functional.objects if t.in_way_of in runners and t.id not in known]
+    return [*said, *needed]

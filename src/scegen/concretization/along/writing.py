@@ -194,7 +194,8 @@ def _trigger(story: Story, runner: Runner, step: Step) -> Trigger:
         other = story.runners[step.reacts_to]
         dx = runner.x_m(moment) - other.x_m(moment)
         dy = runner.y_m(moment, LANE_WIDTH_M) - other.y_m(moment, LANE_WIDTH_M)
-        closing = runner.speed_at_mps(moment) > other.speed_at_mps(moment) + 0.05
+        along = other.speed_at_mps(moment) * runner.sign * other.sign
+        closing = runner.speed_at_mps(moment) > along + 0.05
         participant = any(p.id == other.id for p in story.functional.participants)
         if closing and participant:
             return DistanceBelow(

@@ -5,12 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from scegen.concretization.amounts import GAINING
 from scegen.concretization.drafts import DriveDraft, Scene
-from scegen.concretization.meetings import Meeting, drives_meet
+from scegen.concretization.meetings import Meeting, drives_meet, meeting_point
+from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Hazard
+from scegen.scenario.vocabulary import HazardKind
 
 Shape = Callable[[Scene, Hazard], list[Meeting]]
 Act = Callable[[Scene, Hazard], None]
+
+_CLEAR_OF_WALKER_M, _CLEAR_OF_OTHER_M = 2.0, 3.0
+_BEFORE_S = 1.5
+"""Who gains speed begins to so long before the place where it matters."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,3 +84,33 @@ def event_s_m(scene: Scene, draft: DriveDraft, hazard: Hazard) -> float:
             return point.first_s_m
     base = [mark.s_m for mark in draft.base_marks() if mark.s_m > 1.0]
     return min([draft.junction_s_m - 10.0, *base]) - 5.0
+
+
+def stops_for_walkers(scene: Scene, draft: DriveDraft) -> tuple[float, float] | None:
+    """Where the reference point must rest for those who cross, and how long until they have."""
+    stops = []
+    for walk in scene.walks.values():
+        point = meeting_point(draft.laid.path, walk.path)
+        if point is not None:
+            place = point.first_s_m - draft.body.front_m - _CLEAR_OF_WALKER_M
+            clear = point.second_s_m + draft.body.width_m / 2 + 1.0 - walk.motion.setback_m
+            stops.append((place, clear / walk.speed_mps))
+    if not stops:
+        return None
+    return min(place for place, _ in stops), max(clear for _, clear in stops)
+
+
+def happens_s_m(scene: Scene, draft: DriveDraft, kind: HazardKind, act: ActKind) -> float:
+    """Where a change of speed is to be over (or a gain of it to begin), as far as nobody says."""
+    to = [h.to for h in scene.functional.hazards if draft.id in h.by and h.kind is kind]
+    hazard = Hazard(kind=kind, by=(draft.id,), to=to[0] if to else ())
+    place = event_s_m(scene, draft, hazard)
+    if act in GAINING:
+        return place - _BEFORE_S * draft.cruise_mps
+    walkers = stops_for_walkers(scene, draft)
+    if walkers is not None:
+        return walkers[0]
+    if draft is scene.ego and draft.rests_at_m is None:
+        # The ego brakes to avoid, the others brake in its way.
+        place -= draft.body.length_m / 2 + _CLEAR_OF_OTHER_M
+    return place

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.concretization.hazards.braking import DELAYED_BRAKING, HARD_BRAKING, STOPPING
+from scegen.concretization.hazards.changing_speed import CHANGES_SPEED
 from scegen.concretization.hazards.conflict import (
     ARRIVES_TOGETHER,
     CROSSES,
@@ -15,7 +15,6 @@ from scegen.concretization.hazards.reversing import REVERSING
 from scegen.concretization.hazards.rule import Rule
 from scegen.concretization.hazards.slow_driving import SLOW_DRIVING
 from scegen.concretization.hazards.speeding import SPEEDING
-from scegen.concretization.hazards.sudden_acceleration import SUDDEN_ACCELERATION
 from scegen.concretization.hazards.sudden_turn import SUDDEN_TURN
 from scegen.concretization.hazards.swerving import LOSS_OF_CONTROL, SWERVING
 from scegen.concretization.hazards.tailgating import TAILGATING
@@ -26,7 +25,7 @@ RULES: dict[HazardKind, Rule] = {
     HazardKind.REVERSING: REVERSING,
     HazardKind.SPEEDING: SPEEDING,
     HazardKind.SLOW_DRIVING: SLOW_DRIVING,
-    HazardKind.SUDDEN_ACCELERATION: SUDDEN_ACCELERATION,
+    HazardKind.SUDDEN_ACCELERATION: CHANGES_SPEED,
     HazardKind.SUDDEN_TURN: SUDDEN_TURN,
     HazardKind.OVERTAKING: OVERTAKING,
     HazardKind.CUT_IN: CUT_IN,
@@ -34,9 +33,9 @@ RULES: dict[HazardKind, Rule] = {
     HazardKind.SWERVING: SWERVING,
     HazardKind.LOSS_OF_CONTROL: LOSS_OF_CONTROL,
     HazardKind.TAILGATING: TAILGATING,
-    HazardKind.HARD_BRAKING: HARD_BRAKING,
-    HazardKind.DELAYED_BRAKING: DELAYED_BRAKING,
-    HazardKind.STOPPING: STOPPING,
+    HazardKind.HARD_BRAKING: CHANGES_SPEED,
+    HazardKind.DELAYED_BRAKING: CHANGES_SPEED,
+    HazardKind.STOPPING: CHANGES_SPEED,
     HazardKind.MERGING_CONFLICT: ARRIVES_TOGETHER,
     HazardKind.UNPROTECTED_LEFT_TURN: ARRIVES_TOGETHER,
     HazardKind.RED_LIGHT_RUNNING: ARRIVES_TOGETHER,

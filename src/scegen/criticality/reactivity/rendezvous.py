@@ -116,7 +116,8 @@ def held_back(
         return None
     rolls_m = slow * go_s + (slow + join.speed_mps) / 2 * speeding_up_s
     nearer_m = join.s_m - rolls_m
-    latest_m = min([way.turn_start_m, *(c.start_m for c in way.changes)]) - _BEFORE_CHANGE_M
+    turns = [way.turn_start_m] if way.turn_end_m > way.turn_start_m else [way.path.length_m]
+    latest_m = min([*turns, *(c.start_m for c in way.changes)]) - _BEFORE_CHANGE_M
     if not 0.0 <= nearer_m <= latest_m:
         return None
     waits = waits_until(ego, ways[concrete.ego.id].path, go_s, meeting_s)

@@ -5,12 +5,12 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import Side
-from scegen.understanding.amounts.sentences import Sentences
+from scegen.understanding.amounts.teller import Teller
 from scegen.understanding.chunks import Event
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured
 from scegen.understanding.frames import acts as frames
-from scegen.understanding.happenings import Amount, Doing, Happenings, Trigger, amount_of, exactly
+from scegen.understanding.happenings import Amount, Doing, Trigger, amount_of, exactly
 
 _ALONG = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.STOP, ActKind.SET_OFF})
 _ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE})
@@ -28,17 +28,8 @@ FIELDS: dict[str, tuple[str, frozenset[ActKind]]] = {
 """Role of a number -> field of an act, and which acts have it."""
 
 
-class Filler:
-    """Gives numbers to acts.
-
-    Args:
-        text: the text with its clauses.
-        happenings: what the text tells of.
-    """
-
-    def __init__(self, text: Sentences, happenings: Happenings) -> None:
-        self._text = text
-        self._happenings = happenings
+class Filler(Teller):
+    """Gives numbers to acts."""
 
     def read(self, number: Measured) -> bool:
         """One number; whether an act takes it.

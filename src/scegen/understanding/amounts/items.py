@@ -56,9 +56,18 @@ def _lie_in_the_way(danger: Danger, text: Sentences, context: Context, found: li
             continue
         for _ in range(_count(thing)):
             item = _item(thing, text)
-            item.blocks = True
+            item.blocks, item.blocked = True, _who_reacts(thing, text)
             found.append(item)
             danger.items.append(item)
+
+
+def _who_reacts(thing: Thing, text: Sentences) -> Entity | None:
+    """``a van brakes for a fallen tree``: who does something about it."""
+    for scene in text.within(*text.bounds(thing.i)):
+        about = [scene.event.object, *(p.target for p in scene.event.pps)]
+        if scene.drivers and any(each is thing for each in about):
+            return scene.drivers[0]
+    return None
 
 
 def _stands_for_others(thing: Thing, text: Sentences) -> bool:
@@ -139,7 +148,7 @@ def _count(thing: Thing) -> int:
 def _item(thing: Thing, text: Sentences) -> Item:
     head = thing.head
     words = text.tokens[head.i : head.j] if head is not None else []
-    called = " ".join(t.forms[-1][0] for t in words)
+    called = " ".join([*(t.low for t in words[:-1]), *(t.forms[-1][0] for t in words[-1:])])
     item = Item(ThingKind(_kind(thing)), called, Basis(thing.i, thing.j))
     own = [d for d in thing.dirs if d in _SIDES]
     after = [

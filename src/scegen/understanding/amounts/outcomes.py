@@ -6,13 +6,13 @@ from scegen.scenario.model import Interval
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.spacings import CONTACT, Measure
 from scegen.scenario.vocabulary import Approach, BodySide, Maneuver
-from scegen.understanding.amounts.sentences import Sentences
+from scegen.understanding.amounts.teller import Teller
 from scegen.understanding.amounts.whom import counterpart, ego_of
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
-from scegen.understanding.happenings import Amount, Apart, Ending, Happenings, amount_of
-from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.happenings import Amount, Apart, Ending, amount_of
+from scegen.understanding.meaning.context import Scene
 from scegen.understanding.words.quantities import ends_a_quantity
 
 _BEFORE = 4
@@ -24,19 +24,8 @@ _REACH = 7
 _NOBODY = frozenset({"neither", "nobody"})
 
 
-class Judge:
-    """Reads the outcome.
-
-    Args:
-        text: the text with its clauses.
-        context: the scenario in the making.
-        happenings: what the text tells of; the ending is set.
-    """
-
-    def __init__(self, text: Sentences, context: Context, happenings: Happenings) -> None:
-        self._text = text
-        self._context = context
-        self._happenings = happenings
+class Judge(Teller):
+    """Reads the outcome."""
 
     def read(self) -> None:
         """The outcome, as verbs tell it, or nouns where none does."""

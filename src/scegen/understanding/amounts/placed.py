@@ -9,6 +9,7 @@ from scegen.scenario.vocabulary import Approach, Maneuver, Side
 from scegen.understanding.amounts.pairs import pair_of, passed, row_of
 from scegen.understanding.amounts.releasing import JUNCTION, Releaser
 from scegen.understanding.amounts.sentences import Sentences
+from scegen.understanding.amounts.teller import Teller
 from scegen.understanding.amounts.whom import behind_or_ahead, ego_of, in_file
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis, Entity
@@ -35,19 +36,11 @@ _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
 _LANED = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE})
 
 
-class Spacer:
-    """Turns numbers into spacings and into what sets acts off.
-
-    Args:
-        text: the text with its clauses.
-        context: the scenario in the making.
-        happenings: what the text tells of; spacings are added.
-    """
+class Spacer(Teller):
+    """Turns numbers into spacings and into what sets acts off."""
 
     def __init__(self, text: Sentences, context: Context, happenings: Happenings) -> None:
-        self._text = text
-        self._context = context
-        self._happenings = happenings
+        super().__init__(text, context, happenings)
         self._releaser = Releaser(text, context, happenings)
 
     def read(self, number: Measured) -> bool:

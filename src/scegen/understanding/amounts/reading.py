@@ -44,7 +44,7 @@ def read_amounts(
             _note(number, context)
     as_fast(text, context)
     found.items = items_in(text, context)
-    filler, clock = Filler(text, found), Clock(text, found)
+    filler, clock = Filler(text, context, found), Clock(text, context, found)
     spacer = Spacer(text, context, found)
     for number in (n for n in measured if n.frame.role in FIELDS):
         if not filler.read(number):

@@ -5,31 +5,19 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Maneuver
-from scegen.understanding.amounts.sentences import Sentences
+from scegen.understanding.amounts.teller import Teller
 from scegen.understanding.amounts.whom import behind_or_ahead, counterpart, in_file
 from scegen.understanding.chunks import Mention, Place, Word
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
-from scegen.understanding.happenings import Apart, Doing, Happenings, Trigger, amount_of
-from scegen.understanding.meaning.context import Context
+from scegen.understanding.happenings import Apart, Doing, Trigger, amount_of
 
 JUNCTION = frozenset({"junction", "signal", "stop_line", "stop_sign", "yield_sign"})
 _SOON = 14
 
 
-class Releaser:
-    """Turns numbers into what sets acts off.
-
-    Args:
-        text: the text with its clauses.
-        context: the scenario in the making.
-        happenings: what the text tells of; spacings are added.
-    """
-
-    def __init__(self, text: Sentences, context: Context, happenings: Happenings) -> None:
-        self._text = text
-        self._context = context
-        self._happenings = happenings
+class Releaser(Teller):
+    """Turns numbers into what sets acts off."""
 
     def until(self, number: Measured) -> bool:
         """``drifts until only 0.3 m remain``: how far apart they end up."""

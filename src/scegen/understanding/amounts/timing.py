@@ -3,27 +3,18 @@
 from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
-from scegen.understanding.amounts.sentences import Sentences
+from scegen.understanding.amounts.teller import Teller
 from scegen.understanding.chunks import Word
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
-from scegen.understanding.happenings import Doing, Happenings, Trigger, amount_of
+from scegen.understanding.happenings import Doing, Trigger, amount_of
 from scegen.understanding.words.quantities import quantity_at
 
 _LATER = frozenset({"later", "afterwards", "thereafter", "that"})
 
 
-class Clock:
-    """Says what sets acts off.
-
-    Args:
-        text: the text with its clauses.
-        happenings: what the text tells of.
-    """
-
-    def __init__(self, text: Sentences, happenings: Happenings) -> None:
-        self._text = text
-        self._happenings = happenings
+class Clock(Teller):
+    """Says what sets acts off."""
 
     def delay(self, number: Measured) -> bool:
         """``after 3 s``, ``2 s later``, ``1 s after the van has cut in``.

@@ -128,7 +128,7 @@ class Writer:
                 Thing(
                     id=item.name,
                     kind=item.kind,
-                    in_way_of=self._ego.name if item.blocks else None,
+                    in_way_of=(item.blocked or self._ego).name if item.blocks else None,
                     hides=tuple(e.name for e in item.hides),
                     side=item.side,
                     called=item.called,

@@ -1,0 +1,57 @@
+"""A danger has a beginning: everybody goes on undisturbed before it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+import numpy as np
+
+from scegen.claims import tolerances
+from scegen.claims.claim import Claim, ClaimKind, Judged
+from scegen.claims.lateral import lateral_m
+from scegen.claims.moments import CHANGES_MPS2, LEAVES_M
+from scegen.claims.told import Told
+from scegen.claims.view import View
+from scegen.scenario.acts import AfterStart, WhenMeasure
+
+LEAD_IN_S = 1.0
+"""The shortest time in which an observer sees what somebody does before it does something else."""
+
+
+def claims(told: Told) -> Iterator[Claim]:
+    """Of everybody who causes a danger or does something, but at a moment that the text gives."""
+    causes = {name for hazard in told.hazards for name in hazard.by}
+    causes |= {act.participant for act in told.functional.acts}
+    for person in told.people:
+        name, drive = person.id, told.drive(person.id)
+        backs = drive is not None and drive.reverses is not None
+        if name not in causes or backs or _begins_as_said(told, name):
+            continue
+        yield Claim(
+            id=f"opening.{name}",
+            kind=ClaimKind.OPENING,
+            statement=f"{name} goes on undisturbed for {LEAD_IN_S:g} s at first",
+            field=f"participants.{name}",
+            unit="s",
+            test=partial(_undisturbed, told, name),
+            tolerance=tolerances.TIME_S,
+        )
+
+
+def _begins_as_said(told: Told, name: str) -> bool:
+    """Whether the text gives the moment of something that it does, by a time or a measure."""
+    return any(isinstance(act.when, AfterStart | WhenMeasure) for act in told.acts_of(name))
+
+
+def _undisturbed(told: Told, name: str, view: View) -> Judged:
+    """Until its speed changes, or it leaves its line."""
+    upto = min(round(LEAD_IN_S / view.dt_s) + 1, view.steps)
+    speed = view.speed_mps(name)[:, : upto + 1]
+    changes = np.abs(np.diff(speed, axis=1, append=speed[:, -1:])) > CHANGES_MPS2 * view.dt_s
+    changes[:, -1] = False
+    aside = np.abs(lateral_m(view, name, told.drive(name))[:, : upto + 1]) > LEAVES_M
+    disturbed = changes | aside
+    step = np.where(disturbed.any(axis=1), disturbed.argmax(axis=1), upto)
+    time_s = view.time_of(step)
+    return Judged(time_s - LEAD_IN_S + tolerances.TIME_S, time_s, time_s)

@@ -1,0 +1,89 @@
+"""Dangers that are a change of speed: braking, stopping, gaining speed where it matters.
+
+Laid backwards from where the danger happens, by the act that the danger consists of. Who does such
+an act by the text does it so; who reverses stops for that.
+"""
+
+from __future__ import annotations
+
+from scegen.concretization.amounts import GAINING, SLOWING, change_of_speed
+from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.hazards.rule import (
+    Rule,
+    culprits,
+    happens_s_m,
+    same_arm,
+    stops_for_walkers,
+    victims,
+)
+from scegen.concretization.marks import Mark
+from scegen.concretization.turning import bend_of
+from scegen.scenario.acts import Act
+from scegen.scenario.functional import Hazard
+from scegen.scenario.hazards import HAZARDS
+from scegen.scenario.vocabulary import HazardKind
+
+_HOLDS_S = {HazardKind.STOPPING: 3.0}
+_HOLD_S = 1.5
+_AFTER_WALKER_S = 0.5
+_LATE = 0.5
+"""One who brakes late begins with half of the braking distance left."""
+_SLOWER = 0.65
+"""The part of its usual speed from which one speeds up suddenly."""
+_BEFORE_M = 5.0
+_TOO_LATE_M, _OUT_OF_BEND_M, _FIRST_M = 15.0, 2.0, 5.0
+
+
+def _act_of(scene: Scene, hazard: Hazard, draft: DriveDraft) -> Act | None:
+    """The act that a danger consists of, where the text has none of the sort."""
+    kind = HAZARDS[hazard.kind].acts[0]
+    alike = SLOWING if kind in SLOWING else GAINING
+    if draft.reversal is not None or any(a.kind in alike for a in scene.speed_acts(draft.id)):
+        return None
+    return Act(id=f"{hazard.kind}_of_{draft.id}"[:40], participant=draft.id, kind=kind)
+
+
+def _prepare(scene: Scene, hazard: Hazard) -> None:
+    """Who speeds up comes slower than is usual, but for one who follows its sufferer."""
+    for draft in culprits(scene, hazard):
+        act = _act_of(scene, hazard, draft)
+        follows = any(same_arm(draft, victim) for victim in victims(scene, hazard, draft))
+        if act is None or act.kind not in GAINING or follows or scene.has_said_speed(draft.id):
+            continue
+        before, draft.cruise_mps = draft.cruise_mps, draft.cruise_mps * _SLOWER
+        reason = "sudden acceleration: reduced speed first"
+        scene.note(f"{draft.id}.speed_mps", draft.cruise_mps, reason, before)
+
+
+def _change_speed(scene: Scene, hazard: Hazard) -> None:
+    for draft in culprits(scene, hazard):
+        act = _act_of(scene, hazard, draft)
+        if act is None:
+            continue
+        event = happens_s_m(scene, draft, hazard.kind, act.kind)
+        before = draft.course.speed_at(max(1.0, event - _BEFORE_M))
+        target, rate = change_of_speed(
+            act, before, draft.body, draft.grip_mps2, hazard.kind, draft.cruise_mps
+        )
+        if act.kind in GAINING:
+            draft.resume_mps = target
+            draft.add_mark(Mark(_clear_of_bend(draft, event, target), target, rate, hazard.kind))
+            continue
+        late = hazard.kind is HazardKind.DELAYED_BRAKING and draft.rests_at_m is None
+        way = before**2 / (2 * rate) * (_LATE if late else 1.0)
+        hold = _HOLDS_S.get(hazard.kind, _HOLD_S)
+        walkers = stops_for_walkers(scene, draft)
+        if walkers is not None:
+            hold = max(hold, walkers[1] - before / rate + _AFTER_WALKER_S)
+        draft.add_mark(Mark(max(3.0, event - way - 0.1), 0.0, rate, hazard.kind, hold_s=hold))
+
+
+def _clear_of_bend(draft: DriveDraft, place_m: float, target_mps: float) -> float:
+    """Nobody speeds up into a bend that it cannot hold: it does so out of the bend."""
+    bend = bend_of(draft.laid, target_mps, draft.lateral_mps2)
+    if bend is not None and place_m > bend.start_s_m - _TOO_LATE_M:
+        place_m = bend.end_s_m - _OUT_OF_BEND_M
+    return max(_FIRST_M, place_m)
+
+
+CHANGES_SPEED = Rule(prepare=_prepare, act=_change_speed)
