@@ -12,6 +12,7 @@ from scegen.claims.boxes import Boxes
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats
 from scegen.road import build_network
+from scegen.road.cross_section import median_half_m
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.vocabulary import DrivingSide
 
@@ -20,6 +21,7 @@ from scegen.scenario.vocabulary import DrivingSide
 class Arm:
     """An arm of a road, from its outer end inwards: straight, or a bend behind ``straight_m``.
 
+    ``inner_m`` is where its lanes begin beside the centre line: behind half a median.
     ``inward`` is the side of the traffic towards the junction, as a sign of the offset to the left
     of the centre line; ``edges_m`` are the offsets of the carriageway's right and left edge.
     """
@@ -31,6 +33,7 @@ class Arm:
     length_m: float
     straight_m: float
     lane_width_m: float
+    inner_m: float
     inward: int
     edges_m: tuple[float, float]
 
@@ -51,7 +54,7 @@ class Arm:
     def lane_offset_m(self, number: int, *, inwards: bool) -> float:
         """Offset of the middle of a lane to the left of the centre line; 1 is next to it."""
         side = self.inward if inwards else -self.inward
-        return side * (number - 0.5) * self.lane_width_m
+        return side * (self.inner_m + (number - 0.5) * self.lane_width_m)
 
 
 def arms_of(view: View) -> tuple[Arm, ...]:
@@ -76,6 +79,7 @@ def _built(road: RoadParameters) -> tuple[Arm, ...]:
                 built.length_m,
                 built.line.segments[0].length_m,
                 described.lane_width_m,
+                median_half_m(road.carriageway),
                 inward,
                 (built.edge_t_m(-1), built.edge_t_m(1)),
             )

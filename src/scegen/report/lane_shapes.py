@@ -39,12 +39,26 @@ def road_shapes(network: RoadNetwork) -> RoadShapes:
         for sign in (1, -1):
             _add_side(shapes, road, poses, sign)
         if road.junction is None:
-            ids = {lane.id for lane in road.lanes if lane.type is LaneType.DRIVING}
-            if {1, -1} <= ids:
-                kind = shapes.lane_lines if ids == {1, -1} else shapes.centre_lines
-                kind.append(_offset(poses, road.lane_offset_m))
+            _add_middle(shapes, road, poses)
             _add_crosswalks(shapes, road)
     return shapes
+
+
+def _add_middle(shapes: RoadShapes, road: Road, poses: Array) -> None:
+    """The marks where the lanes of each direction begin: one for both, unless a median parts them.
+
+    Where one direction has none, there is an edge; a ring has none on its inside.
+    """
+    ids = {lane.id for lane in road.lanes if lane.type is LaneType.DRIVING}
+    if {1, -1} <= ids:
+        kind = shapes.lane_lines if ids == {1, -1} else shapes.centre_lines
+        kind.append(_offset(poses, road.lane_offset_m))
+    elif road.arm is not None:
+        for lane in (side[0] for side in (road.driving(1), road.driving(-1)) if side):
+            inner = road.lane_centre_t_m(lane) - (road.lane(lane).width_m / 2) * (
+                1 if lane > 0 else -1
+            )
+            shapes.edge_lines.append(_offset(poses, inner))
 
 
 def _add_side(shapes: RoadShapes, road: Road, poses: Array, sign: int) -> None:

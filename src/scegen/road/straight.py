@@ -13,6 +13,7 @@ from scegen.road.cross_section import (
     arm_road_id,
     lane_in,
     lane_out,
+    median_half_m,
 )
 from scegen.road.fillet import chain, wrapped
 from scegen.road.geometry import Pose, ReferenceLine
@@ -53,6 +54,8 @@ def build_straight(parameters: RoadParameters, name: str) -> RoadNetwork:
     arms = tuple(_linked(road, parameters) for road in arms)
     routes: dict[tuple[int, int], tuple[Route, ...]] = {}
     for entry, leaving in ((0, 1), (1, 0)):
+        if not parameters.arms[entry].lanes_in:
+            continue
         routes[entry, leaving] = tuple(
             Route(
                 entry,
@@ -102,7 +105,9 @@ def _line(parameters: RoadParameters, index: int) -> ReferenceLine:
     bend = _bend_rad(parameters) * (1 if index == 0 else -1)
     if abs(bend) < 1e-9:
         return arm_line(arm, 0.0)
-    widest = max(arm.lanes_in, arm.lanes_out) * arm.lane_width_m
+    widest = (
+        median_half_m(parameters.carriageway) + max(arm.lanes_in, arm.lanes_out) * arm.lane_width_m
+    )
     radius = parameters.corner_radius_m or BEND_RADIUS_M
     tightest = max(MIN_BEND_RADIUS_M, 2 * widest)
     if radius < tightest:

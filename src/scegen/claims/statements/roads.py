@@ -10,6 +10,7 @@ from scegen.claims.told import KPH, Told, plain
 from scegen.claims.view import View
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.control import controlled_arms, has_crosswalk
+from scegen.scenario.roadway import Carriageway, Strip
 
 _SAME_MPS = 0.5 / KPH
 _SAME_DEG = 1.0
@@ -39,6 +40,13 @@ def claims(told: Told) -> Iterator[Claim]:
         lanes = junction.lanes
         statement = f"lanes per direction: {', '.join(map(str, lanes))}"
         yield _road("lanes", statement, lambda road: _wide(road, lanes))
+    carriageway, strips = junction.carriageway, junction.strips
+    if carriageway is not Carriageway.UNDIVIDED:
+        statement = f"its carriageway is {plain(carriageway)}"
+        yield _road("carriageway", statement, lambda road: road.carriageway is carriageway)
+    if strips:
+        statement = f"beside its lanes: {', '.join(plain(x) for x in Strip if x in strips)}"
+        yield _road("strips", statement, lambda road: road.strips >= strips)
     if junction.arm_angles_deg:
         angles = junction.arm_angles_deg
         statement = f"its arms lie at {', '.join(f'{angle:g}' for angle in angles)} degrees"
@@ -98,8 +106,13 @@ def _limited(limit_mps: float, road: RoadParameters) -> bool:
 
 
 def _wide(road: RoadParameters, lanes: tuple[int, ...]) -> bool:
-    """At least as many lanes in: where somebody turns back, one more may be needed."""
-    return all(arm.lanes_in >= count for arm, count in zip(road.arms, lanes, strict=False))
+    """At least as many lanes in: where somebody turns back, one more may be needed.
+
+    A one-way road has lanes in at one arm only, and at the other as many out.
+    """
+    one_way = road.carriageway is Carriageway.ONE_WAY
+    found = [max(arm.lanes_in, arm.lanes_out) if one_way else arm.lanes_in for arm in road.arms]
+    return all(have >= count for have, count in zip(found, lanes, strict=False))
 
 
 def _at_angles(angles_deg: tuple[float, ...], road: RoadParameters) -> bool:

@@ -29,6 +29,7 @@ from scegen.concretization.objects import (
 )
 from scegen.concretization.occluders import hide
 from scegen.concretization.roads import plan
+from scegen.errors import MotionInfeasibleError
 from scegen.motion.paths import build_paths
 from scegen.motion.standing import crossing_path
 from scegen.motion.ties import clear_of_ties
@@ -83,6 +84,7 @@ def compose_along(
     """
     story = story_of(functional, logical, road)
     walks = lay(story)
+    _stay_on_their_side(story)
     parked = park(story, walks)
     lasts = min(closest_s(story, ends_s(story, walks)) + _AFTER_S, _LONGEST_S)
     frame = frame_of(story, walks, parked, [], min(_SPARE * lasts, _LONGEST_S))
@@ -91,6 +93,23 @@ def compose_along(
     standing = [written_parked(frame, p, functional.participant(p.id)) for p in parked]
     made = _written(story, frame, parameters, network, walks, seed, lasts, standing)
     return hide(functional, made, network)
+
+
+def _stay_on_their_side(story: Story) -> None:
+    """Nobody changes between the lanes of the two directions where they are parted.
+
+    Raises:
+        MotionInfeasibleError: somebody would have to.
+    """
+    for runner in story.runners.values():
+        lanes = {runner.lane, *(move.lane for move in runner.moves)}
+        if story.innermost and 0 in lanes and len(lanes) > 1:
+            raise MotionInfeasibleError(
+                "would have to use the lanes of the other direction, which this road "
+                f"({story.functional.junction.carriageway.value}) keeps apart",
+                where=runner.id,
+                hint="Give the road more lanes per direction, or let it be undivided.",
+            )
 
 
 def _written(

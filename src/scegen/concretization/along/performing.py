@@ -66,7 +66,7 @@ def _swerve(
     side = act.side or _free_side(story, runner, lane)
     if act.lateral_m is None:
         aside = max(0, lane + outward(story.functional, side))
-        if aside > story.lane_count:
+        if not story.innermost <= aside <= story.lane_count:
             side = Side.LEFT if side is Side.RIGHT else Side.RIGHT
             aside = max(0, lane + outward(story.functional, side))
         lasts = lasting_s(act, LANE_WIDTH_M, ABRUPT_LANE_CHANGE_S)

@@ -39,6 +39,7 @@ def story_of(
             0.0,
             box=body,
             keeps_left=blocked.keeps_left,
+            inner_m=blocked.inner_m,
         )
     acts = all_acts(functional, logical, runners)
     people = {name: runner for name, runner in runners.items() if runner.box is None}
