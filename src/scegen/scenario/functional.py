@@ -91,7 +91,7 @@ class Junction(FrozenModel):
             raise ValueError(msg)
         most = MAX_LANES if self.kind is JunctionKind.STRAIGHT else MAX_LANES - 1
         if any(not 1 <= count <= most for count in self.lanes):
-            msg = f"lanes per direction must be 1 to {most} at a junction of kind {self.kind}"
+            msg = "lanes per direction must be 1, 2 or 3; on a road without a junction also 4"
             raise ValueError(msg)
         if self.kind is not JunctionKind.STRAIGHT:
             for field in ("carriageway", "strips"):
