@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from math import ceil
+from math import ceil, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,8 @@ from scegen.road.model import LaneType, Road, RoadNetwork
 Array = NDArray[np.float64]
 _STRIPE_M = 0.5
 _STEP_RAD = 0.08
+_OFF_M = 0.02
+"""A chord is no farther from its arc than this."""
 
 
 @dataclass
@@ -89,8 +91,9 @@ def _poses(line: ReferenceLine) -> Array:
     """Points (x, y, heading) along a line, as dense as its bends need."""
     rows = []
     for segment in line.segments:
-        bend = abs(segment.curvature_1pm) * segment.length_m
-        count = max(1, ceil(bend / _STEP_RAD))
+        k = abs(segment.curvature_1pm)
+        step = min(_STEP_RAD, sqrt(8 * _OFF_M * k))
+        count = max(1, ceil(k * segment.length_m / step)) if k else 1
         rows += [segment.pose(segment.length_m * i / count) for i in range(count + 1)]
     return np.array([(p.x_m, p.y_m, p.heading_rad) for p in rows])
 

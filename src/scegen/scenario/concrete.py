@@ -64,7 +64,8 @@ class Turn(FrozenModel):
 class RoadParameters(FrozenModel):
     """All that determines the road network.
 
-    ``corner_radius_m`` is the kerb radius between neighbouring arms, ``ring_radius_m`` the
+    ``corner_radius_m`` is the kerb radius between neighbouring arms, on a road without a junction
+    that of its centre line in the bend that the arms' angles make; ``ring_radius_m`` the
     radius of the outermost ring lane's centre; None lets the road package choose.
     ``parking_lanes`` are arms with a strip for standing vehicles beside the travelled lanes;
     ``u_turns`` arms where turning back is possible; ``turns`` more ways through the crossing;
@@ -76,7 +77,7 @@ class RoadParameters(FrozenModel):
     arms: tuple[ArmRoad, ...] = Field(min_length=2, max_length=MAX_ARMS)
     driving_side: DrivingSide = DrivingSide.RIGHT
     control: Control = Control.UNCONTROLLED
-    corner_radius_m: float | None = Field(default=None, gt=0, le=100)
+    corner_radius_m: float | None = Field(default=None, gt=0, le=5000)
     ring_radius_m: float | None = Field(default=None, gt=0, le=200)
     ring_lanes: int = Field(default=1, ge=1, le=2)
     crosswalks: ArmSet = frozenset()

@@ -12,6 +12,7 @@ from typing import Literal
 from pydantic import Field, model_validator
 
 from scegen.scenario.acts import Act, AfterAct, WhenMeasure
+from scegen.scenario.bends import Bend
 from scegen.scenario.model import ArmSet, FrozenModel, Identifier, Interval, VocabularySet
 from scegen.scenario.outcome import Outcome
 from scegen.scenario.roadway import Carriageway, Strip
@@ -58,7 +59,8 @@ class Junction(FrozenModel):
     counter-clockwise from east, one per arm in rising order; empty means the kind's own.
     ``lanes`` is the number of lanes per direction of each arm; empty means one everywhere.
     ``crosswalks`` are the arms that a marked crosswalk runs across. A road without a junction may
-    have another ``carriageway`` than the usual, and ``strips`` all along its lanes.
+    have another ``carriageway`` than the usual, ``strips`` all along its lanes, and a ``bend``,
+    which the ego enters at arm 0 if its side is said.
     """
 
     kind: JunctionKind
@@ -72,6 +74,7 @@ class Junction(FrozenModel):
     crosswalks: ArmSet = frozenset()
     carriageway: Carriageway = Carriageway.UNDIVIDED
     strips: VocabularySet[Strip] = frozenset()
+    bend: Bend | None = None
 
     @model_validator(mode="after")
     def _fits_its_kind(self) -> Junction:
@@ -94,10 +97,13 @@ class Junction(FrozenModel):
             msg = "lanes per direction must be 1, 2 or 3; on a road without a junction also 4"
             raise ValueError(msg)
         if self.kind is not JunctionKind.STRAIGHT:
-            for field in ("carriageway", "strips"):
+            for field in ("carriageway", "strips", "bend"):
                 if getattr(self, field) != Junction.model_fields[field].default:
                     msg = f"{field} is only for a road without a junction, kind straight"
                     raise ValueError(msg)
+        if self.bend is not None and self.arm_angles_deg:
+            msg = "a road has a bend or arm_angles_deg, not both"
+            raise ValueError(msg)
         if any(not 0 <= arm < self.arms for arm in self.crosswalks):
             msg = f"crosswalks names an arm outside 0..{self.arms - 1}"
             raise ValueError(msg)

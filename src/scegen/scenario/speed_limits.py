@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from math import ceil
 
+from scegen.scenario.arms import URBAN_LIMIT_MPS
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.roadway import Carriageway, Strip
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, ParticipantKind
 
-URBAN_LIMIT_MPS = 50 / 3.6
-"""The urban limit of the Vienna Convention's countries."""
 ROUNDABOUT_LIMIT_MPS = 30 / 3.6
 DIVIDED_LIMIT_MPS = 100 / 3.6
 MOTORWAY_LIMIT_MPS = 130 / 3.6

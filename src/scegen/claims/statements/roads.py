@@ -8,12 +8,16 @@ from functools import partial
 from scegen.claims.claim import Claim, ClaimKind, Judged, always
 from scegen.claims.told import KPH, Told, plain
 from scegen.claims.view import View
+from scegen.road.straight import curve_of
+from scegen.scenario.bends import Bend
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.control import controlled_arms, has_crosswalk
 from scegen.scenario.roadway import Carriageway, Strip
+from scegen.scenario.vocabulary import Side
 
 _SAME_MPS = 0.5 / KPH
 _SAME_DEG = 1.0
+_SAME_M = 0.5
 Agrees = Callable[[RoadParameters], bool]
 
 
@@ -44,6 +48,12 @@ def claims(told: Told) -> Iterator[Claim]:
     if carriageway is not Carriageway.UNDIVIDED:
         statement = f"its carriageway is {plain(carriageway)}"
         yield _road("carriageway", statement, lambda road: road.carriageway is carriageway)
+    if junction.bend is not None:
+        bend, ego = junction.bend, told.drive(told.ego)
+        entry = 0 if ego is None else ego.entry
+        course = "a bend" if bend.side is None else f"a bend to the {bend.side}"
+        size = "" if bend.radius_m is None else f" of {bend.radius_m:g} m radius"
+        yield _road("bend", f"the ego drives {course}{size}", partial(_bends, bend, entry))
     if strips:
         statement = f"beside its lanes: {', '.join(plain(x) for x in Strip if x in strips)}"
         yield _road("strips", statement, lambda road: road.strips >= strips)
@@ -113,6 +123,18 @@ def _wide(road: RoadParameters, lanes: tuple[int, ...]) -> bool:
     one_way = road.carriageway is Carriageway.ONE_WAY
     found = [max(arm.lanes_in, arm.lanes_out) if one_way else arm.lanes_in for arm in road.arms]
     return all(have >= count for have, count in zip(found, lanes, strict=False))
+
+
+def _bends(bend: Bend, entry: int, road: RoadParameters) -> bool:
+    """To the side that is said, seen by who enters at that arm, as tightly as is said."""
+    curve = curve_of(road)
+    if curve is None:
+        return False
+    left = (curve.curvature_1pm > 0) == (entry == 0)
+    sided = bend.side is None or left == (bend.side is Side.LEFT)
+    return sided and (
+        bend.radius_m is None or abs(abs(1 / curve.curvature_1pm) - bend.radius_m) < _SAME_M
+    )
 
 
 def _at_angles(angles_deg: tuple[float, ...], road: RoadParameters) -> bool:

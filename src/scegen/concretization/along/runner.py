@@ -172,6 +172,10 @@ class Runner:
             before = goal
         return place
 
+    def lane_y_m(self, lane: int) -> float:
+        """Where the middle of a lane is across the road."""
+        return self._across_m(lane, 0.0, LANE_WIDTH_M)
+
     def _across_m(self, lane: int, offset_m: float, width_m: float) -> float:
         outward = 1 if self.keeps_left else -1
         inner_m = self.inner_m if lane >= 1 else -self.inner_m
