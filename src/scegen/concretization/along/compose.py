@@ -91,7 +91,7 @@ def compose_along(
     frame = frame_of(story, walks, parked, planned, closest, min(_SPARE * lasts, _LONGEST_S))
     parameters = road_of(planned, frame)
     network = build_network(parameters)
-    standing = [written_parked(frame, p, functional.participant(p.id)) for p in parked]
+    standing = [written_parked(story, frame, p) for p in parked]
     made = _written(story, frame, parameters, network, walks, seed, lasts, standing)
     return hide(functional, made, network)
 

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from math import inf, sqrt
+
 from scegen.concretization.along.acts import all_acts
 from scegen.concretization.along.casting import cast
 from scegen.concretization.along.lanes import choose_lanes
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.story import Story
 from scegen.concretization.objects import lying_in_the_way, shape_of
+from scegen.errors import MotionInfeasibleError
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
+from scegen.scenario.bends import COMFORTABLE_LATERAL_MPS2
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
@@ -26,7 +30,9 @@ def story_of(
         MotionInfeasibleError: what is said of lanes cannot all be had.
     """
     limit = functional.junction.speed_limit_mps or implied_limit_mps(functional)
-    runners = cast(functional, logical, limit)
+    grip = friction_of(functional.environment) * GRAVITY_MPS2
+    runners = cast(functional, logical, min(limit, _comfortable_mps(functional, limit)))
+    _keep_on_the_road(functional, runners, limit, grip)
     things = _things(functional, logical, runners)
     for thing in things:
         blocked = runners[thing.in_way_of or ""]
@@ -48,8 +54,38 @@ def story_of(
         count = road.arms[0].lanes_in
     for thing in things:
         runners[thing.id].lane = runners[thing.in_way_of or ""].lane
-    grip = friction_of(functional.environment) * GRAVITY_MPS2
     return Story(functional, logical, runners, acts, count, limit, grip, tuple(things))
+
+
+def _comfortable_mps(functional: FunctionalScenario, limit_mps: float) -> float:
+    """The speed at which a bend is driven in comfort; endless where there is none."""
+    bend = functional.junction.bend
+    if bend is None:
+        return inf
+    return sqrt(COMFORTABLE_LATERAL_MPS2 * bend.radius_at_m(limit_mps))
+
+
+def _keep_on_the_road(
+    functional: FunctionalScenario, runners: dict[str, Runner], limit_mps: float, grip_mps2: float
+) -> None:
+    """Nobody is so fast in a bend that no tyre would hold.
+
+    Raises:
+        MotionInfeasibleError: somebody is said to be.
+    """
+    bend = functional.junction.bend
+    if bend is None:
+        return
+    radius = bend.radius_at_m(limit_mps)
+    for runner in runners.values():
+        asked = runner.fastest_mps**2 / radius
+        if asked > grip_mps2:
+            raise MotionInfeasibleError(
+                f"at {runner.fastest_mps * 3.6:.0f} km/h a bend of {radius:g} m radius needs "
+                f"{asked:.1f} m/s2 sideways, and tyres give {grip_mps2:.1f} on this road",
+                where=runner.id,
+                hint="Let it drive more slowly, or widen the bend.",
+            )
 
 
 def _things(

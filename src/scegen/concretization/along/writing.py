@@ -332,13 +332,13 @@ def walk_motion(frame: Frame, walk: Walk) -> CrossingMotion:
     )
 
 
-def written_parked(frame: Frame, parked: Parked, participant: Participant) -> ConcreteParticipant:
+def written_parked(story: Story, frame: Frame, parked: Parked) -> ConcreteParticipant:
     """One who is parked: its box's middle lies where the story has it."""
     standing: Standing = parked.standing
-    body = BODIES[parked.kind]
+    participant, body = story.functional.participant(parked.id), BODIES[parked.kind]
     away = frame.from_junction_m(standing.arm, parked.x_m)
     # It heads the way of the traffic on its side; its reference point lies behind its middle.
-    towards = (parked.on_left is False) == (standing.arm == frame.ego_arm)
+    towards = (parked.on_left == story.ego.keeps_left) == (standing.arm == frame.ego_arm)
     away += body.centre_ahead_m if towards else -body.centre_ahead_m
     return ConcreteParticipant(
         id=parked.id,
