@@ -25,6 +25,7 @@ _RING_JOIN, _RING_LEAST = radians(14.0), radians(8.0)
 _ARC_STEPS = 24
 _BOX = 9.0
 _MEDIAN = 4.0
+_IN_LINE = 0.01
 _FROM_BESIDE = frozenset({Reverses.FROM_RIGHT, Reverses.FROM_LEFT})
 
 
@@ -56,6 +57,11 @@ class Plan:
         """Radius of the ring's middle."""
         return _RING
 
+    @property
+    def bends(self) -> bool:
+        """Whether two arms do not lie in one line."""
+        return len(self.angles) == 2 and abs(sin(self.angles[1] - self.angles[0])) > _IN_LINE
+
     def half(self, arm: int) -> float:
         """Half the width of an arm's lanes, with the median between them."""
         whole = self.lanes[arm] * self.lane
@@ -72,6 +78,8 @@ class Plan:
 
     def at(self, arm: int, distance: float, right: float = 0.0) -> Point:
         """A point on an arm; ``right`` as seen by traffic that enters there."""
+        if distance < 0.0 and self.kind is JunctionKind.STRAIGHT:
+            return self.at(1 - arm, -distance, -right)  # beyond the middle, on the other arm
         a = self.angles[arm]
         # Entering traffic heads for the centre: its right is the direction a + 90 degrees.
         return (

@@ -202,7 +202,7 @@ def _roads(plan: Plan, functional: FunctionalScenario, theme: Theme) -> str:
             half = plan.half(arm) + wider / 2
             ends = ((0.0, half), (REACH, half), (REACH, -half), (0.0, -half))
             layers.append(area(in_tile(plan.at(arm, *end) for end in ends), paint))
-        if plan.kind is not JunctionKind.STRAIGHT:
+        if plan.kind is not JunctionKind.STRAIGHT or plan.bends:
             radius = plan.ring + plan.lane if plan.is_ring else _core(plan)
             layers.append(circle(MIDDLE, MIDDLE, radius + wider / 2, paint))
     if plan.is_ring:

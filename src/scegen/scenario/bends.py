@@ -19,6 +19,8 @@ COMFORTABLE_LATERAL_MPS2 = 3.0  # [UN79]
 _SIDE_FRICTION = ((30, 0.28), (40, 0.23), (50, 0.19), (60, 0.17), (70, 0.15), (80, 0.14),
                   (90, 0.13), (100, 0.12), (110, 0.11), (120, 0.09), (130, 0.08))  # fmt: skip
 """By the speed in km/h [AASHTO]."""
+RADII_M = (20.0, 5000.0)
+"""The tightest and the widest bend of a road."""
 _SUPERELEVATION = 0.06
 _PER_RADIUS = 127.0
 """(km/h)^2 per m and g: 3.6^2 * 9.81."""
@@ -34,7 +36,7 @@ class Bend(FrozenModel):
     """
 
     side: Side | None = None
-    radius_m: float | None = Field(default=None, ge=20, le=5000)
+    radius_m: float | None = Field(default=None, ge=RADII_M[0], le=RADII_M[1])
 
     def radius_at_m(self, limit_mps: float) -> float:
         """Its radius on a road with this limit."""

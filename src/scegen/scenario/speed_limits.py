@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from math import ceil
+from math import ceil, inf, sqrt
 
 from scegen.scenario.arms import URBAN_LIMIT_MPS
+from scegen.scenario.bends import COMFORTABLE_LATERAL_MPS2
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.roadway import Carriageway, Strip
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, ParticipantKind
@@ -59,3 +60,11 @@ def implied_limit_mps(functional: FunctionalScenario) -> float:
     if fastest <= usual * _CLEARLY:
         return usual
     return max(min(ceil(round(fastest / _STEP_MPS, 1)) * _STEP_MPS, _HIGHEST_MPS), usual)
+
+
+def comfortable_mps(functional: FunctionalScenario) -> float:
+    """The speed at which the road's bend is driven in comfort; inf where there is none."""
+    bend = functional.junction.bend
+    if bend is None:
+        return inf
+    return sqrt(COMFORTABLE_LATERAL_MPS2 * bend.radius_at_m(implied_limit_mps(functional)))

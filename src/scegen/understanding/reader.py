@@ -36,6 +36,7 @@ from scegen.understanding.road.lengthwise import read_lengthwise
 from scegen.understanding.road.relevance import require_traffic
 from scegen.understanding.road.surroundings import read_surroundings
 from scegen.understanding.words.angles import read_angles, set_apart
+from scegen.understanding.words.bends import whole_bends
 from scegen.understanding.words.language import require_english
 from scegen.understanding.words.sides import settle_sides
 from scegen.understanding.words.tagging import tag
@@ -75,7 +76,7 @@ def read(text: str) -> FunctionalScenario:
         raise InputError(msg, where="description", hint="Describe one situation at a time.")
     tokens = tokenize(text)
     require_english(tokens, text)
-    terms = set_apart(tag(tokens), read_angles(tokens, text))
+    terms = whole_bends(set_apart(tag(tokens), read_angles(tokens, text)), tokens)
     require_traffic(terms, tokens)
     junction = read_junction(terms, tokens)
     surroundings = read_surroundings(terms, tokens)

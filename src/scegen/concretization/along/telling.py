@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from math import inf, sqrt
-
 from scegen.concretization.along.acts import all_acts
 from scegen.concretization.along.casting import cast
 from scegen.concretization.along.lanes import choose_lanes
@@ -12,11 +10,10 @@ from scegen.concretization.along.story import Story
 from scegen.concretization.objects import lying_in_the_way, shape_of
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
-from scegen.scenario.bends import COMFORTABLE_LATERAL_MPS2
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
-from scegen.scenario.speed_limits import implied_limit_mps
+from scegen.scenario.speed_limits import comfortable_mps, implied_limit_mps
 from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import ParticipantKind
 
@@ -31,7 +28,7 @@ def story_of(
     """
     limit = functional.junction.speed_limit_mps or implied_limit_mps(functional)
     grip = friction_of(functional.environment) * GRAVITY_MPS2
-    runners = cast(functional, logical, min(limit, _comfortable_mps(functional, limit)))
+    runners = cast(functional, logical, min(limit, comfortable_mps(functional)))
     _keep_on_the_road(functional, runners, limit, grip)
     things = _things(functional, logical, runners)
     for thing in things:
@@ -55,14 +52,6 @@ def story_of(
     for thing in things:
         runners[thing.id].lane = runners[thing.in_way_of or ""].lane
     return Story(functional, logical, runners, acts, count, limit, grip, tuple(things))
-
-
-def _comfortable_mps(functional: FunctionalScenario, limit_mps: float) -> float:
-    """The speed at which a bend is driven in comfort; endless where there is none."""
-    bend = functional.junction.bend
-    if bend is None:
-        return inf
-    return sqrt(COMFORTABLE_LATERAL_MPS2 * bend.radius_at_m(limit_mps))
 
 
 def _keep_on_the_road(

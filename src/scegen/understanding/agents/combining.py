@@ -23,6 +23,7 @@ _SHAPE = (
     "crosswalks",
     "carriageway",
     "strips",
+    "bend",
 )
 """Fields of a junction that only fit together."""
 _JUNCTION = (
@@ -35,6 +36,7 @@ _JUNCTION = (
     "control",
     "carriageway",
     "strips",
+    "bend",
 )
 _NUMBERS = frozenset({"arms", "lanes", "ring_lanes", "speed_limit_mps"})
 _ENVIRONMENT = (

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from scegen.scenario.bends import Bend
 from scegen.scenario.functional import ARM_COUNTS, Junction
 from scegen.scenario.roadway import Carriageway, Strip
 from scegen.scenario.vocabulary import (
@@ -78,6 +79,7 @@ class Layout:
         return Junction(
             carriageway=carriageway,
             strips=strips,
+            bend=self._bend(kind, angles),
             kind=kind,
             arms=arms,
             arm_angles_deg=angles,
@@ -97,7 +99,8 @@ class Layout:
             if not self._along.presumed:
                 self._note(basis, _AT_JUNCTIONS)
             return Carriageway.UNDIVIDED
-        if self._along.presumed and (lanes[:1] == (1,) or self._meets_the_oncoming()):
+        narrow = lanes[:1] == (1,) or self._around.two_lane is not None
+        if self._along.presumed and (narrow or self._meets_the_oncoming()):
             return Carriageway.UNDIVIDED
         self._proofs.add("junction.carriageway", basis)
         return said
@@ -115,6 +118,16 @@ class Layout:
             Approach.OPPOSITE in entity.approaches or Maneuver.U_TURN in entity.maneuvers
             for entity in self._draft.entities
         )
+
+    def _bend(self, kind: JunctionKind, angles: tuple[float, ...]) -> Bend | None:
+        basis = self._along.bend_basis
+        if self._along.bend is None or basis is None:
+            return None
+        if kind is not JunctionKind.STRAIGHT or angles:
+            self._note(basis, _AT_JUNCTIONS)
+            return None
+        self._proofs.add("junction.bend", basis)
+        return self._along.bend
 
     def _strips(self, kind: JunctionKind, carriageway: Carriageway) -> frozenset[Strip]:
         """What lies beside the lanes; a motorway's hard shoulder only where it is one."""
