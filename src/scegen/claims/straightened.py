@@ -47,7 +47,7 @@ def axis_of(concrete: ConcreteScenario) -> Axis | None:
 
 @lru_cache(maxsize=64)
 def _axis(road: RoadParameters, arm: int, number: int) -> Axis:
-    network = build_network(road, name="claims")
+    network = build_network(road)
     first, second = network.arm_road(0), network.arm_road(1)
     line = ReferenceLine((*first.line.segments, *second.line.reversed().segments))
     built = network.arm_road(arm)
