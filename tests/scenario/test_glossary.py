@@ -8,13 +8,13 @@ from pathlib import Path
 
 import pytest
 
-from scegen.scenario import acts, outcome, spacings, things, vocabulary
+from scegen.scenario import acts, outcome, roadway, spacings, things, vocabulary
 from scegen.scenario.files import json_schema
 from scegen.scenario.functional import Participant
 from scegen.scenario.glossary import VOCABULARY, defined, meaning_of, page
 from scegen.scenario.vocabulary import BodySide, DrivingSide, Maneuver
 
-_HOMES = (vocabulary, acts, spacings, outcome, things)
+_HOMES = (vocabulary, roadway, acts, spacings, outcome, things)
 _WORDS = [word for words in VOCABULARY for word in words]
 _ALONE = {*BodySide, *DrivingSide, *(m for m in Maneuver if m.startswith("exit_"))}
 

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
-from math import cos, sin
+from math import cos, pi, sin
 
 import numpy as np
 
 from scegen.claims.boxes import Boxes
+from scegen.claims.straightened import Axis, axis_of
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats
 from scegen.road import build_network
+from scegen.road.cross_section import median_half_m
+from scegen.road.geometry import Pose
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.vocabulary import DrivingSide
 
@@ -20,6 +23,7 @@ from scegen.scenario.vocabulary import DrivingSide
 class Arm:
     """An arm of a road, from its outer end inwards: straight, or a bend behind ``straight_m``.
 
+    ``inner_m`` is where its lanes begin beside the centre line: behind half a median.
     ``inward`` is the side of the traffic towards the junction, as a sign of the offset to the left
     of the centre line; ``edges_m`` are the offsets of the carriageway's right and left edge.
     """
@@ -31,6 +35,7 @@ class Arm:
     length_m: float
     straight_m: float
     lane_width_m: float
+    inner_m: float
     inward: int
     edges_m: tuple[float, float]
 
@@ -51,31 +56,37 @@ class Arm:
     def lane_offset_m(self, number: int, *, inwards: bool) -> float:
         """Offset of the middle of a lane to the left of the centre line; 1 is next to it."""
         side = self.inward if inwards else -self.inward
-        return side * (number - 0.5) * self.lane_width_m
+        return side * (self.inner_m + (number - 0.5) * self.lane_width_m)
 
 
 def arms_of(view: View) -> tuple[Arm, ...]:
     """The arms of the road that a view is on."""
-    return view.once("arms", lambda: _built(view.concrete.road))
+    return view.once("arms", lambda: _built(view.concrete.road, axis_of(view.concrete)))
 
 
 @lru_cache(maxsize=64)
-def _built(road: RoadParameters) -> tuple[Arm, ...]:
+def _built(road: RoadParameters, axis: Axis | None) -> tuple[Arm, ...]:
     network = build_network(road)
     inward = -1 if road.driving_side is DrivingSide.RIGHT else 1
     made = []
     for described in road.arms:
         built = network.arm_road(described.id)
-        outer = built.line.pose(0.0, 0.0)
+        outer, length, straight = built.line.start, built.length_m, built.line.segments[0].length_m
+        if axis is not None:
+            segments = built.line.segments if described.id == 0 else built.line.reversed().segments
+            length = straight = sum(axis.length_m(segment) for segment in segments)
+            whole = sum(axis.length_m(segment) for segment in axis.line.segments)
+            outer = Pose(0.0, 0.0, 0.0) if described.id == 0 else Pose(whole, 0.0, pi)
         made.append(
             Arm(
                 outer.x_m,
                 outer.y_m,
                 cos(outer.heading_rad),
                 sin(outer.heading_rad),
-                built.length_m,
-                built.line.segments[0].length_m,
+                length,
+                straight,
                 described.lane_width_m,
+                median_half_m(road.carriageway),
                 inward,
                 (built.edge_t_m(-1), built.edge_t_m(1)),
             )

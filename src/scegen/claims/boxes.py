@@ -49,19 +49,20 @@ class Free(NamedTuple):
 
 
 def boxes(view: View, name: str) -> Boxes:
-    """The box of an entity over time (c, t)."""
+    """The box of an entity over time (c, t), in the frame of the road."""
 
     def make() -> Boxes:
-        return _box(view, name, *(view.row(name, row) for row in (X, Y, COS, SIN)))
+        track = view.laid[:, view.index[name]]
+        return _box(view, name, *(track[:, row] for row in (X, Y, COS, SIN)))
 
     return view.once(("boxes", name), make)
 
 
 def box_at(view: View, name: str, step: Ints | int) -> Boxes:
-    """The box of an entity at a step of each candidate (c,)."""
+    """The box of an entity at a step of each candidate (c,), in the frame of the road."""
     rows = np.arange(view.count)
     at = np.clip(step, 0, view.steps - 1)
-    track = view.traces.tracks[rows, view.index[name], :, at]
+    track = view.laid[rows, view.index[name], :, at]
     return _box(view, name, *(track[:, row] for row in (X, Y, COS, SIN)))
 
 

@@ -43,7 +43,7 @@ def _lateral(view: View, name: str, drive: Drive | None) -> Floats:
     if road.kind is JunctionKind.ROUNDABOUT:
         ring, straight_on = (1.0 if road.driving_side is DrivingSide.RIGHT else -1.0), False
     moved = np.empty((view.count, view.steps))
-    tracks = view.traces.tracks[:, view.index[name]]
+    tracks = view.laid[:, view.index[name]]
     ahead_m = view.body(name).centre_ahead_m
     _write(tracks, ahead_m, _line(entry), _line(leaving), straight_on, ring, moved)
     return moved

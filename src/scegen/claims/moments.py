@@ -12,7 +12,7 @@ from scegen.claims.boxes import boxes
 from scegen.claims.lateral import lateral_m
 from scegen.claims.runs import Run, greatest_runs
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import COS, SIN, SPEED, Bools, Floats, Ints
+from scegen.motion.batch.arrays import SPEED, Bools, Floats, Ints
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
@@ -124,7 +124,7 @@ def steps_out(view: View, name: str, arm: Arm) -> Ints:
 
 def turns(view: View, name: str) -> Ints:
     """When the heading first leaves that of the start."""
-    cos, sin = view.row(name, COS), view.row(name, SIN)
+    cos, sin = boxes(view, name).cos, boxes(view, name).sin
     aside = np.abs(sin * cos[:, :1] - cos * sin[:, :1])
     return first((aside > TURNS_RAD) | (cos * cos[:, :1] + sin * sin[:, :1] < 0.0))
 

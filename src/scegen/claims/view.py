@@ -12,6 +12,7 @@ from typing import NamedTuple, TypeVar, cast
 
 import numpy as np
 
+from scegen.claims.straightened import axis_of, straightened
 from scegen.claims.ways import Way
 from scegen.measures.distance import distances_at
 from scegen.measures.evaluation import Summary, measure
@@ -98,6 +99,13 @@ class View:
         if number < len(people):
             return people[number].body
         return self.concrete.objects[number - len(people)].body
+
+    @property
+    def laid(self) -> Floats:
+        """The tracks in the frame of the road: where it bends, as on a straight one."""
+        axis = self.once("axis", lambda: axis_of(self.concrete))
+        tracks = self.traces.tracks
+        return tracks if axis is None else self.once("laid", lambda: straightened(axis, tracks))
 
     def row(self, name: str, row: int) -> Floats:
         """A row of a participant's track (see ``BatchTraces``)."""

@@ -11,7 +11,7 @@ from scegen.motion.batch.arrays import Floats
 from scegen.motion.model import Path
 from scegen.motion.paths import build_path, lay_drive
 from scegen.motion.polyline import LaidDrive
-from scegen.road.cross_section import PARKING_WIDTH_M
+from scegen.road.cross_section import strip_width_m
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import (
     ConcreteParticipant,
@@ -92,7 +92,7 @@ def _way(participant: ConcreteParticipant, concrete: ConcreteScenario, network: 
     arms = concrete.road.arms
     width = arms[motion.entry].lane_width_m
     if motion.entry_lane > arms[motion.entry].lanes_in:
-        width = (width + PARKING_WIDTH_M) / 2
+        width = (width + strip_width_m(concrete.road.strips)) / 2
     first = motion.lane_changes[0].position_m if motion.lane_changes else 0.0
     in_ring = motion.ring_lane is not None and first >= laid.turning_starts_m
     places = [((motion.ring_lane or 1) if in_ring else motion.entry_lane, motion.offset_m)]

@@ -12,6 +12,7 @@ from clorm import Predicate
 from scegen.enumeration import answers as a
 from scegen.enumeration import predicates as p
 from scegen.enumeration.dangers import say_dangers
+from scegen.enumeration.directions import on_its_road
 from scegen.enumeration.presuming import Parties, parties
 from scegen.enumeration.programs import Part, consequences
 from scegen.enumeration.statements import ALONG_WORDS, QUEUE_LIMIT, stated
@@ -116,8 +117,10 @@ def build_problem(
         left_open: dangers, by their place, of which nothing is presumed.
 
     Raises:
-        InfeasibleError: too many vehicles, or an ego that does not drive.
+        InfeasibleError: too many vehicles, an ego that does not drive, or somebody who comes the
+            other way of a one-way road.
     """
+    functional = on_its_road(functional)
     vehicles = functional.vehicles
     _check_size(functional)
     said = stated(functional)

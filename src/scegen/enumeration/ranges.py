@@ -16,6 +16,7 @@ from scegen.scenario.model import FrozenModel, Interval
 from scegen.scenario.parameters import ParameterRange
 from scegen.scenario.speed_limits import (
     FAST_FOR_KIND_MPS,
+    comfortable_mps,
     implied_limit_mps,
     limit_for_kind_mps,
 )
@@ -70,7 +71,7 @@ def _speed(functional: FunctionalScenario, participant: Participant) -> Range:
             share = (*own_share, str(hazard.kind).replace("_", " "))
     limit = limit_for_kind_mps(kind, implied_limit_mps(functional))
     if share in {CRUISING_SHARE, USUAL_SHARE}:
-        limit = min(limit, MOST_FOR_KIND_MPS.get(kind, limit))
+        limit = min(limit, MOST_FOR_KIND_MPS.get(kind, limit), comfortable_mps(functional))
     low, high, default, reason = share
     return low * limit, high * limit, default * limit, f"{reason}, limit {limit:.4g} m/s"
 

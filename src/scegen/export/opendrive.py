@@ -14,7 +14,15 @@ from scegen.export.library import xodr
 from scegen.export.road_marks import road_mark
 from scegen.export.signs import add_controllers, entry_sign, name_catalogue
 from scegen.road.fillet import wrapped
-from scegen.road.model import Connection, ContactPoint, Crosswalk, Road, RoadLink, RoadNetwork
+from scegen.road.model import (
+    Connection,
+    ContactPoint,
+    Crosswalk,
+    LaneType,
+    Road,
+    RoadLink,
+    RoadNetwork,
+)
 from scegen.scenario.signals import SignalPlan
 from scegen.scenario.vocabulary import Control
 
@@ -81,7 +89,7 @@ def _road(road: Road, control: Control) -> xodr.Road:
         written.add_predecessor(*_link(road.predecessor))
     if road.successor is not None:
         written.add_successor(*_link(road.successor))
-    written.add_type(xodr.RoadType.town, 0, speed=_number(road.speed_limit_mps))
+    written.add_type(_type(road), 0, speed=_number(road.speed_limit_mps))
     written.add_elevation(0, 0, 0, 0, 0)
     # Appended, not added: adding draws on ids that are counted over the whole process.
     written.objects.extend(_crosswalk(crosswalk) for crosswalk in road.crosswalks)
@@ -89,6 +97,13 @@ def _road(road: Road, control: Control) -> xodr.Road:
     if sign is not None:
         written.signals.append(sign)
     return written
+
+
+def _type(road: Road) -> xodr.RoadType:
+    """A road with a hard shoulder beyond a median is a motorway."""
+    types = {lane.type for lane in road.lanes}
+    motorway = {LaneType.MEDIAN, LaneType.SHOULDER} <= types
+    return xodr.RoadType.motorway if motorway else xodr.RoadType.town
 
 
 def _link(link: RoadLink) -> tuple[xodr.ElementType, int, xodr.ContactPoint | None]:

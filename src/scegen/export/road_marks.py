@@ -11,7 +11,7 @@ _WIDTH_M = 0.12
 def road_mark(road: Road, lane_id: int) -> xodr.RoadMark:
     """The mark on the outer border of a lane; of lane 0, the centre line.
 
-    Solid at the edges of the carriageway, broken between lanes of one direction and on the
+    Solid at the edges of the carriageways, broken between lanes of one direction and on the
     centre line of a road with one lane each way; none inside junctions.
     """
     if road.junction is not None:
@@ -20,6 +20,8 @@ def road_mark(road: Road, lane_id: int) -> xodr.RoadMark:
         return _centre_mark(road)
     lane = road.lane(lane_id)
     outer = next((x for x in road.lanes if x.id == lane_id + (1 if lane_id > 0 else -1)), None)
+    if lane.type is LaneType.MEDIAN:
+        return _line(xodr.RoadMarkType.solid, xodr.LaneChange.none)
     if lane.type is not LaneType.DRIVING:
         return xodr.RoadMark(xodr.RoadMarkType.none)
     if outer is not None and outer.type is LaneType.DRIVING:
@@ -28,11 +30,9 @@ def road_mark(road: Road, lane_id: int) -> xodr.RoadMark:
 
 
 def _centre_mark(road: Road) -> xodr.RoadMark:
-    left, right = (
-        sum(lane.type is LaneType.DRIVING and lane.id * sign > 0 for lane in road.lanes)
-        for sign in (1, -1)
-    )
-    if left == right == 1:
+    if any(lane.type is LaneType.MEDIAN for lane in road.lanes):
+        return xodr.RoadMark(xodr.RoadMarkType.none)
+    if len(road.driving(1)) == len(road.driving(-1)) == 1:
         return _line(xodr.RoadMarkType.broken, xodr.LaneChange.both)
     return _line(xodr.RoadMarkType.solid, xodr.LaneChange.none)
 

@@ -1,7 +1,8 @@
 """Lane numbers of the scenario files and lane ids of the roads, both ways.
 
-Number 1 is the lane next to the centre line, 0 the oncoming lane next to it; the strip beside the
-outermost lane, where vehicles park, has the number after it. In a ring, 1 is the innermost lane.
+Number 1 is the lane next to the centre line (or the median), 0 the oncoming lane next to it; the
+strip beside the outermost lane, where vehicles stand, has the number after it. In a ring, 1 is the
+innermost lane.
 """
 
 from __future__ import annotations
@@ -20,17 +21,20 @@ def arm_lane_id(road: Road, number: int, *, inbound: bool) -> int:
         MotionInfeasibleError: the arm has no such driving lane.
     """
     side = -1 if inbound == (road.driving_side is DrivingSide.RIGHT) else 1
-    lane_id = -side if number == 0 else side * number
-    driving = {lane.id for lane in road.lanes if lane.type is LaneType.DRIVING}
-    strips = {lane.id for lane in road.lanes if lane.type in _STRIPS}
-    if lane_id not in driving and not (number > 1 and lane_id in strips):
-        count = sum(1 for lane in driving if lane * lane_id > 0)
-        direction = "towards" if inbound == (number != 0) else "away from"
+    if number == 0:
+        side, inbound = -side, not inbound
+    lanes = road.driving(side)
+    beyond = side * (abs(lanes[-1]) + 1) if lanes else 0
+    if any(lane.id == beyond and lane.type in _STRIPS for lane in road.lanes):
+        lanes.append(beyond)
+    if max(number, 1) > len(lanes):
+        count = len(road.driving(side))
+        direction = "towards" if inbound else "away from"
         raise MotionInfeasibleError(
             f"arm {road.arm} has no lane {number}: {count} lead {direction} the junction",
             hint="Choose another lane or give the arm more lanes.",
         )
-    return lane_id
+    return lanes[max(number, 1) - 1]
 
 
 def ring_lane_ids(road: Road) -> tuple[int, ...]:

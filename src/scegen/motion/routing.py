@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import arm_lane_id, is_ring, ring_lane_id, ring_lane_number
 from scegen.motion.stretches import Shift, Stretch, lane_offset_d_m, stretch
-from scegen.road.model import Road, RoadNetwork, Route, RouteStep
+from scegen.road.model import LaneType, Road, RoadNetwork, Route, RouteStep
 from scegen.scenario.concrete import DriveMotion, LaneChange
 
 _ROUNDING_M = 1e-6
@@ -174,6 +174,12 @@ def _on_arm(walk: _Walk, piece: Stretch, lane: int, *, inbound: bool) -> int:
             raise walk.refuse(change, piece)
         before = arm_lane_id(piece.road, lane, inbound=inbound)
         after = arm_lane_id(piece.road, change.lane_after, inbound=inbound)
+        if before * after < 0 and any(x.type is LaneType.MEDIAN for x in piece.road.lanes):
+            raise MotionInfeasibleError(
+                f"the lane change at {change.position_m:.1f} m leads across the median",
+                where=walk.who,
+                hint="Change into another lane of this direction, or leave out the median.",
+            )
         piece = walk.shifted(piece, change, before, after)
         lane = change.lane_after
     walk.done.append(piece)

@@ -74,7 +74,7 @@ def crossing_path(network: RoadNetwork, motion: CrossingMotion, who: str) -> Pat
 def standing_path(
     network: RoadNetwork, motion: StandingMotion, kind: ParticipantKind, who: str
 ) -> Path:
-    """One pose: on the parking strip, beside the carriageway, or in its outermost lane.
+    """One pose: on the strip beside the lanes, beside the carriageway, or in its outermost lane.
 
     It heads the way of the traffic on its side.
 
@@ -108,8 +108,8 @@ def standing_path(
 
 
 def _standing_lane(road: Road, sign: int, *, in_lane: bool) -> Lane | None:
-    wanted = LaneType.DRIVING if in_lane else LaneType.PARKING
-    lanes = [lane for lane in road.lanes if lane.id * sign > 0 and lane.type is wanted]
+    wanted = {LaneType.DRIVING} if in_lane else {LaneType.PARKING, LaneType.SHOULDER}
+    lanes = [lane for lane in road.lanes if lane.id * sign > 0 and lane.type in wanted]
     return max(lanes, key=lambda lane: abs(lane.id), default=None)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from math import ceil
+from math import ceil, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,8 @@ from scegen.road.model import LaneType, Road, RoadNetwork
 Array = NDArray[np.float64]
 _STRIPE_M = 0.5
 _STEP_RAD = 0.08
+_OFF_M = 0.02
+"""A chord is no farther from its arc than this."""
 
 
 @dataclass
@@ -39,12 +41,26 @@ def road_shapes(network: RoadNetwork) -> RoadShapes:
         for sign in (1, -1):
             _add_side(shapes, road, poses, sign)
         if road.junction is None:
-            ids = {lane.id for lane in road.lanes if lane.type is LaneType.DRIVING}
-            if {1, -1} <= ids:
-                kind = shapes.lane_lines if ids == {1, -1} else shapes.centre_lines
-                kind.append(_offset(poses, road.lane_offset_m))
+            _add_middle(shapes, road, poses)
             _add_crosswalks(shapes, road)
     return shapes
+
+
+def _add_middle(shapes: RoadShapes, road: Road, poses: Array) -> None:
+    """The marks where the lanes of each direction begin: one for both, unless a median parts them.
+
+    Where one direction has none, there is an edge; a ring has none on its inside.
+    """
+    ids = {lane.id for lane in road.lanes if lane.type is LaneType.DRIVING}
+    if {1, -1} <= ids:
+        kind = shapes.lane_lines if ids == {1, -1} else shapes.centre_lines
+        kind.append(_offset(poses, road.lane_offset_m))
+    elif road.arm is not None:
+        for lane in (side[0] for side in (road.driving(1), road.driving(-1)) if side):
+            inner = road.lane_centre_t_m(lane) - (road.lane(lane).width_m / 2) * (
+                1 if lane > 0 else -1
+            )
+            shapes.edge_lines.append(_offset(poses, inner))
 
 
 def _add_side(shapes: RoadShapes, road: Road, poses: Array, sign: int) -> None:
@@ -75,8 +91,9 @@ def _poses(line: ReferenceLine) -> Array:
     """Points (x, y, heading) along a line, as dense as its bends need."""
     rows = []
     for segment in line.segments:
-        bend = abs(segment.curvature_1pm) * segment.length_m
-        count = max(1, ceil(bend / _STEP_RAD))
+        k = abs(segment.curvature_1pm)
+        step = min(_STEP_RAD, sqrt(8 * _OFF_M * k))
+        count = max(1, ceil(k * segment.length_m / step)) if k else 1
         rows += [segment.pose(segment.length_m * i / count) for i in range(count + 1)]
     return np.array([(p.x_m, p.y_m, p.heading_rad) for p in rows])
 

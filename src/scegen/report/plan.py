@@ -11,6 +11,7 @@ from math import asin, atan2, cos, hypot, pi, radians, sin
 from scegen.scenario.arms import arm_angles_deg
 from scegen.scenario.functional import Junction
 from scegen.scenario.logical import Crossing, Drive, Heading, Reverses, Standing, Walking
+from scegen.scenario.roadway import Carriageway, Strip
 from scegen.scenario.vocabulary import DrivingSide, JunctionKind, Maneuver, Side
 
 Point = tuple[float, float]
@@ -23,6 +24,8 @@ _RING = 34.0
 _RING_JOIN, _RING_LEAST = radians(14.0), radians(8.0)
 _ARC_STEPS = 24
 _BOX = 9.0
+_MEDIAN = 4.0
+_IN_LINE = 0.01
 _FROM_BESIDE = frozenset({Reverses.FROM_RIGHT, Reverses.FROM_LEFT})
 
 
@@ -31,7 +34,8 @@ class Plan:
     """The sketch of one junction.
 
     ``lane`` is the width of a lane, ``half`` of each arm's carriageway, ``side`` is +1 where
-    traffic keeps right, ``inner`` the distance from the centre at which the arms begin.
+    traffic keeps right, ``inner`` the distance from the centre at which the arms begin; a
+    ``shoulder`` lies beyond the lanes on either side.
     """
 
     angles: tuple[float, ...]
@@ -40,6 +44,8 @@ class Plan:
     side: int
     inner: float
     kind: JunctionKind
+    carriageway: Carriageway = Carriageway.UNDIVIDED
+    shoulder: bool = False
 
     @property
     def is_ring(self) -> bool:
@@ -51,12 +57,29 @@ class Plan:
         """Radius of the ring's middle."""
         return _RING
 
+    @property
+    def bends(self) -> bool:
+        """Whether two arms do not lie in one line."""
+        return len(self.angles) == 2 and abs(sin(self.angles[1] - self.angles[0])) > _IN_LINE
+
     def half(self, arm: int) -> float:
-        """Half the width of an arm's carriageway."""
-        return self.lanes[arm] * self.lane
+        """Half the width of an arm's lanes, with the median between them."""
+        whole = self.lanes[arm] * self.lane
+        return whole / 2 if self.carriageway is Carriageway.ONE_WAY else self.median + whole
+
+    @property
+    def median(self) -> float:
+        """Half the width of what parts the directions."""
+        return _MEDIAN if self.carriageway is Carriageway.DIVIDED else 0.0
+
+    def aside(self, arm: int, number: int) -> float:
+        """From the middle of the road to that of a lane, 1 = inner, towards the traffic's side."""
+        return self.half(arm) - (self.lanes[arm] - number + 0.5) * self.lane
 
     def at(self, arm: int, distance: float, right: float = 0.0) -> Point:
         """A point on an arm; ``right`` as seen by traffic that enters there."""
+        if distance < 0.0 and self.kind is JunctionKind.STRAIGHT:
+            return self.at(1 - arm, -distance, -right)  # beyond the middle, on the other arm
         a = self.angles[arm]
         # Entering traffic heads for the centre: its right is the direction a + 90 degrees.
         return (
@@ -70,6 +93,7 @@ def make_plan(junction: Junction) -> Plan:
     angles = tuple(radians(a) for a in arm_angles_deg(junction))
     lanes = junction.lanes or (1,) * junction.arms
     lane = min(15.5, 33.0 / max(lanes))
+    shoulder = Strip.HARD_SHOULDER in junction.strips
     widest = max(lanes) * lane
     gaps = [(b - a) % (2 * pi) for a, b in zip(angles, angles[1:] + angles[:1], strict=True)]
     if junction.kind is JunctionKind.ROUNDABOUT:
@@ -80,7 +104,16 @@ def make_plan(junction: Junction) -> Plan:
         # Neighbouring carriageways part where half their width is seen under half their angle.
         inner = max(widest / max(sin(min(g, pi) / 2), 0.45) for g in gaps) + 6.0
     side = 1 if junction.driving_side is DrivingSide.RIGHT else -1
-    return Plan(angles, lanes, lane, side, min(inner, 60.0), junction.kind)
+    return Plan(
+        angles,
+        lanes,
+        lane,
+        side,
+        min(inner, 60.0),
+        junction.kind,
+        junction.carriageway,
+        shoulder,
+    )
 
 
 def drive_line(plan: Plan, drive: Drive, spread: float, behind: int) -> list[Point]:
@@ -96,8 +129,8 @@ def drive_line(plan: Plan, drive: Drive, spread: float, behind: int) -> list[Poi
         return _straight_line(plan, drive, _START - 30.0 * behind, spread)
     start_at = max(_START - _RANK_STEP * behind, plan.inner + 8.0)
     lane_in, lane_out = _lanes_of(plan, drive)
-    right_in = plan.side * (lane_in - 0.5) * plan.lane + spread
-    right_out = -plan.side * (lane_out - 0.5) * plan.lane - spread
+    right_in = plan.side * plan.aside(drive.entry, lane_in) + spread
+    right_out = -plan.side * plan.aside(drive.exit, lane_out) - spread
     start = plan.at(drive.entry, start_at, right_in)
     enter = plan.at(drive.entry, plan.inner, right_in)
     leave = plan.at(drive.exit, plan.inner, right_out)
@@ -132,8 +165,8 @@ def _lanes_of(plan: Plan, drive: Drive) -> tuple[int, int]:
 def _straight_line(plan: Plan, drive: Drive, start_at: float, spread: float) -> list[Point]:
     """Along a road without a junction, with the shifts that the maneuver makes."""
     lane_in, lane_out = _lanes_of(plan, drive)
-    first = plan.side * (lane_in - 0.5) * plan.lane + spread
-    last = plan.side * (lane_out - 0.5) * plan.lane + spread
+    first = plan.side * plan.aside(drive.entry, lane_in) + spread
+    last = plan.side * plan.aside(drive.exit, lane_out) + spread
     beyond = REACH - 6.0
     shift = last - first
     if drive.maneuver is Maneuver.OVERTAKE:

@@ -31,6 +31,7 @@ from scegen.report.theme import LIGHT, Theme
 from scegen.report.words import REVERSES
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Assignment, Crossing, Drive, LogicalScenario, Walking
+from scegen.scenario.roadway import Carriageway
 from scegen.scenario.vocabulary import JunctionKind, Maneuver
 
 TILE_WIDTH = 240
@@ -40,6 +41,8 @@ _NAME_WIDTH, _ROW_WIDTH = 96.0, 206.0
 _CAPTION, _NUMBER, _MANY = 11.5, 13.0, 3
 _BESIDE, _NUMBERED, _NUMBER_AT = 32.0, 16.0, 9.0
 """Room for who walks or stands beside a road, and for the number at its end; where that is."""
+_SHOULDER = 9.0
+_CORNERS = ((0.0, -1), (REACH, -1), (REACH, 1), (0.0, 1))
 
 
 def tile_height(functional: FunctionalScenario) -> int:
@@ -193,12 +196,13 @@ def _spreads(drives: tuple[Drive, ...]) -> dict[str, float]:
 def _roads(plan: Plan, functional: FunctionalScenario, theme: Theme) -> str:
     arms = range(len(plan.angles))
     layers = []
-    for wider, paint in ((3.0, theme.kerb), (0.0, theme.road)):
+    beside = [(2 * _SHOULDER, theme.parking)] if plan.shoulder else []
+    for wider, paint in (*beside, (3.0, theme.kerb), (0.0, theme.road)):
         for arm in arms:
             half = plan.half(arm) + wider / 2
             ends = ((0.0, half), (REACH, half), (REACH, -half), (0.0, -half))
             layers.append(area(in_tile(plan.at(arm, *end) for end in ends), paint))
-        if plan.kind is not JunctionKind.STRAIGHT:
+        if plan.kind is not JunctionKind.STRAIGHT or plan.bends:
             radius = plan.ring + plan.lane if plan.is_ring else _core(plan)
             layers.append(circle(MIDDLE, MIDDLE, radius + wider / 2, paint))
     if plan.is_ring:
@@ -226,9 +230,14 @@ def _marks(plan: Plan, arm: int, theme: Theme, *, crosswalk: bool) -> str:
         ends = in_tile(plan.at(arm, d, aside) for d in (begin, REACH))
         return line(ends, theme.mark, width, stroke_dasharray=dashes)
 
-    marks = [along(0.0, 1.6, None)]
+    one_way = plan.carriageway is Carriageway.ONE_WAY
+    marks = [] if one_way else [along(0.0, 1.6, None)]
+    if plan.median:
+        ends = [plan.at(arm, d, a * plan.median) for d, a in _CORNERS]
+        marks = [area(in_tile(ends), theme.ground)]
     for lane in range(1, plan.lanes[arm]):
-        marks += [along(sign * lane * plan.lane, 1.0, "5 5") for sign in (-1, 1)]
+        aside = plan.aside(arm, lane) + plan.lane / 2
+        marks += [along(sign * aside, 1.0, "5 5") for sign in ((1,) if one_way else (-1, 1))]
     if crosswalk:
         half = plan.half(arm) - 1
         ends = in_tile(plan.at(arm, plan.inner + 10.0, aside) for aside in (-half, half))

@@ -147,7 +147,8 @@ class Surroundings:
         beside = {
             LaneType.SIDEWALK: theme.sidewalk,
             LaneType.BORDER: theme.shoulder,
-            LaneType.SHOULDER: theme.shoulder,
+            LaneType.SHOULDER: theme.parking,
+            LaneType.MEDIAN: theme.shoulder,
             LaneType.PARKING: theme.parking,
         }
 

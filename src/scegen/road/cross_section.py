@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Set as AbstractSet
 from math import radians
 
 from scegen.road.geometry import Pose, ReferenceLine, Segment
 from scegen.road.model import Crosswalk, Lane, LaneType, Road, RoadLink
 from scegen.scenario.concrete import ArmRoad, RoadParameters
+from scegen.scenario.roadway import Carriageway, Strip
 from scegen.scenario.vocabulary import DrivingSide
 
 PARKING_WIDTH_M = 2.5
 SIDEWALK_WIDTH_M = 2.0
+MEDIAN_WIDTH_M = 5.0
+SHOULDER_WIDTH_M = 3.0
+BORDER_WIDTH_M = 1.5
+"""Median and hard shoulder with the marked edge strips (0.5 m) that part them from the lanes, and
+the border beyond: cross section RQ 28 of the German RAA (2008), whose lanes are 3.5 m wide, too."""
 CROSSWALK_WIDTH_M = 4.0
 CROSSWALK_SETBACK_M = 1.0
 """From the inner edge of a crosswalk to the junction's end of the arm road."""
@@ -38,19 +45,33 @@ def arm_lanes(parameters: RoadParameters, arm: ArmRoad) -> tuple[Lane, ...]:
     """All lanes of an arm road, without links."""
     out = side_sign(parameters.driving_side)
     lanes: list[Lane] = []
+    median = median_half_m(parameters.carriageway)
     for sign, count in ((-out, arm.lanes_in), (out, arm.lanes_out)):
-        strips = [(LaneType.DRIVING, arm.lane_width_m)] * count
+        strips = [(LaneType.MEDIAN, median)] if median else []
+        strips += [(LaneType.DRIVING, arm.lane_width_m)] * count
         strips += verge(parameters, arm.id)
         lanes += [Lane(sign * k, kind, width) for k, (kind, width) in enumerate(strips, start=1)]
     return tuple(sorted(lanes, key=lambda lane: -lane.id))
 
 
+def median_half_m(carriageway: Carriageway) -> float:
+    """From the centre line to the first lane: half a median, or nothing."""
+    return MEDIAN_WIDTH_M / 2 if carriageway is Carriageway.DIVIDED else 0.0
+
+
 def verge(parameters: RoadParameters, arm: int) -> list[tuple[LaneType, float]]:
     """The strips outside the driving lanes, outwards."""
+    if Strip.HARD_SHOULDER in parameters.strips:
+        return [(LaneType.SHOULDER, SHOULDER_WIDTH_M), (LaneType.BORDER, BORDER_WIDTH_M)]
     strips = [(LaneType.SIDEWALK, SIDEWALK_WIDTH_M)]
     if arm in parameters.parking_lanes:
         strips.insert(0, (LaneType.PARKING, PARKING_WIDTH_M))
     return strips
+
+
+def strip_width_m(strips: AbstractSet[Strip]) -> float:
+    """Width of the strip beside the lanes on which vehicles stand, where there is one."""
+    return SHOULDER_WIDTH_M if Strip.HARD_SHOULDER in strips else PARKING_WIDTH_M
 
 
 def half_width_m(lanes: tuple[Lane, ...], sign: int, types: frozenset[LaneType]) -> float:
@@ -58,8 +79,8 @@ def half_width_m(lanes: tuple[Lane, ...], sign: int, types: frozenset[LaneType])
     return sum(lane.width_m for lane in lanes if lane.id * sign > 0 and lane.type in types)
 
 
-KERBED = frozenset({LaneType.DRIVING})
-CARRIAGEWAY = frozenset({LaneType.DRIVING, LaneType.PARKING, LaneType.SHOULDER})
+KERBED = frozenset({LaneType.MEDIAN, LaneType.DRIVING})
+CARRIAGEWAY = KERBED | {LaneType.PARKING, LaneType.SHOULDER}
 ALL_STRIPS = frozenset(LaneType)
 
 
@@ -107,12 +128,12 @@ def crosswalks(
 
 def lane_in(road: Road, number: int) -> int:
     """The id of the lane with this number that leads to the junction."""
-    return -side_sign(road.driving_side) * number
+    return road.driving(-side_sign(road.driving_side))[number - 1]
 
 
 def lane_out(road: Road, number: int) -> int:
     """The id of the lane with this number that leads away from the junction."""
-    return side_sign(road.driving_side) * number
+    return road.driving(side_sign(road.driving_side))[number - 1]
 
 
 def pose_in(road: Road, number: int) -> Pose:

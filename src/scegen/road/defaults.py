@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Set as AbstractSet
+from math import ceil, radians
 
 from scegen.scenario.arms import arm_angles_deg
 from scegen.scenario.concrete import ArmRoad, RoadParameters
 from scegen.scenario.control import controlled_arms
 from scegen.scenario.functional import Junction
+from scegen.scenario.roadway import Carriageway, Strip
 from scegen.scenario.vocabulary import JunctionKind
 
 ARM_LENGTH_M = 120.0
 LANE_WIDTH_M = 3.5
+_BESIDE_BEND_M = 20.0
+"""So much of each arm at least is straight, before a bend."""
 SPEED_LIMIT_MPS = 50 / 3.6
 ROUNDABOUT_SPEED_LIMIT_MPS = 30 / 3.6
 
@@ -29,25 +33,34 @@ def plan_road(
 
     Args:
         junction: what the description says of the road.
-        arm_length_m: length of every arm road.
+        arm_length_m: length of every arm road; where it bends, no less than its half of the bend.
         min_lanes: fewest lanes per direction, for scenarios that need room side by side.
         crosswalks: arms with a marked crosswalk, beside those that the description names.
-        parking_lanes: arms with a strip for standing vehicles.
+        parking_lanes: arms with a strip for standing vehicles; a hard shoulder is one already.
         u_turns: arms at which vehicles may turn back.
     """
-    angles = arm_angles_deg(junction)
+    radius, bend = None, junction.bend
     lanes = junction.lanes or (1,) * junction.arms
     limit = junction.speed_limit_mps or (
         ROUNDABOUT_SPEED_LIMIT_MPS if junction.kind is JunctionKind.ROUNDABOUT else SPEED_LIMIT_MPS
     )
+    if bend is not None:
+        junction = junction.model_copy(update={"speed_limit_mps": limit})
+        radius = bend.radius_at_m(limit)
+        arc_m = radius * radians(abs(bend.turn_deg(limit)))
+        arm_length_m = max(arm_length_m, ceil(arc_m / 2) + _BESIDE_BEND_M)
+    angles = arm_angles_deg(junction)
+    # On a one-way road traffic comes in at arm 0 and goes out at arm 1.
+    one_way = junction.carriageway is Carriageway.ONE_WAY
+    shoulder = Strip.HARD_SHOULDER in junction.strips
     arms = tuple(
         ArmRoad(
             id=arm,
             length_m=arm_length_m,
             angle_deg=angles[arm],
             angle_to_previous_deg=(angles[arm] - angles[arm - 1]) % 360.0,
-            lanes_in=max(lanes[arm], min_lanes),
-            lanes_out=max(lanes[arm], min_lanes),
+            lanes_in=0 if one_way and arm == 1 else max(lanes[arm], min_lanes),
+            lanes_out=0 if one_way and arm == 0 else max(lanes[arm], min_lanes),
             lane_width_m=LANE_WIDTH_M,
             speed_limit_mps=round(limit, 3),
         )
@@ -60,7 +73,10 @@ def plan_road(
         control=junction.control,
         ring_lanes=junction.ring_lanes or 1,
         crosswalks=junction.crosswalks | crosswalks,
-        parking_lanes=frozenset(parking_lanes),
+        parking_lanes=frozenset(parking_lanes if not shoulder else ()),
         u_turns=frozenset(u_turns),
         controlled_arms=controlled_arms(junction),
+        corner_radius_m=radius,
+        carriageway=junction.carriageway,
+        strips=junction.strips,
     )

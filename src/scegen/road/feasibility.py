@@ -7,6 +7,8 @@ from itertools import pairwise
 from scegen.errors import RoadInfeasibleError
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.functional import ARM_COUNTS
+from scegen.scenario.roadway import Carriageway
+from scegen.scenario.vocabulary import JunctionKind
 
 MIN_ARM_LENGTH_M = 15.0
 """An arm road carries a stop line, perhaps a crosswalk, and a vehicle before it."""
@@ -21,6 +23,7 @@ def check_parameters(parameters: RoadParameters) -> None:
     """
     _check_arms(parameters)
     _check_angles(parameters)
+    _check_carriageway(parameters)
     count = len(parameters.arms)
     for field in ("crosswalks", "parking_lanes", "u_turns"):
         unknown = sorted(arm for arm in getattr(parameters, field) if not 0 <= arm < count)
@@ -43,6 +46,29 @@ def _check_arms(parameters: RoadParameters) -> None:
         if arm.length_m < MIN_ARM_LENGTH_M:
             msg = f"{arm.length_m:g} m is too short for an arm, at least {MIN_ARM_LENGTH_M:g} m"
             raise RoadInfeasibleError(msg, where=f"arms[{arm.id}].length_m")
+
+
+def _check_carriageway(parameters: RoadParameters) -> None:
+    """Only a one-way road has an arm without lanes one way; medians and strips end at no junction.
+
+    Ways through a crossing lie where the centre lines of its arms are.
+    """
+    plain = parameters.kind is JunctionKind.STRAIGHT and not parameters.u_turns
+    for field in ("carriageway", "strips"):
+        if not plain and getattr(parameters, field) != RoadParameters.model_fields[field].default:
+            msg = f"{field} is only for a road without a junction, on which nobody turns back"
+            raise RoadInfeasibleError(msg, where=field)
+    counts = [(arm.lanes_in, arm.lanes_out) for arm in parameters.arms]
+    one_way = parameters.carriageway is Carriageway.ONE_WAY
+    if one_way and (counts[0][1], counts[1][0]) != (0, 0):
+        msg = "a one-way road leads in at arm 0 and out at arm 1: no lanes out of 0 and in from 1"
+        raise RoadInfeasibleError(msg, where="arms")
+    for arm in () if one_way else parameters.arms:
+        if not arm.lanes_in or not arm.lanes_out:
+            msg = "has no lanes one way, which only a one-way road may have"
+            raise RoadInfeasibleError(msg, where=f"arms[{arm.id}]")
+    if one_way and not counts[0][0]:
+        raise RoadInfeasibleError("has no lane", where="arms[0].lanes_in")
 
 
 def _check_angles(parameters: RoadParameters) -> None:

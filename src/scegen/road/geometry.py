@@ -84,6 +84,13 @@ class ReferenceLine:
         """The pose at s = length."""
         return self.segments[-1].end
 
+    def reversed(self) -> ReferenceLine:
+        """The same line, run through from its end."""
+        back = (
+            Segment(x.end.reversed(), x.length_m, -x.curvature_1pm) for x in self.segments[::-1]
+        )
+        return ReferenceLine(tuple(back))
+
     def pose(self, s_m: float, t_m: float = 0.0) -> Pose:
         """The pose at (s, t), heading along the line; s beyond either end is extrapolated."""
         rest = s_m

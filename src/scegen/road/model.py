@@ -5,7 +5,7 @@ Conventions, which export and motion rely on:
 * Arm roads run from their outer end (s = 0) to the junction, reference line on the centre
   line. In right-hand traffic the lanes towards the junction are right lanes (ids -1, -2, ...),
   those away from it left lanes (1, 2, ...); in left-hand traffic the other way round. Lane
-  number k of the scenario files (1 = next to the centre line) is the lane with |id| = k.
+  number k of the scenario files (1 = next to the centre line) is the k-th driving lane of its side.
 * Connecting roads have exactly one driving lane, travelled along s, with the reference line on
   the lane's centre (lane offset half its width). Its id is -1 in right-hand traffic and 1 in
   left-hand traffic, because OpenDRIVE lets right lanes run along s only where traffic keeps
@@ -34,6 +34,7 @@ class LaneType(StrEnum):
     SIDEWALK = "sidewalk"
     SHOULDER = "shoulder"
     BORDER = "border"
+    MEDIAN = "median"
 
 
 class ContactPoint(StrEnum):
@@ -134,14 +135,20 @@ class Road:
         )
         return self.lane_offset_m + sign * (inside + self.lane(lane_id).width_m / 2)
 
+    def driving(self, sign: int) -> list[int]:
+        """Ids of the driving lanes of one side (+1 left, -1 right), from the middle outwards."""
+        ids = [x.id for x in self.lanes if x.id * sign > 0 and x.type is LaneType.DRIVING]
+        return sorted(ids, key=abs)
+
     def edge_t_m(self, sign: int) -> float:
-        """Offset of the outer edge of the last driving lane on one side (+1 left, -1 right)."""
-        driving = [
-            lane.width_m
-            for lane in self.lanes
-            if lane.id * sign > 0 and lane.type is LaneType.DRIVING
-        ]
-        return self.lane_offset_m + sign * sum(driving)
+        """Offset of the outer edge of the last driving lane on one side (+1 left, -1 right).
+
+        Of a side without any, that of the reference line.
+        """
+        ids = self.driving(sign)
+        if not ids:
+            return self.lane_offset_m
+        return self.lane_centre_t_m(ids[-1]) + sign * self.lane(ids[-1]).width_m / 2
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from math import pi, radians, tan
 
 from scegen.errors import RoadInfeasibleError
@@ -13,6 +13,7 @@ from scegen.road.cross_section import (
     arm_road_id,
     lane_in,
     lane_out,
+    median_half_m,
 )
 from scegen.road.fillet import chain, wrapped
 from scegen.road.geometry import Pose, ReferenceLine
@@ -31,7 +32,9 @@ from scegen.scenario.concrete import ArmRoad, RoadParameters
 BEND_RADIUS_M = 50.0
 """Radius of the centre line of a bend, unless ``corner_radius_m`` gives another."""
 MIN_BEND_RADIUS_M = 20.0
-_MIN_LINE_M = 5.0
+MIN_LINE_M = 5.0
+"""So much of each arm at least is straight."""
+_STRAIGHT_RAD = 1e-9
 
 
 def build_straight(parameters: RoadParameters, name: str) -> RoadNetwork:
@@ -53,6 +56,8 @@ def build_straight(parameters: RoadParameters, name: str) -> RoadNetwork:
     arms = tuple(_linked(road, parameters) for road in arms)
     routes: dict[tuple[int, int], tuple[Route, ...]] = {}
     for entry, leaving in ((0, 1), (1, 0)):
+        if not parameters.arms[entry].lanes_in:
+            continue
         routes[entry, leaving] = tuple(
             Route(
                 entry,
@@ -91,7 +96,24 @@ def _check(parameters: RoadParameters) -> None:
         raise RoadInfeasibleError(msg, where="arms", hint="Make the lane widths equal.")
 
 
-def _bend_rad(parameters: RoadParameters) -> float:
+@dataclass(frozen=True, slots=True)
+class Curve:
+    """The arc of a road: curvature (left positive, for who enters at arm 0), half its length."""
+
+    curvature_1pm: float
+    half_arc_m: float
+
+
+def curve_of(parameters: RoadParameters) -> Curve | None:
+    """The arc of a road's centre line, its middle where the two arms meet; None if it has none."""
+    bend = bend_rad(parameters)
+    if abs(bend) < _STRAIGHT_RAD:
+        return None
+    radius = parameters.corner_radius_m or BEND_RADIUS_M
+    return Curve((1 if bend > 0 else -1) / radius, radius * abs(bend) / 2)
+
+
+def bend_rad(parameters: RoadParameters) -> float:
     """Change of heading from arm 0 into arm 1 (left positive)."""
     first, second = (radians(arm.angle_deg) for arm in parameters.arms)
     return wrapped(second - first - pi)
@@ -99,20 +121,22 @@ def _bend_rad(parameters: RoadParameters) -> float:
 
 def _line(parameters: RoadParameters, index: int) -> ReferenceLine:
     arm = parameters.arms[index]
-    bend = _bend_rad(parameters) * (1 if index == 0 else -1)
-    if abs(bend) < 1e-9:
+    bend = bend_rad(parameters) * (1 if index == 0 else -1)
+    if abs(bend) < _STRAIGHT_RAD:
         return arm_line(arm, 0.0)
-    widest = max(arm.lanes_in, arm.lanes_out) * arm.lane_width_m
+    widest = (
+        median_half_m(parameters.carriageway) + max(arm.lanes_in, arm.lanes_out) * arm.lane_width_m
+    )
     radius = parameters.corner_radius_m or BEND_RADIUS_M
     tightest = max(MIN_BEND_RADIUS_M, 2 * widest)
     if radius < tightest:
         msg = f"a bend of {radius:g} m radius is tighter than {tightest:g} m"
         raise RoadInfeasibleError(msg, where="corner_radius_m")
     arc = radius * abs(bend) / 2
-    if arm.length_m < arc + _MIN_LINE_M:
+    if arm.length_m < arc + MIN_LINE_M:
         msg = (
             f"arm {arm.id} is {arm.length_m:g} m long, but its half of the bend needs "
-            f"{arc + _MIN_LINE_M:.1f} m"
+            f"{arc + MIN_LINE_M:.1f} m"
         )
         raise RoadInfeasibleError(msg, where=f"arms[{arm.id}].length_m")
     return _bent_line(arm, bend, radius, arc)

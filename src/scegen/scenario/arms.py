@@ -11,6 +11,8 @@ from functools import lru_cache
 from scegen.scenario.functional import Junction
 from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
 
+URBAN_LIMIT_MPS = 50 / 3.6
+"""The urban limit of the Vienna Convention's countries."""
 STRAIGHT_WITHIN_DEG = 45.0
 """A movement that bends less than this may be called straight."""
 STRAIGHT_TIE_DEG = 10.0
@@ -29,6 +31,9 @@ def arm_angles_deg(junction: Junction) -> tuple[float, ...]:
     """Directions of the arms seen from the centre (deg, counter-clockwise from east)."""
     if junction.arm_angles_deg:
         return junction.arm_angles_deg
+    if junction.bend is not None:
+        limit = junction.speed_limit_mps or URBAN_LIMIT_MPS
+        return 0.0, 180.0 + junction.bend.turn_deg(limit)
     if junction.kind in _TEMPLATE_DEG:
         return _TEMPLATE_DEG[junction.kind]
     return tuple(360.0 * arm / junction.arms for arm in range(junction.arms))
@@ -57,6 +62,8 @@ def turn_name(angles_deg: tuple[float, ...], entry: int, move: int) -> Maneuver:
     arms = len(angles_deg)
     if move % arms == 0:
         return Maneuver.U_TURN
+    if arms == 2:
+        return Maneuver.STRAIGHT  # along the road, even in a bend
     bends = [abs(turn_deg(angles_deg, entry, d)) for d in range(1, arms)]
     bend = turn_deg(angles_deg, entry, move)
     if abs(bend) <= min(STRAIGHT_WITHIN_DEG, min(bends) + STRAIGHT_TIE_DEG):

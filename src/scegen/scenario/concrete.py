@@ -11,11 +11,12 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field, model_validator
 
 from scegen.scenario.bodies import BODIES, Body
-from scegen.scenario.functional import MAX_ARMS, Environment, Hazard
+from scegen.scenario.functional import MAX_ARMS, MAX_LANES, Environment, Hazard
 from scegen.scenario.logical import LogicalScenario
-from scegen.scenario.model import ArmSet, FrozenModel, Identifier
+from scegen.scenario.model import ArmSet, FrozenModel, Identifier, VocabularySet
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.reversing import Reversal
+from scegen.scenario.roadway import Carriageway, Strip
 from scegen.scenario.signals import SignalPlan
 from scegen.scenario.vocabulary import (
     Control,
@@ -37,15 +38,15 @@ class ArmRoad(FrozenModel):
     ``angle_deg`` is its direction seen from the centre, counter-clockwise from east;
     ``angle_to_previous_deg`` the angle from the arm before it. ``lanes_in`` lead to the
     junction, ``lanes_out`` away from it; in right-hand traffic the road, which runs towards
-    the junction, has them as its right and left lanes.
+    the junction, has them as its right and left lanes. Only a one-way road has none of one kind.
     """
 
     id: int = Field(ge=0)
     length_m: float = Field(gt=0, le=2000)
     angle_deg: float = Field(ge=0, lt=360)
     angle_to_previous_deg: float
-    lanes_in: int = Field(ge=1, le=3)
-    lanes_out: int = Field(ge=1, le=3)
+    lanes_in: int = Field(ge=0, le=MAX_LANES)
+    lanes_out: int = Field(ge=0, le=MAX_LANES)
     lane_width_m: float = Field(default=3.5, ge=2.0, le=6.0)
     speed_limit_mps: float = Field(gt=0, le=70)
 
@@ -63,18 +64,20 @@ class Turn(FrozenModel):
 class RoadParameters(FrozenModel):
     """All that determines the road network.
 
-    ``corner_radius_m`` is the kerb radius between neighbouring arms, ``ring_radius_m`` the
+    ``corner_radius_m`` is the kerb radius between neighbouring arms, on a road without a junction
+    that of its centre line in the bend that the arms' angles make; ``ring_radius_m`` the
     radius of the outermost ring lane's centre; None lets the road package choose.
     ``parking_lanes`` are arms with a strip for standing vehicles beside the travelled lanes;
     ``u_turns`` arms where turning back is possible; ``turns`` more ways through the crossing;
     ``controlled_arms`` are those whose entering traffic the control's signs or lights stand for.
+    ``carriageway`` and ``strips`` are for a road without a junction.
     """
 
     kind: JunctionKind
     arms: tuple[ArmRoad, ...] = Field(min_length=2, max_length=MAX_ARMS)
     driving_side: DrivingSide = DrivingSide.RIGHT
     control: Control = Control.UNCONTROLLED
-    corner_radius_m: float | None = Field(default=None, gt=0, le=100)
+    corner_radius_m: float | None = Field(default=None, gt=0, le=5000)
     ring_radius_m: float | None = Field(default=None, gt=0, le=200)
     ring_lanes: int = Field(default=1, ge=1, le=2)
     crosswalks: ArmSet = frozenset()
@@ -82,6 +85,8 @@ class RoadParameters(FrozenModel):
     u_turns: ArmSet = frozenset()
     turns: tuple[Turn, ...] = ()
     controlled_arms: ArmSet = frozenset()
+    carriageway: Carriageway = Carriageway.UNDIVIDED
+    strips: VocabularySet[Strip] = frozenset()
 
 
 class AtTime(FrozenModel):
@@ -172,7 +177,7 @@ class LaneChange(FrozenModel):
 
     position_m: float = Field(ge=0)
     length_m: float = Field(gt=0)
-    lane_after: int = Field(ge=0, le=4)
+    lane_after: int = Field(ge=0, le=MAX_LANES + 1)
     offset_m: float = Field(default=0.0, ge=-MOST_OFFSET_M, le=MOST_OFFSET_M)
     hazard: HazardKind | None = None
 
@@ -189,9 +194,9 @@ class DriveMotion(FrozenModel):
 
     type: Literal["drive"] = "drive"
     entry: int = Field(ge=0)
-    entry_lane: int = Field(ge=0, le=4)
+    entry_lane: int = Field(ge=0, le=MAX_LANES + 1)
     exit: int = Field(ge=0)
-    exit_lane: int = Field(ge=0, le=4)
+    exit_lane: int = Field(ge=0, le=MAX_LANES + 1)
     ring_lane: int | None = Field(default=None, ge=1, le=2)
     start_m: float = Field(ge=0)
     offset_m: float = Field(default=0.0, ge=-MOST_OFFSET_M, le=MOST_OFFSET_M)

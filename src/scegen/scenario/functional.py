@@ -12,8 +12,10 @@ from typing import Literal
 from pydantic import Field, model_validator
 
 from scegen.scenario.acts import Act, AfterAct, WhenMeasure
+from scegen.scenario.bends import Bend
 from scegen.scenario.model import ArmSet, FrozenModel, Identifier, Interval, VocabularySet
 from scegen.scenario.outcome import Outcome
+from scegen.scenario.roadway import Carriageway, Strip
 from scegen.scenario.spacings import CONTACT, START, Spacing
 from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import (
@@ -34,6 +36,8 @@ from scegen.scenario.vocabulary import (
 )
 
 MAX_ARMS = 8
+MAX_LANES = 4
+"""Lanes per direction on a road without a junction; at junctions one less."""
 _SHOWN = 4
 """Phrases that a line names."""
 ARM_COUNTS: dict[JunctionKind, tuple[int, int]] = {
@@ -54,7 +58,9 @@ class Junction(FrozenModel):
     ``arm_angles_deg`` are the directions of the arms seen from the centre, in degrees
     counter-clockwise from east, one per arm in rising order; empty means the kind's own.
     ``lanes`` is the number of lanes per direction of each arm; empty means one everywhere.
-    ``crosswalks`` are the arms that a marked crosswalk runs across.
+    ``crosswalks`` are the arms that a marked crosswalk runs across. A road without a junction may
+    have another ``carriageway`` than the usual, ``strips`` all along its lanes, and a ``bend``,
+    which the ego enters at arm 0 if its side is said.
     """
 
     kind: JunctionKind
@@ -66,6 +72,9 @@ class Junction(FrozenModel):
     driving_side: DrivingSide = DrivingSide.RIGHT
     control: Control = Control.UNCONTROLLED
     crosswalks: ArmSet = frozenset()
+    carriageway: Carriageway = Carriageway.UNDIVIDED
+    strips: VocabularySet[Strip] = frozenset()
+    bend: Bend | None = None
 
     @model_validator(mode="after")
     def _fits_its_kind(self) -> Junction:
@@ -83,8 +92,17 @@ class Junction(FrozenModel):
         if self.lanes and len(self.lanes) != self.arms:
             msg = f"lanes gives {len(self.lanes)} numbers for {self.arms} arms"
             raise ValueError(msg)
-        if any(not 1 <= count <= 3 for count in self.lanes):
-            msg = "lanes per direction must be 1, 2 or 3"
+        most = MAX_LANES if self.kind is JunctionKind.STRAIGHT else MAX_LANES - 1
+        if any(not 1 <= count <= most for count in self.lanes):
+            msg = "lanes per direction must be 1, 2 or 3; on a road without a junction also 4"
+            raise ValueError(msg)
+        if self.kind is not JunctionKind.STRAIGHT:
+            for field in ("carriageway", "strips", "bend"):
+                if getattr(self, field) != Junction.model_fields[field].default:
+                    msg = f"{field} is only for a road without a junction, kind straight"
+                    raise ValueError(msg)
+        if self.bend is not None and self.arm_angles_deg:
+            msg = "a road has a bend or arm_angles_deg, not both"
             raise ValueError(msg)
         if any(not 0 <= arm < self.arms for arm in self.crosswalks):
             msg = f"crosswalks names an arm outside 0..{self.arms - 1}"

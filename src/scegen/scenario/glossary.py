@@ -11,6 +11,7 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.definitions import Definition, Word
 from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.outcome import OutcomeKind
+from scegen.scenario.roadway import Carriageway, Strip
 from scegen.scenario.spacings import Measure
 from scegen.scenario.things import ThingKind
 from scegen.scenario.vocabulary import (
@@ -38,6 +39,8 @@ VOCABULARY: dict[type[StrEnum], str] = {
     JunctionKind: "junction.kind",
     Control: "junction.control",
     DrivingSide: "junction.driving_side",
+    Carriageway: "junction.carriageway",
+    Strip: "junction.strips",
     ParticipantKind: "participants[].kind",
     Role: "participants[].role",
     Approach: "participants[].approaches",

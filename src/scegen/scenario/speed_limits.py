@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
-from math import ceil
+from math import ceil, inf, sqrt
 
+from scegen.scenario.arms import URBAN_LIMIT_MPS
+from scegen.scenario.bends import COMFORTABLE_LATERAL_MPS2
 from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.roadway import Carriageway, Strip
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, ParticipantKind
 
-URBAN_LIMIT_MPS = 50 / 3.6
-"""The urban limit of the Vienna Convention's countries."""
 ROUNDABOUT_LIMIT_MPS = 30 / 3.6
+DIVIDED_LIMIT_MPS = 100 / 3.6
+MOTORWAY_LIMIT_MPS = 130 / 3.6
+"""The limit of most of the EU's motorways, and the speed that Germany advises there; on other roads
+with a median out of town limits are mostly 90 to 110 km/h."""
 _STEP_MPS = 10 / 3.6
 _CLEARLY = 1.02
 _HIGHEST_MPS = 130 / 3.6
@@ -50,6 +55,16 @@ def implied_limit_mps(functional: FunctionalScenario) -> float:
         and p.kind is not ParticipantKind.EMERGENCY_VEHICLE
     ]
     fastest = max(said, default=0.0)
+    if not said and junction.carriageway is Carriageway.DIVIDED:
+        usual = MOTORWAY_LIMIT_MPS if Strip.HARD_SHOULDER in junction.strips else DIVIDED_LIMIT_MPS
     if fastest <= usual * _CLEARLY:
         return usual
     return max(min(ceil(round(fastest / _STEP_MPS, 1)) * _STEP_MPS, _HIGHEST_MPS), usual)
+
+
+def comfortable_mps(functional: FunctionalScenario) -> float:
+    """The speed at which the road's bend is driven in comfort; inf where there is none."""
+    bend = functional.junction.bend
+    if bend is None:
+        return inf
+    return sqrt(COMFORTABLE_LATERAL_MPS2 * bend.radius_at_m(implied_limit_mps(functional)))

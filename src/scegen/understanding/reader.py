@@ -32,9 +32,11 @@ from scegen.understanding.reference.everybody import deny_of_everybody
 from scegen.understanding.reference.resolving import resolve_mentions
 from scegen.understanding.road.each_arm import count_arms, share_arms
 from scegen.understanding.road.junctions import JunctionReading, read_junction
+from scegen.understanding.road.lengthwise import read_lengthwise
 from scegen.understanding.road.relevance import require_traffic
 from scegen.understanding.road.surroundings import read_surroundings
 from scegen.understanding.words.angles import read_angles, set_apart
+from scegen.understanding.words.bends import whole_bends
 from scegen.understanding.words.language import require_english
 from scegen.understanding.words.sides import settle_sides
 from scegen.understanding.words.tagging import tag
@@ -74,10 +76,11 @@ def read(text: str) -> FunctionalScenario:
         raise InputError(msg, where="description", hint="Describe one situation at a time.")
     tokens = tokenize(text)
     require_english(tokens, text)
-    terms = set_apart(tag(tokens), read_angles(tokens, text))
+    terms = whole_bends(set_apart(tag(tokens), read_angles(tokens, text)), tokens)
     require_traffic(terms, tokens)
     junction = read_junction(terms, tokens)
     surroundings = read_surroundings(terms, tokens)
+    lengthwise = read_lengthwise(terms)
     terms = settle_sides(terms, surroundings.side)
     chunks = name_roads(name_hiders(Chunker(terms, tokens).run()), tokens)
     chunks = spell_out(both_sides(sides_of(in_brackets(chunks)), tokens))
@@ -98,7 +101,7 @@ def read(text: str) -> FunctionalScenario:
     happenings = read_amounts(numbers, chunks, scenes, context)
     too_fast(draft, surroundings.speed_limit_mps)
     report(draft, terms, chunks)
-    scenario = Builder(draft, happenings, junction, surroundings, tokens).build()
+    scenario = Builder(draft, happenings, junction, surroundings, lengthwise, tokens).build()
     return unattached(scenario, terms, tokens)
 
 

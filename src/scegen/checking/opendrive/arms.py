@@ -30,12 +30,12 @@ class Arm:
 
     @property
     def inward(self) -> list[int]:
-        """Driving lanes that lead to the junction."""
+        """Driving lanes that lead to the junction, the innermost first."""
         return [n for n in self._lanes() if not self.road.leads_to(n, self.contact)]
 
     @property
     def outward(self) -> list[int]:
-        """Driving lanes that lead out of the network."""
+        """Driving lanes that lead out of the network, the innermost first."""
         return [n for n in self._lanes() if self.road.leads_to(n, self.contact)]
 
     @property
@@ -43,7 +43,8 @@ class Arm:
         """Strips beside the lanes that lead to the junction, where vehicles stand."""
         section = self.road.section(self.contact)
         side = {n > 0 for n in self.inward}
-        return [n for n, x in section.lanes.items() if x.type in STRIPS and (n > 0) in side]
+        found = [n for n, x in section.lanes.items() if x.type in STRIPS and (n > 0) in side]
+        return sorted(found, key=abs)
 
     @property
     def inner(self) -> str:
@@ -56,7 +57,7 @@ class Arm:
         return road_place(self.road.id, self.contact)
 
     def _lanes(self) -> list[int]:
-        return driving(self.road.section(self.contact))
+        return sorted(driving(self.road.section(self.contact)), key=abs)
 
 
 class MatchedArms(NamedTuple):

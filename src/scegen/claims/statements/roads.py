@@ -8,11 +8,16 @@ from functools import partial
 from scegen.claims.claim import Claim, ClaimKind, Judged, always
 from scegen.claims.told import KPH, Told, plain
 from scegen.claims.view import View
+from scegen.road.straight import curve_of
+from scegen.scenario.bends import Bend
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.control import controlled_arms, has_crosswalk
+from scegen.scenario.roadway import Carriageway, Strip
+from scegen.scenario.vocabulary import Side
 
 _SAME_MPS = 0.5 / KPH
 _SAME_DEG = 1.0
+_SAME_M = 0.5
 Agrees = Callable[[RoadParameters], bool]
 
 
@@ -39,6 +44,19 @@ def claims(told: Told) -> Iterator[Claim]:
         lanes = junction.lanes
         statement = f"lanes per direction: {', '.join(map(str, lanes))}"
         yield _road("lanes", statement, lambda road: _wide(road, lanes))
+    carriageway, strips = junction.carriageway, junction.strips
+    if carriageway is not Carriageway.UNDIVIDED:
+        statement = f"its carriageway is {plain(carriageway)}"
+        yield _road("carriageway", statement, lambda road: road.carriageway is carriageway)
+    if junction.bend is not None:
+        bend, ego = junction.bend, told.drive(told.ego)
+        entry = 0 if ego is None else ego.entry
+        course = "a bend" if bend.side is None else f"a bend to the {bend.side}"
+        size = "" if bend.radius_m is None else f" of {bend.radius_m:g} m radius"
+        yield _road("bend", f"the ego drives {course}{size}", partial(_bends, bend, entry))
+    if strips:
+        statement = f"beside its lanes: {', '.join(plain(x) for x in Strip if x in strips)}"
+        yield _road("strips", statement, lambda road: road.strips >= strips)
     if junction.arm_angles_deg:
         angles = junction.arm_angles_deg
         statement = f"its arms lie at {', '.join(f'{angle:g}' for angle in angles)} degrees"
@@ -98,8 +116,25 @@ def _limited(limit_mps: float, road: RoadParameters) -> bool:
 
 
 def _wide(road: RoadParameters, lanes: tuple[int, ...]) -> bool:
-    """At least as many lanes in: where somebody turns back, one more may be needed."""
-    return all(arm.lanes_in >= count for arm, count in zip(road.arms, lanes, strict=False))
+    """At least as many lanes in: where somebody turns back, one more may be needed.
+
+    A one-way road has lanes in at one arm only, and at the other as many out.
+    """
+    one_way = road.carriageway is Carriageway.ONE_WAY
+    found = [max(arm.lanes_in, arm.lanes_out) if one_way else arm.lanes_in for arm in road.arms]
+    return all(have >= count for have, count in zip(found, lanes, strict=False))
+
+
+def _bends(bend: Bend, entry: int, road: RoadParameters) -> bool:
+    """To the side that is said, seen by who enters at that arm, as tightly as is said."""
+    curve = curve_of(road)
+    if curve is None:
+        return False
+    left = (curve.curvature_1pm > 0) == (entry == 0)
+    sided = bend.side is None or left == (bend.side is Side.LEFT)
+    return sided and (
+        bend.radius_m is None or abs(abs(1 / curve.curvature_1pm) - bend.radius_m) < _SAME_M
+    )
 
 
 def _at_angles(angles_deg: tuple[float, ...], road: RoadParameters) -> bool:

@@ -12,6 +12,7 @@ from scegen.concretization.limits import (
     REVERSING_MPS2,
     WALKING_MPS,
 )
+from scegen.road.cross_section import median_half_m
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.functional import FunctionalScenario, Participant
@@ -85,6 +86,7 @@ def _runner(
     lane = assignment_lane(assignment)
     runner = Runner(participant.id, participant.kind, forward, lane, 0.0)
     runner.keeps_left = keeps == "left"
+    runner.inner_m = median_half_m(functional.junction.carriageway)
     if beside:
         # Seen in its own direction, the edge is to the kerb's side if it goes with the traffic.
         outward = -1.0 if keeps == "right" else 1.0

@@ -29,12 +29,12 @@ from scegen.concretization.objects import (
 )
 from scegen.concretization.occluders import hide
 from scegen.concretization.roads import plan
+from scegen.errors import MotionInfeasibleError
 from scegen.motion.paths import build_paths
 from scegen.motion.standing import crossing_path
 from scegen.motion.ties import clear_of_ties
 from scegen.road import build_network
 from scegen.road.defaults import LANE_WIDTH_M
-from scegen.road.geometry import Pose
 from scegen.road.model import RoadNetwork
 from scegen.scenario.acts import ActKind
 from scegen.scenario.concrete import Change, ConcreteParticipant, ConcreteScenario, RoadParameters
@@ -83,14 +83,34 @@ def compose_along(
     """
     story = story_of(functional, logical, road)
     walks = lay(story)
+    _stay_on_their_side(story)
     parked = park(story, walks)
-    lasts = min(closest_s(story, ends_s(story, walks)) + _AFTER_S, _LONGEST_S)
-    frame = frame_of(story, walks, parked, [], min(_SPARE * lasts, _LONGEST_S))
-    parameters = road_of(road or plan(functional, logical, _PLAIN_M, story.lane_count), frame)
+    closest = closest_s(story, ends_s(story, walks))
+    lasts = min(closest + _AFTER_S, _LONGEST_S)
+    planned = road or plan(functional, logical, _PLAIN_M, story.lane_count)
+    frame = frame_of(story, walks, parked, planned, closest, min(_SPARE * lasts, _LONGEST_S))
+    parameters = road_of(planned, frame)
     network = build_network(parameters)
-    standing = [written_parked(frame, p, functional.participant(p.id)) for p in parked]
+    standing = [written_parked(story, frame, p) for p in parked]
     made = _written(story, frame, parameters, network, walks, seed, lasts, standing)
     return hide(functional, made, network)
+
+
+def _stay_on_their_side(story: Story) -> None:
+    """Nobody changes between the lanes of the two directions where they are parted.
+
+    Raises:
+        MotionInfeasibleError: somebody would have to.
+    """
+    for runner in story.runners.values():
+        lanes = {runner.lane, *(move.lane for move in runner.moves)}
+        if story.innermost and 0 in lanes and len(lanes) > 1:
+            raise MotionInfeasibleError(
+                "would have to use the lanes of the other direction, which this road "
+                f"({story.functional.junction.carriageway.value}) keeps apart",
+                where=runner.id,
+                hint="Give the road more lanes per direction, or let it be undivided.",
+            )
 
 
 def _written(
@@ -145,11 +165,13 @@ def _thing(story: Story, frame: Frame, network: RoadNetwork, name: str) -> Stati
     """A thing in somebody's lane, at its pose in the world."""
     runner = story.runners[name]
     thing = next(t for t in story.things if t.id == name)
-    road = network.arm_road(frame.ego_arm)
-    x = runner.x_m(0.0) - frame.begin_m
-    here = road.line.pose(0.0, 0.0)
-    y = runner.y_m(0.0, LANE_WIDTH_M)
-    pose = Pose(here.x_m, here.y_m, here.heading_rad).shifted(forward_m=x, left_m=y)
+    beyond, y = frame.centre_m(runner.x_m(0.0)), runner.y_m(0.0, LANE_WIDTH_M)
+    line = network.arm_road(frame.ego_arm).line
+    if frame.curve is not None and beyond > 0.0:
+        line = network.arm_road(1 - frame.ego_arm).line.reversed()
+        pose = line.pose(beyond, y)
+    else:
+        pose = line.pose(line.length_m + beyond, y)
     return made_of(name, shape_of(thing.kind), thing.called, pose)
 
 

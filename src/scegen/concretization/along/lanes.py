@@ -19,6 +19,7 @@ from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.hazards import FROM_BESIDE
 from scegen.scenario.logical import Assignment, Drive, InLine, LogicalScenario
+from scegen.scenario.roadway import Carriageway
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
 
@@ -73,7 +74,9 @@ def choose_lanes(
         *_usual(functional, logical, runners),
     ]
     said = max(functional.junction.lanes, default=0)
-    counts = [said] if said else range(1, MOST_LANES + 1)
+    # Nobody passes another on the other side of a median: there must be a lane for that.
+    undivided = functional.junction.carriageway is Carriageway.UNDIVIDED
+    counts = [said] if said else range(1 if undivided else 2, MOST_LANES + 1)
     best: tuple[float, int, dict[str, int]] | None = None
     for count in counts:
         cost, lanes = cheapest(list(runners), wishes, count)

@@ -77,7 +77,7 @@ def _meet_after(story: Story, strays: set[str]) -> None:
     strays |= {act.participant for act in story.acts if story.goes_round(act)}
     for stray in (r for r in story.runners.values() if r.id in strays):
         out = [m for m in stray.moves if m.lane == 0]
-        back = [m for m in stray.moves if out and m.begins_s > out[0].begins_s and m.lane > 0]
+        back = [m for m in stray.moves if out and _leaves(m, out[0])]
         if not back:
             continue
         for other in story.runners.values():
@@ -93,6 +93,12 @@ def _meet_after(story: Story, strays: set[str]) -> None:
                         runner.at_m += shift
             else:
                 other.at_m = level(other, stray, moment)
+
+
+def _leaves(move: Move, out: Move) -> bool:
+    """Whether a later move leads out of the lane, or line, into which an earlier one led."""
+    elsewhere = move.lane > 0 or move.offset_m != out.offset_m
+    return move.begins_s > out.begins_s and elsewhere
 
 
 def _meeting_when_back_s(
@@ -260,10 +266,20 @@ def come_back(story: Story) -> None:
         if contact_wanted(story, runner.id, name):
             continue
         back = max(last.ends_s + 0.1, time_s - _CLEAR_BEFORE_S - _CLEAR_AFTER * last.lasts_s)
-        lane = max(1, runner.lane)
-        runner.moves.append(Move(back, last.lasts_s, lane, 0.0, last.act, last.hazard))
+        lane, offset = max(1, runner.lane), 0.0
+        if story.innermost:  # beyond a median, it dodges into the lane beside
+            lane, offset = 0, _dodge_m(story, runner)
+        runner.moves.append(Move(back, last.lasts_s, lane, offset, last.act, last.hazard))
         strays.add(runner.id)
     _meet_after(story, strays)
+
+
+def _dodge_m(story: Story, runner: Runner) -> float:
+    """How far left of the innermost lane one on the wrong side drives when it has dodged."""
+    outwards = 1 if not runner.keeps_left else -1
+    beside = round(abs(runner.offset_m) / LANE_WIDTH_M) + 1
+    beside = beside if beside < story.lane_count else beside - 2
+    return outwards * beside * LANE_WIDTH_M
 
 
 def _level(first: Runner, second: Runner, time_s: float) -> bool:

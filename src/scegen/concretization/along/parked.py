@@ -8,10 +8,11 @@ from scegen.concretization.along.crossing import Walk
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import edge_y_m
 from scegen.concretization.along.story import Story
-from scegen.road.cross_section import PARKING_WIDTH_M
+from scegen.road.cross_section import strip_width_m
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.logical import Drive, Standing
+from scegen.scenario.roadway import Strip
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind, Side
 
@@ -51,7 +52,13 @@ def on_left(story: Story, standing: Standing) -> bool:
 def strips_m(story: Story) -> dict[str, float]:
     """How wide the strips for parking are, by the ego's side."""
     sides = {"left" if on_left(story, s) else "right" for s in standings_beside(story)}
-    return dict.fromkeys(sides, PARKING_WIDTH_M)
+    if Strip.HARD_SHOULDER in story.functional.junction.strips:
+        sides = {"left", "right"}
+    return dict.fromkeys(sides, _width_m(story))
+
+
+def _width_m(story: Story) -> float:
+    return strip_width_m(story.functional.junction.strips)
 
 
 def shift_to_pass(story: Story) -> None:
@@ -72,7 +79,7 @@ def _keep_off(story: Story, runner: Runner, standing: Standing, gap_m: float) ->
     left = on_left(story, standing)
     body = BODIES[story.functional.participant(standing.participant).kind]
     sign = 1 if left else -1
-    inner = edge_y_m(story, left=left) + sign * (PARKING_WIDTH_M - body.width_m) / 2
+    inner = edge_y_m(story, left=left) + sign * (_width_m(story) - body.width_m) / 2
     wanted = inner - sign * (gap_m + runner.body.width_m / 2)
     runner.offset_m += runner.sign * (wanted - runner.y_m(0.0, LANE_WIDTH_M))
 

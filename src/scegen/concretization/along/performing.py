@@ -53,6 +53,12 @@ def _sideways(story: Story, act: Act, runner: Runner, begins_s: float) -> list[M
     if act.kind is ActKind.SWERVE or act.lateral_m is not None:
         return _swerve(story, act, runner, begins_s, hazard)
     lane = _lane_after(story, act, runner, now)
+    into = story.runners.get(act.into or "", story.ego)
+    if lane == 0 and story.innermost and into.forward != runner.forward:
+        # Nobody crosses a median: who is on the wrong side has been there from the start.
+        inner = outward(story.functional, Side.LEFT)
+        runner.lane, runner.offset_m = 0, -inner * (into.lane - 1) * LANE_WIDTH_M
+        return [Move(begins_s, LANE_CHANGE_S, 0, runner.offset_m, act.id, hazard)]
     width = abs(lane - now) * LANE_WIDTH_M or LANE_WIDTH_M
     usual = ABRUPT_LANE_CHANGE_S if hazard in _ABRUPT else LANE_CHANGE_S
     lasts = lasting_s(act, width, usual)
@@ -66,7 +72,7 @@ def _swerve(
     side = act.side or _free_side(story, runner, lane)
     if act.lateral_m is None:
         aside = max(0, lane + outward(story.functional, side))
-        if aside > story.lane_count:
+        if not story.innermost <= aside <= story.lane_count:
             side = Side.LEFT if side is Side.RIGHT else Side.RIGHT
             aside = max(0, lane + outward(story.functional, side))
         lasts = lasting_s(act, LANE_WIDTH_M, ABRUPT_LANE_CHANGE_S)
@@ -102,7 +108,7 @@ def _lane_after(story: Story, act: Act, runner: Runner, now: int) -> int:
             return into.lane
     side = act.side or _free_side(story, runner, now)
     lane = now + outward(story.functional, side)
-    return max(0, min(lane, story.lane_count))
+    return max(story.innermost, min(lane, story.lane_count))
 
 
 def _free_side(story: Story, runner: Runner, now: int) -> Side:

@@ -59,7 +59,8 @@ class Runner:
 
     ``at_m`` is where its reference point starts, None while that is open; ``lane`` counts from the
     centre line outwards in its own direction (0: the oncoming lane), ``offset_m`` is to its own
-    left of the lane's centre. ``box`` is that of a thing, ``keeps_left`` the side of the traffic.
+    left of the lane's centre. ``box`` is that of a thing, ``keeps_left`` the side of the traffic,
+    ``inner_m`` how far the lanes lie from the centre line (half a median).
     One that ``backs`` reverses from the start on, after the ``FORTH_M`` by which players know which
     way it faces.
     """
@@ -75,6 +76,7 @@ class Runner:
     moves: list[Move] = field(default_factory=list)
     box: Body | None = None
     keeps_left: bool = False
+    inner_m: float = 0.0
     backs: bool = False
     _told: tuple[tuple[float, tuple[Step, ...]], Profile] | None = field(
         default=None, init=False, repr=False, compare=False
@@ -170,9 +172,14 @@ class Runner:
             before = goal
         return place
 
+    def lane_y_m(self, lane: int) -> float:
+        """Where the middle of a lane is across the road."""
+        return self._across_m(lane, 0.0, LANE_WIDTH_M)
+
     def _across_m(self, lane: int, offset_m: float, width_m: float) -> float:
         outward = 1 if self.keeps_left else -1
-        return self.sign * (offset_m + outward * (lane - 0.5) * width_m)
+        inner_m = self.inner_m if lane >= 1 else -self.inner_m
+        return self.sign * (offset_m + outward * ((lane - 0.5) * width_m + inner_m))
 
 
 def gap_m(first: Runner, second: Runner, time_s: float) -> float:

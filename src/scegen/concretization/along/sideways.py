@@ -8,15 +8,21 @@ from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.story import Story
 from scegen.concretization.profile import NEVER_S
 from scegen.errors import MotionInfeasibleError
+from scegen.road.cross_section import median_half_m
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.concrete import MOST_OFFSET_M
+from scegen.scenario.roadway import Carriageway
 from scegen.scenario.spacings import CONTACT, Measure, Spacing
 from scegen.scenario.vocabulary import Side
 
 
 def edge_y_m(story: Story, *, left: bool) -> float:
-    """Where the carriageway ends on one side, to the ego's left of the centre line."""
-    return story.lane_count * LANE_WIDTH_M * (1 if left else -1)
+    """Where the lanes end on one side, to the ego's left of the centre line."""
+    junction = story.functional.junction
+    if junction.carriageway is Carriageway.ONE_WAY and left != story.ego.keeps_left:
+        return 0.0  # beside the innermost lane there are no others
+    width = median_half_m(junction.carriageway) + story.lane_count * LANE_WIDTH_M
+    return width * (1 if left else -1)
 
 
 def offset_all(story: Story) -> None:

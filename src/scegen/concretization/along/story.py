@@ -11,6 +11,7 @@ from scegen.concretization.asked import dangers, hazard_of
 from scegen.scenario.acts import Act, ActKind, AfterAct
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import LogicalScenario
+from scegen.scenario.roadway import Carriageway
 from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import Approach, HazardKind
 
@@ -32,6 +33,12 @@ class Story:
     things: tuple[Thing, ...] = ()
     begins_s: dict[str, float] = field(default_factory=dict)
     ends_s: dict[str, float] = field(default_factory=dict)
+
+    @property
+    def innermost(self) -> int:
+        """The innermost lane to drive in: 0, that of the oncoming, where nothing parts them."""
+        undivided = self.functional.junction.carriageway is Carriageway.UNDIVIDED
+        return 0 if undivided else 1
 
     @property
     def hazards(self) -> tuple[Hazard, ...]:

@@ -8,11 +8,12 @@ from scegen.concretization.along.lanes import choose_lanes
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.story import Story
 from scegen.concretization.objects import lying_in_the_way, shape_of
+from scegen.errors import MotionInfeasibleError
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
-from scegen.scenario.speed_limits import implied_limit_mps
+from scegen.scenario.speed_limits import comfortable_mps, implied_limit_mps
 from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import ParticipantKind
 
@@ -26,7 +27,9 @@ def story_of(
         MotionInfeasibleError: what is said of lanes cannot all be had.
     """
     limit = functional.junction.speed_limit_mps or implied_limit_mps(functional)
-    runners = cast(functional, logical, limit)
+    grip = friction_of(functional.environment) * GRAVITY_MPS2
+    runners = cast(functional, logical, min(limit, comfortable_mps(functional)))
+    _keep_on_the_road(functional, runners, limit, grip)
     things = _things(functional, logical, runners)
     for thing in things:
         blocked = runners[thing.in_way_of or ""]
@@ -39,6 +42,7 @@ def story_of(
             0.0,
             box=body,
             keeps_left=blocked.keeps_left,
+            inner_m=blocked.inner_m,
         )
     acts = all_acts(functional, logical, runners)
     people = {name: runner for name, runner in runners.items() if runner.box is None}
@@ -47,8 +51,30 @@ def story_of(
         count = road.arms[0].lanes_in
     for thing in things:
         runners[thing.id].lane = runners[thing.in_way_of or ""].lane
-    grip = friction_of(functional.environment) * GRAVITY_MPS2
     return Story(functional, logical, runners, acts, count, limit, grip, tuple(things))
+
+
+def _keep_on_the_road(
+    functional: FunctionalScenario, runners: dict[str, Runner], limit_mps: float, grip_mps2: float
+) -> None:
+    """Nobody is so fast in a bend that no tyre would hold.
+
+    Raises:
+        MotionInfeasibleError: somebody is said to be.
+    """
+    bend = functional.junction.bend
+    if bend is None:
+        return
+    radius = bend.radius_at_m(limit_mps)
+    for runner in runners.values():
+        asked = runner.fastest_mps**2 / radius
+        if asked > grip_mps2:
+            raise MotionInfeasibleError(
+                f"at {runner.fastest_mps * 3.6:.0f} km/h a bend of {radius:g} m radius needs "
+                f"{asked:.1f} m/s2 sideways, and tyres give {grip_mps2:.1f} on this road",
+                where=runner.id,
+                hint="Let it drive more slowly, or widen the bend.",
+            )
 
 
 def _things(

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-from math import ceil
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from math import ceil, copysign, hypot
 
 from scegen.concretization.along.crossing import Walk
 from scegen.concretization.along.parked import Parked
@@ -13,6 +13,8 @@ from scegen.concretization.along.story import Story
 from scegen.concretization.profile import NEVER_S
 from scegen.motion.paths import END_MARGIN_M
 from scegen.road.defaults import LANE_WIDTH_M
+from scegen.road.geometry import Pose, Segment
+from scegen.road.straight import Curve, curve_of
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
     AtTime,
@@ -50,28 +52,80 @@ _KINDS = {
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """Where the road lies on the story's axis: from ``begin_m`` to ``end_m``, joint between."""
+    """Where the road lies on the story's axis: from ``begin_m`` to ``end_m``, joint between.
+
+    The axis is the middle of the ego's lane, ``axis_y_m`` left of the centre line; ``curve`` is the
+    road's bend as the ego drives it. ``met_s`` is when each runner is where the story has it: who
+    drives in another lane of a bend comes along it faster or slower than on the axis.
+    """
 
     begin_m: float
     joint_m: float
     end_m: float
     ego_arm: int
     lasts_s: float = 0.0
+    curve: Curve | None = None
+    axis_y_m: float = 0.0
+    met_s: Mapping[str, float] = field(default_factory=dict)
 
     def station_m(self, runner: Runner, x_m: float) -> float:
         """The place on a drive, from the outer end of its entry arm."""
-        return x_m - self.begin_m if runner.forward else self.end_m - x_m
+        straight = x_m - self.begin_m if runner.forward else self.end_m - x_m
+        if self.curve is None:
+            return straight
+        met_m = runner.x_m(self.met_s[runner.id])
+        lane_y = runner.lane_y_m(runner.lane_at(self.met_s[runner.id]))
+        outer_m = self.begin_m if runner.forward else self.end_m
+        own = abs(self._beside_m(met_m, lane_y) - self._beside_m(outer_m, lane_y))
+        return straight + own - (abs(met_m - outer_m))
+
+    def _beside_m(self, x_m: float, y_m: float) -> float:
+        """How far beyond the joint a place of the axis is, measured ``y_m`` left of the centre."""
+        away = x_m - self.joint_m
+        if self.curve is None:
+            return away
+        k, half = self.curve.curvature_1pm, self.curve.half_arc_m
+        arc, own = half * (1.0 - k * self.axis_y_m), half * (1.0 - k * y_m)
+        inside = min(abs(away), arc)
+        return copysign(inside * own / arc + abs(away) - inside, away)
+
+    def joint_station_m(self, runner: Runner) -> float:
+        """Where the joint is on a drive, by the length of the lane in which it starts."""
+        lane_y = runner.lane_y_m(runner.lane)
+        return abs(self._beside_m(self.begin_m if runner.forward else self.end_m, lane_y))
+
+    def centre_m(self, x_m: float) -> float:
+        """How far beyond the joint a place of the axis is, measured along the centre line."""
+        return self._beside_m(x_m, 0.0)
 
     def from_junction_m(self, arm: int, x_m: float) -> float:
         """How far a place is before the inner end of an arm."""
-        away = self.joint_m - x_m if arm == self.ego_arm else x_m - self.joint_m
-        return max(away, 0.0)
+        beyond = self.centre_m(x_m)
+        return max(-beyond if arm == self.ego_arm else beyond, 0.0)
+
+    def pose(self, x_m: float, y_m: float) -> Pose:
+        """The place in a frame whose origin is where the ego comes into the bend."""
+        beyond = self.centre_m(x_m)
+        if self.curve is None:
+            return Pose(beyond, y_m, 0.0)
+        k, half = self.curve.curvature_1pm, self.curve.half_arc_m
+        arc = Segment(Pose(0.0, 0.0, 0.0), 2 * half, k)
+        s = min(max(beyond + half, 0.0), 2 * half)
+        return arc.pose(s).shifted(forward_m=beyond + half - s, left_m=y_m)
 
 
 def frame_of(
-    story: Story, walks: list[Walk], parked: list[Parked], things_x_m: list[float], lasts_s: float
+    story: Story,
+    walks: list[Walk],
+    parked: list[Parked],
+    road: RoadParameters,
+    closest_s: float,
+    lasts_s: float,
 ) -> Frame:
-    """A road long enough for everybody until the end, with the joint where their arms need it."""
+    """A road long enough for everybody until the end, with the joint where their arms need it.
+
+    A bend lies about where the ego is when the others come closest.
+    """
     assignment = story.logical.assignment(story.ego.id)
     arm = assignment.entry if isinstance(assignment, Drive) else 0
     lows, highs = [], []
@@ -86,30 +140,49 @@ def frame_of(
     far += [p.x_m - p.body.length_m for p in parked if p.standing.arm != arm]
     forward = [r.ends_m(0.0)[1] for r in story.runners.values() if r.forward]
     backward = [r.ends_m(0.0)[0] for r in story.runners.values() if not r.forward]
-    everything = [*own, *far, *things_x_m]
+    everything = [*own, *far]
     begin = min([*lows, *everything]) - _ARM_MARGIN_M - _LEAST_ARM_M
     end = max([*highs, *everything]) + _ARM_MARGIN_M + END_MARGIN_M
     least = max([*own, *forward], default=begin) + _JOINT_CLEAR_M
     most = min([*far, *backward], default=end) - _JOINT_CLEAR_M
     joint = least if least <= most or not far else min(far) - _JOINT_CLEAR_M
+    curve = curve_of(road)
+    if curve is None:
+        joint = max(joint, begin + _LEAST_ARM_M)
+        end = max(end, joint + _LEAST_ARM_M)
+        return Frame(
+            joint - ceil((joint - begin) / _ROUND_M) * _ROUND_M,
+            joint,
+            joint + ceil((end - joint) / _ROUND_M) * _ROUND_M,
+            arm,
+            lasts_s,
+        )
+    joint = max(joint, min(story.ego.x_m(closest_s), max(most, joint)))
+    if arm == 1:
+        curve = Curve(-curve.curvature_1pm, curve.half_arc_m)
+    axis_y = story.ego.lane_y_m(story.ego.lane)
+    arc = curve.half_arc_m * (1.0 - curve.curvature_1pm * axis_y)
     joint = max(joint, begin + _LEAST_ARM_M)
-    end = max(end, joint + _LEAST_ARM_M)
-    return Frame(
-        joint - ceil((joint - begin) / _ROUND_M) * _ROUND_M,
-        joint,
-        joint + ceil((end - joint) / _ROUND_M) * _ROUND_M,
-        arm,
-        lasts_s,
-    )
+    begin, end = min(begin, joint - arc - _LEAST_ARM_M), max(end, joint + arc + _LEAST_ARM_M)
+    met = {name: _met_s(runner, story.ego, closest_s) for name, runner in story.runners.items()}
+    return Frame(begin, joint, end, arm, lasts_s, curve, axis_y, met)
+
+
+def _met_s(runner: Runner, ego: Runner, closest_s: float) -> float:
+    """When it matters most where somebody is: as it moves aside, as it meets who comes along."""
+    if runner.moves:
+        return min(move.begins_s for move in runner.moves)
+    if runner.forward == ego.forward:
+        return closest_s
+    times = [closest_s * n / 50 for n in range(101)]
+    return min(times, key=lambda t: abs(runner.x_m(t) - ego.x_m(t)))
 
 
 def road_of(road: RoadParameters, frame: Frame) -> RoadParameters:
     """The road with arms as long as the frame."""
-    lengths = {frame.ego_arm: frame.joint_m - frame.begin_m}
+    near, beyond = -frame.centre_m(frame.begin_m), frame.centre_m(frame.end_m)
     arms = tuple(
-        arm.model_copy(
-            update={"length_m": round(lengths.get(arm.id, frame.end_m - frame.joint_m), 3)}
-        )
+        arm.model_copy(update={"length_m": round(near if arm.id == frame.ego_arm else beyond, 3)})
         for arm in road.arms
     )
     return road.model_copy(update={"arms": arms})
@@ -121,7 +194,7 @@ def written_runner(story: Story, frame: Frame, participant: Participant) -> Conc
     entry = frame.ego_arm if runner.forward else 1 - frame.ego_arm
     changes = _changes(frame, runner)
     last = changes[-1].lane_after if changes else runner.lane
-    joint = frame.joint_m - frame.begin_m if runner.forward else frame.end_m - frame.joint_m
+    joint = frame.joint_station_m(runner)
     start = frame.station_m(runner, runner.at_m or 0.0)
     reversal = None
     if runner.backs:
@@ -146,7 +219,7 @@ def written_runner(story: Story, frame: Frame, participant: Participant) -> Conc
         parked=runner.stands,
         speed_mps=round(runner.speed_mps, 4),
         motion=motion,
-        speed_program=tuple(_phase(story, runner, step) for step in _in_order(runner)),
+        speed_program=tuple(_phase(story, frame, runner, step) for step in _in_order(runner)),
     )
 
 
@@ -175,9 +248,9 @@ def _changes(frame: Frame, runner: Runner) -> tuple[LaneChange, ...]:
     return tuple(changes)
 
 
-def _phase(story: Story, runner: Runner, step: Step) -> SpeedPhase:
+def _phase(story: Story, frame: Frame, runner: Runner, step: Step) -> SpeedPhase:
     return SpeedPhase(
-        trigger=_trigger(story, runner, step),
+        trigger=_trigger(story, frame, runner, step),
         target_speed_mps=round(step.target_mps, 4),
         rate_mps2=round(step.rate_mps2, 4),
         hazard=step.hazard,
@@ -185,22 +258,22 @@ def _phase(story: Story, runner: Runner, step: Step) -> SpeedPhase:
     )
 
 
-def _trigger(story: Story, runner: Runner, step: Step) -> Trigger:
+def _trigger(story: Story, frame: Frame, runner: Runner, step: Step) -> Trigger:
     """What sets a step off: time if that is said, who it answers, or how far the ego has come."""
     if step.timed:
         return AtTime(time_s=round(step.begins_s, 3))
     moment = max(step.begins_s - _EARLY_S, 0.0)
     if step.reacts_to is not None and step.reacts_to in story.runners:
         other = story.runners[step.reacts_to]
-        dx = runner.x_m(moment) - other.x_m(moment)
-        dy = runner.y_m(moment, LANE_WIDTH_M) - other.y_m(moment, LANE_WIDTH_M)
+        here, there = (
+            frame.pose(who.x_m(moment), who.y_m(moment, LANE_WIDTH_M)) for who in (runner, other)
+        )
+        apart = hypot(here.x_m - there.x_m, here.y_m - there.y_m)
         along = other.speed_at_mps(moment) * runner.sign * other.sign
         closing = runner.speed_at_mps(moment) > along + 0.05
         participant = any(p.id == other.id for p in story.functional.participants)
         if closing and participant:
-            return DistanceBelow(
-                participant=other.id, distance_m=round((dx * dx + dy * dy) ** 0.5, 3)
-            )
+            return DistanceBelow(participant=other.id, distance_m=round(apart, 3))
     return _come_so_far((story.ego, runner), moment)
 
 
@@ -259,13 +332,13 @@ def walk_motion(frame: Frame, walk: Walk) -> CrossingMotion:
     )
 
 
-def written_parked(frame: Frame, parked: Parked, participant: Participant) -> ConcreteParticipant:
+def written_parked(story: Story, frame: Frame, parked: Parked) -> ConcreteParticipant:
     """One who is parked: its box's middle lies where the story has it."""
     standing: Standing = parked.standing
-    body = BODIES[parked.kind]
+    participant, body = story.functional.participant(parked.id), BODIES[parked.kind]
     away = frame.from_junction_m(standing.arm, parked.x_m)
     # It heads the way of the traffic on its side; its reference point lies behind its middle.
-    towards = (parked.on_left is False) == (standing.arm == frame.ego_arm)
+    towards = (parked.on_left == story.ego.keeps_left) == (standing.arm == frame.ego_arm)
     away += body.centre_ahead_m if towards else -body.centre_ahead_m
     return ConcreteParticipant(
         id=parked.id,

@@ -1,6 +1,6 @@
 // The still part of the picture: surfaces, marks, crosswalks, signs.
 
-const FILL = { sidewalk: "--sidewalk", border: "--shoulder", shoulder: "--shoulder", parking: "--parking", driving: "--road" };
+const FILL = { sidewalk: "--sidewalk", border: "--shoulder", shoulder: "--parking", median: "--shoulder", parking: "--parking", driving: "--road" };
 
 function path(points, closed) {
   const made = new Path2D();

@@ -23,6 +23,7 @@ _SIGNS = {Control.YIELD: "yield", Control.STOP: "stop", Control.ALL_WAY_STOP: "s
 _OUTER = (
     LaneType.SIDEWALK,
     LaneType.BORDER,
+    LaneType.MEDIAN,
     LaneType.SHOULDER,
     LaneType.PARKING,
     LaneType.DRIVING,

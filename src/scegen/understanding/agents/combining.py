@@ -14,9 +14,30 @@ from scegen.understanding.agents.numbers import compare_numbers
 from scegen.understanding.agents.stated import Words, miscounted, words_of
 from scegen.understanding.report.disagreement import Disagreement
 
-_SHAPE = ("kind", "arms", "arm_angles_deg", "lanes", "ring_lanes", "crosswalks")
+_SHAPE = (
+    "kind",
+    "arms",
+    "arm_angles_deg",
+    "lanes",
+    "ring_lanes",
+    "crosswalks",
+    "carriageway",
+    "strips",
+    "bend",
+)
 """Fields of a junction that only fit together."""
-_JUNCTION = ("kind", "arms", "lanes", "ring_lanes", "speed_limit_mps", "driving_side", "control")
+_JUNCTION = (
+    "kind",
+    "arms",
+    "lanes",
+    "ring_lanes",
+    "speed_limit_mps",
+    "driving_side",
+    "control",
+    "carriageway",
+    "strips",
+    "bend",
+)
 _NUMBERS = frozenset({"arms", "lanes", "ring_lanes", "speed_limit_mps"})
 _ENVIRONMENT = (
     "weather",

@@ -12,6 +12,7 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import ARM_COUNTS
 from scegen.scenario.glossary import defined
 from scegen.scenario.outcome import OutcomeKind
+from scegen.scenario.roadway import Carriageway, Strip
 from scegen.scenario.spacings import Measure
 from scegen.scenario.things import ThingKind
 from scegen.scenario.vocabulary import (
@@ -39,6 +40,8 @@ _EXITS = [word for word in Maneuver if word.startswith("exit_")]
 _DEFINED: dict[str, Iterable[StrEnum]] = {
     "junction_kinds": JunctionKind,
     "controls": Control,
+    "carriageways": Carriageway,
+    "strips": Strip,
     "participant_kinds": ParticipantKind,
     "approaches": Approach,
     "maneuvers": [word for word in Maneuver if word not in _EXITS[1:]],

@@ -38,6 +38,7 @@ from scegen.understanding.draft import Basis, Danger, Draft, Entity
 from scegen.understanding.happenings import Happenings
 from scegen.understanding.meaning.crossed_arms import settle_arms
 from scegen.understanding.road.junctions import JunctionReading
+from scegen.understanding.road.lengthwise import Lengthwise
 from scegen.understanding.road.surroundings import Surroundings
 from scegen.understanding.words.tokens import Token
 
@@ -50,6 +51,7 @@ class Builder:
         happenings: acts, spacings, things and the outcome.
         reading: what the text says about the junction.
         surroundings: what it says about everything else.
+        lengthwise: what it says about the road along its length.
         tokens: the tokens of the text.
     """
 
@@ -59,13 +61,14 @@ class Builder:
         happenings: Happenings,
         reading: JunctionReading,
         surroundings: Surroundings,
+        lengthwise: Lengthwise,
         tokens: list[Token],
     ) -> None:
         self._draft = draft
         self._happenings = happenings
         self._around = surroundings
         self._proofs = Proofs(draft.text, tokens)
-        self._layout = Layout(draft, reading, surroundings, self._proofs)
+        self._layout = Layout(draft, reading, surroundings, lengthwise, self._proofs)
 
     def build(self) -> FunctionalScenario:
         """The functional scenario with its evidence."""

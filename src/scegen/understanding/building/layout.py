@@ -2,15 +2,27 @@
 
 from __future__ import annotations
 
+from scegen.scenario.bends import Bend
 from scegen.scenario.functional import ARM_COUNTS, Junction
-from scegen.scenario.vocabulary import Approach, Control, DrivingSide, HazardKind, JunctionKind
+from scegen.scenario.roadway import Carriageway, Strip
+from scegen.scenario.vocabulary import (
+    Approach,
+    Control,
+    DrivingSide,
+    HazardKind,
+    JunctionKind,
+    Maneuver,
+)
 from scegen.understanding.building.proving import Proofs
 from scegen.understanding.draft import Basis, Draft
 from scegen.understanding.road.junctions import JunctionReading
+from scegen.understanding.road.lengthwise import Lengthwise
 from scegen.understanding.road.surroundings import Surroundings
 
 _ROUNDABOUT_ARMS = 4
 _MOST_LANES = 3
+_AT_JUNCTIONS = "built only along a road without a junction; here the plain road is"
+_NOBODY_DRIVES = "there is one, but only who stands from the start is put on it"
 _FEWEST_TO_NAME = 2
 """There is a left and a right lane only where there are two."""
 _ALONG_LANES = frozenset({HazardKind.CUT_IN, HazardKind.OVERTAKING, HazardKind.MERGING_CONFLICT,
@@ -24,15 +36,22 @@ class Layout:
         draft: participants and what they do, which may imply a junction or lanes.
         reading: what the text says about the junction.
         surroundings: what it says about lanes, limits and the driving side.
+        lengthwise: what it says about the road along its length.
         proofs: where the evidence goes.
     """
 
     def __init__(
-        self, draft: Draft, reading: JunctionReading, surroundings: Surroundings, proofs: Proofs
+        self,
+        draft: Draft,
+        reading: JunctionReading,
+        surroundings: Surroundings,
+        lengthwise: Lengthwise,
+        proofs: Proofs,
     ) -> None:
         self._draft = draft
         self._reading = reading
         self._around = surroundings
+        self._along = lengthwise
         self._proofs = proofs
 
     def build(self) -> Junction:
@@ -55,7 +74,12 @@ class Layout:
         if self._around.speed_limit_mps is not None:
             self._proofs.add("junction.speed_limit_mps", self._around.limit_basis)
         self._proofs.add("junction.driving_side", self._around.side_basis, "right-hand traffic")
+        carriageway = self._carriageway(kind, lanes)
+        strips = self._strips(kind, carriageway)
         return Junction(
+            carriageway=carriageway,
+            strips=strips,
+            bend=self._bend(kind, angles),
             kind=kind,
             arms=arms,
             arm_angles_deg=angles,
@@ -65,6 +89,60 @@ class Layout:
             driving_side=self._around.side or DrivingSide.RIGHT,
             control=control,
         )
+
+    def _carriageway(self, kind: JunctionKind, lanes: tuple[int, ...]) -> Carriageway:
+        """As the words have it; at junctions, and where the other lanes are used, undivided."""
+        said, basis = self._along.carriageway, self._along.carriageway_basis
+        if said is None or basis is None:
+            return Carriageway.UNDIVIDED
+        if kind is not JunctionKind.STRAIGHT:
+            if not self._along.presumed:
+                self._note(basis, _AT_JUNCTIONS)
+            return Carriageway.UNDIVIDED
+        narrow = lanes[:1] == (1,) or self._around.two_lane is not None
+        if self._along.presumed and (narrow or self._meets_the_oncoming()):
+            return Carriageway.UNDIVIDED
+        self._proofs.add("junction.carriageway", basis)
+        return said
+
+    def _note(self, basis: Basis, instead: str) -> None:
+        if basis.i is not None and basis.j is not None:
+            self._draft.note(basis.i, basis.j, instead)
+
+    def _anybody_parked(self) -> bool:
+        return any(e.parked or e.was_parked is not None for e in self._draft.entities)
+
+    def _meets_the_oncoming(self) -> bool:
+        """Whether somebody comes towards another, or turns back, so that no median can be there."""
+        return any(
+            Approach.OPPOSITE in entity.approaches or Maneuver.U_TURN in entity.maneuvers
+            for entity in self._draft.entities
+        )
+
+    def _bend(self, kind: JunctionKind, angles: tuple[float, ...]) -> Bend | None:
+        basis = self._along.bend_basis
+        if self._along.bend is None or basis is None:
+            return None
+        if kind is not JunctionKind.STRAIGHT or angles:
+            self._note(basis, _AT_JUNCTIONS)
+            return None
+        self._proofs.add("junction.bend", basis)
+        return self._along.bend
+
+    def _strips(self, kind: JunctionKind, carriageway: Carriageway) -> frozenset[Strip]:
+        """What lies beside the lanes; a motorway's hard shoulder only where it is one."""
+        found = set()
+        for strip, basis in self._along.strips.items():
+            of_road = basis == self._along.carriageway_basis
+            if kind is not JunctionKind.STRAIGHT:
+                if not of_road:
+                    self._note(basis, _AT_JUNCTIONS)
+            elif not of_road or carriageway is Carriageway.DIVIDED:
+                if not of_road and not self._anybody_parked():
+                    self._note(basis, _NOBODY_DRIVES)
+                self._proofs.add("junction.strips", basis)
+                found.add(strip)
+        return frozenset(found)
 
     def _kind(self) -> tuple[JunctionKind, Basis | None]:
         reading = self._reading
@@ -134,7 +212,7 @@ class Layout:
         self, kind: JunctionKind, arms: int
     ) -> tuple[tuple[int, ...], int | None, Basis | None]:
         around = self._around
-        ring = kind is JunctionKind.ROUNDABOUT
+        ring, plain = kind is JunctionKind.ROUNDABOUT, kind is JunctionKind.STRAIGHT
         implied = self._draft.lanes_implied
         adjacent = next(
             (e for e in self._draft.entities if Approach.ADJACENT in e.approaches), None
@@ -147,14 +225,14 @@ class Layout:
             reason = f"{count} lanes in one direction: {implied.reason or 'a second one is meant'}"
             counted = around.lanes_basis or implied
             return (count,) * arms, None, Basis(counted.i, counted.j, reason)
-        if around.lanes is not None:
+        if around.lanes is not None and (plain or around.lanes <= _MOST_LANES):
             doubled = 2 if ring and around.lanes > 1 else None
             return (around.lanes,) * arms, doubled, around.lanes_basis
         if ring and around.two_lane is not None:
             return (2,) * arms, 2, around.two_lane
         passing = self._draft.passing_implied
         if implied is None and passing is not None:
-            if not ring and self._against_oncoming():
+            if not ring and not self._parted() and self._against_oncoming():
                 reason = "who overtakes uses the oncoming lane"
                 return (1,) * arms, None, Basis(passing.i, passing.j, reason)
             implied = Basis(passing.i, passing.j, "overtaking needs a second lane")
@@ -166,6 +244,10 @@ class Layout:
             return (), None, None  # as many as it takes
         count = _MOST_LANES if "middle" in named else _FEWEST_TO_NAME
         return (count,) * arms, (2 if ring else None), implied
+
+    def _parted(self) -> bool:
+        """Whether the words part the directions for sure."""
+        return self._along.carriageway is not None and not self._along.presumed
 
     def _against_oncoming(self) -> bool:
         """Whether somebody overtakes on a road where others come towards them."""

@@ -11,7 +11,6 @@ _PLACES = {
     "ramp": "ramps are not built; merging takes place on the road itself",
     "bus_stop": "bus stops are not built; the plain road is",
     "bike_lane": "bicycle lanes are not built; the plain road is",
-    "shoulder": "shoulders are not built; the plain road is",
     "feature": "this shape of road is not built; a level, plain road is",
     "parking": "parking spaces are not built; parked vehicles stand at the roadside",
 }

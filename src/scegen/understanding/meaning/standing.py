@@ -35,8 +35,13 @@ def stand(scene: Scene, context: Context) -> None:
     if not stands:
         return
     if any(p.kind in _ROADSIDE for p in scene.places()):
-        for entity in [e for e in scene.actors if e.is_vehicle and not e.ego and e.sets_off < 0]:
+        beside = [e for e in scene.actors if e.is_vehicle and not e.ego and e.sets_off < 0]
+        for entity in beside:
             entity.parked, entity.parked_basis = True, scene.words
+        context.draft.dangers[:] = [  # "a broken-down van stands on the shoulder": in nobody's way
+            d for d in context.draft.dangers
+            if d.kind is not HazardKind.STOPPING or not d.by or not all(e in beside for e in d.by)
+        ]  # fmt: skip
     if any(p.kind in _HELD for p in scene.places()):
         return
     for entity in scene.actors:

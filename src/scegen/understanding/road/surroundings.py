@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from scegen.scenario.functional import Environment
+from scegen.scenario.functional import MAX_LANES, Environment
 from scegen.scenario.vocabulary import DrivingSide, RoadSurface, TimeOfDay, Visibility, Weather
 from scegen.understanding.draft import Basis
 from scegen.understanding.words.terms import Term
@@ -14,10 +14,10 @@ from scegen.units import speed_mps
 _LIMIT_REACH = 6
 _SIGHT_REACH = 5
 _FRICTION_REACH = 3
-_MOST_LANES = 3
 _LIMIT_BEFORE = 3
 _LOWEST_LIMIT, _HIGHEST_LIMIT = 5, 140
-_CARRIAGEWAYS = frozenset({"motorway", "motorways", "carriageway", "carriageways", "autobahn"})
+_CARRIAGEWAYS = frozenset({"motorway", "motorways", "carriageway", "carriageways", "autobahn",
+                           "autobahns"})  # fmt: skip
 """Roads whose lanes are counted in one direction; "a two-lane highway" has one each way."""
 
 
@@ -196,7 +196,7 @@ def _lanes(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) 
     count = int(min(number.data["number"], 99))
     each_way = each_way or noun.form == "s" or _one_way(terms[k + 1 : k + 4], count, tokens)
     lanes = count if each_way else max(1, count // 2)
-    if not 1 <= lanes <= _MOST_LANES:
+    if not 1 <= lanes <= MAX_LANES:
         return
     basis = Basis(number.i, noun.j)
     if not each_way:

@@ -10,8 +10,9 @@ from scegen.checking.opendrive.network import Network
 from scegen.checking.opendrive.routing import lane_graph, outer_node
 from scegen.checking.opendrive.tolerances import GAP_M
 from scegen.checking.results import Finding, error
-from scegen.scenario.concrete import ArmRoad, ConcreteScenario
+from scegen.scenario.concrete import ArmRoad, ConcreteScenario, RoadParameters
 from scegen.scenario.logical import Drive
+from scegen.scenario.roadway import Carriageway, Strip
 from scegen.scenario.vocabulary import DrivingSide
 
 SPEED_MPS = 0.01
@@ -31,6 +32,7 @@ def check_described(network: Network, concrete: ConcreteScenario) -> Iterator[Fi
         if arm.road.rule != rule:
             yield error("xodr.described", place, f"has rule {arm.road.rule} instead of {rule}")
         yield from _lanes(arm, wanted, place)
+        yield from _lengthwise(arm, concrete.road, place)
         yield from _furniture(arm, wanted, place, crossed=wanted.id in concrete.road.crosswalks)
     yield from _drives(network, concrete, matched.arms)
 
@@ -49,6 +51,23 @@ def _lanes(arm: Arm, wanted: ArmRoad, place: str) -> Iterator[Finding]:
         if abs(width - wanted.lane_width_m) > GAP_M:
             message = f"lane {lane} is {width:.2f} m wide instead of {wanted.lane_width_m:g} m"
             yield error("xodr.described", place, message)
+
+
+def _lengthwise(arm: Arm, road: RoadParameters, place: str) -> Iterator[Finding]:
+    """A median lies between the directions if there is to be one, a shoulder beside the lanes."""
+    lanes = arm.road.section(arm.contact).lanes
+    for side in (arm.inward, arm.outward):
+        if not side:
+            continue
+        sign = 1 if side[0] > 0 else -1
+        inside = [lanes[sign * n].type for n in range(1, abs(side[0]))]
+        wanted = ["median"] if road.carriageway is Carriageway.DIVIDED else []
+        if inside != wanted:
+            message = f"has {inside or 'nothing'} inside lane {side[0]}, not {wanted or 'nothing'}"
+            yield error("xodr.described", place, message)
+        beyond = lanes.get(side[-1] + sign)
+        if Strip.HARD_SHOULDER in road.strips and (beyond is None or beyond.type != "shoulder"):
+            yield error("xodr.described", place, f"has no shoulder beyond lane {side[-1]}")
 
 
 def _furniture(arm: Arm, wanted: ArmRoad, place: str, *, crossed: bool) -> Iterator[Finding]:

@@ -45,7 +45,7 @@ def _drive(
 ) -> Iterator[Finding]:
     under = situation.lanes_at([vertex.point for vertex in trajectory.points])
     inward = situation.arms[motion.entry].inward
-    pulls_out = motion.entry_lane > max((abs(lane) for lane in inward), default=0)
+    pulls_out = motion.entry_lane > len(inward)
     usable = {"driving", *STRIPS} if pulls_out else {"driving"}
     beside = _comes_from_beside(motion, trajectory)
     for number, (vertex, lanes) in enumerate(zip(trajectory.points, under, strict=True)):
@@ -58,9 +58,8 @@ def _drive(
     arm = situation.arms[motion.exit]
     reached = _on(under[-1], arm)
     number = motion.exit_lane
-    wanted = {lane for lane in arm.outward if abs(lane) == number}
-    if number == 0:  # it stays in the oncoming lane
-        wanted = {lane for lane in arm.inward if abs(lane) == 1}
+    # Lane 0 is that of the oncoming: it stays there.
+    wanted = {*arm.inward[:1]} if number == 0 else {*arm.outward[number - 1 : number]}
     if not reached & wanted:
         said = ", ".join(f"road {x.road} lane {x.lane}" for x in under[-1]) or "no lane"
         message = f"ends on {said} instead of arm {motion.exit} ({arm.place}) lane {sorted(wanted)}"

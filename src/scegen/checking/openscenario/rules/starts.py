@@ -60,7 +60,8 @@ def _where_asked(
         yield error(RULE, participant.id, message)
         return
     if isinstance(motion, DriveMotion):
-        wanted = {lane for lane in (*arm.inward, *arm.strips) if abs(lane) == motion.entry_lane}
+        number = motion.entry_lane
+        wanted = {*[*arm.inward, *arm.strips][number - 1 : number]}
         wanted = set(arm.outward) if isinstance(reversal, BacksOut) else wanted
         if not wanted & {lane.lane for lane in here}:
             message = f"starts on lane {here[0].lane} of {arm.place}, not on {sorted(wanted)}"

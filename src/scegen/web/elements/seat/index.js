@@ -60,9 +60,9 @@ export class DriversSeat {
     this.world.add(sun);
     this.world.add(flat(new THREE.PlaneGeometry(2400, 2400, 24, 24), paint("--ground"), 0));
     const { road } = this.data;
-    const layer = { sidewalk: 1, border: 1, shoulder: 1, parking: 2 };
+    const layer = { sidewalk: 1, border: 1, shoulder: 1, median: 1, parking: 2 };
     for (const one of road.surfaces) {
-      const name = { parking: "--parking", shoulder: "--shoulder", sidewalk: "--sidewalk" }[one.type] || "--road";
+      const name = { parking: "--parking", shoulder: "--parking", median: "--shoulder", sidewalk: "--sidewalk" }[one.type] || "--road";
       this.world.add(patch(one.points, paint(name), layer[one.type] ?? 3));
     }
     for (const one of road.marks) this.world.add(ribbon(one.points, paint("--mark"), one.kind));

@@ -1,0 +1,39 @@
+"""What a road is like along its length: how its directions lie, and what lies beside its lanes."""
+
+from __future__ import annotations
+
+from scegen.scenario.definitions import Word
+
+
+class Carriageway(Word):
+    """How the two directions of a road lie to each other."""
+
+    UNDIVIDED = (
+        "undivided",
+        "the two directions lie side by side",
+        "`divided`, where something stands between them",
+        "a country road; a two-lane highway; not said",
+    )
+    DIVIDED = (
+        "divided",
+        "a median parts the two directions, and nobody crosses it",
+        "`one_way`, which has no other direction",
+        "a motorway; a dual carriageway",
+    )
+    ONE_WAY = (
+        "one_way",
+        "all traffic goes the same way, in at arm 0 and out at arm 1",
+        "`divided`, whose other direction lies beyond a median",
+        "a one-way street",
+    )
+
+
+class Strip(Word):
+    """What lies beside the lanes all along a road."""
+
+    HARD_SHOULDER = (
+        "hard_shoulder",
+        "a paved strip beside the outermost lane on which nobody drives, but may break down",
+        "the side of a street where vehicles are parked",
+        "a motorway; on the hard shoulder; in the breakdown lane",
+    )

@@ -1,0 +1,76 @@
+"""Reads what a road is like along its length: a median, one way only, strips beside its lanes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from pydantic import ValidationError
+
+from scegen.errors import InfeasibleError
+from scegen.scenario.bends import RADII_M, Bend
+from scegen.scenario.roadway import Carriageway, Strip
+from scegen.scenario.vocabulary import Side
+from scegen.understanding.draft import Basis
+from scegen.understanding.words import absent
+from scegen.understanding.words.terms import Term
+
+
+@dataclass(slots=True)
+class Lengthwise:
+    """What the text says of the road itself; None where it says nothing.
+
+    Attributes:
+        carriageway: how its directions lie to each other.
+        carriageway_basis: the words for it.
+        presumed: those words only make it likely ("a highway").
+        strips: what lies beside its lanes, with the words for it.
+        bend: the bend that is driven.
+        bend_basis: the words for it.
+    """
+
+    carriageway: Carriageway | None = None
+    carriageway_basis: Basis | None = None
+    presumed: bool = False
+    strips: dict[Strip, Basis] = field(default_factory=dict)
+    bend: Bend | None = None
+    bend_basis: Basis | None = None
+
+
+def read_lengthwise(terms: list[Term]) -> Lengthwise:
+    """What the words for roads say of their length.
+
+    Args:
+        terms: the terms of the text.
+    """
+    found = Lengthwise()
+    for k, term in enumerate(terms):
+        if term.cat != "place" or absent.negated(terms, k):
+            continue
+        basis = Basis(term.i, term.j)
+        presumed = bool(term.data.get("presumed"))
+        known = found.carriageway is not None and (presumed or not found.presumed)
+        if "carriageway" in term.data and not known:
+            found.carriageway = Carriageway(term.data["carriageway"])
+            found.carriageway_basis, found.presumed = basis, presumed
+        if term.value == "bend" and found.bend is None:
+            found.bend, found.bend_basis = _bend(term), basis
+        if "strip" in term.data:
+            strip = Strip(term.data["strip"])
+            if strip not in found.strips:
+                found.strips[strip] = basis
+    return found
+
+
+def _bend(term: Term) -> Bend:
+    """A bend with its side and radius.
+
+    Raises:
+        InfeasibleError: no road is built with such a radius.
+    """
+    side, radius = term.data.get("side"), term.data.get("radius_m")
+    try:
+        return Bend(side=None if side is None else Side(side), radius_m=radius)
+    except ValidationError:
+        low, high = RADII_M
+        msg = f"a bend of {radius:g} m radius is not built: {low:g} to {high:g} m"
+        raise InfeasibleError(msg, where="junction.bend.radius_m") from None

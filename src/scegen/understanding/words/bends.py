@@ -1,0 +1,81 @@
+"""Bends with all that is said of them in one phrase: ``a left-hand bend of 120 m radius``."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import Token
+
+_SIDES = frozenset({"left", "right"})
+_ELSEWHERE = frozenset({"behind", "after", "beyond", "past", "before"})
+"""Whoever is there is not in the bend."""
+_SMALL = frozenset({"a", "an", "the", "with", "of", "and", "(", ")", "=", "sharp", "tight",
+                    "gentle", "wide", "long", "about"})  # fmt: skip
+_RADIUS = frozenset({"radius", "r"})
+_REACH = 5
+
+
+def whole_bends(terms: Sequence[Term], tokens: list[Token]) -> list[Term]:
+    """The terms, those of a bend's side and radius joined to it.
+
+    A bend behind which something happens is a feature of the road elsewhere.
+
+    Args:
+        terms: the terms of the text.
+        tokens: its tokens.
+    """
+    found = list(terms)
+    for k in reversed(range(len(terms))):
+        bend = k < len(found) and (found[k].cat, found[k].value) == ("place", "bend")
+        if not bend or "side" in found[k].data:
+            continue
+        i, j = _with_side(found, k, tokens)
+        i, j, radius = _with_radius(found, i, j, tokens)
+        side = next((t.value for t in found[i : j + 1] if t.value in _SIDES), None)
+        data = {"side": side, "radius_m": radius}
+        first, last = found[i].i, found[j].j
+        whole = replace(found[k], i=first, j=last, data={**found[k].data, **data})
+        if _elsewhere(tokens, first):
+            whole = replace(whole, value="feature")
+        found[i : j + 1] = [whole]
+    return found
+
+
+def _with_side(terms: list[Term], k: int, tokens: list[Token]) -> tuple[int, int]:
+    """From the side before it ("left-hand bend") or after it ("bend to the left")."""
+    if k and terms[k - 1].value in _SIDES and terms[k - 1].j == terms[k].i:
+        return k - 1, k
+    after = [t.low for t in tokens[terms[k].j : terms[k].j + 2]]
+    for m in range(k + 1, min(k + 4, len(terms))):
+        if after == ["to", "the"] and terms[m].value in _SIDES and terms[m].i == terms[k].j + 2:
+            return k, m
+    return k, k
+
+
+def _with_radius(
+    terms: list[Term], i: int, j: int, tokens: list[Token]
+) -> tuple[int, int, float | None]:
+    """From or to a length that is called a radius, with nothing but small words between."""
+    for m, term in enumerate(terms):
+        if term.cat != "quantity" or term.value != "length" or not i - _REACH <= m <= j + _REACH:
+            continue
+        named_after = tokens[term.j].low in _RADIUS if term.j < len(tokens) else False
+        before = [t.low for t in tokens[max(0, term.i - 2) : term.i]]
+        if not (named_after or _RADIUS & {*before}):
+            continue
+        first, last = min(i, m), max(j, m)
+        between = {t.low for t in tokens[terms[first].i : terms[last].j]}
+        own = {t.low for n in (*range(i, j + 1), m) for t in tokens[terms[n].i : terms[n].j]}
+        if between - own - _SMALL - _RADIUS:
+            continue
+        last += named_after and last == m
+        return first, min(last, len(terms) - 1), term.data["quantity"].value.middle
+    return i, j, None
+
+
+def _elsewhere(tokens: list[Token], i: int) -> bool:
+    """``behind a bend``."""
+    before = [t.low for t in tokens[max(0, i - 3) : i] if t.low not in _SMALL]
+    return before[-1:] != [] and before[-1] in _ELSEWHERE
