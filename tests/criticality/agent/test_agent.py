@@ -43,7 +43,7 @@ def test_it_sees_everything_that_it_may_change(advised, good_changes, chat_serve
     for words in (
         "`car_1.start_m` = 22.026 m, 1.995 to 51.363; 1 m more comes 0.064 s sooner: where car_1",
         "(beyond: car_1 takes a bend with more than 6.2 m/s2 sideways",
-        "car_1 turns left and leaves by arm 2: holds",
+        "car_1 turns left and leaves by arm 2, if nothing holds it up: holds",
         "speeding by car_1",
         "near-miss, without touching, pet 0.2 to 1 s",
         "- car_1 and car_2",

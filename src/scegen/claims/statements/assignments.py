@@ -108,7 +108,7 @@ def _driven(told: Told, drive: Drive) -> Iterator[Claim]:
         plain_road = told.functional.junction.kind is JunctionKind.STRAIGHT
         straight = plain_road and drive.turn is Maneuver.STRAIGHT
         leaves = "drives on" if straight else _TURNS.get(drive.turn, "drives")
-        does = f"{name} {leaves} and leaves by arm {drive.exit}"
+        does = f"{name} {leaves} and leaves by arm {drive.exit}, if nothing holds it up"
         test = partial(_goes_out, told, drive)
         yield _claim(ClaimKind.EXIT, name, does, drive, "maneuvers", test)
 

@@ -51,13 +51,11 @@ class Cover:
 
 def smallest_cover(scenarios: Sequence[LogicalScenario], functional: FunctionalScenario) -> Cover:
     """The fewest of these scenarios in which every meeting of theirs occurs."""
-    chosen, proved = fewest([meetings(functional, s) for s in scenarios])
+    chosen, proved = fewest([meetings(functional, s) for s in scenarios], MOST_CONFLICTS)
     return Cover(tuple(scenarios[index] for index in chosen), proved)
 
 
-def fewest(
-    held: Sequence[frozenset[T]], most_conflicts: int = MOST_CONFLICTS
-) -> tuple[tuple[int, ...], bool]:
+def fewest(held: Sequence[frozenset[T]], most_conflicts: int) -> tuple[tuple[int, ...], bool]:
     """The indices of the fewest sets that hold together what all hold; whether that is proved.
 
     Args:

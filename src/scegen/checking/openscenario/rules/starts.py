@@ -12,6 +12,7 @@ from scegen.scenario.concrete import ConcreteParticipant, CrossingMotion, DriveM
 from scegen.scenario.reversing import BacksOut
 
 RULE = "xosc.start"
+_ENDS = 2
 _BESIDE_M = 1.0
 """Who keeps so far beside the middle of its lane may be above the next one."""
 
@@ -54,6 +55,8 @@ def _where_asked(
     ):
         return  # beside its lane, or against the traffic: its path is checked instead
     here = [lane for lane in lanes if lane.road == arm.road.id]
+    if not here and isinstance(motion, DriveMotion) and _further_on(motion, arms, lanes):
+        return
     if not here:
         said = ", ".join(f"road {lane.road} lane {lane.lane}" for lane in lanes) or "no lane"
         message = f"starts on {said} instead of arm {number} ({arm.place})"
@@ -69,3 +72,12 @@ def _where_asked(
     elif motion.in_lane and all(lane.type != "driving" for lane in here):
         message = f"should block a lane of {arm.place} but stands beside it"
         yield error(RULE, participant.id, message)
+
+
+def _further_on(motion: DriveMotion, arms: dict[int, Arm], lanes: list[OnLane]) -> bool:
+    """A road without a junction is one road: in the same lane, beyond where its two arms join."""
+    if len(arms) != _ENDS or motion.reversal is not None:
+        return False
+    beyond = arms[motion.exit]
+    lane = {*beyond.outward[motion.entry_lane - 1 : motion.entry_lane]}
+    return any(each.road == beyond.road.id and each.lane in lane for each in lanes)
