@@ -10,8 +10,10 @@ from scegen.concretization.limits import (
     ABRUPT_LANE_CHANGE_S,
     LANE_CHANGE_S,
 )
+from scegen.errors import MotionInfeasibleError
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import Act, ActKind, AfterStart
+from scegen.scenario.concrete import MOST_OFFSET_M
 from scegen.scenario.vocabulary import HazardKind, Side
 
 _ABRUPT = frozenset({HazardKind.CUT_IN, HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL})
@@ -82,6 +84,12 @@ def _swerve(
     offset = width if side is Side.LEFT else -width
     lasts = lasting_s(act, width, LANE_CHANGE_S)
     start = runner.moves[-1].offset_m if runner.moves else runner.offset_m
+    if abs(start + offset) > MOST_OFFSET_M:
+        raise MotionInfeasibleError(
+            f"{runner.id} goes {width:g} m aside, off the road",
+            where=f"acts.{act.id}.lateral_m",
+            hint=f"Give at most {MOST_OFFSET_M:g} m from the middle of its lane.",
+        )
     out = Move(begins_s, lasts, lane, start + offset, act.id, hazard)
     if act.kind is not ActKind.SWERVE:
         return [_in_lane(story, out)]
