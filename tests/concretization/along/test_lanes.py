@@ -13,8 +13,11 @@ from told import act, apart
 from scegen.concretization.along.compose import compose_along
 from scegen.concretization.along.lanes import MOST_LANES, Wish, cheapest
 from scegen.concretization.along.telling import story_of
+from scegen.concretization.concretize import concretize
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import MotionInfeasibleError
+from scegen.scenario.model import Interval
+from scegen.understanding import read
 
 NAMES = ["a", "b", "c", "d"]
 
@@ -114,3 +117,12 @@ def test_who_is_to_be_off_the_road_is_refused():
     logical = enumerate_scenarios(functional).scenarios[0]
     with pytest.raises(MotionInfeasibleError, match="off the road"):
         compose_along(functional, logical, seed=0)
+
+
+def test_nobody_goes_further_aside_than_the_road():
+    functional = read("The lead car swerves 3 m to the left.")
+    (act,) = functional.acts
+    wide = act.model_copy(update={"lateral_m": Interval(low=20.0, high=20.0)})
+    functional = functional.model_copy(update={"acts": (wide,)})
+    with pytest.raises(MotionInfeasibleError, match="20 m aside, off the road"):
+        concretize(functional, enumerate_scenarios(functional).scenarios[0])
