@@ -11,9 +11,14 @@ _ILLEGAL = re.compile(r"[^\t\n\r\x20-\uD7FF\uE000-\uFFFD\U00010000-\U0010FFFF]")
 _SPACES = re.compile(r"\s+")
 
 
+def legal(text: str) -> str:
+    """``text`` without the characters that XML forbids."""
+    return _ILLEGAL.sub("", text)
+
+
 def xml_text(text: str, longest: int = LONGEST_TEXT) -> str:
     """``text`` on one line, without the characters that XML forbids, cut to ``longest``."""
-    line = _SPACES.sub(" ", _ILLEGAL.sub("", text[: 4 * longest])).strip()
+    line = _SPACES.sub(" ", legal(text[: 4 * longest])).strip()
     return line if len(line) <= longest else line[: longest - 1].rstrip() + "…"
 
 

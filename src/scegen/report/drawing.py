@@ -12,6 +12,8 @@ from html import escape
 import numpy as np
 from numpy.typing import NDArray
 
+from scegen.export.openscenario_text import legal
+
 Line = Sequence[tuple[float, float]] | NDArray[np.float64]
 """Points, (n, 2)."""
 Style = str | float | None
@@ -34,8 +36,13 @@ def element(name: str, content: str = "", /, **style: Style) -> str:
     return f"<{name}{written}>{content}</{name}>" if content else f"<{name}{written}/>"
 
 
+def told(words: str, *, quote: bool = True) -> str:
+    """Words from outside, as an element or an attribute may hold them."""
+    return escape(legal(words), quote=quote)
+
+
 def _attribute(value: str | float) -> str:
-    return escape(value) if isinstance(value, str) else number(value)
+    return told(value) if isinstance(value, str) else number(value)
 
 
 def outline(points: Line, *, closed: bool = False) -> str:
@@ -99,7 +106,7 @@ def letters(
         }
     return element(
         "text",
-        escape(words, quote=False),
+        told(words, quote=False),
         x=x,
         y=y,
         font_size=size,
@@ -119,8 +126,8 @@ def document(
     width: float, height: float, content: str, *, title: str = "", describes: str = ""
 ) -> str:
     """A picture of its own; ``title`` and ``describes`` speak to those who do not see it."""
-    head = element("title", escape(title)) if title else ""
-    head += element("desc", escape(describes)) if describes else ""
+    head = element("title", told(title)) if title else ""
+    head += element("desc", told(describes)) if describes else ""
     return element(
         "svg",
         head + content,

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from html import escape
 from math import cos, degrees, sin
 
 from scegen.report.conflict_points import conflict_points
-from scegen.report.drawing import area, box, circle, element, group, letters, line
+from scegen.report.drawing import area, box, circle, element, group, letters, line, told
 from scegen.report.plan import (
     REACH,
     Plan,
@@ -134,7 +133,7 @@ def tile_svg(
     drawn = tile_body(scenario, functional) if body is None else body
     return element(
         "svg",
-        element("title", escape(label)) + drawn,
+        element("title", told(label)) + drawn,
         xmlns="http://www.w3.org/2000/svg",
         viewBox=f"0 0 {TILE_WIDTH} {tile_height(functional)}",
         role="img",
