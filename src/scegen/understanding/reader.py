@@ -15,7 +15,6 @@ from scegen.understanding.clauses.own_measures import own_measures
 from scegen.understanding.clauses.respectively import share_out
 from scegen.understanding.draft import Draft
 from scegen.understanding.frames import Numbers
-from scegen.understanding.meaning.context import Context
 from scegen.understanding.meaning.hiders import name_hiders
 from scegen.understanding.meaning.meaning import Interpreter
 from scegen.understanding.meaning.too_fast import too_fast
@@ -35,6 +34,7 @@ from scegen.understanding.road.junctions import JunctionReading, read_junction
 from scegen.understanding.road.lengthwise import read_lengthwise
 from scegen.understanding.road.relevance import require_traffic
 from scegen.understanding.road.surroundings import read_surroundings
+from scegen.understanding.semantics.context import Context
 from scegen.understanding.words.angles import read_angles, set_apart
 from scegen.understanding.words.bends import whole_bends
 from scegen.understanding.words.language import require_english

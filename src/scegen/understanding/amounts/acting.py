@@ -10,7 +10,7 @@ from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import ActFrame, acts
 from scegen.understanding.happenings import Amount, Doing
-from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.semantics.context import Clause, Context
 
 _SIDES = {"left": Side.LEFT, "right": Side.RIGHT}
 _OTHER = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT}
@@ -47,7 +47,7 @@ def acts_in(text: Sentences, context: Context) -> list[Doing]:
     return found
 
 
-def _acts_of(scene: Scene, text: Sentences, context: Context) -> list[Doing]:
+def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
     event = scene.event
     parent = event.parent
     changed = [e for e in scene.actors if _changes_lane(e, event)]
@@ -130,7 +130,7 @@ def _stands_then(entity: Entity, event: Event) -> bool:
     )
 
 
-def _aside(doing: Doing, scene: Scene, text: Sentences, context: Context) -> None:
+def _aside(doing: Doing, scene: Clause, text: Sentences, context: Context) -> None:
     """To which side, and into whose lane."""
     if doing.kind not in {ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.TURN, ActKind.OVERTAKE}:
         return
@@ -191,7 +191,7 @@ def _homewards(doing: Doing, context: Context) -> None:
         doing.side_basis = Basis(words.i, words.j, reason)
 
 
-def _into(doing: Doing, scene: Scene, context: Context) -> None:
+def _into(doing: Doing, scene: Clause, context: Context) -> None:
     if doing.kind is not ActKind.CHANGE_LANE:
         return
     event = scene.event

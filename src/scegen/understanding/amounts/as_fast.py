@@ -10,7 +10,7 @@ from scegen.understanding.amounts.whom import counterpart, ego_of
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import words
 from scegen.understanding.happenings import Doing, Happenings
-from scegen.understanding.meaning.context import Context
+from scegen.understanding.semantics.context import Context
 
 _PAIR = 2
 

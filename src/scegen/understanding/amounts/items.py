@@ -8,7 +8,7 @@ from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.chunks import Mention, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Danger, Entity
 from scegen.understanding.happenings import Item
-from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.semantics.context import Clause, Context
 
 _MOST = 5
 _NEAR = 4
@@ -180,7 +180,7 @@ def _hidden(thing: Thing, text: Sentences, i: int, j: int) -> list[Entity]:
     return []
 
 
-def _seen_in(scene: Scene) -> list[Entity]:
+def _seen_in(scene: Clause) -> list[Entity]:
     direct = scene.event.object
     named = list(direct.entities) if isinstance(direct, Mention) else scene.targets
     return [e for e in (named or scene.actors) if not e.ego]

@@ -12,7 +12,7 @@ from scegen.understanding.chunks import Event, Mention, NounPhrase, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
 from scegen.understanding.happenings import Amount, Apart, Ending, amount_of
-from scegen.understanding.meaning.context import Scene
+from scegen.understanding.semantics.context import Clause
 from scegen.understanding.words.quantities import ends_a_quantity
 
 _BEFORE = 4
@@ -41,7 +41,7 @@ class Judge(Teller):
             self._where(ending)
         self._overlaps()
 
-    def _of_verb(self, scene: Scene) -> Ending | None:
+    def _of_verb(self, scene: Clause) -> Ending | None:
         event = scene.event
         if event.premod_of is not None or not self._meets(scene):
             return None
@@ -62,7 +62,7 @@ class Judge(Teller):
             kind = OutcomeKind.COLLISION
         return Ending(kind, basis, self._between(scene))
 
-    def _meets(self, scene: Scene) -> bool:
+    def _meets(self, scene: Clause) -> bool:
         """Verbs of contact; "meets head-on"; "just misses"."""
         event = scene.event
         lemma = event.lemma
@@ -125,7 +125,7 @@ class Judge(Teller):
             found.append(Ending(OutcomeKind(name), Basis(*span), who))
         return found
 
-    def _between(self, scene: Scene) -> list[Entity]:
+    def _between(self, scene: Clause) -> list[Entity]:
         """Who touches whom: by the verb, by whose part is named, by who is named around."""
         who = [*scene.actors, *scene.targets]
         if len(who) > 2 and scene.actors and scene.targets:

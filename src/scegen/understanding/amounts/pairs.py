@@ -10,7 +10,7 @@ from scegen.understanding.amounts.whom import counterpart, ego_of
 from scegen.understanding.chunks import Mention, Word
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured
-from scegen.understanding.meaning.context import Context
+from scegen.understanding.semantics.context import Context
 
 _PAIR = 2
 _IN_A_ROW = (" between each ", " between them ", " apart ", " from each ", " from one ")

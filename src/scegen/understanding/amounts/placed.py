@@ -15,7 +15,7 @@ from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
 from scegen.understanding.happenings import Amount, Apart, Doing, Happenings, amount_of
-from scegen.understanding.meaning.context import Context
+from scegen.understanding.semantics.context import Context
 
 MEASURES = {
     "gap": Measure.GAP_M,

@@ -16,7 +16,7 @@ from scegen.understanding.amounts.timing import Clock
 from scegen.understanding.chunks import Chunk
 from scegen.understanding.frames import Measured, Numbers
 from scegen.understanding.happenings import Doing, Happenings
-from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.words.quantities import Quantity
 
 _HARD_MPS2 = 3.5
@@ -24,7 +24,7 @@ _HARD_MPS2 = 3.5
 
 
 def read_amounts(
-    numbers: Numbers, chunks: list[Chunk], scenes: list[Scene], context: Context
+    numbers: Numbers, chunks: list[Chunk], scenes: list[Clause], context: Context
 ) -> Happenings:
     """Acts, spacings and the outcome; every number in its field or reported.
 

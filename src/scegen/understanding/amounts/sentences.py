@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing, Word
 from scegen.understanding.draft import Entity
 from scegen.understanding.frames import words
-from scegen.understanding.meaning.context import Scene
+from scegen.understanding.semantics.context import Clause
 from scegen.understanding.words.tokens import Token
 
 _PARENTHESIS = 2
@@ -23,7 +23,7 @@ class Sentences:
         scenes: what happens, in the order of the text.
     """
 
-    def __init__(self, tokens: list[Token], chunks: list[Chunk], scenes: list[Scene]) -> None:
+    def __init__(self, tokens: list[Token], chunks: list[Chunk], scenes: list[Clause]) -> None:
         self.tokens = tokens
         self.chunks = chunks
         self.scenes = scenes
@@ -39,7 +39,7 @@ class Sentences:
             end += 1
         return start, end
 
-    def within(self, start: int, end: int) -> list[Scene]:
+    def within(self, start: int, end: int) -> list[Clause]:
         """What happens between two tokens, participles before nouns left out."""
         return [s for s in self.scenes if start <= s.event.i < end and s.event.premod_of is None]
 
@@ -52,7 +52,7 @@ class Sentences:
         text = self.low(i, j)
         return next((p for p in words()[name] if f" {p} " in text), None)
 
-    def scene_at(self, i: int, j: int) -> Scene | None:
+    def scene_at(self, i: int, j: int) -> Clause | None:
         """The clause in which a number stands.
 
         Args:

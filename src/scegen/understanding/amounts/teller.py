@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.happenings import Happenings
-from scegen.understanding.meaning.context import Context
+from scegen.understanding.semantics.context import Context
 
 
 class Teller:

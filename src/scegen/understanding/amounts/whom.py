@@ -6,7 +6,7 @@ from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.draft import Entity
 from scegen.understanding.frames import Measured
 from scegen.understanding.happenings import amount_of
-from scegen.understanding.meaning.context import Context
+from scegen.understanding.semantics.context import Context
 
 
 def ego_of(context: Context) -> Entity | None:

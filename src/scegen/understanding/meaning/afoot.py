@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis
-from scegen.understanding.meaning.context import Context
+from scegen.understanding.semantics.context import Context
 
 _WAY = frozenset({"crosswalk", "road", "lane", "path", "highway"})
 _UPON = frozenset({"on", "in", "over", "across"})

@@ -6,8 +6,8 @@ from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis
 from scegen.understanding.meaning import side_roads
-from scegen.understanding.meaning.context import Context, Scene
 from scegen.understanding.meaning.standing import STANDING
+from scegen.understanding.semantics.context import Clause, Context
 
 _GENTLY = frozenset({"gently", "gentle", "lightly", "light", "softly", "soft", "smoothly", "smooth",
                      "gradually", "gradual", "moderately", "moderate", "mildly", "mild",
@@ -17,105 +17,105 @@ _REGULATED = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "bus_s
                         "shoulder", "sidewalk", "crosswalk"})  # fmt: skip
 
 
-def brake(scene: Scene, context: Context) -> None:
+def brake(clause: Clause, context: Context) -> None:
     """Braking counts when it is sudden; plain braking only where it is not an answer."""
-    parent = scene.event.parent
+    parent = clause.event.parent
     if parent is not None and parent.name == "delay":
         return
-    late = scene.how("late")
+    late = clause.how("late")
     if late is not None:
-        context.draft.hazard(HazardKind.DELAYED_BRAKING, late, scene.drivers)
+        context.draft.hazard(HazardKind.DELAYED_BRAKING, late, clause.drivers)
         return
-    sudden = scene.sudden
-    answer = scene.reaction or any(p.value == "for" for p in scene.event.pps)
-    answer = answer or (all(e.ego for e in scene.drivers) and bool(context.draft.dangers))
+    sudden = clause.sudden
+    answer = clause.reaction or any(p.value == "for" for p in clause.event.pps)
+    answer = answer or (all(e.ego for e in clause.drivers) and bool(context.draft.dangers))
     if sudden is None and answer:
         return
-    if sudden is None and (not scene.drivers or _gentle(scene, context)):
+    if sudden is None and (not clause.drivers or _gentle(clause, context)):
         return
-    context.draft.hazard(HazardKind.HARD_BRAKING, sudden or scene.words, scene.drivers)
+    context.draft.hazard(HazardKind.HARD_BRAKING, sudden or clause.words, clause.drivers)
 
 
-def hard_brake(scene: Scene, context: Context) -> None:
+def hard_brake(clause: Clause, context: Context) -> None:
     """``slams on the brakes``, ``emergency braking``; what one is forced to is no danger."""
-    if scene.event.modal and not scene.event.nominal and any(e.ego for e in scene.actors):
+    if clause.event.modal and not clause.event.nominal and any(e.ego for e in clause.actors):
         return
-    context.draft.hazard(HazardKind.HARD_BRAKING, scene.words, scene.drivers)
+    context.draft.hazard(HazardKind.HARD_BRAKING, clause.words, clause.drivers)
 
 
-def _gentle(scene: Scene, context: Context) -> bool:
+def _gentle(clause: Clause, context: Context) -> bool:
     """``brakes gently``, ``a gradual deceleration``."""
-    return any(context.tokens[m.j - 1].low in _GENTLY for m in scene.event.mods)
+    return any(context.tokens[m.j - 1].low in _GENTLY for m in clause.event.mods)
 
 
-def slow(scene: Scene, context: Context) -> None:
+def slow(clause: Clause, context: Context) -> None:
     """Slowing down is hard braking when sudden, or when the vehicle ahead does it."""
-    lets = any(c.name == "cause" for c in scene.event.children)  # "slows down to let her cross"
-    if not scene.drivers or (lets and scene.sudden is None):
+    lets = any(c.name == "cause" for c in clause.event.children)  # "slows down to let her cross"
+    if not clause.drivers or (lets and clause.sudden is None):
         return
-    sudden = scene.sudden
-    if sudden is None and all(e.ego for e in scene.drivers):
+    sudden = clause.sudden
+    if sudden is None and all(e.ego for e in clause.drivers):
         return  # "slows for a right turn"
     leads = any(
-        p.entity in scene.drivers and Approach.AHEAD in p.approaches
+        p.entity in clause.drivers and Approach.AHEAD in p.approaches
         for p in context.draft.placements
     )
-    if scene.event.perfect and sudden is None:
+    if clause.event.perfect and sudden is None:
         if leads:
-            context.draft.hazard(HazardKind.SLOW_DRIVING, scene.words, scene.drivers)
+            context.draft.hazard(HazardKind.SLOW_DRIVING, clause.words, clause.drivers)
         return
-    if sudden is not None or (leads and not (scene.reaction or _gentle(scene, context))):
-        context.draft.hazard(HazardKind.HARD_BRAKING, sudden or scene.words, scene.drivers)
+    if sudden is not None or (leads and not (clause.reaction or _gentle(clause, context))):
+        context.draft.hazard(HazardKind.HARD_BRAKING, sudden or clause.words, clause.drivers)
 
 
-def stop(scene: Scene, context: Context) -> None:
+def stop(clause: Clause, context: Context) -> None:
     """Stopping where traffic moves; at a sign or light it is no danger."""
-    if scene.event.parent is not None and scene.event.parent.name == "try":
+    if clause.event.parent is not None and clause.event.parent.name == "try":
         return  # "tries to stop": nothing that it does unasked
-    sudden = scene.sudden
-    motor = [e for e in scene.drivers if e.kind is not ParticipantKind.BICYCLE]
+    sudden = clause.sudden
+    motor = [e for e in clause.drivers if e.kind is not ParticipantKind.BICYCLE]
     if sudden is not None and motor:
         context.draft.hazard(HazardKind.HARD_BRAKING, sudden, motor)
-    too_late(scene, context)
+    too_late(clause, context)
     beyond = {
-        id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low in _BEYOND
+        id(p.target) for p in clause.event.pps if context.tokens[p.word.i].low in _BEYOND
     }  # "stops just past the crosswalk"
-    if any(p.kind in _REGULATED and id(p) not in beyond for p in scene.places()):
+    if any(p.kind in _REGULATED and id(p) not in beyond for p in clause.places()):
         return
-    if any(p.value == "for" and isinstance(p.target, Mention) for p in scene.event.pps):
+    if any(p.value == "for" and isinstance(p.target, Mention) for p in clause.event.pps):
         return  # "stops for her"
-    if scene.reaction or not scene.actors or any(e.ego for e in scene.actors):
+    if clause.reaction or not clause.actors or any(e.ego for e in clause.actors):
         return
-    if side_roads.stays_there(scene, context):
+    if side_roads.stays_there(clause, context):
         return
-    context.draft.hazard(HazardKind.STOPPING, sudden or scene.words, scene.actors)
+    context.draft.hazard(HazardKind.STOPPING, sudden or clause.words, clause.actors)
 
 
-def wait(scene: Scene, context: Context) -> None:
+def wait(clause: Clause, context: Context) -> None:
     """``a taxi standing in the lane``: it blocks the way."""
     lanes = any(
         p.word.value == "in"
         and isinstance(p.target, Place)
         and p.target.kind in {"lane", "middle"}
         and not ({"adjacent", "opposite"} & set(p.target.dirs))
-        for p in scene.event.pps
+        for p in clause.event.pps
     )
-    others = [e for e in scene.drivers if not e.ego]
-    stands = scene.event.lemma in STANDING
+    others = [e for e in clause.drivers if not e.ego]
+    stands = clause.event.lemma in STANDING
     if lanes and stands and others:
-        context.draft.hazard(HazardKind.STOPPING, scene.words, others)
+        context.draft.hazard(HazardKind.STOPPING, clause.words, others)
 
 
-def too_late(scene: Scene, context: Context) -> None:
+def too_late(clause: Clause, context: Context) -> None:
     """``notices the queue too late``, ``reacts late``."""
-    late = scene.how("late")
-    if late is not None and scene.drivers:
-        context.draft.hazard(HazardKind.DELAYED_BRAKING, late, scene.drivers)
+    late = clause.how("late")
+    if late is not None and clause.drivers:
+        context.draft.hazard(HazardKind.DELAYED_BRAKING, late, clause.drivers)
 
 
-def delay(scene: Scene, context: Context) -> None:
+def delay(clause: Clause, context: Context) -> None:
     """``delays braking``, ``hesitates to brake``."""
-    if any(c.name in {"brake", "slow", "stop"} for c in scene.event.children):
-        child = scene.event.children[0]
-        basis = Basis(scene.event.i, child.j)
-        context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, scene.drivers)
+    if any(c.name in {"brake", "slow", "stop"} for c in clause.event.children):
+        child = clause.event.children[0]
+        basis = Basis(clause.event.i, child.j)
+        context.draft.hazard(HazardKind.DELAYED_BRAKING, basis, clause.drivers)

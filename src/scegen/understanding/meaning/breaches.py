@@ -5,39 +5,39 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, Control, HazardKind
 from scegen.understanding.chunks import Mention, NounPhrase, Place, Thing
 from scegen.understanding.draft import Basis, Danger
-from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.semantics.context import Clause, Context
 
 _CERTAIN = frozenset({"walk", "breach", "obey", "encounter", "overlook"})
 """Verbs that, with a sign or a light, mean that it is not heeded, whatever its colour."""
 
 
-def fail_to_yield(scene: Scene, context: Context) -> None:
+def fail_to_yield(clause: Clause, context: Context) -> None:
     """Yielding that does not happen."""
-    context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers, scene.targets)
-    _from_the_side(scene, context)
+    context.draft.hazard(HazardKind.FAILURE_TO_YIELD, clause.words, clause.drivers, clause.targets)
+    _from_the_side(clause, context)
 
 
-def take_priority(scene: Scene, context: Context) -> None:
+def take_priority(clause: Clause, context: Context) -> None:
     """``takes priority illegally``, ``takes the ego's right of way``: it belongs to others.
 
     Args:
-        scene: what happens.
+        clause: what happens.
         context: the scenario in the making.
     """
-    taken = [p for p in scene.places() if p.kind == "right_of_way"]
-    others = [e for e in scene.drivers if not e.ego]
+    taken = [p for p in clause.places() if p.kind == "right_of_way"]
+    others = [e for e in clause.drivers if not e.ego]
     owned = any(p.owner is not None and p.owner.entities for p in taken)
-    if taken and others and (owned or scene.how("aggressive", "sudden") is not None):
-        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, others)
+    if taken and others and (owned or clause.how("aggressive", "sudden") is not None):
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, clause.words, others)
 
 
-def _from_the_side(scene: Scene, context: Context) -> None:
+def _from_the_side(clause: Clause, context: Context) -> None:
     """Who has to give way and comes from the side comes from another road."""
     sides = (Approach.LEFT, Approach.RIGHT)
     if context.draft.from_kerb:
         return
-    if any(context.placed(e, side) for e in scene.drivers for side in sides):
-        context.crossing_implied(scene.words, "who does not give way comes from the side")
+    if any(context.placed(e, side) for e in clause.drivers for side in sides):
+        context.crossing_implied(clause.words, "who does not give way comes from the side")
 
 
 def subsume(context: Context) -> None:
@@ -64,9 +64,9 @@ def _told_of_somebody(danger: Danger, context: Context) -> bool:
     return bool(alike) and danger.kind not in {HazardKind.OBSTACLE, HazardKind.OCCLUSION}
 
 
-def turns_across(scene: Scene, context: Context) -> bool:
+def turns_across(clause: Clause, context: Context) -> bool:
     """A turn across the oncoming lane, which a red light forbids everywhere."""
-    event = scene.event
+    event = clause.event
     side = event.object.dirs if isinstance(event.object, Place) else []
     return event.name in {"turn", "light"} and context.across in {
         *(t.value for t in event.dirs),
@@ -74,23 +74,23 @@ def turns_across(scene: Scene, context: Context) -> bool:
     }
 
 
-def may_break(scene: Scene, context: Context) -> bool:
+def may_break(clause: Clause, context: Context) -> bool:
     """Whether a movement is one that a red light forbids, or is said to go against it.
 
     Args:
-        scene: what happens.
+        clause: what happens.
         context: the scenario in the making.
     """
-    return turns_across(scene, context) or _defies(scene, context)
+    return turns_across(clause, context) or _defies(clause, context)
 
 
-def _defies(scene: Scene, context: Context) -> bool:
+def _defies(clause: Clause, context: Context) -> bool:
     """``creeps over the line against the red``: whatever it does there, it may not."""
     return any(
         context.tokens[p.word.i].low in {"against", "despite"}
         and isinstance(p.target, Place)
         and p.target.kind == "signal"
-        for p in scene.event.pps
+        for p in clause.event.pps
     )
 
 
@@ -98,15 +98,15 @@ def _regulated(context: Context) -> bool:
     return context.junction.crossing or context.junction.control is not None
 
 
-def _breach_of_control(scene: Scene, context: Context) -> None:
+def _breach_of_control(clause: Clause, context: Context) -> None:
     """``a stop sign … a car ignores it``, ``ignores the tram``: who has to wait does not."""
     signals = context.junction.control is Control.SIGNALS
-    ignored = [scene.event.object, *(p.target for p in scene.event.pps)]
+    ignored = [clause.event.object, *(p.target for p in clause.event.pps)]
     pronoun = any(isinstance(m, Mention) and m.pronoun is not None for m in ignored)
     if signals and pronoun:
-        context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, scene.words, scene.drivers)
+        context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, clause.words, clause.drivers)
     else:
-        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers)
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, clause.words, clause.drivers)
 
 
 def _sign(noun: NounPhrase | None, context: Context) -> bool:
@@ -114,7 +114,7 @@ def _sign(noun: NounPhrase | None, context: Context) -> bool:
     return isinstance(noun, Thing) and context.tokens[noun.j - 1].forms[-1][0] == "sign"
 
 
-def breach(scene: Scene, context: Context) -> bool:
+def breach(clause: Clause, context: Context) -> bool:
     """``runs the red light``, ``ignores a stop sign``, ``violates the right of way``.
 
     Returns:
@@ -123,34 +123,34 @@ def breach(scene: Scene, context: Context) -> bool:
     before = len(context.draft.dangers)
     driven_through = {
         id(p.target)
-        for p in scene.event.pps
+        for p in clause.event.pps
         if context.tokens[p.word.i].low in {"through", "against"}
     }
-    through = [p.target for p in scene.event.pps if id(p.target) in driven_through]
-    ignored = any(isinstance(m, Mention) for m in (scene.event.object, *through))
-    if scene.event.name == "breach" and ignored and _regulated(context):
-        _breach_of_control(scene, context)
-    if scene.event.name == "breach" and _sign(scene.event.object, context):
-        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, scene.drivers)
+    through = [p.target for p in clause.event.pps if id(p.target) in driven_through]
+    ignored = any(isinstance(m, Mention) for m in (clause.event.object, *through))
+    if clause.event.name == "breach" and ignored and _regulated(context):
+        _breach_of_control(clause, context)
+    if clause.event.name == "breach" and _sign(clause.event.object, context):
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, clause.words, clause.drivers)
     over = {
         id(p.target)
-        for p in scene.event.pps
+        for p in clause.event.pps
         if context.tokens[p.word.i].low in {"over", "past", "through", "across", "beyond"}
     }
-    if any(p.kind == "stop_line" and id(p) in over for p in scene.places()):
-        others = [e for e in scene.drivers if not e.ego]
+    if any(p.kind == "stop_line" and id(p) in over for p in clause.places()):
+        others = [e for e in clause.drivers if not e.ego]
         if others:
-            context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, others)
-    for place in scene.places():
-        certain = scene.event.name in _CERTAIN or id(place) in driven_through
-        basis = Basis(scene.event.i, max(place.j, scene.event.j))
+            context.draft.hazard(HazardKind.FAILURE_TO_YIELD, clause.words, others)
+    for place in clause.places():
+        certain = clause.event.name in _CERTAIN or id(place) in driven_through
+        basis = Basis(clause.event.i, max(place.j, clause.event.j))
         words = {t.low for t in context.tokens[place.i : place.j]}
         if place.kind == "signal":
             if "green" in words or not (certain or "red" in words):
                 continue
-            if scene.drivers or not scene.walkers:
-                context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, scene.drivers)
+            if clause.drivers or not clause.walkers:
+                context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, clause.drivers)
         elif certain and place.kind in {"stop_sign", "yield_sign", "right_of_way"}:
-            context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, scene.drivers)
-            _from_the_side(scene, context)
+            context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, clause.drivers)
+            _from_the_side(clause, context)
     return len(context.draft.dangers) > before

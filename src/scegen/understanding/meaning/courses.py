@@ -5,38 +5,38 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver
 from scegen.understanding.chunks import Chunk, Mention, Place, Prep, Thing
 from scegen.understanding.draft import Basis
-from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.semantics.context import Clause, Context
 
 
-def hold(scene: Scene, _context: Context) -> None:
+def hold(clause: Clause, _context: Context) -> None:
     """``keeps to the left lane``, ``maintains its course``: it drives on."""
-    places = [p for p in scene.places() if p.kind in {"lane", "path", "road", "side"}]
-    course = isinstance(scene.event.object, Thing) and not places
-    for entity in scene.drivers if places or course else []:
-        entity.moves = entity.moves or Basis(scene.event.i, scene.event.j)
+    places = [p for p in clause.places() if p.kind in {"lane", "path", "road", "side"}]
+    course = isinstance(clause.event.object, Thing) and not places
+    for entity in clause.drivers if places or course else []:
+        entity.moves = entity.moves or Basis(clause.event.i, clause.event.j)
 
 
-def circulate(chunks: list[Chunk], scenes: list[Scene], context: Context) -> None:
+def circulate(chunks: list[Chunk], clauses: list[Clause], context: Context) -> None:
     """``already circulating``, ``is in the roundabout``: there before the others come.
 
     Args:
         chunks: the chunks of the text.
-        scenes: what happens.
+        clauses: what happens.
         context: the scenario in the making.
     """
     for mention in (c for c in chunks if isinstance(c, Mention)):
         inside = any(_inside(p, context) for p in mention.pps)
         for entity in mention.entities if inside else []:
             entity.circulates = entity.circulates or Basis(mention.i, mention.j)
-    for scene in scenes:
-        event = scene.event
+    for clause in clauses:
+        event = clause.event
         words = context.tokens[event.i : event.j]
         rounds = bool(words) and words[0].forms[-1][0] in {"circulate", "circle"}
         within = next((p for p in event.pps if _inside(p, context)), None)
         if event.negated or not (rounds or within) or event.name in {"enter", "approach"}:
             continue
-        for entity in scene.drivers:
-            entity.circulates = entity.circulates or scene.words
+        for entity in clause.drivers:
+            entity.circulates = entity.circulates or clause.words
 
 
 def _inside(prep: Prep, context: Context) -> bool:
@@ -48,61 +48,61 @@ def _inside(prep: Prep, context: Context) -> bool:
     return named and context.tokens[prep.word.i].low in {"in", "inside", "on", "within", "round"}
 
 
-def follow(scene: Scene, context: Context) -> None:
+def follow(clause: Clause, context: Context) -> None:
     """One drives behind another."""
-    straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in scene.places())
-    for entity in scene.drivers:
-        entity.moves = entity.moves or Basis(scene.event.i, scene.event.j)
+    straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in clause.places())
+    for entity in clause.drivers:
+        entity.moves = entity.moves or Basis(clause.event.i, clause.event.j)
         entity.on_straight = entity.on_straight or straight
-    basis = Basis(scene.event.i, scene.event.j)
-    context.ahead(scene.targets, scene.actors, basis)
-    nobody = scene.event.object is None and not scene.event.passive and not scene.event.pps
-    if nobody and not any(e.ego for e in scene.actors):
-        for entity in scene.drivers:  # "and the car following brakes"
+    basis = Basis(clause.event.i, clause.event.j)
+    context.ahead(clause.targets, clause.actors, basis)
+    nobody = clause.event.object is None and not clause.event.passive and not clause.event.pps
+    if nobody and not any(e.ego for e in clause.actors):
+        for entity in clause.drivers:  # "and the car following brakes"
             context.draft.place(entity, None, {Approach.BEHIND}, basis)
 
 
-def move_off(scene: Scene, context: Context) -> None:
+def move_off(clause: Clause, context: Context) -> None:
     """``a parked van drives off``: whoever comes along has to be let through.
 
     Args:
-        scene: what happens.
+        clause: what happens.
         context: the scenario in the making.
     """
-    event = scene.event
+    event = clause.event
     if event.negated or event.passive or event.premod_of is not None:
         return
     words = {t.low for t in context.tokens[event.i : event.j]}
-    parking = any(p.kind in {"parking", "sidewalk", "shoulder"} for p in scene.places())
+    parking = any(p.kind in {"parking", "sidewalk", "shoulder"} for p in clause.places())
     away = event.name == "leave" and (parking or bool(words & {"off", "away"}))
-    others = [e for e in scene.drivers if e.pulls_out and not e.ego]
+    others = [e for e in clause.drivers if e.pulls_out and not e.ego]
     if away and others:
-        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, scene.words, others)
+        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, clause.words, others)
 
 
-def precede(scene: Scene, context: Context) -> None:
+def precede(clause: Clause, context: Context) -> None:
     """One drives ahead of another."""
-    context.ahead(scene.actors, scene.targets, Basis(scene.event.i, scene.event.j))
+    context.ahead(clause.actors, clause.targets, Basis(clause.event.i, clause.event.j))
 
 
-def stay(scene: Scene, context: Context) -> None:
+def stay(clause: Clause, context: Context) -> None:
     """Whoever waits on foot stays where they are; who drives waits for the light."""
-    basis = Basis(scene.event.i, scene.event.j)
-    held = any(p.kind == "signal" for p in scene.places())
+    basis = Basis(clause.event.i, clause.event.j)
+    held = any(p.kind == "signal" for p in clause.places())
     lit = context.junction.control is Control.SIGNALS
-    for entity in [e for e in scene.drivers if held or (lit and e.ego)]:
+    for entity in [e for e in clause.drivers if held or (lit and e.ego)]:
         entity.waits = entity.waits or basis
-    for entity in scene.actors:
+    for entity in clause.actors:
         if not entity.is_vehicle and not entity.maneuvers:
             context.draft.maneuver(entity, {Maneuver.STAY}, basis)
 
 
-def park(scene: Scene, _context: Context) -> None:
+def park(clause: Clause, _context: Context) -> None:
     """``is parked``: the vehicle stands for the whole scenario."""
-    if scene.event.form != "ed":
+    if clause.event.form != "ed":
         return
-    for entity in scene.actors:
-        if entity.is_vehicle and not entity.ego and entity.sets_off < scene.event.i:
+    for entity in clause.actors:
+        if entity.is_vehicle and not entity.ego and entity.sets_off < clause.event.i:
             entity.parked = True
-            entity.parked_basis = Basis(scene.event.i, scene.event.j)
-        entity.pulls_out = entity.pulls_out or entity.sets_off > scene.event.i
+            entity.parked_basis = Basis(clause.event.i, clause.event.j)
+        entity.pulls_out = entity.pulls_out or entity.sets_off > clause.event.i

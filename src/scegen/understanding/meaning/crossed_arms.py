@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from scegen.scenario.vocabulary import Approach, CrossedArm, HazardKind, Maneuver
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
 from scegen.understanding.draft import Basis, Draft, Entity
-from scegen.understanding.meaning.context import Context, Scene
 from scegen.understanding.phrases.which_road import AGAINST, ALONG
+from scegen.understanding.semantics.context import Clause, Context
 
 _TURNS = frozenset({"turn", "sharp_turn", "enter", "move", "merge"})
 _OVER_THE_ROAD = frozenset({HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_CYCLIST})
@@ -18,21 +18,21 @@ _SIDES = {Maneuver.LEFT: Approach.LEFT, Maneuver.RIGHT: Approach.RIGHT}
 _OTHER = {Approach.LEFT: Approach.RIGHT, Approach.RIGHT: Approach.LEFT}
 
 
-def note_arms(chunks: list[Chunk], scenes: list[Scene], context: Context) -> None:
+def note_arms(chunks: list[Chunk], clauses: list[Clause], context: Context) -> None:
     """``crosses the road that the ego turns into``, ``walks over the exit``.
 
     Args:
         chunks: the chunks of the text.
-        scenes: what happens, in the order of the text.
+        clauses: what happens, in the order of the text.
         context: the scenario in the making.
     """
-    used = _used_by_drivers(scenes)
-    for scene in scenes:
-        whom = scene.walkers + [e for e in scene.actors if context.is_cyclist(e) and not e.ego]
-        for prep, place in _crossed(scene.event):
-            if scene.walkers or _goes_over(scene.event, prep, context):
+    used = _used_by_drivers(clauses)
+    for clause in clauses:
+        whom = clause.walkers + [e for e in clause.actors if context.is_cyclist(e) and not e.ego]
+        for prep, place in _crossed(clause.event):
+            if clause.walkers or _goes_over(clause.event, prep, context):
                 _note(whom, prep, place, used, context)
-        term = scene.event.how(ALONG, AGAINST)
+        term = clause.event.how(ALONG, AGAINST)
         if term is None:
             continue
         for entity in whom:
@@ -96,13 +96,13 @@ def _crossed(event: Event) -> list[tuple[Prep | None, Place]]:
     return found
 
 
-def _used_by_drivers(scenes: list[Scene]) -> dict[str, CrossedArm]:
+def _used_by_drivers(clauses: list[Clause]) -> dict[str, CrossedArm]:
     """``turns into a side road``: for who comes by "the side road" later on."""
     found: dict[str, CrossedArm] = {}
-    for scene in scenes:
-        if scene.event.name not in _TURNS or not scene.drivers:
+    for clause in clauses:
+        if clause.event.name not in _TURNS or not clause.drivers:
             continue
-        for prep in scene.event.pps:
+        for prep in clause.event.pps:
             place = prep.target
             if isinstance(place, Place) and place.kind == "access" and prep.value in _INTO:
                 found.setdefault(place.kind, _INTO[prep.value])

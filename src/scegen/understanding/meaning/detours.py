@@ -13,7 +13,7 @@ from itertools import pairwise
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.semantics.context import Clause, Context
 
 _ROUND = frozenset({"around", "round", "past"})
 _THERE = frozenset({"in", "into", "to", "for"})
@@ -28,22 +28,22 @@ _PASSING = frozenset({"bypass", "overtake", "block"})
 _REASON = "the oncoming lane is used to get past something"
 
 
-def get_past(chunks: list[Chunk], scenes: list[Scene], context: Context) -> None:
+def get_past(chunks: list[Chunk], clauses: list[Clause], context: Context) -> None:
     """Lets the ego overtake what is in its way, where its way leads round it.
 
     Args:
         chunks: the chunks of the text, mentions resolved.
-        scenes: what happens, in the order of the text.
+        clauses: what happens, in the order of the text.
         context: the scenario in the making.
     """
     ego = next((e for e in context.draft.entities if e.ego), None)
     if ego is None or ego.maneuvers & _SETTLED or context.junction.crossing:
         return
-    if not _barred(chunks, scenes, context):
+    if not _barred(chunks, clauses, context):
         return
     across = [d for d in context.draft.dangers if d.kind is HazardKind.ONCOMING_LANE]
     words = next((d.basis for d in across if ego in d.by), None)
-    words = words or _by_verb(ego, scenes, context) or _by_noun(ego, chunks, scenes, context)
+    words = words or _by_verb(ego, clauses, context) or _by_noun(ego, chunks, clauses, context)
     if words is not None:
         if _things_passed(chunks, context):
             context.draft.hazard(HazardKind.OBSTACLE, words, [])
@@ -58,22 +58,22 @@ def _things_passed(chunks: list[Chunk], context: Context) -> bool:
     )
 
 
-def _barred(chunks: list[Chunk], scenes: list[Scene], context: Context) -> bool:
+def _barred(chunks: list[Chunk], clauses: list[Clause], context: Context) -> bool:
     """Whether anything is in the way at all."""
     others = [e for e in context.draft.entities if not e.ego]
     slow = any(
         d.kind in _IN_THE_WAY and not any(e.ego for e in d.by) for d in context.draft.dangers
     )
     things = any(isinstance(c, Thing) and c.kind in {"object", "obstacle"} for c in chunks)
-    passing = any(s.event.name in _PASSING for s in scenes)
+    passing = any(s.event.name in _PASSING for s in clauses)
     stands = any(e.parked or context.placed(e, Approach.AHEAD) for e in others)
     return slow or things or passing or stands
 
 
-def _by_verb(ego: Entity, scenes: list[Scene], context: Context) -> Basis | None:
-    for scene in scenes:
-        event = scene.event
-        moves = ego in scene.actors or (ego in scene.targets and event.name in _MOVED)
+def _by_verb(ego: Entity, clauses: list[Clause], context: Context) -> Basis | None:
+    for clause in clauses:
+        event = clause.event
+        moves = ego in clause.actors or (ego in clause.targets and event.name in _MOVED)
         if not moves or event.negated or (event.passive and event.name not in _MOVED):
             continue
         taken = event.object if event.name in _TAKEN else None
@@ -86,7 +86,7 @@ def _by_verb(ego: Entity, scenes: list[Scene], context: Context) -> Basis | None
 
 
 def _by_noun(
-    ego: Entity, chunks: list[Chunk], scenes: list[Scene], context: Context
+    ego: Entity, chunks: list[Chunk], clauses: list[Clause], context: Context
 ) -> Basis | None:
     """``the ego, already in the opposite lane``, ``its way round the van``, ``the detour``."""
     for chunk in chunks:
@@ -94,7 +94,7 @@ def _by_noun(
             for prep in chunk.pps:
                 if _leads_past(prep, context):
                     return Basis(chunk.i, _end(prep))
-    taken = {id(p) for s in scenes if s.actors for p in s.places()}
+    taken = {id(p) for s in clauses if s.actors for p in s.places()}
     taken |= {
         id(p.target)
         for c in chunks
@@ -111,7 +111,7 @@ def _by_noun(
         led = isinstance(after, Place) and _other_half(after) and id(after) not in taken
         if (its and _around(chunk, after, context)) or (led and chunk.value in _THERE):
             return Basis(chunk.i, after.j)
-    for event in (s.event for s in scenes if not s.actors):
+    for event in (s.event for s in clauses if not s.actors):
         free = isinstance(event.object, Place) and _other_half(event.object)
         if (event.name == "bypass" and event.nominal) or (event.name in _LEFT_OPEN and free):
             return Basis(event.i, event.j)

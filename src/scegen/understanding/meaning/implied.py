@@ -6,9 +6,9 @@ from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneu
 from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Danger, Entity
 from scegen.understanding.meaning import conflicts, oncoming
-from scegen.understanding.meaning.context import Context, Scene
 from scegen.understanding.meaning.reactions import into_rear
 from scegen.understanding.meaning.ways import past_the_roadside
+from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.words.terms import Term
 
 _TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
@@ -19,31 +19,31 @@ _HEAD_ON = frozenset({"towards", "toward"})
 _SLOWER = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
 
 
-def positions(scenes: list[Scene], context: Context) -> None:
+def positions(clauses: list[Clause], context: Context) -> None:
     """Places who is driven up to, and who comes out of the next lane or the oncoming one.
 
     Args:
-        scenes: what happens, in the order of the text.
+        clauses: what happens, in the order of the text.
         context: the scenario in the making.
     """
-    for scene in scenes:
-        oncoming.faced(scene, context)
-        _driven_up_to(scene, context)
-        parked = [e for e in scene.targets if e.parked]
-        if scene.event.name == "bypass" and not scene.targets and scene.drivers:
+    for clause in clauses:
+        oncoming.faced(clause, context)
+        _driven_up_to(clause, context)
+        parked = [e for e in clause.targets if e.parked]
+        if clause.event.name == "bypass" and not clause.targets and clause.drivers:
             parked = [e for e in context.draft.entities if e.parked and _in_front(e, context)]
-        thing = isinstance(scene.event.object, Thing) and scene.event.object.kind == "object"
-        parked = [] if past_the_roadside(scene, context) else parked
-        if scene.event.name == "bypass" and (parked or thing) and not scene.event.negated:
-            context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
-        _owing_to_the_parked(scene, context)
-        oncoming.hidden_behind(scene, context)
-        oncoming.overtaken(scene, context)
-        oncoming.from_behind(scene, context)
-        oncoming.met(scene, context)
-        _cuts_out(scene, context)
-        _revealed(scene, context)
-        _across(scene, context)
+        thing = isinstance(clause.event.object, Thing) and clause.event.object.kind == "object"
+        parked = [] if past_the_roadside(clause, context) else parked
+        if clause.event.name == "bypass" and (parked or thing) and not clause.event.negated:
+            context.draft.hazard(HazardKind.OBSTACLE, clause.words, parked)
+        _owing_to_the_parked(clause, context)
+        oncoming.hidden_behind(clause, context)
+        oncoming.overtaken(clause, context)
+        oncoming.from_behind(clause, context)
+        oncoming.met(clause, context)
+        _cuts_out(clause, context)
+        _revealed(clause, context)
+        _across(clause, context)
     oncoming.turned_across(context)
     oncoming.unseen(context)
     for danger in context.draft.dangers:
@@ -52,26 +52,26 @@ def positions(scenes: list[Scene], context: Context) -> None:
             _face_to_face(danger, context)
 
 
-def _owing_to_the_parked(scene: Scene, context: Context) -> None:
+def _owing_to_the_parked(clause: Clause, context: Context) -> None:
     """``has to leave its lane because of a broken-down lorry``: that is in the way."""
-    for prep in scene.event.pps:
+    for prep in clause.event.pps:
         by = prep.target.entities if isinstance(prep.target, Mention) else []
         parked = [e for e in by if e.still]
         if (
             prep.value == "due"
             and parked
-            and scene.event.name not in {"hide", "encounter", "appear"}
+            and clause.event.name not in {"hide", "encounter", "appear"}
         ):
-            context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
+            context.draft.hazard(HazardKind.OBSTACLE, clause.words, parked)
 
 
-def _cuts_out(scene: Scene, context: Context) -> None:
+def _cuts_out(clause: Clause, context: Context) -> None:
     """``cuts out``: leaves the lane in which it drove ahead of the ego."""
-    words = {t.low for t in context.tokens[scene.event.i : scene.event.j]}
-    if scene.event.name != "lane_change" or "out" not in words or scene.event.negated:
+    words = {t.low for t in context.tokens[clause.event.i : clause.event.j]}
+    if clause.event.name != "lane_change" or "out" not in words or clause.event.negated:
         return
-    basis = Basis(scene.event.i, scene.event.j, "who cuts out was ahead in the lane")
-    for entity in scene.drivers:
+    basis = Basis(clause.event.i, clause.event.j, "who cuts out was ahead in the lane")
+    for entity in clause.drivers:
         seen = [
             p for p in context.draft.placements if p.entity is entity and oncoming.by_the_ego(p)
         ]
@@ -79,26 +79,26 @@ def _cuts_out(scene: Scene, context: Context) -> None:
             context.draft.place(entity, None, {Approach.AHEAD}, basis)
 
 
-def _revealed(scene: Scene, context: Context) -> None:
+def _revealed(clause: Clause, context: Context) -> None:
     """``swerves and exposes a stopped van``: the van is ahead in the lane."""
-    if scene.event.name != "reveal" or context.junction.crossing:
+    if clause.event.name != "reveal" or context.junction.crossing:
         return
-    basis = Basis(scene.event.i, scene.event.j, "what comes into view is ahead")
-    for entity in scene.targets:
+    basis = Basis(clause.event.i, clause.event.j, "what comes into view is ahead")
+    for entity in clause.targets:
         seen = [p for p in context.draft.placements if p.entity is entity]
         if entity.is_vehicle and not entity.ego and not seen:
             context.draft.place(entity, None, {Approach.AHEAD}, basis)
 
 
-def _across(scene: Scene, context: Context) -> None:
+def _across(clause: Clause, context: Context) -> None:
     """Who crosses on red, or leaves the side road of a T, comes from the left or the right."""
-    event = scene.event
+    event = clause.event
     ego = next((e for e in context.draft.entities if e.ego), None)
     implied = context.draft.access is not None and context.junction.straight is None
-    if ego is None or ego in scene.actors or not (context.junction.crossing or implied):
+    if ego is None or ego in clause.actors or not (context.junction.crossing or implied):
         return
     on_red = event.name == "cross" and any(
-        scene.drivers == d.by and d.kind is HazardKind.RED_LIGHT_RUNNING
+        clause.drivers == d.by and d.kind is HazardKind.RED_LIGHT_RUNNING
         for d in context.draft.dangers
     )
     sources = [*event.pps, *(p for m in event.subject for p in m.pps)]
@@ -111,49 +111,49 @@ def _across(scene: Scene, context: Context) -> None:
     if not on_red and not (stem and along):
         return
     basis = Basis(event.i, event.j, "it comes across the way of the ego")
-    for entity in scene.drivers:
+    for entity in clause.drivers:
         if entity.heading is None and not any(p.entity is entity for p in context.draft.placements):
             context.draft.place(entity, None, {Approach.LEFT, Approach.RIGHT}, basis)
 
 
-def _only_other(scene: Scene, context: Context) -> list[Entity]:
+def _only_other(clause: Clause, context: Context) -> list[Entity]:
     """``a man walks along the road, the ego approaches from behind``: the man is approached."""
-    others = [e for e in context.draft.entities if e not in scene.actors]
-    rear = any(p.value == "behind" and p.outer == "from" for p in scene.event.pps)
-    ego = all(e.ego for e in scene.drivers)
-    if not (rear and ego and scene.event.name == "approach" and len(others) == 1):
+    others = [e for e in context.draft.entities if e not in clause.actors]
+    rear = any(p.value == "behind" and p.outer == "from" for p in clause.event.pps)
+    ego = all(e.ego for e in clause.drivers)
+    if not (rear and ego and clause.event.name == "approach" and len(others) == 1):
         return []
-    basis = Basis(scene.event.i, scene.event.j, "it is approached from behind")
+    basis = Basis(clause.event.i, clause.event.j, "it is approached from behind")
     if not any(p.entity is others[0] for p in context.draft.placements):
         context.draft.place(others[0], None, {Approach.AHEAD}, basis)
     return []
 
 
-def _driven_up_to(scene: Scene, context: Context) -> None:
+def _driven_up_to(clause: Clause, context: Context) -> None:
     """``closes in on a stopped van``, ``encounters a slow tractor``: it is ahead."""
-    event = scene.event
-    if event.name not in _CLOSING or event.negated or not scene.drivers:
+    event = clause.event
+    if event.name not in _CLOSING or event.negated or not clause.drivers:
         return
-    targets = list(scene.targets)
+    targets = list(clause.targets)
     for prep in event.pps:
         towards = prep.value in _TOWARDS or context.tokens[prep.word.i].low == "on"
-        rear = _queue(prep.target) or _from_the_rear(scene, context)
+        rear = _queue(prep.target) or _from_the_rear(clause, context)
         towards = towards or (prep.value == "of" and rear)
         if towards and isinstance(prep.target, Mention):
-            targets += [e for e in prep.target.entities if e not in scene.actors]
+            targets += [e for e in prep.target.entities if e not in clause.actors]
     ends = [event.object, *(p.target for p in event.pps)]
     owners = [c.owner for c in ends if isinstance(c, Place) and "rear" in c.dirs and c.owner]
-    targets += [e for m in owners for e in m.entities if e not in (*scene.actors, *targets)]
+    targets += [e for m in owners for e in m.entities if e not in (*clause.actors, *targets)]
     struck = event.object
-    if _from_the_rear(scene, context) and isinstance(struck, Place) and struck.owner is not None:
-        targets += [e for e in struck.owner.entities if e not in scene.actors]
-    driver = scene.drivers[0]
-    targets += _only_other(scene, context) if not targets else []
+    if _from_the_rear(clause, context) and isinstance(struck, Place) and struck.owner is not None:
+        targets += [e for e in struck.owner.entities if e not in clause.actors]
+    driver = clause.drivers[0]
+    targets += _only_other(clause, context) if not targets else []
     if any(e.ego for e in targets):
-        for other in scene.drivers:
-            _comes_towards(scene, other, context)
-        targets = [e for e in targets if not e.ego or _from_the_rear(scene, context)]
-    certain = _from_the_rear(scene, context) or _along_the_road(scene, context)
+        for other in clause.drivers:
+            _comes_towards(clause, other, context)
+        targets = [e for e in targets if not e.ego or _from_the_rear(clause, context)]
+    certain = _from_the_rear(clause, context) or _along_the_road(clause, context)
     late = [d for d in context.draft.dangers if d.kind is HazardKind.DELAYED_BRAKING]
     certain = certain or any(driver in d.by for d in late)  # "failed to stop and hit the bus"
     for target in targets:
@@ -187,42 +187,42 @@ def _on_the_wrong_side(entity: Entity, context: Context) -> bool:
     return not passing and any(entity in d.by for d in dangers)
 
 
-def _comes_towards(scene: Scene, driver: Entity, context: Context) -> None:
+def _comes_towards(clause: Clause, driver: Entity, context: Context) -> None:
     """``drives towards the ego``: head-on, unless it comes from somewhere else."""
-    towards = [p.word.j for p in scene.event.pps if context.tokens[p.word.i].low in _HEAD_ON]
-    towards += [p.word.j for p in scene.event.pps if _at_the_ego(p, scene, context)]
-    towards += [scene.event.j for t in _own(scene.event, context) if t in _HEAD_ON]
+    towards = [p.word.j for p in clause.event.pps if context.tokens[p.word.i].low in _HEAD_ON]
+    towards += [p.word.j for p in clause.event.pps if _at_the_ego(p, clause, context)]
+    towards += [clause.event.j for t in _own(clause.event, context) if t in _HEAD_ON]
     ego = next(e for e in context.draft.entities if e.ego)
     if towards and not _placed(driver, ego, context):
-        basis = Basis(scene.event.i, towards[0], "comes towards the ego")
+        basis = Basis(clause.event.i, towards[0], "comes towards the ego")
         context.draft.place(driver, None, {Approach.OPPOSITE}, basis)
-        for place in scene.places():
-            if conflicts.head_on(scene, place, context):
+        for place in clause.places():
+            if conflicts.head_on(clause, place, context):
                 words = Basis(place.i, place.j)
                 context.draft.hazard(HazardKind.ONCOMING_LANE, words, [driver], [ego])
 
 
-def _at_the_ego(prep: Prep, scene: Scene, context: Context) -> bool:
+def _at_the_ego(prep: Prep, clause: Clause, context: Context) -> bool:
     """``comes straight at the ego``."""
     goal = context.tokens[prep.word.i].low == "at" and isinstance(prep.target, Mention)
-    return goal and scene.event.name in {"move", "speed", "approach"}
+    return goal and clause.event.name in {"move", "speed", "approach"}
 
 
-def head_on(term: Term, scene: Scene, context: Context) -> None:
+def head_on(term: Term, clause: Clause, context: Context) -> None:
     """``a motorcycle approaches head-on``: who collides so has come from the front, too.
 
     Args:
         term: the words for it.
-        scene: what happens.
+        clause: what happens.
         context: the scenario in the making.
     """
-    coming = scene.event.name in _COMING
-    if len(scene.drivers) > 1 and not scene.targets:
-        for entity in scene.drivers:
-            entity.opposed |= {e.index for e in scene.drivers} - {entity.index}
+    coming = clause.event.name in _COMING
+    if len(clause.drivers) > 1 and not clause.targets:
+        for entity in clause.drivers:
+            entity.opposed |= {e.index for e in clause.drivers} - {entity.index}
         return  # "two trucks meet head-on"
-    for entity in scene.drivers if coming else []:
-        to = next((e for e in scene.targets if e.moving_vehicle), None)
+    for entity in clause.drivers if coming else []:
+        to = next((e for e in clause.targets if e.moving_vehicle), None)
         context.draft.place(entity, to, {Approach.OPPOSITE}, Basis(term.i, term.j))
 
 
@@ -230,18 +230,18 @@ def _own(event: Event, context: Context) -> set[str]:
     return {t.low for t in context.tokens[event.i : event.j]}
 
 
-def _from_the_rear(scene: Scene, context: Context) -> bool:
+def _from_the_rear(clause: Clause, context: Context) -> bool:
     """``rear-ends``, ``runs into the back of``."""
-    return scene.event.name == "collide" and into_rear(scene.event, context)
+    return clause.event.name == "collide" and into_rear(clause.event, context)
 
 
-def _along_the_road(scene: Scene, context: Context) -> bool:
+def _along_the_road(clause: Clause, context: Context) -> bool:
     """Closing in on another where no roads meet: in the same lane."""
     meet = context.junction.crossing or context.draft.crossing_implied is not None
-    towards = any(context.tokens[p.word.i].low in _HEAD_ON for p in scene.event.pps)
-    if _own(scene.event, context) & _HEAD_ON:
+    towards = any(context.tokens[p.word.i].low in _HEAD_ON for p in clause.event.pps)
+    if _own(clause.event, context) & _HEAD_ON:
         return False  # "comes towards them"
-    return not meet and (scene.event.name == "approach" or towards)
+    return not meet and (clause.event.name == "approach" or towards)
 
 
 def _slower(entity: Entity, context: Context) -> bool:

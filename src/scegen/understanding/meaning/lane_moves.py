@@ -6,38 +6,38 @@ from scegen.scenario.vocabulary import HazardKind, Maneuver
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis
 from scegen.understanding.meaning import ways
-from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.semantics.context import Clause, Context
 
 _HALF = frozenset({"half", "halfway", "partly", "partially", "midway", "way"})
 
 
-def apply(scene: Scene, context: Context, values: set[Maneuver], basis: Basis) -> None:
-    """Says what the drivers of a scene do.
+def apply(clause: Clause, context: Context, values: set[Maneuver], basis: Basis) -> None:
+    """Says what the drivers of a clause do.
 
     Args:
-        scene: what happens.
+        clause: what happens.
         context: the scenario in the making.
         values: the movements that the words allow.
         basis: the words.
     """
-    alternative = scene.alternative
-    for entity in scene.drivers:
-        later = context.in_order(entity.maneuver_basis, scene.event)
+    alternative = clause.alternative
+    for entity in clause.drivers:
+        later = context.in_order(entity.maneuver_basis, clause.event)
         context.draft.maneuver(entity, values, basis, alternative, later=later)
 
 
-def lane_change(scene: Scene, context: Context) -> None:
+def lane_change(clause: Clause, context: Context) -> None:
     """A change of lane on the way; where the vehicle leaves stays free."""
-    basis = Basis(scene.event.i, scene.event.j)
+    basis = Basis(clause.event.i, clause.event.j)
     context.lanes_implied(basis, "a lane change needs a second lane")
-    apply(scene, context, {Maneuver.LANE_CHANGE}, basis)
+    apply(clause, context, {Maneuver.LANE_CHANGE}, basis)
 
 
-def merge(scene: Scene, context: Context) -> None:
+def merge(clause: Clause, context: Context) -> None:
     """Merging on a road without a junction, or into a lane, is a lane change."""
     meets = context.junction.crossing or context.draft.access is not None
-    if ways.into_lane(scene.event) is not None or not meets:
-        lane_change(scene, context)
+    if ways.into_lane(clause.event) is not None or not meets:
+        lane_change(clause, context)
 
 
 def between_lanes(mention: Mention, context: Context) -> None:
@@ -59,40 +59,40 @@ def between_lanes(mention: Mention, context: Context) -> None:
         context.draft.maneuver(entity, {Maneuver.LANE_CHANGE}, basis)
 
 
-def swerve(scene: Scene, context: Context) -> None:
+def swerve(clause: Clause, context: Context) -> None:
     """``swerves into the oncoming lane``, ``veers into the left lane``."""
-    lane = ways.into_lane(scene.event)
+    lane = ways.into_lane(clause.event)
     if lane is None or lane.kind != "lane" or lane.owner is not None:
         return
-    if "opposite" in lane.dirs and not any(context.oncoming(e) for e in scene.drivers):
-        use_oncoming_lane(scene, lane, context)
-    elif ways.next_lane(scene.event, context):
-        lane_change(scene, context)
+    if "opposite" in lane.dirs and not any(context.oncoming(e) for e in clause.drivers):
+        use_oncoming_lane(clause, lane, context)
+    elif ways.next_lane(clause.event, context):
+        lane_change(clause, context)
 
 
-def forced(scene: Scene, context: Context) -> None:
+def forced(clause: Clause, context: Context) -> None:
     """``is forced into the opposite lane``, ``pushes the ego into the left lane``."""
-    lane = ways.into_lane(scene.event)
-    moved = [e for e in scene.targets if e.moving_vehicle]
+    lane = ways.into_lane(clause.event)
+    moved = [e for e in clause.targets if e.moving_vehicle]
     if lane is None or lane.kind != "lane" or not moved:
         return
     if "opposite" in lane.dirs:
-        use_oncoming_lane(Scene(scene.event, moved, []), lane, context)
+        use_oncoming_lane(Clause(clause.event, moved, []), lane, context)
     elif ways.BESIDE & set(lane.dirs):
-        lane_change(Scene(scene.event, moved, []), context)
+        lane_change(Clause(clause.event, moved, []), context)
 
 
-def use_oncoming_lane(scene: Scene, lane: Place, context: Context) -> None:
+def use_oncoming_lane(clause: Clause, lane: Place, context: Context) -> None:
     """Whoever is in the oncoming lane passes something there.
 
     Args:
-        scene: what happens.
+        clause: what happens.
         lane: the oncoming lane.
         context: the scenario in the making.
     """
     reason = "the oncoming lane is used to get past something"
-    basis = Basis(scene.event.i, max(scene.event.j, lane.j), reason)
-    apply(scene, context, {Maneuver.OVERTAKE}, basis)
+    basis = Basis(clause.event.i, max(clause.event.j, lane.j), reason)
+    apply(clause, context, {Maneuver.OVERTAKE}, basis)
 
 
 def on_the_wrong_side(mention: Mention, context: Context) -> None:

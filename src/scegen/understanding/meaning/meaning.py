@@ -30,7 +30,6 @@ from scegen.understanding.meaning import (
     standing,
     titled,
 )
-from scegen.understanding.meaning.context import Context, Scene
 from scegen.understanding.meaning.movements import MOVEMENTS
 from scegen.understanding.meaning.omissions import not_done
 from scegen.understanding.meaning.out_of_turn import out_of_turn
@@ -39,10 +38,11 @@ from scegen.understanding.meaning.reactions import mark_answers, mark_late
 from scegen.understanding.meaning.recasting import recast
 from scegen.understanding.meaning.reciprocal import towards_each_other
 from scegen.understanding.meaning.roadside import read_thing
-from scegen.understanding.meaning.scenes import scene_of
 from scegen.understanding.meaning.setting_off import set_off
 from scegen.understanding.meaning.sides_left import sides_left
 from scegen.understanding.phrases.on_sides import from_everywhere
+from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.roles import clause_of
 from scegen.understanding.words.terms import Term
 
 _BY_MANNER = {
@@ -86,11 +86,11 @@ class Interpreter:
         self._placer = Placer(context.draft)
         self._numbers = numbers
         self._of_the_road = of_the_road
-        self._scenes: list[Scene] = []
+        self._clauses: list[Clause] = []
         self._of_verbs: set[int] = set()
         self._chunks: list[Chunk] = []
 
-    def run(self, chunks: list[Chunk], events: list[Event]) -> list[Scene]:
+    def run(self, chunks: list[Chunk], events: list[Event]) -> list[Clause]:
         """All statements of a text.
 
         Args:
@@ -134,19 +134,19 @@ class Interpreter:
         rows.line_up(chunks, events, self._draft)
         for event in events:
             self._event(event)
-        titled.by_the_only_one(self._scenes, self._context)
+        titled.by_the_only_one(self._clauses, self._context)
         red_lights.on_red(chunks, events, self._context)
         out_of_turn(chunks, events, self._context)
         towards_each_other(chunks, events, self._context)
-        screen_sides.share(chunks, self._scenes, self._context)
+        screen_sides.share(chunks, self._clauses, self._context)
         screens.come_out(self._context)
-        detours.get_past(chunks, self._scenes, self._context)
-        implied.positions(self._scenes, self._context)
+        detours.get_past(chunks, self._clauses, self._context)
+        implied.positions(self._clauses, self._context)
         breaches.subsume(self._context)
-        courses.circulate(chunks, self._scenes, self._context)
+        courses.circulate(chunks, self._clauses, self._context)
         sides_left(chunks, self._context)
-        crossed_arms.note_arms(chunks, self._scenes, self._context)
-        return self._scenes
+        crossed_arms.note_arms(chunks, self._clauses, self._context)
+        return self._clauses
 
     def _mention(self, mention: Mention) -> None:
         self._placer.adjectives(mention)
@@ -200,65 +200,65 @@ class Interpreter:
                 entity.speed_basis = Basis(term.i, term.j, quantity.note)
 
     def _event(self, event: Event) -> None:
-        scene = scene_of(event)
-        courses.move_off(scene, self._context)
-        self._told_again(scene)
-        event.name = recast(scene, self._context)
-        self._scenes.append(scene)
-        standing.stand(scene, self._context)
-        self._places(scene)
-        side_roads.access(scene, self._context)
+        clause = clause_of(event)
+        courses.move_off(clause, self._context)
+        self._told_again(clause)
+        event.name = recast(clause, self._context)
+        self._clauses.append(clause)
+        standing.stand(clause, self._context)
+        self._places(clause)
+        side_roads.access(clause, self._context)
         failed = event.parent is not None and event.parent.name == "fail"
         if event.name in _ANSWERS:
-            encounters.answered(scene, self._context)
+            encounters.answered(clause, self._context)
         if event.negated or failed or event.name == "overlook":
-            not_done(scene, self._context)
+            not_done(clause, self._context)
             return
-        if event.name in _BREACHING or breaches.may_break(scene, self._context):
-            breaches.breach(scene, self._context)
-        self._manner(scene)
+        if event.name in _BREACHING or breaches.may_break(clause, self._context):
+            breaches.breach(clause, self._context)
+        self._manner(clause)
         movement = MOVEMENTS.get(event.name)
         if movement is not None:
-            movement(scene, self._context)
-        encounters.onto_the_road(scene, self._context)
-        encounters.after_a_thing(scene, self._context)
+            movement(clause, self._context)
+        encounters.onto_the_road(clause, self._context)
+        encounters.after_a_thing(clause, self._context)
         danger = dangers.DANGERS.get(event.name)
-        if danger is not None and not self._overruled(scene):
-            danger(scene, self._context)
+        if danger is not None and not self._overruled(clause):
+            danger(clause, self._context)
         if event.name in _ON_THE_MOVE:
-            dangers.oncoming_lane(scene, self._context)
-        screens.from_behind(scene, self._context)
+            dangers.oncoming_lane(clause, self._context)
+        screens.from_behind(clause, self._context)
 
-    def _places(self, scene: Scene) -> None:
+    def _places(self, clause: Clause) -> None:
         """Where the phrases of a verb put those who act, or on whom it is done."""
-        event = scene.event
+        event = clause.event
         for prep in event.pps if not self._ended(event) else []:
             if from_everywhere(prep):
-                side_roads.spread(prep, scene.actors, self._context)
-            elif self._from_behind_somebody(scene, prep):
+                side_roads.spread(prep, clause.actors, self._context)
+            elif self._from_behind_somebody(clause, prep):
                 self._context.ahead(
-                    scene.targets[:1], scene.actors, Basis(prep.word.i, prep.word.j)
+                    clause.targets[:1], clause.actors, Basis(prep.word.i, prep.word.j)
                 )
             elif event.name == "pass" and event.object is None and bearing.bare_side(prep):
-                self._placer.passes_on(prep, scene.actors)
-            elif event.name in {"pass", "bypass"} and bearing.is_side(prep) and scene.targets:
-                self._placer.passed_on(prep, scene.targets)
+                self._placer.passes_on(prep, clause.actors)
+            elif event.name in {"pass", "bypass"} and bearing.is_side(prep) and clause.targets:
+                self._placer.passed_on(prep, clause.targets)
             elif prep.on_mention is None or self._starts(event, prep):
                 turned = event.passive and event.name != "hide"
                 turned = turned and prep.value not in {"behind", "from"}
-                whom = scene.targets if turned else scene.actors
+                whom = clause.targets if turned else clause.actors
                 self._placer.phrase(prep, whom, event)
                 side_roads.side_road(prep, event, whom, self._context)
 
-    def _told_again(self, scene: Scene) -> None:
+    def _told_again(self, clause: Clause) -> None:
         """``a van merges …, at the beginning of the lane change``: what the van does."""
-        event = scene.event
+        event = clause.event
         definite = any((m.cat, m.value) == ("det", "def") for m in event.mods)
         if not (event.nominal and definite and event.name in _INTO_LANES):
             return
-        told = [s for s in self._scenes if s.event.name in _INTO_LANES and s.actors]
-        if told and told[-1].actors != scene.actors:
-            scene.actors = []
+        told = [s for s in self._clauses if s.event.name in _INTO_LANES and s.actors]
+        if told and told[-1].actors != clause.actors:
+            clause.actors = []
 
     def _of_another_clause(self, event: Event, term: Term) -> bool:
         """``crosses when the ego is 35 m away at 50 km/h``: the ego's speed."""
@@ -273,10 +273,10 @@ class Interpreter:
         word = event.lemma
         return event.name == "move" and word in {"end", "finish", "wind", "land"}
 
-    def _from_behind_somebody(self, scene: Scene, prep: Prep) -> bool:
+    def _from_behind_somebody(self, clause: Clause, prep: Prep) -> bool:
         """``hits the van from behind``: behind the van."""
         behind = prep.outer == "from" and prep.value == "behind" and prep.target is None
-        return behind and bool(scene.targets) and scene.event.name in _UNDERWAY
+        return behind and bool(clause.targets) and clause.event.name in _UNDERWAY
 
     def _starts(self, event: Event, prep: Prep) -> bool:
         """``overtakes the bus from the left`` says where the one who moves comes from.
@@ -290,35 +290,35 @@ class Interpreter:
         source = prep.value == "from" or (prep.outer == "from" and prep.target is None)
         return source and not (target and not moved)
 
-    def _overruled(self, scene: Scene) -> bool:
+    def _overruled(self, clause: Clause) -> bool:
         """``runs the red light`` is no walk."""
         return (
-            scene.event.name == "walk"
-            and not scene.walkers
-            and any(p.kind in {"signal", "stop_sign"} for p in scene.places())
+            clause.event.name == "walk"
+            and not clause.walkers
+            and any(p.kind in {"signal", "stop_sign"} for p in clause.places())
         )
 
-    def _manner(self, scene: Scene) -> None:
-        event = scene.event
+    def _manner(self, clause: Clause) -> None:
+        event = clause.event
         for term in event.mods:
             if term.cat == "quantity" and not self._of_another_clause(event, term):
-                self._quantity(term, scene.actors, event.name)
+                self._quantity(term, clause.actors, event.name)
             elif term.cat == "compass":
-                self._placer.heading(term, scene.actors)
+                self._placer.heading(term, clause.actors)
             elif term.cat == "dir" and term.value == "opposite" and event.name in _TRAVEL:
                 if self._ended(event):
                     continue
-                for entity in scene.drivers:
+                for entity in clause.drivers:
                     basis = Basis(term.i, term.j)
                     self._draft.place(entity, None, {Approach.OPPOSITE}, basis)
             elif term.cat == "state":
-                self._quality(term, scene.actors)
+                self._quality(term, clause.actors)
             elif (term.cat, term.value) == ("manner", "head_on"):
-                implied.head_on(term, scene, self._context)
+                implied.head_on(term, clause, self._context)
         if event.nominal and event.name not in _TRAVEL:
             return
-        travels = event.name in _TRAVEL and not scene.reaction
+        travels = event.name in _TRAVEL and not clause.reaction
         for term in event.mods:
             slows = term.value == "slow" and not travels  # "brakes slowly"
             if term.cat == "manner" and term.value in _BY_MANNER and not slows:
-                self._quality(term, scene.drivers)
+                self._quality(term, clause.drivers)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Control, HazardKind
 from scegen.understanding.chunks import Chunk, Event, Mention
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.meaning.context import Context
+from scegen.understanding.semantics.context import Context
 
 _GOING = frozenset({"move", "turn", "enter", "cross", "pull_out", "cut_in", "accelerate", "leave",
                     "sharp_turn", "speed", "breach", "dash"})  # fmt: skip

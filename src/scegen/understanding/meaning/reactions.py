@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Event, Mention, Place
-from scegen.understanding.meaning.context import Context
+from scegen.understanding.semantics.context import Context
 
 _BRAKING = frozenset({"brake", "slow", "stop"})
 _NOTICING = frozenset({"encounter", "overlook", "react"})

@@ -10,9 +10,9 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, Control
 from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.meaning import numbered_lanes
-from scegen.understanding.meaning.context import Context, Scene
 from scegen.understanding.meaning.verbs_of_contact import contact_or_shift
 from scegen.understanding.meaning.ways import into_lane
+from scegen.understanding.semantics.context import Clause, Context
 
 _OPEN = frozenset({"dash", "breach"})
 """Verbs that say nothing without a phrase of place."""
@@ -33,132 +33,132 @@ _TURNED = frozenset({"side", "access", "road", "junction", "exit", "leg", "highw
 _ROADS = frozenset({"road", "junction", "crosswalk", "highway", "path"})
 
 
-def recast(scene: Scene, context: Context) -> str:
+def recast(clause: Clause, context: Context) -> str:
     """The name of an event by who acts in it and where that leads.
 
     Args:
-        scene: the event with its participants.
+        clause: the event with its participants.
         context: the scenario in the making.
     """
-    event = scene.event
+    event = clause.event
     shoved = event.lemma in {"shove", "barge", "push"}
     if event.name == "dash" and shoved and isinstance(event.object, Mention):
         return "send"  # "shoved us into the junction"
-    if event.name in {"wait", "stop"} and scene.drivers and _close_behind(scene):
+    if event.name in {"wait", "stop"} and clause.drivers and _close_behind(clause):
         return "tailgate"
-    if _turned(scene, context):
+    if _turned(clause, context):
         return "turn"
-    if event.name == "walk" and scene.drivers and _runs_it(scene, context):
+    if event.name == "walk" and clause.drivers and _runs_it(clause, context):
         return "breach"
-    told = contact_or_shift(scene, context)
+    told = contact_or_shift(clause, context)
     if told is not None:
         return told
-    if _next_lane(scene, context):
+    if _next_lane(clause, context):
         return "lane_change"
-    afoot = _on_foot(scene, context)
+    afoot = _on_foot(clause, context)
     if afoot is not None:
         return afoot
-    if _over_lanes(scene, context):
+    if _over_lanes(clause, context):
         ahead = any(p.word.cat == "locus" and p.value == "ahead" and p.target for p in event.pps)
         return "cut_in" if ahead else "lane_change"
-    driven = _driven(scene, context) if scene.drivers else None
+    driven = _driven(clause, context) if clause.drivers else None
     if driven is not None:
         return driven
     if event.name not in _OPEN or (event.name == "breach" and event.object is not None):
         return event.name
-    if not scene.drivers:
+    if not clause.drivers:
         return event.name
-    return _by_path(scene, context, riding=_riding(scene, context))
+    return _by_path(clause, context, riding=_riding(clause, context))
 
 
-def _turned(scene: Scene, context: Context) -> bool:
+def _turned(clause: Clause, context: Context) -> bool:
     """``turns off to the right``, ``makes a left``."""
-    if scene.event.name == "inert":
-        return _turns_off(scene, context)
-    return scene.event.name in _MAKING and _into_a_turn(scene.event)
+    if clause.event.name == "inert":
+        return _turns_off(clause, context)
+    return clause.event.name in _MAKING and _into_a_turn(clause.event)
 
 
-def _next_lane(scene: Scene, context: Context) -> bool:
+def _next_lane(clause: Clause, context: Context) -> bool:
     """``passes into the left lane``, ``a van in lane 1 moves out``."""
-    if scene.event.name == "pass":
-        return not scene.targets and _into_next_lane(scene.event)
-    return numbered_lanes.leaves_it(scene.event, scene.drivers, context.tokens)
+    if clause.event.name == "pass":
+        return not clause.targets and _into_next_lane(clause.event)
+    return numbered_lanes.leaves_it(clause.event, clause.drivers, context.tokens)
 
 
-def _close_behind(scene: Scene) -> bool:
+def _close_behind(clause: Clause) -> bool:
     """``sits so close behind me``: stays there while both drive."""
     behind = [
         p.target
-        for p in scene.event.pps
+        for p in clause.event.pps
         if (p.word.cat, p.value) == ("locus", "behind") and isinstance(p.target, Mention)
     ]
-    close = scene.how("close") is not None and not scene.event.negated
+    close = clause.how("close") is not None and not clause.event.negated
     if close and behind:
-        scene.targets = [e for m in behind if isinstance(m, Mention) for e in m.entities]
+        clause.targets = [e for m in behind if isinstance(m, Mention) for e in m.entities]
     return close and bool(behind)
 
 
-def _over_lanes(scene: Scene, context: Context) -> bool:
+def _over_lanes(clause: Clause, context: Context) -> bool:
     """``came across two lanes in front of me``: from lane to lane where no roads meet."""
-    event = scene.event
-    if event.name not in _SWEEPING or context.junction.crossing or not scene.drivers:
+    event = clause.event
+    if event.name not in _SWEEPING or context.junction.crossing or not clause.drivers:
         return False
     own = {t.low for t in context.tokens[event.i : event.j]} & _ACROSS
     lanes: list[object] = [event.object] if own else []
     lanes += [p.target for p in event.pps if context.tokens[p.word.i].low in _ACROSS]
     several = [n for n in lanes if isinstance(n, Place) and n.kind == "lane" and n.head is not None]
     several = [n for n in several if n.head and n.head.form == "s" and "opposite" not in n.dirs]
-    others = [e for e in scene.drivers if not context.is_cyclist(e) and not context.oncoming(e)]
+    others = [e for e in clause.drivers if not context.is_cyclist(e) and not context.oncoming(e)]
     return bool(several) and bool(others)
 
 
-def _over_it(scene: Scene, context: Context) -> bool:
+def _over_it(clause: Clause, context: Context) -> bool:
     """``tears across``, ``races over``: with no more said, the road."""
-    own = _own(scene, context) | {
-        context.tokens[m.j - 1].low for m in scene.event.mods if m.cat in {"manner", "dir"}
+    own = _own(clause, context) | {
+        context.tokens[m.j - 1].low for m in clause.event.mods if m.cat in {"manner", "dir"}
     }
-    own |= {t.low for t in context.tokens[scene.event.j : scene.event.j + 1]}
+    own |= {t.low for t in context.tokens[clause.event.j : clause.event.j + 1]}
     return bool(own & _ACROSS)
 
 
-def _riding(scene: Scene, context: Context) -> bool:
-    return all(context.is_cyclist(e) and not e.ego for e in scene.drivers)
+def _riding(clause: Clause, context: Context) -> bool:
+    return all(context.is_cyclist(e) and not e.ego for e in clause.drivers)
 
 
-def _driven(scene: Scene, context: Context) -> str | None:
+def _driven(clause: Clause, context: Context) -> str | None:
     """The name of an event in which a vehicle moves; None if it keeps its own."""
-    event = scene.event
-    motor = [e for e in scene.drivers if not context.is_cyclist(e)]
-    out = "out" in _own(scene, context) and not _riding(scene, context)
-    careless = scene.how("aggressive", "sudden") is not None and event.name == "appear"
-    aside = any(p.kind in {"access", "parking"} for p in scene.places())
+    event = clause.event
+    motor = [e for e in clause.drivers if not context.is_cyclist(e)]
+    out = "out" in _own(clause, context) and not _riding(clause, context)
+    careless = clause.how("aggressive", "sudden") is not None and event.name == "appear"
+    aside = any(p.kind in {"access", "parking"} for p in clause.places())
     if motor and ((event.name == "cross" and out) or (careless and aside)):
         return "pull_out"  # "came out of the side road without looking"
     springs = event.lemma in _SPRINGING
     if event.name == "pull_out" and not motor and springs and not context.junction.crossing:
         return "cross"  # "a cyclist shoots out of a gap in a hedge"
-    if event.name == "pull_out" and motor and _between_lanes(scene, context):
+    if event.name == "pull_out" and motor and _between_lanes(clause, context):
         return "cut_in"
-    if event.name in {"move", "dash", "speed"} and _ignores_it(scene, context):
+    if event.name in {"move", "dash", "speed"} and _ignores_it(clause, context):
         return "breach"
     if event.name == "cross" and motor and _into_a_lane(event):
         return "lane_change"
-    if event.name in _MOVING and motor and _goes_round(scene, context):
+    if event.name in _MOVING and motor and _goes_round(clause, context):
         return "bypass"
     lane = isinstance(event.object, Place) and event.object.kind == "lane"
     return "move" if event.name == "breach" and lane else None  # "through the opposite lane"
 
 
-def _on_foot(scene: Scene, context: Context) -> str | None:
+def _on_foot(clause: Clause, context: Context) -> str | None:
     """What people on foot do who move, jump out, or roll off the kerb; None for all else."""
-    name = scene.event.name
-    if name in _HURRYING and scene.walkers and _over_it(scene, context):
+    name = clause.event.name
+    if name in _HURRYING and clause.walkers and _over_it(clause, context):
         return "cross"
-    if not scene.actors or any(e.is_vehicle for e in scene.actors):
+    if not clause.actors or any(e.is_vehicle for e in clause.actors):
         return None
     if name in _OUT:
-        return "cross" if not _around(scene, context) else "walk"
-    off = name == "lose_control" and any(p.kind == "sidewalk" for p in scene.places())
+        return "cross" if not _around(clause, context) else "walk"
+    off = name == "lose_control" and any(p.kind == "sidewalk" for p in clause.places())
     return "cross" if off else None
 
 
@@ -170,13 +170,13 @@ def _into_next_lane(event: Event) -> bool:
     )
 
 
-def _turns_off(scene: Scene, context: Context) -> bool:
+def _turns_off(clause: Clause, context: Context) -> bool:
     """``turns off to the right``, ``turns off into a side road``: no engine, no light."""
-    own = [t.forms[-1][0] for t in context.tokens[scene.event.i : scene.event.j]]
-    if own != ["turn", "off"] or not scene.drivers or isinstance(scene.event.object, Thing):
+    own = [t.forms[-1][0] for t in context.tokens[clause.event.i : clause.event.j]]
+    if own != ["turn", "off"] or not clause.drivers or isinstance(clause.event.object, Thing):
         return False
-    ends = [p.target for p in scene.event.pps]
-    return bool(scene.event.dirs) or any(isinstance(c, Place) and c.kind in _TURNED for c in ends)
+    ends = [p.target for p in clause.event.pps]
+    return bool(clause.event.dirs) or any(isinstance(c, Place) and c.kind in _TURNED for c in ends)
 
 
 def _into_a_turn(event: Event) -> bool:
@@ -199,9 +199,9 @@ def _into_a_lane(event: Event) -> bool:
     return named and isinstance(lane, Place) and (lane.owner is not None or bool(lane.dirs))
 
 
-def _goes_round(scene: Scene, context: Context) -> bool:
+def _goes_round(clause: Clause, context: Context) -> bool:
     """``edges round the parked van``: what is passed becomes the object of the verb."""
-    event = scene.event
+    event = clause.event
     for prep in event.pps if event.object is None else []:
         passed = prep.target
         if context.tokens[prep.word.i].low not in _ROUND:
@@ -210,28 +210,28 @@ def _goes_round(scene: Scene, context: Context) -> bool:
             continue
         thing = isinstance(passed, Thing) and passed.kind in {"object", "obstacle"}
         who = passed.entities if isinstance(passed, Mention) else []
-        vehicles = [e for e in who if e.is_vehicle and e not in scene.actors]
+        vehicles = [e for e in who if e.is_vehicle and e not in clause.actors]
         if thing or vehicles:
-            event.object, scene.targets = passed, vehicles
+            event.object, clause.targets = passed, vehicles
             event.pps = [p for p in event.pps if p is not prep]
             return True
     return False
 
 
-def _runs_it(scene: Scene, context: Context) -> bool:
+def _runs_it(clause: Clause, context: Context) -> bool:
     """``the light changed and he ran it``."""
-    it, verb = scene.event.object, scene.event.lemma
+    it, verb = clause.event.object, clause.event.lemma
     named = isinstance(it, Mention) and context.tokens[it.i].low == "it"
     return named and verb == "run" and context.junction.control is not None
 
 
-def _ignores_it(scene: Scene, context: Context) -> bool:
+def _ignores_it(clause: Clause, context: Context) -> bool:
     """``I'm at the stop sign, he sails through it``: the sign."""
     if context.junction.control in {None, Control.UNCONTROLLED, Control.PRIORITY_TO_RIGHT}:
         return False
-    others = [e for e in context.draft.entities if not e.ego and e not in scene.actors]
+    others = [e for e in context.draft.entities if not e.ego and e not in clause.actors]
     ways = {"through"} if others else {"through", "past"}
-    named = [scene.event.object, *(p.target for p in scene.event.pps)]
+    named = [clause.event.object, *(p.target for p in clause.event.pps)]
     return any(
         isinstance(m, Mention)
         and context.tokens[m.i].low == "it"
@@ -240,16 +240,16 @@ def _ignores_it(scene: Scene, context: Context) -> bool:
     )
 
 
-def _by_path(scene: Scene, context: Context, *, riding: bool) -> str:
-    event = scene.event
-    own = _own(scene, context)
+def _by_path(clause: Clause, context: Context, *, riding: bool) -> str:
+    event = clause.event
+    own = _own(clause, context)
     words = own | {context.tokens[p.word.i].low for p in event.pps}
     ahead = [p for p in event.pps if p.word.cat == "locus" and p.value == "ahead"]
-    to_somebody = [*scene.targets, *(e for p in ahead for e in _who(p))]
-    places = {p.kind for p in scene.places()}
+    to_somebody = [*clause.targets, *(e for p in ahead for e in _who(p))]
+    places = {p.kind for p in clause.places()}
     if "through" in words and places & {"signal", "stop_sign", "yield_sign", "right_of_way"}:
         return "breach"
-    passed = scene.targets or any(_who(p) for p in event.pps if p not in ahead)
+    passed = clause.targets or any(_who(p) for p in event.pps if p not in ahead)
     if words & _PAST and passed and not isinstance(event.object, Place):
         return "overtake"
     if "lane" in places and words & (_ACROSS | {"into", "onto"}):
@@ -260,7 +260,7 @@ def _by_path(scene: Scene, context: Context, *, riding: bool) -> str:
         return "cross"
     if to_somebody:
         return "cross" if riding else "cut_in"
-    beside = any(context.placed(e, Approach.ADJACENT) for e in scene.drivers)
+    beside = any(context.placed(e, Approach.ADJACENT) for e in clause.drivers)
     if beside and words & _ACROSS:
         return "lane_change"  # "the van next to me comes over"
     return "breach" if event.name == "breach" else "move"
@@ -270,30 +270,30 @@ def _who(prep: Prep) -> list[object]:
     return list(prep.target.entities) if isinstance(prep.target, Mention) else []
 
 
-def _own(scene: Scene, context: Context) -> set[str]:
-    return {t.low for t in context.tokens[scene.event.i : scene.event.j]}
+def _own(clause: Clause, context: Context) -> set[str]:
+    return {t.low for t in context.tokens[clause.event.i : clause.event.j]}
 
 
-def _around(scene: Scene, context: Context) -> bool:
-    words = {context.tokens[p.word.i].low for p in scene.event.pps}
+def _around(clause: Clause, context: Context) -> bool:
+    words = {context.tokens[p.word.i].low for p in clause.event.pps}
     return bool(words & {"around", "round"})
 
 
-def _between_lanes(scene: Scene, context: Context) -> bool:
+def _between_lanes(clause: Clause, context: Context) -> bool:
     """``a coach in the next lane pulls out in front of me``: out of its lane, not of a road."""
-    event = scene.event
+    event = clause.event
     leaves = any(
         p.value in {"in", "of", "from"} and isinstance(p.target, Place) and p.target.kind == "lane"
         for p in event.pps
     )
     if leaves and into_lane(event) is not None:
         return True  # "pulls out of the bus lane into the ego's lane"
-    if leaves and any(context.placed(e, Approach.ADJACENT) for e in scene.drivers):
+    if leaves and any(context.placed(e, Approach.ADJACENT) for e in clause.drivers):
         return True  # "pulls out of the left lane ahead"
     ahead = any(
         _who(p) and (p.value == "ahead" or context.tokens[p.word.i].low == "on") for p in event.pps
     )
-    aside = any(p.kind in _ASIDE for p in scene.places())
-    beside = any(context.placed(e, Approach.ADJACENT) for e in scene.drivers)
+    aside = any(p.kind in _ASIDE for p in clause.places())
+    beside = any(context.placed(e, Approach.ADJACENT) for e in clause.drivers)
     along = context.junction.highway and not context.junction.crossing
     return ahead and not aside and (beside or along)

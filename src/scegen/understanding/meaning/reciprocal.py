@@ -6,7 +6,7 @@ from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Chunk, Event, Mention
 from scegen.understanding.clauses.dependents import chain
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.meaning.context import Context
+from scegen.understanding.semantics.context import Context
 
 _MUTUAL = frozenset({"each", "one"})
 _TOWARDS = frozenset({"approach", "move", "collide", "speed"})

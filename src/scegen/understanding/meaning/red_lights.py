@@ -5,8 +5,8 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.meaning.context import Context
 from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.semantics.context import Context
 
 _CONCEDING = frozenset({"against", "although", "though", "despite", "even", "in", "regardless",
                         "with", "while", "notwithstanding"})  # fmt: skip

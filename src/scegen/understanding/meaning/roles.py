@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis
-from scegen.understanding.meaning.context import Context
+from scegen.understanding.semantics.context import Context
 
 _WHERE = {HazardKind.TAILGATING: Approach.BEHIND, HazardKind.ONCOMING_LANE: Approach.OPPOSITE}
 _HOW = {HazardKind.OVERTAKING: Maneuver.OVERTAKE, HazardKind.CUT_IN: Maneuver.LANE_CHANGE}

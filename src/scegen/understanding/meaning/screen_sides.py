@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing, Word
 from scegen.understanding.draft import Basis, Draft, Entity
-from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.semantics.context import Clause, Context
 
 _SIDES = {"left": Approach.LEFT, "right": Approach.RIGHT}
 _BESIDE = frozenset({"side", "sidewalk", "shoulder", "leg"})
@@ -15,16 +15,16 @@ _OPAQUE = frozenset({"bus_stop", "feature", "parking"})
 _REACH = 7
 
 
-def share(chunks: list[Chunk], scenes: list[Scene], context: Context) -> None:
+def share(chunks: list[Chunk], clauses: list[Clause], context: Context) -> None:
     """Places people and cyclists at the side of what hides them.
 
     Args:
         chunks: the chunks of the text, mentions resolved.
-        scenes: what happens, in the order of the text.
+        clauses: what happens, in the order of the text.
         context: the scenario in the making.
     """
-    for scene in scenes:
-        event = scene.event
+    for clause in clauses:
+        event = clause.event
         hides = event.name == "hide" and not event.negated
         for prep in event.pps:
             locus = prep.word.cat == "locus" and (prep.value in _HIDING or prep.outer == "from")
@@ -32,11 +32,11 @@ def share(chunks: list[Chunk], scenes: list[Scene], context: Context) -> None:
             out = context.tokens[prep.word.i].low in {"out", "from", "of"}
             out = out and isinstance(prep.target, Thing)  # "out of a gap in a hedge"
             if locus or by or out:
-                _place(prep.target, scene.actors, chunks, context, prep.word.i)
+                _place(prep.target, clause.actors, chunks, context, prep.word.i)
         if hides and not event.passive:
             hiders = [c for c in (*event.subject, _thing_before(event, chunks)) if c is not None]
             for hider in hiders[:1]:
-                _place(hider, scene.targets, chunks, context)
+                _place(hider, clause.targets, chunks, context)
     for chunk in chunks:
         if isinstance(chunk, Mention):
             for prep in chunk.pps:

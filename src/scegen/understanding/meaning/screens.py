@@ -6,7 +6,7 @@ from scegen.scenario.vocabulary import HazardKind, Maneuver
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.meaning import encounters
-from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.semantics.context import Clause, Context
 
 _HIDING = frozenset({"behind", "between"})
 _OPAQUE_PLACES = frozenset({"bus_stop", "feature", "parking"})
@@ -17,54 +17,54 @@ _COMING = frozenset({"move", "enter", "pull_out"})
 _WAITING = frozenset({"wait", "locate", "walk", "move", "stop", "park", "appear"})
 
 
-def block(scene: Scene, context: Context) -> None:
+def block(clause: Clause, context: Context) -> None:
     """Standing in the way, or in the line of sight."""
-    if isinstance(scene.event.object, Thing) and scene.event.object.kind == "view":
-        occlude(scene, context)
+    if isinstance(clause.event.object, Thing) and clause.event.object.kind == "view":
+        occlude(clause, context)
         return
-    if scene.event.nominal and not scene.targets and not scene.places():
+    if clause.event.nominal and not clause.targets and not clause.places():
         return  # "in the middle of the block"
-    screened = [e for e in scene.targets if not e.is_vehicle or context.is_cyclist(e)]
-    if scene.event.passive and screened:
-        context.draft.hazard(HazardKind.OCCLUSION, scene.words, scene.actors)
+    screened = [e for e in clause.targets if not e.is_vehicle or context.is_cyclist(e)]
+    if clause.event.passive and screened:
+        context.draft.hazard(HazardKind.OCCLUSION, clause.words, clause.actors)
         return  # "a child obstructed by a van"
-    prevents = any(c.link == "ing" or c.nominal for c in scene.event.children)
-    if prevents and not scene.places():
+    prevents = any(c.link == "ing" or c.nominal for c in clause.event.children)
+    if prevents and not clause.places():
         return
-    parked = [e for e in scene.actors if e.still]
+    parked = [e for e in clause.actors if e.still]
     if parked:
-        context.draft.hazard(HazardKind.OBSTACLE, scene.words, parked)
-    moving = [e for e in scene.actors if not e.still]
+        context.draft.hazard(HazardKind.OBSTACLE, clause.words, parked)
+    moving = [e for e in clause.actors if not e.still]
     faster = [d for d in context.draft.dangers if d.kind is HazardKind.SUDDEN_ACCELERATION]
     if moving and not any(e in d.by for d in faster for e in moving):
-        context.draft.hazard(HazardKind.STOPPING, scene.words, moving)
+        context.draft.hazard(HazardKind.STOPPING, clause.words, moving)
 
 
-def occlude(scene: Scene, context: Context) -> None:
+def occlude(clause: Clause, context: Context) -> None:
     """``hides the pedestrian``, ``is hidden behind a truck``, ``blocks the view``."""
-    seen = scene.event.object
-    narrow = scene.event.lemma in _NARROWING
+    seen = clause.event.object
+    narrow = clause.event.lemma in _NARROWING
     if narrow and not (isinstance(seen, Thing) and seen.kind == "view"):
         return  # "limits the space"
-    covers = scene.event.lemma in _SHELTERING and not scene.event.passive
-    if covers and not scene.targets and not isinstance(seen, Thing):
+    covers = clause.event.lemma in _SHELTERING and not clause.event.passive
+    if covers and not clause.targets and not isinstance(seen, Thing):
         return  # "has covered half of the way"
-    walkers = [e for e in scene.actors if not e.is_vehicle]
-    hiders = [] if scene.event.passive and _behind(scene.event) else scene.actors
+    walkers = [e for e in clause.actors if not e.is_vehicle]
+    hiders = [] if clause.event.passive and _behind(clause.event) else clause.actors
     by = [e for e in hiders if e.is_vehicle and not e.ego]
-    by += [e for e in _behind(scene.event) if e not in by]
-    hidden = bool(scene.targets) and not scene.actors  # "a hedge hiding two cyclists"
-    hidden = hidden or _screened_by_a_thing(scene)
-    if walkers or by or hidden or isinstance(scene.event.object, Thing):
-        context.draft.hazard(HazardKind.OCCLUSION, scene.words, by)
+    by += [e for e in _behind(clause.event) if e not in by]
+    hidden = bool(clause.targets) and not clause.actors  # "a hedge hiding two cyclists"
+    hidden = hidden or _screened_by_a_thing(clause)
+    if walkers or by or hidden or isinstance(clause.event.object, Thing):
+        context.draft.hazard(HazardKind.OCCLUSION, clause.words, by)
 
 
-def _screened_by_a_thing(scene: Scene) -> bool:
+def _screened_by_a_thing(clause: Clause) -> bool:
     """``whose left side is screened by a wall``: whatever it is, it is out of sight."""
-    sheltered = scene.event.lemma in _SHELTERING
-    by = [p.target for p in scene.event.pps if p.value in {"by", "behind"}]
+    sheltered = clause.event.lemma in _SHELTERING
+    by = [p.target for p in clause.event.pps if p.value in {"by", "behind"}]
     things = any(isinstance(t, Thing) and t.kind == "object" for t in by)
-    return scene.event.passive and things and not sheltered
+    return clause.event.passive and things and not sheltered
 
 
 def _behind(event: Event) -> list[Entity]:
@@ -77,25 +77,25 @@ def _behind(event: Event) -> list[Entity]:
     return [e for t in targets if isinstance(t, Mention) for e in t.entities]
 
 
-def from_behind(scene: Scene, context: Context) -> None:
+def from_behind(clause: Clause, context: Context) -> None:
     """``emerges from behind a parked van``: until then it was out of sight."""
-    for prep in scene.event.pps:
-        unknown = prep.target is None and prep.outer == "from" and scene.event.name in _SPRINGING
-        people = any(not e.is_vehicle or context.is_cyclist(e) for e in scene.actors)
+    for prep in clause.event.pps:
+        unknown = prep.target is None and prep.outer == "from" and clause.event.name in _SPRINGING
+        people = any(not e.is_vehicle or context.is_cyclist(e) for e in clause.actors)
         if not _hides(prep) and not (unknown and people):
             continue
         out = prep.outer == "from" or context.tokens[prep.word.i].low == "from"
-        sprung = out or scene.event.name == "appear"
-        sprung = sprung or (prep.value == "between" and bool(scene.walkers))
+        sprung = out or clause.event.name == "appear"
+        sprung = sprung or (prep.value == "between" and bool(clause.walkers))
         still = isinstance(prep.target, Thing) or _stands(prep, context)
-        sprung = sprung or (still and people and scene.event.name == "cross")
+        sprung = sprung or (still and people and clause.event.name == "cross")
         if sprung:
-            basis, by = _screen(prep, scene.actors)
+            basis, by = _screen(prep, clause.actors)
             context.draft.hazard(HazardKind.OCCLUSION, basis, by)
-            if scene.event.name in _COMING:
-                encounters.cyclists_cross(scene, context)
-        elif scene.event.name in _WAITING:
-            wait_behind(prep, scene.actors, context)
+            if clause.event.name in _COMING:
+                encounters.cyclists_cross(clause, context)
+        elif clause.event.name in _WAITING:
+            wait_behind(prep, clause.actors, context)
 
 
 def _stands(prep: Prep, context: Context) -> bool:

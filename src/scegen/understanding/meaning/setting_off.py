@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Event
-from scegen.understanding.meaning.context import Context
+from scegen.understanding.semantics.context import Context
 
 _MOVING = frozenset({"pull_out", "unpark", "leave", "enter", "turn", "u_turn", "lane_change",
                      "reverse", "overtake", "cut_in", "cut_off", "merge", "move", "cross",

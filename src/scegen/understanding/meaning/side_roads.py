@@ -5,8 +5,8 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.chunks import Event, Place, Prep
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.meaning.context import Context, Scene
 from scegen.understanding.phrases.on_sides import each_side
+from scegen.understanding.semantics.context import Clause, Context
 
 _WITHIN = frozenset({"in", "inside", "within", "through", "near", "around", "past", "by"})
 _LEAVING = frozenset({"reverse", "pull_out", "leave", "unpark"})
@@ -43,57 +43,59 @@ def side_road(prep: Prep, event: Event, whom: list[Entity], context: Context) ->
         context.draft.side_road = context.draft.side_road or Basis(prep.word.i, end, reason)
 
 
-def access(scene: Scene, context: Context) -> None:
+def access(clause: Clause, context: Context) -> None:
     """A vehicle that comes out of a side road needs that road.
 
     Args:
-        scene: what happens.
+        clause: what happens.
         context: the scenario in the making.
     """
     described = [
         p.target
-        for m in scene.event.subject
+        for m in clause.event.subject
         for p in m.pps
         if p.value in {"from", "in"} and isinstance(p.target, Place) and p.target.kind == "access"
     ]  # "a van from a side road nudges out"
-    within = {id(p.target) for p in scene.event.pps if context.tokens[p.word.i].low in _WITHIN}
-    for place in (*scene.places(), *described):
+    within = {id(p.target) for p in clause.event.pps if context.tokens[p.word.i].low in _WITHIN}
+    for place in (*clause.places(), *described):
         if place.kind == "lane" and "adjacent" in place.dirs:
             basis = Basis(place.i, place.j)
             context.lanes_implied(basis, "there is a lane beside")
-        waits = scene.event.name == "wait" and context.tokens[place.j - 1].low in _ROADS
+        waits = clause.event.name == "wait" and context.tokens[place.j - 1].low in _ROADS
         if id(place) in within and not waits:
             continue  # "reverses in a car park": in it, not out of it
-        left = place.kind in {"bus_stop", "parking"} and scene.event.name in _LEAVING
-        aside = place.kind == "sidewalk" and place is scene.event.object
+        left = place.kind in {"bus_stop", "parking"} and clause.event.name in _LEAVING
+        aside = place.kind == "sidewalk" and place is clause.event.object
         if place.kind == "access" or left or aside:
-            _from_access(place, scene, context)
-        if left and scene.drivers and not context.junction.crossing:
+            _from_access(place, clause, context)
+        if left and clause.drivers and not context.junction.crossing:
             context.draft.from_kerb = True
-        if place.kind == "access" and scene.drivers and context.draft.access is None:
+        if place.kind == "access" and clause.drivers and context.draft.access is None:
             context.draft.access = Basis(place.i, place.j)
 
 
-def _from_access(place: Place, scene: Scene, context: Context) -> None:
+def _from_access(place: Place, clause: Clause, context: Context) -> None:
     """``backs out of a driveway on the right``: it comes from there."""
     sides = {Approach(d) for d in place.dirs if d in {"left", "right"}}
-    goal = any(p.target is place and p.value in {"to", "into"} for p in scene.event.pps)
+    goal = any(p.target is place and p.value in {"to", "into"} for p in clause.event.pps)
     if sides and not goal:
-        for entity in scene.actors:
+        for entity in clause.actors:
             context.draft.place(entity, None, sides, Basis(place.i, place.j))
 
 
-def stays_there(scene: Scene, context: Context) -> bool:
+def stays_there(clause: Clause, context: Context) -> bool:
     """``a van on the minor road stops, then pulls out``: it stops before it gets in the way.
 
     Args:
-        scene: somebody stops.
+        clause: somebody stops.
         context: the scenario in the making.
     """
-    told = bool(scene.event.pps) or scene.event.object is not None
-    named = [p.target for m in scene.event.subject for p in m.pps if p.value in {"in", "from"}]
+    told = bool(clause.event.pps) or clause.event.object is not None
+    named = [p.target for m in clause.event.subject for p in m.pps if p.value in {"in", "from"}]
     aside = any(isinstance(p, Place) and p.kind == "access" for p in named)
-    across = context.draft.access is not None and all(context.comes_across(e) for e in scene.actors)
+    across = context.draft.access is not None and all(
+        context.comes_across(e) for e in clause.actors
+    )
     return not told and (aside or across)
 
 

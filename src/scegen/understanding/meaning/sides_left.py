@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.chunks import Chunk, Place
 from scegen.understanding.draft import Basis
-from scegen.understanding.meaning.context import Context
+from scegen.understanding.semantics.context import Context
 
 _SIDES = {"left": Approach.LEFT, "right": Approach.RIGHT}
 

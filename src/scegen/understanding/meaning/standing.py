@@ -6,7 +6,7 @@ from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 from scegen.understanding.chunks import Event, Place
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.words.terms import Term
 
 STANDING = frozenset({"stand", "sit", "idle", "unload", "load", "deliver", "linger", "lie"})
@@ -19,14 +19,14 @@ _SINCE = frozenset({"is", "are", "has", "have", "was", "were", "had", "already",
 _REACH = 3
 
 
-def stand(scene: Scene, context: Context) -> None:
+def stand(clause: Clause, context: Context) -> None:
     """``a van stands in the lane``, ``a bus has stopped``: from the start, and all the time.
 
     Args:
-        scene: what happens.
+        clause: what happens.
         context: the scenario in the making.
     """
-    event = scene.event
+    event = clause.event
     if event.negated or event.modal or event.nominal or _until(event, context):
         return
     lemma = event.lemma
@@ -34,24 +34,24 @@ def stand(scene: Scene, context: Context) -> None:
     stands = stands or (event.name == "stop" and _over(event, context))
     if not stands:
         return
-    if any(p.kind in _ROADSIDE for p in scene.places()):
-        beside = [e for e in scene.actors if e.is_vehicle and not e.ego and e.sets_off < 0]
+    if any(p.kind in _ROADSIDE for p in clause.places()):
+        beside = [e for e in clause.actors if e.is_vehicle and not e.ego and e.sets_off < 0]
         for entity in beside:
-            entity.parked, entity.parked_basis = True, scene.words
+            entity.parked, entity.parked_basis = True, clause.words
         context.draft.dangers[:] = [  # "a broken-down van stands on the shoulder": in nobody's way
             d for d in context.draft.dangers
             if d.kind is not HazardKind.STOPPING or not d.by or not all(e in beside for e in d.by)
         ]  # fmt: skip
-    if any(p.kind in _HELD for p in scene.places()):
+    if any(p.kind in _HELD for p in clause.places()):
         return
-    for entity in scene.actors:
+    for entity in clause.actors:
         if entity.parked:
             continue
-        entity.stands = entity.stands or scene.words
+        entity.stands = entity.stands or clause.words
         if entity.ego and entity.speed is None:
-            entity.speed, entity.speed_basis = Interval(low=0.0, high=0.0), scene.words
+            entity.speed, entity.speed_basis = Interval(low=0.0, high=0.0), clause.words
         if not entity.is_vehicle and Maneuver.CROSS not in entity.maneuvers:
-            context.draft.maneuver(entity, {Maneuver.STAY}, scene.words)
+            context.draft.maneuver(entity, {Maneuver.STAY}, clause.words)
 
 
 def state(term: Term, entities: list[Entity], context: Context) -> None:
@@ -93,24 +93,24 @@ def _over(event: Event, context: Context) -> bool:
     return event.form == "ed" and (event.reduced or now or bool(before & _SINCE))
 
 
-def in_the_road(scene: Scene, context: Context) -> bool:
+def in_the_road(clause: Clause, context: Context) -> bool:
     """``a man stands in the lane``: in the way, without crossing.
 
     Args:
-        scene: what happens.
+        clause: what happens.
         context: the scenario in the making.
 
     Returns:
         Whether that is said.
     """
-    there = [e for e in scene.walkers if e.stands is not None and e.maneuvers == {Maneuver.STAY}]
+    there = [e for e in clause.walkers if e.stands is not None and e.maneuvers == {Maneuver.STAY}]
     lanes = [
         p.target
-        for p in scene.event.pps
+        for p in clause.event.pps
         if p.value == "in" and isinstance(p.target, Place) and p.target.kind in _WAY
     ]
-    if there and lanes and there == scene.walkers:
-        basis = Basis(scene.event.i, max(scene.event.j, lanes[0].j))
+    if there and lanes and there == clause.walkers:
+        basis = Basis(clause.event.i, max(clause.event.j, lanes[0].j))
         context.draft.dangers[:] = [
             d
             for d in context.draft.dangers

@@ -6,41 +6,41 @@ from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.chunks import Event
 from scegen.understanding.draft import Entity
 from scegen.understanding.meaning import dangers
-from scegen.understanding.meaning.context import Context, Scene
 from scegen.understanding.meaning.movements import MOVEMENTS
+from scegen.understanding.semantics.context import Clause, Context
 
 _INTO_LANES = frozenset({"cut_in", "lane_change", "cut_off"})
 _TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT})
 
 
-def by_the_only_one(scenes: list[Scene], context: Context) -> None:
+def by_the_only_one(clauses: list[Clause], context: Context) -> None:
     """Lets the only one who can have done it do what a title names.
 
     Args:
-        scenes: what happens, in the order of the text; those of titles get who acts.
+        clauses: what happens, in the order of the text; those of titles get who acts.
         context: the scenario in the making, all else understood.
     """
-    for scene in scenes:
-        event = scene.event
-        free = not (scene.actors or event.subject or event.negated or event.premod_of)
-        if not free or any(s.event.name == event.name and s.actors for s in scenes):
+    for clause in clauses:
+        event = clause.event
+        free = not (clause.actors or event.subject or event.negated or event.premod_of)
+        if not free or any(s.event.name == event.name and s.actors for s in clauses):
             continue
         doer = _doer(event, context)
         if doer is None:
             continue
-        told = _swerves(doer, event, scenes, context)
+        told = _swerves(doer, event, clauses, context)
         if told is None:
-            scene.actors = [doer]
-        told = told or scene
+            clause.actors = [doer]
+        told = told or clause
         for rules in (MOVEMENTS, dangers.DANGERS):
             rule = rules.get(told.event.name)
             if rule is not None:
                 rule(told, context)
 
 
-def _swerves(doer: Entity, event: Event, scenes: list[Scene], context: Context) -> Scene | None:
+def _swerves(doer: Entity, event: Event, clauses: list[Clause], context: Context) -> Clause | None:
     """``Cut-out: … the lead swerves left``: into the next lane, as the title says."""
-    aside = [s for s in scenes if s.event.name == "swerve" and doer in s.actors]
+    aside = [s for s in clauses if s.event.name == "swerve" and doer in s.actors]
     if not aside or event.name == "turn":
         return None
     aside[0].event.name = event.name

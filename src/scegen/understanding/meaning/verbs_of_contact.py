@@ -3,31 +3,31 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Mention, Place
-from scegen.understanding.meaning.context import Context, Scene
+from scegen.understanding.semantics.context import Clause, Context
 
 _SHIFTING = frozenset({"move", "shift", "steer", "drift", "wander", "sway", "edge", "ease"})
 _BEING = frozenset({"is", "are", "was", "were", "be", "been", "gets", "being"})
 
 
-def contact_or_shift(scene: Scene, context: Context) -> str | None:
+def contact_or_shift(clause: Clause, context: Context) -> str | None:
     """What a verb of motion is that ends at somebody, or within one's lane.
 
     Args:
-        scene: what happens.
+        clause: what happens.
         context: the scenario in the making.
     """
-    if _runs_into(scene, context):
+    if _runs_into(clause, context):
         return "collide"
-    return "swerve" if _within_its_lane(scene, context) else None
+    return "swerve" if _within_its_lane(clause, context) else None
 
 
-def _within_its_lane(scene: Scene, context: Context) -> bool:
+def _within_its_lane(clause: Clause, context: Context) -> bool:
     """``moves within its lane, 0.5 m to the right``: to the side, without leaving it."""
-    event = scene.event
+    event = clause.event
     shifts = event.name == "move" and event.lemma in _SHIFTING
     inside = [p for p in event.pps if context.tokens[p.word.i].low in {"within", "inside"}]
     lane = any(isinstance(p.target, Place) and p.target.kind == "lane" for p in inside)
-    return shifts and lane and bool(scene.drivers)
+    return shifts and lane and bool(clause.drivers)
 
 
 def _flank(place: Place) -> bool:
@@ -36,21 +36,21 @@ def _flank(place: Place) -> bool:
     return place.kind in {"side", "flank"} and owned and bool({"left", "right"} & set(place.dirs))
 
 
-def _runs_into(scene: Scene, context: Context) -> bool:
+def _runs_into(clause: Clause, context: Context) -> bool:
     """``runs into the van``, ``is run into from behind``: contact."""
-    event = scene.event
+    event = clause.event
     after = context.tokens[event.j].low if event.j < len(context.tokens) else ""
     lemma = event.lemma
     into = [p.target for p in event.pps if context.tokens[p.word.i].low == "into"]
-    run = event.name in {"walk", "move"} and lemma in {"run", "drive"} and scene.drivers
+    run = event.name in {"walk", "move"} and lemma in {"run", "drive"} and clause.drivers
     if not run or (after != "into" and not into):
         return False
     before = context.tokens[event.i - 1].low if event.i else ""
     if before in _BEING and lemma == "run":
-        scene.actors, scene.targets = [], scene.actors
+        clause.actors, clause.targets = [], clause.actors
         return True
     rear = [t for t in into if isinstance(t, Place) and ("rear" in t.dirs or _flank(t))]
     met = [t for t in into if isinstance(t, Mention) and any(e.is_vehicle for e in t.entities)]
     met += [t for t in into if isinstance(t, Mention) and lemma == "run"]
-    scene.targets = scene.targets or [e for t in met for e in t.entities]
+    clause.targets = clause.targets or [e for t in met for e in t.entities]
     return bool(rear or met)

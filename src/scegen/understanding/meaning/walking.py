@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.chunks import Event, Mention, Place, Prep
-from scegen.understanding.meaning.context import Context, Scene
 from scegen.understanding.phrases.which_road import AGAINST, ALONG
+from scegen.understanding.semantics.context import Clause, Context
 
 _CROSSING = HazardKind.CROSSING_PEDESTRIAN
 _LENGTHWISE = frozenset({"along", "down", "up", "beside"})
@@ -23,42 +23,42 @@ _WAYS = frozenset({"road", "highway", "side", "shoulder", "lane", "centerline", 
                    "bike_lane"})  # fmt: skip
 
 
-def keep_along(scene: Scene, context: Context) -> bool:
+def keep_along(clause: Clause, context: Context) -> bool:
     """``walks along the road``, ``runs down the street``, ``on the pavement``: not across.
 
     Args:
-        scene: what happens.
+        clause: what happens.
         context: the scenario in the making.
 
     Returns:
         Whether that is said.
     """
-    event = scene.event
+    event = clause.event
     words = {context.tokens[p.word.i].low for p in event.pps}
     words |= {context.tokens[m.j - 1].low for m in event.dirs}  # "straight across"
     left = {id(p.target) for p in event.pps if context.tokens[p.word.i].low in _LEAVING}
-    aside = any(p.kind == "sidewalk" and id(p) not in left for p in scene.places())
+    aside = any(p.kind == "sidewalk" and id(p) not in left for p in clause.places())
     along = event.name in {"walk", "move"} and any(_lengthwise(p, context) for p in event.pps)
-    free = not any(Maneuver.CROSS in e.maneuvers for e in scene.walkers)
+    free = not any(Maneuver.CROSS in e.maneuvers for e in clause.walkers)
     along = along or (free and event.how(ALONG, AGAINST) is not None)  # "the way the ego drives"
     along = along or any(_from_or_to_a_vehicle(p, context) for p in event.pps)
     along = along or (_own_word(event, context) in _LENGTHWISE and event.object is not None)
     if not aside and (not along or words & _ACROSS):
         return False
-    for entity in scene.walkers:
+    for entity in clause.walkers:
         if not entity.maneuvers:
-            context.draft.maneuver(entity, {Maneuver.STRAIGHT}, scene.words)
+            context.draft.maneuver(entity, {Maneuver.STRAIGHT}, clause.words)
             dangers = context.draft.dangers
             dangers[:] = [d for d in dangers if d.kind is not _CROSSING or d.by != [entity]]
-        way = _way_along(scene, context)
+        way = _way_along(clause, context)
         if way is not None:
-            context.draft.place(entity, None, {way}, scene.words)
+            context.draft.place(entity, None, {way}, clause.words)
     return True
 
 
-def _way_along(scene: Scene, context: Context) -> Approach | None:
+def _way_along(clause: Clause, context: Context) -> Approach | None:
     """``in the direction of traffic``, ``towards the ego``: the same way, or the other."""
-    after = context.tokens[scene.event.i : scene.event.i + _REACH]
+    after = context.tokens[clause.event.i : clause.event.i + _REACH]
     end = next((k for k, t in enumerate(after) if t.low in {".", ";"}), len(after))
     words = f" {' '.join(t.low for t in after[:end])} "
     if any(f" {w} " in words for w in _TOWARDS):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
 from scegen.understanding.chunks import Event, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.meaning.context import Context, Scene, span
+from scegen.understanding.semantics.context import Clause, Context, span
 from scegen.understanding.words.quantities import after_a_measure
 from scegen.understanding.words.tokens import Token
 
@@ -172,46 +172,46 @@ def without_arrow(context: Context) -> bool:
     )
 
 
-def overtaking(scene: Scene, context: Context) -> bool:
+def overtaking(clause: Clause, context: Context) -> bool:
     """Whether passing is overtaking: somebody is passed, or who passes was behind somebody.
 
     Args:
-        scene: what happens.
+        clause: what happens.
         context: the scenario in the making.
     """
-    if scene.event.name != "pass" or scene.targets:
+    if clause.event.name != "pass" or clause.targets:
         return True
-    if scene.event.link == "inf" and scene.event.parent is not None and scene.drivers:
-        same = scene.event.parent.subject == scene.event.subject
-        if same and scene.event.parent.name in _TO_PASS:
+    if clause.event.link == "inf" and clause.event.parent is not None and clause.drivers:
+        same = clause.event.parent.subject == clause.event.subject
+        if same and clause.event.parent.name in _TO_PASS:
             return True  # "pulls out to pass", "tries to pass"
-    if any(context.oncoming(e) for e in scene.drivers):
+    if any(context.oncoming(e) for e in clause.drivers):
         return False  # "an oncoming car passes": on its own side
-    over = any(p.kind == "centerline" for p in scene.places())
-    if any(p.value == "behind" for p in scene.event.pps):
+    over = any(p.kind == "centerline" for p in clause.places())
+    if any(p.value == "behind" for p in clause.event.pps):
         return False  # "passes behind": across the road there
     return over or any(
-        p.approaches == {Approach.BEHIND} and p.entity in scene.actors
+        p.approaches == {Approach.BEHIND} and p.entity in clause.actors
         for p in context.draft.placements
     )
 
 
-def past_the_roadside(scene: Scene, context: Context) -> bool:
+def past_the_roadside(clause: Clause, context: Context) -> bool:
     """``drives past two vans parked on the right``, ``passes a pedestrian``: keeps its lane.
 
     Args:
-        scene: what happens.
+        clause: what happens.
         context: the scenario in the making.
     """
     sides = {Approach.LEFT, Approach.RIGHT}
-    named = scene.event.name in {"bypass", "pass"} and bool(scene.targets)
+    named = clause.event.name in {"bypass", "pass"} and bool(clause.targets)
     return named and all(
         not e.is_vehicle
         or (
             e.parked
             and any(p.entity is e and p.approaches <= sides for p in context.draft.placements)
         )
-        for e in scene.targets
+        for e in clause.targets
     )
 
 

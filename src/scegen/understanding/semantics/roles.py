@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Event, Mention
 from scegen.understanding.clauses.dependents import chain
-from scegen.understanding.meaning.context import Scene
+from scegen.understanding.semantics.context import Clause
 
 
-def scene_of(event: Event) -> Scene:
+def clause_of(event: Event) -> Clause:
     """Who acts in an event, and on whom, passives turned round.
 
     Args:
@@ -26,8 +26,8 @@ def scene_of(event: Event) -> Scene:
         if not agents and isinstance(direct, Mention):
             agents = targets  # "is passed by a bus": the verb has taken the "by"
         if event.name != "hide":
-            return Scene(event, agents, actors)
-        return Scene(event, actors, [])
+            return Clause(event, agents, actors)
+        return Clause(event, actors, [])
     if not targets and event.name in {"yield", "merge", "follow", "collide"}:
         targets = [
             e
@@ -35,4 +35,4 @@ def scene_of(event: Event) -> Scene:
             if p.value in {"to", "with", "in", "into", "against"} and isinstance(p.target, Mention)
             for e in p.target.entities
         ]
-    return Scene(event, actors, [e for e in targets if e not in actors])
+    return Clause(event, actors, [e for e in targets if e not in actors])

@@ -1,4 +1,4 @@
-"""What the rules of meaning share: the scene of one event, and the scenario in the making."""
+"""What the rules of meaning share: the clause of one event, and the scenario in the making."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _ORDER = frozenset({"then", "after", "afterwards", "before", "later", "next", "s
 
 
 @dataclass(slots=True)
-class Scene:
+class Clause:
     """One event with the participants in it.
 
     Attributes:

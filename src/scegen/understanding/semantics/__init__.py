@@ -1,0 +1,1 @@
+"""What clauses mean: rows of data, and what matches and applies them."""
