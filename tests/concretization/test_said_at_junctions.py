@@ -4,7 +4,7 @@ from random import Random
 
 import pytest
 from saying import KMH, missed
-from told import act, after, apart, as_soon_as, at_time, first, told, who
+from told import act, after, apart, as_soon_as, at_time, driven, first, told, who
 
 from scegen.errors import MotionInfeasibleError
 
@@ -67,6 +67,21 @@ CASES = {
             brakes("e", "ego", when=after("b", 1, "begin"), target_speed_mps=kmh(15)),
         ],
         spacings=[apart("ego", "x", "headway_s", 1.5), apart("y", "ego", "gap_m", 30)],
+    ),
+    "waits before it goes on": told(
+        "t",
+        [ego(30, ["left"]), other(40, ["left"])],
+        acts=[act("w", "ego", "wait", duration_s=5)],
+    ),
+    "brakes after so much way": told(
+        "four_way",
+        [ego(50), other(50, AHEAD)],
+        acts=[brakes(when=driven(30))],
+    ),
+    "comes in so long after another": told(
+        "four_way",
+        [ego(30), other(40, RIGHT, kind="van")],
+        acts=[act("e", "ego", "enter"), act("f", "x", "enter", when=after("e", 3, "begin"))],
     ),
     "gains speed before it crosses": told(
         "four_way",

@@ -80,6 +80,11 @@ def as_soon_as(who, reference, measure, value):
     return {"type": "measure", **found}
 
 
+def driven(metres):
+    """The moment at which one has gone so far since the start."""
+    return {"type": "driven", "distance_m": metres}
+
+
 def after(name, delay=0.0, since="end"):
     """The moment so long after an act."""
     return {"type": "after", "act": name, "since": since, "delay_s": delay}

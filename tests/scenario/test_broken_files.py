@@ -138,7 +138,7 @@ SAID = [
     (FUNCTIONAL, ("participants",), [], "participants: needs at least 1, has 0"),
     (FUNCTIONAL, ("participants",), [7], "participants[0]: 7 stands where fields are needed: id,"),
     (FUNCTIONAL, (*ACT, "when"), {"type": "soon"}, "acts.slows.when: 'soon' is not one of the "
-     "types allowed: start, after, measure, before_junction"),
+     "types allowed: start, after, measure, driven, before_junction"),
     (FUNCTIONAL, (*ACT, "when"), {"delay_s": 1}, "acts.slows.when: lacks its type"),
     (FUNCTIONAL, ("description",), 3, "description: 3 is not text"),
     (FUNCTIONAL, ("hazards", 0, "by"), ["nobody"], "names the unknown participant 'nobody'"),

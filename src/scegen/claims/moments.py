@@ -137,11 +137,35 @@ def act_begins(
     return view.once(("begins", act.id), make)
 
 
+def rest(view: View, functional: FunctionalScenario, act: Act) -> tuple[Ints, Ints]:
+    """The first and the last step of the rest after which one goes on (c,) each."""
+    leaves = sets_off(view, act.participant, _rests_before(functional, act))
+    moves = view.speed_mps(act.participant) > STANDS_MPS
+    steps = np.arange(view.steps)
+    before = np.where(moves & (steps < leaves[:, None]), steps + 1, 0).max(axis=1)
+    return np.where(leaves < view.steps, before, view.steps), leaves
+
+
+def _rests_before(functional: FunctionalScenario, act: Act) -> int:
+    """How often one has gone on after a rest before; who waits and then sets off does so once."""
+    own = [a for a in functional.acts if a.participant == act.participant]
+    number = -1
+    for n, each in enumerate(own):
+        after_wait = n > 0 and own[n - 1].kind is ActKind.WAIT
+        number += each.kind is ActKind.WAIT
+        number += each.kind is ActKind.SET_OFF and not after_wait
+        if each.id == act.id:
+            break
+    return number
+
+
 def act_run(view: View, functional: FunctionalScenario, act: Act) -> Run:
     """The change of speed that an act is: the one of its number among the greatest."""
-    kinds = SLOWING if act.kind in SLOWING else GAINING
+    # To come to rest for a while is a change of speed, too, and so is to go on.
+    slows = act.kind in SLOWING or act.kind is ActKind.WAIT
+    kinds = (SLOWING if slows else GAINING) | {ActKind.WAIT}
     same = [a for a in functional.acts if a.participant == act.participant and a.kind in kinds]
-    sense = -1 if act.kind in SLOWING else 1
+    sense = -1 if slows else 1
     if len(same) == 1 and act.rate_mps2 is not None:
         return _alike(speed_runs(view, act.participant, sense, _OTHERS), act.rate_mps2.middle, view)
     number = next(n for n, a in enumerate(same) if a.id == act.id)
@@ -174,8 +198,13 @@ def _begins(view: View, functional: FunctionalScenario, logical: LogicalScenario
     if name not in view.index:
         return never
     if act.kind is ActKind.SET_OFF:
-        same = [a.id for a in functional.acts if a.participant == name and a.kind is act.kind]
-        return sets_off(view, name, same.index(act.id))
+        return sets_off(view, name, _rests_before(functional, act))
+    if act.kind is ActKind.WAIT:
+        stands = view.speed_mps(name)[:, 0] <= STANDS_MPS
+        run = act_run(view, functional, act)
+        return np.where(stands, 0, np.where(run.happens, run.begin, never))
+    if act.kind is ActKind.ENTER:
+        return _comes_in(view, name, drive_of(logical, name))
     if act.kind in SLOWING | GAINING:
         run = act_run(view, functional, act)
         return np.where(run.happens, run.begin, never)
@@ -190,6 +219,14 @@ def _begins(view: View, functional: FunctionalScenario, logical: LogicalScenario
         stands = view.speed_mps(name)[:, 0] <= STANDS_MPS
         return np.where(stands, sets_off(view, name), 0)
     return steps_out(view, name, arms_of(view)[crossing.arm])
+
+
+def _comes_in(view: View, name: str, drive: Drive | None) -> Ints:
+    """The step in which somebody's front passes the end of its arm; where it is in at once, 0."""
+    if drive is None:
+        return np.full(view.count, view.steps, dtype=np.int64)
+    arm, box = arms_of(view)[drive.entry], boxes(view, name)
+    return first(arm.place(box)[0] + box.half_length >= arm.length_m)
 
 
 def drive_of(logical: LogicalScenario, name: str) -> Drive | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import pi
 
 from scegen.concretization.limits import (
@@ -11,8 +12,9 @@ from scegen.concretization.limits import (
     STOPPING_MPS2,
     SUDDEN_ACCELERATION_MPS2,
 )
-from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.acts import Act, ActKind, AfterAct
 from scegen.scenario.bodies import Body
+from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import HazardKind
 
 SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
@@ -24,6 +26,33 @@ CLOSEST_M = 0.65
 _GAINS_MPS = 8.0
 _HARDER = (1.0, 1.2, 1.4, 9.0)
 _OF_GRIP = 0.95
+
+
+def spelled_out(acts: Sequence[Act]) -> tuple[Act, ...]:
+    """The acts, those of who waits told as stopping and setting off so much later.
+
+    The stop keeps the name of the wait; what sets it off next, if that is an act of the text whose
+    moment is not said, begins when the wait is over.
+    """
+    found: list[Act] = []
+    over: dict[str, AfterAct] = {}
+    for n, act in enumerate(acts):
+        waited = over.pop(act.participant, None)
+        if waited is not None and (act.kind is ActKind.SET_OFF or act.when is None):
+            act = act.model_copy(update={"when": waited})  # noqa: PLW2901
+        if act.kind is not ActKind.WAIT:
+            found.append(act)
+            continue
+        found.append(act.model_copy(update={"kind": ActKind.STOP, "duration_s": None}))
+        stood = act.duration_s or Interval(low=0.0, high=0.0)
+        on = AfterAct(act=act.id, since="end", delay_s=stood)
+        later = next((a for a in acts[n + 1 :] if a.participant == act.participant), None)
+        if later is not None and later.kind is ActKind.SET_OFF:
+            over[act.participant] = on
+        else:
+            name = f"{act.id}_over"[:40]
+            found.append(Act(id=name, participant=act.participant, kind=ActKind.SET_OFF, when=on))
+    return tuple(found)
 
 
 def change_of_speed(

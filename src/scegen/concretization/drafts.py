@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from scegen.concretization.amounts import GAINING, SLOWING
+from scegen.concretization.amounts import GAINING, SLOWING, spelled_out
 from scegen.concretization.limits import (
     COMFORTABLE_ACCELERATION_MPS2,
     COMFORTABLE_BRAKING_MPS2,
@@ -335,7 +335,7 @@ class Scene:
     @property
     def acts(self) -> tuple[Act, ...]:
         """What the text tells that happens, in order."""
-        return self.logical.acts or self.functional.acts
+        return spelled_out(self.logical.acts or self.functional.acts)
 
     def act(self, name: str) -> Act:
         """An act by its id."""

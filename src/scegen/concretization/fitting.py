@@ -18,7 +18,7 @@ from scegen.concretization.drafts import DriveDraft, Scene
 from scegen.concretization.meetings import Meeting
 from scegen.concretization.moments import Moments, is_lengthwise
 from scegen.motion.model import Array
-from scegen.scenario.acts import Act, ActKind, AfterAct, AfterStart, WhenMeasure
+from scegen.scenario.acts import Act, ActKind, AfterAct, AfterDistance, AfterStart, WhenMeasure
 from scegen.scenario.spacings import CONTACT, START
 
 _SAID, _USUAL, _AS_IT_WAS = 1.0, 1e-3, 1e-6
@@ -153,6 +153,10 @@ def _said(scene: Scene) -> Iterator[Residual]:
                 yield _measured(when, act)
         elif isinstance(when, AfterStart):
             yield lambda m, act=act, when=when: m.begins_s(act) - when.delay_s.middle  # type: ignore[misc]
+        elif isinstance(when, AfterDistance) and act.participant in scene.drives:
+            yield lambda m, act=act, when=when: (  # type: ignore[misc]
+                _PER_M * (m.gone_m(act) - when.distance_m.middle)
+            )
         elif isinstance(when, AfterAct):
             other = scene.act(when.act)
             if other.participant in known and not _is_chained(scene, act):

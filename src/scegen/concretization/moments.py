@@ -153,6 +153,17 @@ class Moments:
         still = np.zeros(len(times_s))
         return box_on(stand.path, stand.body, still), still
 
+    def gone_m(self, act: Act) -> float:
+        """How far one who drives has gone from the start of the scenario until an act begins."""
+        profile = self.scene.drives[act.participant].course.profile
+        late = self.offsets_s[act.participant]
+
+        def way(time_s: float) -> float:
+            own = time_s - late
+            return profile.way_m(max(own, 0.0)) + min(own, 0.0) * profile.speed_mps(0.0)
+
+        return way(self.begins_s(act)) - way(0.0)
+
     def missing_m(
         self, measure: Measure, who: str, reference: str, value: float, time_s: float
     ) -> float:

@@ -28,6 +28,12 @@ class ActKind(Word):
         "`brake`, which ends in motion; standing all the time (maneuver `stay`)",
         "brakes with 4 m/s2 to a standstill",
     )
+    WAIT = (
+        "wait",
+        "comes to rest, stands for a time, and goes on",
+        "`stop`, after which it stays at rest; a delay, which lies between two acts",
+        "waits 6 s at the stop line; stands there for 20 s",
+    )
     SET_OFF = (
         "set_off",
         "begins to move from rest, up to a speed that may be given",
@@ -51,6 +57,12 @@ class ActKind(Word):
         "begins to turn at the junction, or back",
         "`change_lane`",
         "turns left as soon as the ego is near",
+    )
+    ENTER = (
+        "enter",
+        "comes into the junction or the roundabout, whatever way it takes there",
+        "`turn`, which begins a change of direction; `cross`, over a road from its edge",
+        "a van enters from the right 2 s after the ego",
     )
     CROSS = (
         "cross",
@@ -84,13 +96,23 @@ class AfterAct(FrozenModel):
 
 
 class WhenMeasure(FrozenModel):
-    """As soon as a measure of ``participant`` to ``reference`` has come down to a value."""
+    """As soon as a measure of ``participant`` to ``reference`` has come down to a value.
+
+    The reference may be an object: "40 m before the crate".
+    """
 
     type: Literal["measure"] = "measure"
     measure: Measure
     participant: Identifier
     reference: Identifier
     value: Interval
+
+
+class AfterDistance(FrozenModel):
+    """As soon as who acts has gone so far since the start of the scenario."""
+
+    type: Literal["driven"] = "driven"
+    distance_m: Interval
 
 
 class BeforeJunction(FrozenModel):
@@ -100,14 +122,18 @@ class BeforeJunction(FrozenModel):
     distance_m: Interval
 
 
-When = Annotated[AfterStart | AfterAct | WhenMeasure | BeforeJunction, Field(discriminator="type")]
+When = Annotated[
+    AfterStart | AfterAct | WhenMeasure | AfterDistance | BeforeJunction,
+    Field(discriminator="type"),
+]
 
 
 class Act(FrozenModel):
     """Something that ``participant`` does; amounts are None where the text gives none.
 
     ``target_speed_mps`` is the speed that it ends at, ``rate_mps2`` how fast its speed changes
-    on the way (a magnitude: the kind says which way), ``duration_s`` how long the act takes,
+    on the way (a magnitude: the kind says which way), ``duration_s`` how long the act takes, of one
+    who waits how long it stands,
     ``distance_m`` how far it goes on doing it. ``side`` is its own left or right, ``into`` names
     whose lane it comes into; ``lateral_m`` how far it goes sideways, ``lateral_mps`` its greatest
     speed sideways. ``when`` is None where the text does not say what sets it off.

@@ -5,7 +5,8 @@ from math import sqrt
 import numpy as np
 import pytest
 from roads import AHEAD, CROSS, LEFT_LANE, STRAIGHT, TOWARDS, ego, kmh, one, road
-from told import act, apart
+from saying import missed
+from told import act, apart, as_soon_as, driven
 
 from scegen.concretization import concretize
 from scegen.enumeration import enumerate_scenarios
@@ -34,6 +35,37 @@ def braking(speed, gap, *more):
         acts=[act("slows", "lead", "brake", rate_mps2=6.0)],
         spacings=[apart("ego", "lead", "gap_m", gap, "slows")],
     )
+
+
+TRIGGERED = {
+    "so far before a thing": road(
+        [ego(60)],
+        acts=[act("s", "ego", "stop", when=as_soon_as("ego", "crate", "gap_m", 35))],
+        objects=[{"id": "crate", "kind": "box", "in_way_of": "ego"}],
+    ),
+    "after so much way": road(
+        [ego(60), one("lead", "truck", AHEAD, speed=60)],
+        acts=[act("b", "lead", "brake", target_speed_mps=8, when=driven(120))],
+    ),
+    "stands for a time": road(
+        [ego(50), one("lead", "van", AHEAD, speed=50)],
+        acts=[act("w", "lead", "wait", duration_s=4)],
+    ),
+    "waits, and sets off with a rate": road(
+        [ego(50), one("lead", "van", AHEAD, speed=50)],
+        acts=[
+            act("w", "lead", "wait", duration_s=3),
+            act("g", "lead", "set_off", rate_mps2=2, target_speed_mps=8),
+        ],
+    ),
+}
+
+
+@pytest.mark.parametrize("name", TRIGGERED)
+def test_what_sets_acts_off_holds(name):
+    functional = TRIGGERED[name]
+    told = {c for c in missed(functional, made(functional)) if c.startswith(("act.", "speed."))}
+    assert not told
 
 
 @pytest.mark.parametrize("side", ["left", "right"])

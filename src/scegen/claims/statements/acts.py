@@ -21,6 +21,7 @@ from scegen.claims.moments import (
     act_run,
     at,
     first,
+    rest,
     sideways_begin,
 )
 from scegen.claims.statements.maneuvers import LANE_M
@@ -33,6 +34,7 @@ from scegen.scenario.acts import (
     Act,
     ActKind,
     AfterAct,
+    AfterDistance,
     AfterStart,
     BeforeJunction,
     WhenMeasure,
@@ -57,6 +59,10 @@ def claims(told: Told) -> Iterator[Claim]:
             yield from _of_speed(told, act)
         if act.kind in SIDEWAYS:
             yield from _sideways(told, act)
+        if act.kind is ActKind.WAIT and act.duration_s is not None:
+            statement = f"{act.participant} stands for {amount(act.duration_s)} s"
+            tolerance = 2 * tolerances.TIME_S
+            yield _claim(told, act, "duration_s", statement, "s", _stands, tolerance=tolerance)
         yield from _triggered(told, act, does)
 
 
@@ -188,6 +194,15 @@ def _lasts(told: Told, act: Act, view: View) -> Judged:
     return Judged(margin, took, view.time_of(run.end))
 
 
+def _stands(told: Told, act: Act, view: View) -> Judged:
+    """From when it has come to rest until it goes on."""
+    begins, ends = rest(view, told.functional, act)
+    stood = view.time_of(ends - begins)
+    wanted = act.duration_s or Interval(low=0.0, high=0.0)
+    margin = within(stood, wanted, 2 * tolerances.TIME_S)
+    return Judged(np.where(ends < view.steps, margin, np.nan), stood, view.time_of(ends))
+
+
 def _goes_on(told: Told, act: Act, view: View) -> Judged:
     run = act_run(view, told.functional, act)
     place = view.place_m(act.participant)
@@ -287,6 +302,10 @@ def _triggered(told: Told, act: Act, does: str) -> Iterator[Claim]:
         statement = f"{does} when the {name} of {pair} is {amount(when.value)} {unit}"
         tolerance = tolerances.OF_MEASURE[when.measure]
         yield _claim(told, act, "when", statement, unit, _at_measure, when, tolerance=tolerance)
+    elif isinstance(when, AfterDistance):
+        statement = f"{does} after {amount(when.distance_m)} m"
+        tolerance = tolerances.DISTANCE_M
+        yield _claim(told, act, "when", statement, "m", _driven, when, tolerance=tolerance)
     elif isinstance(when, BeforeJunction) and (drive := told.drive(act.participant)) is not None:
         statement = f"{does} {amount(when.distance_m)} m before the junction"
         tolerance = tolerances.DISTANCE_M
@@ -303,6 +322,8 @@ def _after_act(told: Told, act: Act, when: AfterAct, other: Act, view: View) -> 
     if when.since == "end" and other.kind in SLOWING | GAINING:
         run = act_run(view, told.functional, other)
         since = np.where(run.happens, run.end, view.steps)
+    elif when.since == "end" and other.kind is ActKind.WAIT:
+        since = rest(view, told.functional, other)[1]
     elif when.since == "end" and other.kind in SIDEWAYS:
         since = _ends_aside(told, other, since, view)
     began = _begins(told, act, view)
@@ -337,6 +358,14 @@ def _at_measure(told: Told, act: Act, when: WhenMeasure, view: View) -> Judged:
     margin = np.where(passes, np.maximum(margin, tolerance), margin)
     margin = np.where(step < view.steps, margin, np.nan)
     return Judged(margin, values[1], view.time_of(step))
+
+
+def _driven(told: Told, act: Act, when: AfterDistance, view: View) -> Judged:
+    step = _begins(told, act, view)
+    place = view.place_m(act.participant)
+    gone = at(place, step) - place[:, 0]
+    margin = within(gone, when.distance_m, tolerances.DISTANCE_M)
+    return Judged(np.where(step < view.steps, margin, np.nan), gone, view.time_of(step))
 
 
 def _before(told: Told, act: Act, when: BeforeJunction, drive: Drive, view: View) -> Judged:

@@ -96,7 +96,7 @@ def _stays_in_lane(drive: Drive, view: View) -> Judged:
 
 def _stops(told: Told, name: str) -> bool:
     """Whether it is said to stop on its way."""
-    acts = any(act.kind is ActKind.STOP for act in told.acts_of(name))
+    acts = any(act.kind in {ActKind.STOP, ActKind.WAIT} for act in told.acts_of(name))
     return acts or any(h.kind is HazardKind.STOPPING and name in h.by for h in told.hazards)
 
 

@@ -13,7 +13,7 @@ from scegen.claims.lateral import lateral_m
 from scegen.claims.moments import CHANGES_MPS2, LEAVES_M
 from scegen.claims.told import Told
 from scegen.claims.view import View
-from scegen.scenario.acts import AfterStart, WhenMeasure
+from scegen.scenario.acts import AfterDistance, AfterStart, WhenMeasure
 
 LEAD_IN_S = 1.0
 """The shortest time in which an observer sees what somebody does before it does something else."""
@@ -40,8 +40,9 @@ def claims(told: Told) -> Iterator[Claim]:
 
 
 def _begins_as_said(told: Told, name: str) -> bool:
-    """Whether the text gives the moment of something that it does, by a time or a measure."""
-    return any(isinstance(act.when, AfterStart | WhenMeasure) for act in told.acts_of(name))
+    """Whether the text gives the moment of something that it does, by a number."""
+    given = AfterStart | AfterDistance | WhenMeasure
+    return any(isinstance(act.when, given) for act in told.acts_of(name))
 
 
 def _undisturbed(told: Told, name: str, view: View) -> Judged:

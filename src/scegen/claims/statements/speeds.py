@@ -82,7 +82,7 @@ def claims(told: Told) -> Iterator[Claim]:
 
 def _until(told: Told, person: Participant) -> str:
     for act in told.acts_of(person.id):
-        if act.kind in SLOWING | GAINING:
+        if act.kind in SLOWING | GAINING | {ActKind.WAIT}:
             return f" until it is to {plain(act.kind)}"
     if told.collides:
         return " until the contact"
@@ -148,7 +148,7 @@ def _held_until(told: Told, person: Participant, view: View) -> Ints:
 def _own_change(told: Told, person: Participant, view: View) -> Ints:
     """When its own first act or danger that changes its speed begins."""
     begins = [np.full(view.count, view.steps)]
-    acts = [a for a in told.acts_of(person.id) if a.kind in SLOWING | GAINING]
+    acts = [a for a in told.acts_of(person.id) if a.kind in SLOWING | GAINING | {ActKind.WAIT}]
     begins += [act_begins(view, told.functional, told.logical, act) for act in acts]
     if not acts:
         for hazard in told.hazards:

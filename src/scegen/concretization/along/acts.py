@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from scegen.concretization.along.runner import Runner
+from scegen.concretization.amounts import spelled_out
 from scegen.concretization.asked import dangers
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.functional import FunctionalScenario, Hazard
@@ -22,7 +23,8 @@ def all_acts(
     functional: FunctionalScenario, logical: LogicalScenario, runners: Mapping[str, Runner]
 ) -> list[Act]:
     """The acts of those along the road; implied ones come after those that are said."""
-    said = [a for a in logical.acts or functional.acts if a.participant in runners]
+    told = spelled_out(logical.acts or functional.acts)
+    said = [a for a in told if a.participant in runners]
     acts = [_on_a_plain_road(act) for act in said]
     acts = [act for act in acts if act.kind in _ALONG]
     for hazard in dangers(functional, logical):

@@ -8,7 +8,7 @@ from scegen.concretization.along.performing import perform
 from scegen.concretization.along.spacing import LENGTHWISE, measured
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.profile import NEVER_S
-from scegen.scenario.acts import Act, AfterAct, AfterStart, WhenMeasure
+from scegen.scenario.acts import Act, AfterAct, AfterDistance, AfterStart, WhenMeasure
 from scegen.scenario.spacings import CONTACT
 
 _HOLDS_S = 1.5
@@ -49,6 +49,8 @@ def _moment_s(story: Story, act: Act) -> float:
     when = act.when
     if isinstance(when, AfterStart):
         return when.delay_s.middle
+    if isinstance(when, AfterDistance):
+        return story.runners[act.participant].profile.time_s(when.distance_m.middle)
     if isinstance(when, AfterAct) and not story.is_loose(act):
         known = story.ends_s if when.since == "end" else story.begins_s
         delay = when.delay_s.middle

@@ -2,7 +2,15 @@
 
 from __future__ import annotations
 
-from scegen.scenario.acts import Act, AfterAct, AfterStart, BeforeJunction, When, WhenMeasure
+from scegen.scenario.acts import (
+    Act,
+    AfterAct,
+    AfterDistance,
+    AfterStart,
+    BeforeJunction,
+    When,
+    WhenMeasure,
+)
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import Outcome
 from scegen.scenario.spacings import Spacing
@@ -64,6 +72,8 @@ class Writer:
             return AfterStart(delay_s=value)
         if trigger.kind == "junction":
             return BeforeJunction(distance_m=value)
+        if trigger.kind == "driven":
+            return AfterDistance(distance_m=value)
         if trigger.kind == "after" and trigger.act is not None and trigger.act.name:
             since = "begin" if trigger.since == "begin" else "end"
             return AfterAct(act=trigger.act.name, since=since, delay_s=value)
