@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 DEMO_TEXT := A vehicle tailgating another car at a four-way stop, leading to a sudden braking event as a pedestrian steps into the crosswalk.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo quick test lint types layers asam interop benchmark bench glossary lock clean
+.PHONY: help demo quick test lint types layers asam interop benchmark bench docs lock clean
 
 help: ## what there is to make
 	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## /  \1\t/' | expand -t 14
@@ -15,7 +15,7 @@ $(VENV)/.installed: pyproject.toml constraints.txt
 	  { echo "Python 3.11 or newer is needed; name one: make PYTHON=python3.12 $(MAKECMDGOALS)" >&2; exit 1; }
 	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
 	@echo "installing into $(VENV) (once, a minute or two)"
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[campaign,cluster,dev,exchange,llm,web]'
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[campaign,cluster,dev,docs,exchange,llm,web]'
 	@touch $@
 
 $(VENV)/asam/.installed: $(VENV)/.installed src/scegen/checking/data/asam-constraints.txt
@@ -68,8 +68,8 @@ bench: $(VENV)/.installed ## the danger's benchmarks, beside esmini and commonro
 	@status=0; for tool in batch scaling players search solved; do \
 	  echo "== $$tool"; $(BIN)/python benchmarks/$$tool.py || status=1; done; exit $$status
 
-glossary: $(VENV)/.installed ## docs/glossary.md from the definitions in the code
-	$(BIN)/python -m scegen.scenario.glossary > docs/glossary.md
+docs: $(VENV)/.installed ## the documentation as pages, strictly, into build/site
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --quiet --strict
 
 lock: ## pin what is installed now
 	@{ sed -n '1p' constraints.txt; $(BIN)/python -m pip freeze --exclude-editable | grep -vE '^(pip|setuptools)=='; } > constraints.new

@@ -8,27 +8,29 @@ import pytest
 from scegen.scenario.files import json_schema
 
 ROOT = Path(__file__).parents[1]
-PAGES = [*sorted((ROOT / "docs").glob("*.md")), ROOT / "README.md", ROOT / "CONTRIBUTING.md"]
-MADE = re.compile(r"<!-- new (\S+) -->")
+PAGES = [*sorted((ROOT / "docs").rglob("*.md")), ROOT / "README.md", ROOT / "CONTRIBUTING.md"]
+MADE = {"glossary.md", "../reference/glossary.md"}
+"""By docs/_build/hooks.py, when the documentation is built; it refuses links that lead nowhere."""
+NEW = re.compile(r"<!-- new (\S+) -->")
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_files_that_a_page_names_are_there(page):
     text = page.read_text(encoding="utf-8")
     named = set(re.findall(r"`((?:src|tests|benchmarks|docs)/[\w./-]+)`", text))
-    missing = {name for name in named - set(MADE.findall(text)) if not (ROOT / name).exists()}
+    missing = {name for name in named - set(NEW.findall(text)) if not (ROOT / name).exists()}
     assert not missing
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_links_lead_somewhere(page):
     links = re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8"))
-    missing = {link for link in links if not (page.parent / link).exists()}
+    missing = {link for link in links if not (page.parent / link).exists()} - MADE
     assert not missing
 
 
 def test_the_architecture_names_every_package():
-    text = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "explanation" / "architecture.md").read_text(encoding="utf-8")
     rows = [line.split("|")[1] for line in text.splitlines() if line.startswith("| `")]
     named = {name for row in rows for name in re.findall(r"`(\w+)`", row)}
     source = ROOT / "src" / "scegen"
@@ -39,7 +41,7 @@ def test_the_architecture_names_every_package():
 
 def test_every_field_of_the_functional_level_is_told():
     """Level by level: the fields of the whole, and those of each of its parts."""
-    text = (ROOT / "docs" / "json.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "reference" / "json.md").read_text(encoding="utf-8")
     schema = json_schema("functional")
     own = {"level", "description", "evidence", "unsupported"}
     parts = [schema["$defs"][name] for name in ("Junction", "Participant", "Act", "Group")]

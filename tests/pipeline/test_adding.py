@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-DOCS = ROOT / "docs"
+DOCS = ROOT / "docs" / "how-to"
 CHANGE = re.compile(
     r"<!-- in (?P<file>\S+) (?P<where>after|before) (?P<anchor>.+?) -->\n"
     r"```python\n(?P<text>.*?)```",

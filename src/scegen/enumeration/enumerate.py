@@ -56,8 +56,8 @@ def enumerate_scenarios(
         arms: whether the arms count alike or as built.
         limit: where there are more than so many, list so many, a covering and diverse selection
             (with ``where``, or of more than 20,000, the first in order); None lists all.
-        where: list only those for which this expression holds (docs/where.md).
-        rules: rules in ASP that every scenario keeps (docs/rules.md).
+        where: list only those for which this expression holds (docs/how-to/where.md).
+        rules: rules in ASP that every scenario keeps (docs/how-to/rules.md).
 
     Raises:
         NoScenarioError: the description contradicts itself; names what clashes.

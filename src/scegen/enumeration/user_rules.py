@@ -59,7 +59,7 @@ _WORDS = (
     ),
 )
 VOCABULARY: dict[str, Word] = {word.form.partition("(")[0]: word for word in _WORDS}
-"""Predicates that rules may use, by name; docs/rules.md explains them."""
+"""Predicates that rules may use, by name; docs/how-to/rules.md explains them."""
 
 _HARMLESS = {ast.ASTType.Program, ast.ASTType.Comment, ast.ASTType.Definition}
 
@@ -174,7 +174,7 @@ class _Bodies(ast.Transformer):
             return atom
         if name not in VOCABULARY:
             close = difflib.get_close_matches(name, [*VOCABULARY, *self._own], n=2)
-            hint = f"Did you mean {' or '.join(close)}?" if close else "See docs/rules.md."
+            hint = f"Did you mean {' or '.join(close)}?" if close else "See docs/how-to/rules.md."
             raise _refused(self._rules, atom, f"unknown predicate {name}/{arity}", hint)
         if arity != VOCABULARY[name].arity:
             raise _refused(

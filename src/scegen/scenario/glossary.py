@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterable
 from enum import StrEnum
 from typing import Any
@@ -96,8 +95,8 @@ def page() -> str:
     """The glossary as a page of Markdown."""
     parts = [
         "# Glossary",
-        "Every word that may stand in a scenario file. Made from the code by `make glossary`; the "
-        "definitions stand beside the words in `src/scegen/scenario/`.",
+        "Every word that may stand in a scenario file. The definitions stand beside the words in "
+        "`src/scegen/scenario/`.",
     ]
     for words, place in VOCABULARY.items():
         title = (words.__doc__ or words.__name__).split(";")[0].split(":")[0].split("\n")[0]
@@ -142,7 +141,3 @@ def _listed(words: Iterable[str]) -> str:
 def _table(head: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> str:
     lines = [head, ("---",) * len(head), *rows]
     return "\n".join(f"| {' | '.join(cells)} |" for cells in lines)
-
-
-if __name__ == "__main__":
-    sys.stdout.write(page())

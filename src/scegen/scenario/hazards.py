@@ -1,7 +1,7 @@
 """The table of hazards: everything that is known about a kind, in one place.
 
 A kind needs its word in :class:`HazardKind`, a row here, a predicate, and a recipe or constraint
-where its acts and its arrangement do not make it; ``docs/add-a-hazard.md`` walks through one.
+where its acts and its arrangement do not make it; ``docs/how-to/add-a-hazard.md`` shows one.
 """
 
 from __future__ import annotations

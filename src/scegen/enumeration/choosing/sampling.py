@@ -2,7 +2,7 @@
 
 The distance of two scenarios is the share of participants who drive differently (another entry,
 exit or maneuver) plus the share of pairs who meet differently (another kind of conflict, or
-another one yields): from 0, alike, to 2. It is documented in docs/choosing.md.
+another one yields): from 0, alike, to 2. It is documented in docs/how-to/choosing.md.
 """
 
 from __future__ import annotations

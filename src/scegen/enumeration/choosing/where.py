@@ -1,7 +1,7 @@
 """Expressions over a scenario, such as ``conflicts(crossing) >= 2 and ego.maneuver == left``.
 
-The grammar is documented in docs/where.md. It is a small part of Python's, so Python parses it;
-everything outside the part is refused, and nothing is ever executed but the closures made here.
+The grammar is documented in docs/how-to/where.md. It is a small part of Python's, so Python parses
+it; everything outside the part is refused, and nothing is executed but the closures made here.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def where(functional: FunctionalScenario, expression: str) -> Callable[[LogicalS
         test = reader.truth(tree.body)
     except SyntaxError as error:
         single = expression.strip()[(error.offset or 1) - 1 :].startswith("=")
-        hint = "equality is written ==" if single else "see docs/where.md"
+        hint = "equality is written ==" if single else "see docs/how-to/where.md"
         raise reader.error(error.offset or 1, "this is not an expression", hint) from error
     except (RecursionError, MemoryError, ValueError) as error:
         raise reader.error(1, "this is not an expression that can be read", None) from error
@@ -95,7 +95,7 @@ class _Reader:
                 return self._name(node)
             case ast.Call(func=ast.Name(id=name), keywords=[]):
                 return self._call(name, node)
-        raise self._wrong(node, "this is not part of the language", "see docs/where.md")
+        raise self._wrong(node, "this is not part of the language", "see docs/how-to/where.md")
 
     def _name(self, node: ast.Name) -> Term:
         if node.id in _SCENARIO:
@@ -135,7 +135,9 @@ class _Reader:
             low, high = self._number(left), self._number(right)
             return TRUTH, lambda row: _ordered(compare, low(row), high(row))
         if not isinstance(op, ast.Eq | ast.NotEq):
-            raise self._wrong(node, "this is not a comparison of the language", "see docs/where.md")
+            raise self._wrong(
+                node, "this is not a comparison of the language", "see docs/how-to/where.md"
+            )
         if self._is_word(left) and not self._is_word(right):
             left, right = right, left
         type_, first = self._term(left)

@@ -1,8 +1,8 @@
 """What the player plays: one concrete scenario with its movement, as JSON-able data.
 
-The format is part of the contract with pages; docs/json.md has it. Positions are those of the
-reference point in the world, 20 a second; whatever no longer changes is cut off, so that a series
-holds its last value to the end.
+The format is part of the contract with pages; docs/reference/json.md has it. Positions are those of
+the reference point in the world, 20 a second; whatever no longer changes is cut off, so that a
+series holds its last value to the end.
 """
 
 from __future__ import annotations

@@ -1,0 +1,87 @@
+"""Pages that are made when the documentation is built, from where their words stand already.
+
+The front page is the README, the glossary comes from the definitions in the code, the command line
+from its own help: nothing is written twice. The folders of ``docs/`` are the sections; a new page
+is in the navigation by itself.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import typer.main
+from mkdocs.structure.files import File, Files
+from typer.cli import get_docs_for_click
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from scegen.cli.app import app
+from scegen.scenario.glossary import page as glossary
+
+ROOT = Path(__file__).parents[2]
+SECTIONS = {"How to": "how-to", "Explanation": "explanation", "Reference": "reference"}
+FROM_ROOT = {
+    "index.md": "README.md",
+    "contributing.md": "CONTRIBUTING.md",
+    "reference/measuring.md": "benchmarks/README.md",
+}
+
+
+def command_line() -> str:
+    """Every command with its options, as its help has them."""
+    command = typer.main.get_command(app)
+    return get_docs_for_click(obj=command, ctx=typer.Context(command), title="Command line")
+
+
+MADE: dict[str, Callable[[], str]] = {"reference/cli.md": command_line, "reference/glossary.md": glossary}
+"""Pages that no file holds, and what writes them."""
+LINK = re.compile(r"\]\(([^)#:]+)((?:#[^)]*)?)\)")
+
+
+def from_root(page: str, source: str) -> str:
+    """The page of a file beside ``docs/``; its links lead where they led."""
+    places = {name: made for made, name in FROM_ROOT.items()}
+    text = (ROOT / source).read_text(encoding="utf-8")
+
+    def led(link: re.Match[str]) -> str:
+        target = os.path.normpath(Path(source).parent / link[1])
+        target = places.get(target, target.removeprefix("docs/"))
+        return f"]({os.path.relpath(target, Path(page).parent)}{link[2]})"
+
+    return LINK.sub(led, text)
+
+
+def on_config(config: Any) -> Any:
+    """List every page, section by section."""
+    docs = Path(config.docs_dir)
+
+    def pages(folder: str) -> list[str]:
+        found = {f"{folder}/{path.name}" for path in (docs / folder).glob("*.md")}
+        made = {name for name in (*MADE, *FROM_ROOT) if name.startswith(f"{folder}/")}
+        return sorted(found | made)
+
+    config.nav = [{"Home": "index.md"}, *sorted(path.name for path in docs.glob("*.md"))]
+    config.nav += [{title: pages(folder)} for title, folder in SECTIONS.items()]
+    config.nav += ["contributing.md"]
+    return config
+
+
+def on_files(files: Files, config: Any) -> Files:
+    """Add the pages that are made."""
+    made = {name: make() for name, make in MADE.items()}
+    made |= {name: from_root(name, source) for name, source in FROM_ROOT.items()}
+    for name, text in made.items():
+        files.append(File.generated(config, name, content=text))
+    return files
+
+
+def on_page_markdown(markdown: str, **_: Any) -> str:
+    """Leave out remarks that are for the tests, and links to files that are no page."""
+    remark = r"(?m)^<!-- (?:new|in|needs|not run|ends with)\b.*?-->\n"
+    markdown = re.sub(remark, "", markdown, flags=re.DOTALL)
+    return re.sub(r"\[([^]]+)\]\(\.\./\.\./[^)]+\)", r"\1", markdown)
