@@ -14,6 +14,7 @@ from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.proof import Advice, Proof
+from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
 
 if TYPE_CHECKING:  # what speaks to language models takes a tenth of a short run to load
     from scegen.llm import Session
@@ -53,11 +54,28 @@ def chosen_target(
         InputError: the option names no target.
     """
     if options.target is None:
+        if numbers_given:
+            return None
+        if functional is not None and _drives_past(functional):
+            return AVOIDED
         outcome = functional.outcome.kind if functional and functional.outcome else None
-        return None if numbers_given else _TARGETS.get(outcome, NEAR_MISS)
+        return _TARGETS.get(outcome, NEAR_MISS)
     if options.target.strip().lower() == NO_SEARCH:
         return None
     return parse_target(options.target).text
+
+
+def _drives_past(functional: FunctionalScenario) -> bool:
+    """Whether the ego goes through a junction past others that stand on other arms all the time."""
+    told = functional.outcome or functional.hazards or functional.acts or functional.spacings
+    in_line = {Approach.AHEAD, Approach.BEHIND, Approach.ADJACENT}
+    if told or functional.junction.kind is JunctionKind.STRAIGHT:
+        return False
+    return all(
+        p.maneuvers == {Maneuver.STAY} and p.approaches and not p.approaches & in_line
+        for p in functional.participants
+        if p.id != functional.ego.id
+    )
 
 
 def raise_all(

@@ -177,7 +177,9 @@ def _on_the_road(
 
 def _stopped(movement: Movement, participant: ConcreteParticipant) -> bool:
     """Whether it stands at the end because its program says so."""
-    told = any(phase.target_speed_mps == 0 for phase in participant.speed_program)
+    program = participant.speed_program
+    told = any(phase.target_speed_mps == 0 for phase in program)
+    told |= not program and participant.speed_mps == 0
     return told and abs(float(movement.speed_mps[-1])) < STILL_MPS
 
 

@@ -19,6 +19,8 @@ from scegen.scenario.model import Interval
 from scegen.scenario.outcome import Outcome, OutcomeKind
 from scegen.scenario.vocabulary import BodySide
 
+_CORNER_M = 0.3
+"""Nearer to a corner than this, which side is touched first would be a matter of rounding."""
 _SIDES = (BodySide.FRONT, BodySide.REAR, BodySide.LEFT, BodySide.RIGHT)
 
 
@@ -117,12 +119,15 @@ def _impact(told: Told, outcome: Outcome, wanted: Interval, view: View) -> Judge
 
 
 def _struck(told: Told, outcome: Outcome, side: BodySide, view: View) -> Judged:
-    """The side from which the other is freest at the first contact is the one that it meets."""
+    """The side from which the other is freest at the first contact is the one that it meets.
+
+    The other reaches so far along that side that it is clear of the corners.
+    """
     met = contact(view, *_met(told, outcome, view))
     clear = dict(zip(_SIDES, free(met.first, met.second), strict=True))
     others: Floats = np.max([clear[other] for other in _SIDES if other is not side], axis=0)
-    margin = np.where(met.happens, clear[side] - others, np.nan)
-    return Judged(margin, margin, met.time_s)
+    reaches = np.where(met.happens, clear[side] - others, np.nan)
+    return Judged(reaches - _CORNER_M, reaches, met.time_s)
 
 
 def _nearly(told: Told, outcome: Outcome, view: View) -> Judged:
