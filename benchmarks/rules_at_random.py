@@ -5,7 +5,9 @@
 Each situation (tests/helpers/random_traffic.py) is made, its danger raised where there is one, its
 files played in esmini, and judged on the recording by code that knows nothing of how it was made
 (tests/helpers/judging_rules.py). Without a breach nobody breaks a rule and nobody waits for ever;
-with one, whoever is said to breaks exactly that rule. Ends with 1 where that is not so.
+with one, whoever is said to breaks exactly that rule. Texts that contradict themselves (one who is
+said to fail to yield has right of way wherever the words let it be) are refused and counted apart.
+Ends with 1 where that is not so.
 """
 
 from __future__ import annotations
@@ -29,6 +31,7 @@ from scegen.enumeration import enumerate_scenarios
 from scegen.errors import InfeasibleError
 from scegen.pipeline.export import SCENARIO_FILE, export_scenario
 from scegen.pipeline.picking import pick
+from scegen.scenario.logical import Rule
 
 
 def played(rule: str, seed: int, *, breach: bool) -> tuple[set, set, tuple[str, ...], bool]:
@@ -36,6 +39,12 @@ def played(rule: str, seed: int, *, breach: bool) -> tuple[set, set, tuple[str, 
     functional = traffic(rule, seed, breach=breach)
     listed = enumerate_scenarios(functional, limit=50)
     logical = pick(listed, None)[seed % len(listed.scenarios)]
+    for conflict in logical.conflicts:
+        for hazard in functional.hazards:
+            has_way = {conflict.yields} == {*hazard.to} and conflict.rule is not Rule.SIGNAL
+            if has_way and {conflict.first, conflict.second} == {*hazard.by, *hazard.to}:
+                if rule not in {"all_way_stop", "signals"}:
+                    raise InfeasibleError("who is said to break the rule has right of way")
     concrete = concretize(functional, logical, seed=seed)
     target = "near-miss" if breach else "avoided"
     raised = raise_criticality(functional, concrete, target=target, seed=seed)
@@ -72,7 +81,7 @@ def main() -> int:
                 try:
                     found, by, missed, reached = played(rule, seed, breach=breach)
                 except InfeasibleError as error:
-                    count["refused"] += 1
+                    count["contradictory"] += 1
                     print(f"{rule} {seed} refused: {error}".splitlines()[0], file=sys.stderr)
                     continue
                 bad = wrong(rule, found, by)

@@ -342,3 +342,29 @@ def test_where_knows_how_one_reverses(describe):
         found = enumerate_scenarios(functional, where=f"car.reverses == {how}").scenarios
         assert {s.assignment("car").reverses.value for s in found} == {how}
     assert not enumerate_scenarios(functional, where="ego.reverses == backs_up").scenarios
+
+
+@pytest.mark.parametrize("control", ["yield", "stop", "priority_to_right"])
+@pytest.mark.parametrize("kind", ["t", "y", "four_way", "roundabout"])
+def test_who_fails_to_yield_is_never_the_one_with_right_of_way(describe, control, kind):
+    arms = 3 if kind in {"t", "y"} else 4
+    people = [{"id": "ego", "kind": "car", "role": "ego"}, {"id": "car", "kind": "car"}]
+    danger = {"kind": "failure_to_yield", "by": ["car"], "to": ["ego"]}
+    found = enumerate_scenarios(describe(kind, arms, people, [danger], control=control))
+    yields = {c.yields for s in found.scenarios for c in s.conflicts}
+    assert "car" in yields
+    assert "ego" not in yields
+    functional = describe(kind, arms, people, [danger], control=control)
+    every = enumerate_scenarios(functional, reduction=Reduction.NONE)
+    assert sum(s.class_size for s in found.scenarios) == len(every.scenarios)
+
+
+def test_where_only_the_one_with_right_of_way_fits_it_is_left_open(describe):
+    ego = {"id": "ego", "kind": "car", "role": "ego", "maneuvers": ["straight"]}
+    car = {"id": "car", "kind": "car", "approaches": ["right"], "maneuvers": ["straight"]}
+    danger = {"kind": "failure_to_yield", "by": ["car"], "to": ["ego"]}
+    found = enumerate_scenarios(
+        describe("four_way", 4, [ego, car], [danger], control="priority_to_right")
+    )
+    assert found.scenarios
+    assert any(note.startswith("failure_to_yield") for note in found.notes)

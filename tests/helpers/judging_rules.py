@@ -230,7 +230,10 @@ def broken(rule, logical, files, log, by=()):
             least_s = 0.0 if name not in by else RED_FOR_S
             kinds = _at_line(rule, mover, drive, line, lights, least_s)
             found |= {(kind, name, None) for kind in kinds}
-    return found | {("way", *pair) for pair in _out_of_turn(rule, logical, people, drives, signs)}
+    out_of_turn = set(_out_of_turn(rule, logical, people, drives, signs))
+    # Before one who comes at red nobody has to give way.
+    at_red = {who for kind, who, _ in found if kind == "red"}
+    return found | {("way", *pair) for pair in out_of_turn if pair[1] not in at_red}
 
 
 def _at_line(rule, mover, drive, line, lights, least_s):

@@ -6,12 +6,15 @@ from collections.abc import Sequence
 
 from scegen.enumeration import predicates as p
 from scegen.enumeration.presuming import Parties, outcome_pairs
+from scegen.enumeration.right_of_way import road_rules
 from scegen.enumeration.statements import Stated
 from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.hazards import HAZARDS, Case
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.hazards import HAZARDS, Case, RoadRule
+from scegen.scenario.vocabulary import Control, HazardKind, Maneuver
 
+_RANKED = frozenset({Control.YIELD, Control.STOP, Control.PRIORITY_TO_RIGHT})
+"""Where the ways alone tell who has right of way, and the text tells that they do."""
 LEAVING = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.OVERTAKE})
 """Acts by which somebody leaves its lane."""
 
@@ -21,6 +24,8 @@ def say_dangers(
     functional: FunctionalScenario,
     sides: Sequence[Parties],
     left_open: frozenset[int],
+    *,
+    ranked: bool = True,
 ) -> dict[int, int]:
     """State what dangers, acts and the outcome demand.
 
@@ -29,6 +34,7 @@ def say_dangers(
         functional: the description, understood.
         sides: both sides of each danger, as far as they are known.
         left_open: dangers, by their place, of which nothing is presumed.
+        ranked: arms are told apart by their signs.
 
     Returns:
         The dangers, by their place, of which something is presumed, by statement.
@@ -49,11 +55,24 @@ def say_dangers(
         meet = bool(hazard.by and hazard.to) and not HAZARDS[hazard.kind].needs
         if meet and index not in left_open:
             out.facts.append(p.MustMeet(number))
-        if both.presumed or (meet and index not in left_open):
+        owes = ranked and _owes_way(functional, hazard.kind, both) and index not in left_open
+        if owes:
+            out.facts.append(p.OwesWay(number))
+        if both.presumed or owes or (meet and index not in left_open):
             presumed[number] = index
+    if any(isinstance(fact, p.OwesWay) for fact in out.facts):
+        turns_back = any(Maneuver.U_TURN in v.maneuvers for v in functional.vehicles)
+        rules = road_rules(functional.junction, u_turns=turns_back)
+        out.facts += [p.GoesFirst(f, y, e, x) for e, x, f, y in sorted(rules.gives_way)]
     _say_acts(out, functional)
     _say_outcome(out, functional, sides)
     return presumed
+
+
+def _owes_way(functional: FunctionalScenario, kind: HazardKind, both: Parties) -> bool:
+    """Whether who causes a danger breaks the right of way of one that is known."""
+    breach = HAZARDS[kind].breaks is RoadRule.RIGHT_OF_WAY
+    return breach and bool(both.by and both.to) and functional.junction.control in _RANKED
 
 
 def _say(out: Stated, number: int, kind: HazardKind, both: Parties) -> None:

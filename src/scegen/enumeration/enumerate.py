@@ -257,7 +257,7 @@ def count_scenarios(
 
 
 def _prepare(functional: FunctionalScenario, arms: ArmsMode) -> _Prepared:
-    problem, space = feasible(functional)
+    problem, space = feasible(functional, ranked=arms is ArmsMode.DISTINCT)
     symmetry = symmetry_of(problem, arms)
     return _Prepared(problem, space, symmetry, arms, census(space, symmetry))
 

@@ -9,10 +9,14 @@ from scegen.errors import NoScenarioError
 from scegen.scenario.functional import FunctionalScenario
 
 
-def feasible(functional: FunctionalScenario) -> tuple[Problem, Space]:
+def feasible(functional: FunctionalScenario, *, ranked: bool = True) -> tuple[Problem, Space]:
     """The problem and its solutions; what was presumed and given up is told in its notes.
 
     What the text states is never given up.
+
+    Args:
+        functional: the description, understood.
+        ranked: arms are told apart by their signs.
 
     Raises:
         NoScenarioError: what is stated contradicts itself; names the statements that clash.
@@ -20,7 +24,7 @@ def feasible(functional: FunctionalScenario) -> tuple[Problem, Space]:
     left_open: frozenset[int] = frozenset()
     refusal: NoScenarioError | None = None  # of the description as it was
     while True:
-        problem = build_problem(functional, left_open)
+        problem = build_problem(functional, left_open, ranked=ranked)
         space = space_of(problem)
         if space is not None:
             return problem, space

@@ -205,6 +205,21 @@ class MustMeet(Predicate, name="must_meet"):
     statement: int
 
 
+class OwesWay(Predicate, name="owes_way"):
+    """Who causes this hazard does not have right of way before who suffers it."""
+
+    statement: int
+
+
+class GoesFirst(Predicate, name="goes_first"):
+    """Who drives ``entry`` -> ``exit`` goes before the other one, by the rules of the junction."""
+
+    entry: int
+    exit: int
+    other_entry: int
+    other_exit: int
+
+
 class Outcome(Predicate):
     """A statement says how it ends."""
 

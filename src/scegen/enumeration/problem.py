@@ -108,13 +108,14 @@ def _says_along(fact: Predicate) -> bool:
 
 
 def build_problem(
-    functional: FunctionalScenario, left_open: frozenset[int] = frozenset()
+    functional: FunctionalScenario, left_open: frozenset[int] = frozenset(), *, ranked: bool = True
 ) -> Problem:
     """Read the statements and derive what follows from the words alone.
 
     Args:
         functional: the description, understood.
         left_open: dangers, by their place, of which nothing is presumed.
+        ranked: arms are told apart by their signs.
 
     Raises:
         InfeasibleError: too many vehicles, an ego that does not drive, or somebody who comes the
@@ -132,7 +133,7 @@ def build_problem(
     presumed: dict[int, int] = {}
     derived: list[Predicate] = []
     if not wordless:
-        presumed = say_dangers(said, functional, sides, left_open)
+        presumed = say_dangers(said, functional, sides, left_open, ranked=ranked)
         derived = consequences(
             said.facts, (Part.ARMS, Part.WORDS), (a.Wanted, a.Needs, a.TurnsLeft, a.Dependent)
         )
@@ -172,11 +173,13 @@ def related_among(facts: Iterable[Predicate]) -> set[str]:
 
 
 def _given_up(functional: FunctionalScenario, left_open: frozenset[int]) -> list[str]:
-    kinds = [functional.hazards[index].kind for index in sorted(left_open)]
-    return [
-        f"{kind}: whom it concerns is not said, and nobody fits whom it could: left open."
-        for kind in kinds
-    ]
+    notes = []
+    for hazard in (functional.hazards[index] for index in sorted(left_open)):
+        why = "whom it concerns is not said, and nobody fits whom it could"
+        if hazard.by and hazard.to:
+            why = "who causes it and who suffers it cannot be as is usual of it"
+        notes.append(f"{hazard.kind}: {why}: left open.")
+    return notes
 
 
 def _wordless(functional: FunctionalScenario) -> bool:

@@ -60,7 +60,8 @@ def must_give_way(functional: FunctionalScenario, logical: LogicalScenario) -> t
     walking = {crossing.participant for crossing in logical.crossings}
     # Who steps out before somebody does so in time for that one, not for those behind it.
     stepping = {n for h in told_hazards(functional, logical) for n in h.by if n in walking}
-    free = acting | stepping | breaks(functional, logical, RoadRule.RIGHT_OF_WAY)
+    free = acting | stepping
+    breaking = breaks(functional, logical, RoadRule.RIGHT_OF_WAY)
     all_way = functional.junction.control is Control.ALL_WAY_STOP
     return tuple(
         Duty(yields, other, conflict.rule, all_way and conflict.rule is not Rule.CROSSWALK)
@@ -69,6 +70,7 @@ def must_give_way(functional: FunctionalScenario, logical: LogicalScenario) -> t
         for yields, other in [_ordered(conflict)]
         if frozenset((yields, other)) not in told
         and not {yields, other} & free
+        and yields not in breaking
         and _goes_through(logical, yields)
         and _goes_through(logical, other)
     )
