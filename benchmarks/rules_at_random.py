@@ -31,7 +31,8 @@ from scegen.enumeration import enumerate_scenarios
 from scegen.errors import InfeasibleError
 from scegen.pipeline.export import SCENARIO_FILE, export_scenario
 from scegen.pipeline.picking import pick
-from scegen.scenario.logical import Rule
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.logical import LogicalScenario
 
 
 def played(rule: str, seed: int, *, breach: bool) -> tuple[set, set, tuple[str, ...], bool]:
@@ -39,12 +40,8 @@ def played(rule: str, seed: int, *, breach: bool) -> tuple[set, set, tuple[str, 
     functional = traffic(rule, seed, breach=breach)
     listed = enumerate_scenarios(functional, limit=50)
     logical = pick(listed, None)[seed % len(listed.scenarios)]
-    for conflict in logical.conflicts:
-        for hazard in functional.hazards:
-            has_way = {conflict.yields} == {*hazard.to} and conflict.rule is not Rule.SIGNAL
-            if has_way and {conflict.first, conflict.second} == {*hazard.by, *hazard.to}:
-                if rule not in {"all_way_stop", "signals"}:
-                    raise InfeasibleError("who is said to break the rule has right of way")
+    if rule not in {"all_way_stop", "signals"} and _has_right_of_way(functional, logical):
+        raise InfeasibleError("who is said to break the rule has right of way")
     concrete = concretize(functional, logical, seed=seed)
     target = "near-miss" if breach else "avoided"
     raised = raise_criticality(functional, concrete, target=target, seed=seed)
@@ -57,6 +54,16 @@ def played(rule: str, seed: int, *, breach: bool) -> tuple[set, set, tuple[str, 
     found = broken(rule, raised.concrete.logical, files, log, by)
     missed = tuple(claim.id for claim in raised.proof.missed)
     return found, by, missed, raised.proof.in_band
+
+
+def _has_right_of_way(functional: FunctionalScenario, logical: LogicalScenario) -> bool:
+    """Whether those who are said to suffer a breach have to give way themselves."""
+    return any(
+        conflict.yields in hazard.to
+        and {conflict.first, conflict.second} == {*hazard.by, *hazard.to}
+        for conflict in logical.conflicts
+        for hazard in functional.hazards
+    )
 
 
 def wrong(rule: str, found: set, by: set) -> set:
