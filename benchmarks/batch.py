@@ -17,7 +17,7 @@ from time import process_time
 
 import numpy as np
 
-from scegen.measures import Scene, build_scene, evaluate
+from scegen.measures import Tables, build_tables, evaluate
 from scegen.motion.batch import (
     Candidates,
     Phase,
@@ -72,7 +72,7 @@ def path(arm: int, way: str, start_m: float) -> Path:
     return Path(along, xs, ys, hs + angle, ())
 
 
-def crossing(participants: int) -> tuple[Program, Candidates, Scene]:
+def crossing(participants: int) -> tuple[Program, Candidates, Tables]:
     """Program, one candidate and scene of so many vehicles."""
     paths = [path(i % 4, WAYS[i % 6], 40.0 - 20.0 * (i // 4)) for i in range(participants)]
     phases = [
@@ -85,7 +85,7 @@ def crossing(participants: int) -> tuple[Program, Candidates, Scene]:
     program, candidate = build_program(paths, [10.0 + i % 3 for i in range(participants)], phases)
     kinds = [ParticipantKind.CAR] * participants
     occlusions = [(0, 1, 2)] if participants > 2 else []
-    return program, candidate, build_scene(paths, kinds, occlusions=occlusions)
+    return program, candidate, build_tables(paths, kinds, occlusions=occlusions)
 
 
 def varied(candidate: Candidates, count: int, seed: int = 4) -> Candidates:

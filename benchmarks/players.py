@@ -36,7 +36,7 @@ from scegen.criticality import raise_criticality
 from scegen.criticality.search.pairs import has_areas
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import InfeasibleError
-from scegen.measures import Scene, build_scene, evaluate, measure
+from scegen.measures import Tables, build_tables, evaluate, measure
 from scegen.motion import build_paths
 from scegen.motion.batch import compile_program, repeat, simulate_batch
 from scegen.motion.batch.arrays import HEADING, SPEED, Candidates, Program, X, Y
@@ -71,7 +71,7 @@ class Case:
     ways: dict[str, Way]
     program: Program
     candidate: Candidates
-    scene: Scene
+    scene: Tables
 
     @property
     def count(self) -> int:
@@ -82,7 +82,7 @@ def case_of(concrete: ConcreteScenario) -> Case:
     ways = build_paths(concrete, build_network(concrete.road, name=concrete.name))
     program, candidate = compile_program(concrete, ways)
     ordered = [ways[p.id] for p in concrete.participants]
-    scene = build_scene(ordered, [p.kind for p in concrete.participants])
+    scene = build_tables(ordered, [p.kind for p in concrete.participants])
     return Case(concrete, ways, program, candidate, scene)
 
 

@@ -20,7 +20,7 @@ from scegen.closed_loop.player import LIBRARY_VARIABLE
 from scegen.criticality.careful_driver import careful_driver_verdict
 from scegen.errors import InputError, MissingToolError
 from scegen.motion import build_paths, simulate
-from scegen.motion.ties import STEP_S
+from scegen.motion.trigger_steps import STEP_S
 from scegen.pipeline.generate import generate
 from scegen.pipeline.options import CheckDepth, EgoMode, Options
 from scegen.pipeline.source import resolve_source

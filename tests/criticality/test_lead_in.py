@@ -12,7 +12,7 @@ from scegen.criticality.search.variables import LEAD_IN_S
 from scegen.criticality.target import COLLISION, NEAR_MISS, parse_target
 from scegen.enumeration import enumerate_scenarios
 from scegen.motion.friction import friction_of
-from scegen.motion.ties import STEP_S
+from scegen.motion.trigger_steps import STEP_S
 from scegen.pipeline.picking import pick
 from scegen.road import build_network
 from scegen.scenario.bodies import BODIES

@@ -11,7 +11,7 @@ from scegen.criticality.raising.raising import raise_criticality
 from scegen.criticality.reactivity.sensitivity import ego_start_sensitivity
 from scegen.enumeration import enumerate_scenarios
 from scegen.measures.conflict_areas import area_table
-from scegen.measures.scene import build_scene
+from scegen.measures.tables import build_tables
 from scegen.motion.model import Path
 from scegen.road import build_network
 from scegen.scenario.functional import FunctionalScenario, Hazard, Junction, Participant
@@ -90,7 +90,7 @@ def test_one_that_comes_backwards_is_no_merge():
     ways = ways_of(concrete, build_network(concrete.road))
     kinds = [p.kind for p in concrete.participants]
     paths = [ways[p.id].path for p in concrete.participants]
-    scene = build_scene(paths, kinds)
+    scene = build_tables(paths, kinds)
     assert area_table(paths, scene.bodies, [(0, 1)]).first.tolist() == [0, 0]
     assert (scene.following.first >= 0).any()
 

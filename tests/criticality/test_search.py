@@ -9,7 +9,7 @@ from scegen.concretization import concretize
 from scegen.criticality import raise_criticality
 from scegen.criticality.search.rebuild import off_the_steps
 from scegen.enumeration import enumerate_scenarios
-from scegen.measures import build_scene, measure
+from scegen.measures import build_tables, measure
 from scegen.motion import build_paths, simulate
 from scegen.motion.batch import stack_traces
 from scegen.pipeline.picking import pick
@@ -71,7 +71,7 @@ def independent(concrete, pair):
     paths = build_paths(concrete, build_network(concrete.road))
     traces = simulate(concrete, paths, dt_s=0.01)
     names = [p.id for p in concrete.participants]
-    scene = build_scene([paths[n] for n in names], [p.kind for p in concrete.participants])
+    scene = build_tables([paths[n] for n in names], [p.kind for p in concrete.participants])
     summary = measure(stack_traces([traces[n] for n in names]), scene)
     wanted = {names.index(n) for n in pair}
     number = next(n for n, p in enumerate(scene.pairs) if set(map(int, p)) == wanted)

@@ -13,7 +13,7 @@ from scegen.measures import (
     MEASURES,
     Subject,
     Summary,
-    build_scene,
+    build_tables,
     evaluate,
     evaluation,
     measure,
@@ -63,7 +63,7 @@ def case():
     many.start_m[:] = rng.uniform(0.0, 12.0, many.start_m.shape) * (np.arange(5) != 3)
     many.speed_mps[:] *= rng.uniform(0.5, 1.5, many.speed_mps.shape)
     many.trigger[:] *= rng.uniform(0.5, 1.5, many.trigger.shape)
-    scene = build_scene(paths, KINDS, occlusions=[(0, 3, 4), (0, 2, 4), (0, 3, 1)], friction=0.6)
+    scene = build_tables(paths, KINDS, occlusions=[(0, 3, 4), (0, 2, 4), (0, 3, 1)], friction=0.6)
     traces = simulate_batch(program, many, duration_s=DURATION_S)
     summary = evaluate(program, many, scene, duration_s=DURATION_S)
     return program, many, scene, traces, summary

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from criticality_geometry import cruising, line
 
-from scegen.measures import build_scene, measure
+from scegen.measures import build_tables, measure
 from scegen.measures.bodies import MASS_KG, body_of
 from scegen.measures.impact import delta_v
 from scegen.measures.injury import injury_probability
@@ -24,7 +24,7 @@ CAR, PED, TRUCK = ParticipantKind.CAR, ParticipantKind.PEDESTRIAN, ParticipantKi
 def test_impact_speed_is_vectorial(heading, speeds, expected):
     start = {np.pi: (60.0, 0.0), 0.0: (20.0, 0.0), np.pi / 2: (36.0, -15.0)}[heading]
     paths = [line(0, 0, 0, 200), line(*start, heading, 200)]
-    scene = build_scene(paths, (CAR, TRUCK))
+    scene = build_tables(paths, (CAR, TRUCK))
     traces = cruising(paths, [0, 0], speeds)
     found = measure(traces, scene)
     assert found.impact_mps[0, 0] == pytest.approx(expected)
@@ -37,7 +37,7 @@ def test_impact_speed_is_vectorial(heading, speeds, expected):
 
 def test_without_contact_there_is_nothing():
     paths = [line(0, 0, 0, 200), line(0, 10, 0, 200)]
-    scene = build_scene(paths, (CAR, CAR))
+    scene = build_tables(paths, (CAR, CAR))
     found = measure(cruising(paths, [0, 0], [9, 9]), scene)
     assert np.isnan(found.impact_mps).all()
     assert np.isnan(found.injury).all()
@@ -48,7 +48,7 @@ def test_equal_masses_share_the_change():
 
 
 def test_injury_curves_go_through_their_published_points():
-    scene = build_scene([line(0, 0, 0, 9), line(0, 9, 0, 9)], (CAR, PED))
+    scene = build_tables([line(0, 0, 0, 9), line(0, 9, 0, 9)], (CAR, PED))
     car, pedestrian = body_of(scene.bodies, 0), body_of(scene.bodies, 1)
     # Occupants: 50 % where 6.9540 = 0.1637 * delta-v in mph.
     assert injury_probability(car, 99.0, 6.9540 / 0.1637 * 0.44704) == pytest.approx(0.5)

@@ -6,7 +6,7 @@ import shapely
 from criticality_geometry import arc, cruising, line, polygon, through
 from series import gap_series
 
-from scegen.measures import build_scene, measure
+from scegen.measures import build_tables, measure
 from scegen.measures.boxes import box_at, frames_of
 from scegen.measures.post_encroachment import time_of_reaching
 from scegen.motion.batch.arrays import S
@@ -19,7 +19,7 @@ BODY = BODIES[CAR]
 
 
 def gaps_of(paths, starts, speeds, kinds=(CAR, CAR)):
-    scene = build_scene(paths, kinds)
+    scene = build_tables(paths, kinds)
     traces = cruising(paths, starts, speeds, duration_s=3.0)
     gaps, who = gap_series(traces, scene)
     return gaps[0, :, 0], who[0, :, 0]
@@ -53,7 +53,7 @@ def test_a_car_that_cuts_in_becomes_the_leader_once_it_reaches_into_the_corridor
     shift = np.clip((x - 60.0) / 40.0, 0.0, 1.0)
     y = 3.5 * (1.0 - (shift - np.sin(2 * np.pi * shift) / (2 * np.pi)))
     paths = [line(0, 0, 0, 200), through(np.column_stack((x, y)))]
-    scene = build_scene(paths, (CAR, CAR))
+    scene = build_tables(paths, (CAR, CAR))
     traces = cruising(paths, [20.0, 40.0], [12.0, 12.0], duration_s=8.0)
     gaps, _ = gap_series(traces, scene)
     begins = int(np.flatnonzero(np.isfinite(gaps[0, :, 0]))[0])
@@ -73,7 +73,7 @@ def sweep(path, kind, step=0.1):
     s = np.arange(0.0, path.length_m + step, step)
     traces = cruising([path], [0.0], [step], duration_s=len(s) - 1.0, dt_s=1.0)
     body = BODIES[kind]
-    frames = frames_of(traces.tracks[0], build_scene([path], [kind]).bodies)
+    frames = frames_of(traces.tracks[0], build_tables([path], [kind]).bodies)
     boxes = [
         polygon(box_at(frames[0], body.length_m / 2, body.width_m / 2, t))
         for t in range(frames.shape[2])
@@ -100,7 +100,7 @@ def slow_extent(path, kind, ground):
 )
 def test_conflict_areas_are_where_the_swept_ground_overlaps(other, kind):
     way = line(0, 0, 0, 100)
-    scene = build_scene([way, other], (CAR, kind))
+    scene = build_tables([way, other], (CAR, kind))
     assert scene.areas.first.tolist() == [0, 1]
     for path, own, whose in ((way, CAR, 0), (other, kind, 1)):
         ground = sweep(other, kind)[1] if whose == 0 else sweep(way, CAR)[1]
@@ -113,13 +113,13 @@ def test_paths_that_cross_twice_have_two_areas():
     there_and_back = through(
         [(x, 12.0 * np.sin(x / 100.0 * 2.0 * np.pi) - 6.0) for x in np.arange(0.0, 100.0, 0.25)]
     )
-    scene = build_scene([line(0, 0, 0, 100), there_and_back], (CAR, CAR))
+    scene = build_tables([line(0, 0, 0, 100), there_and_back], (CAR, CAR))
     assert scene.areas.first[1] == 2
 
 
 def test_pet_at_a_crossing_by_hand():
     paths = [line(-50, 0, 0, 100), line(0, -50, np.pi / 2, 100)]
-    scene = build_scene(paths, (CAR, CAR))
+    scene = build_tables(paths, (CAR, CAR))
     half = BODY.width_m / 2
     # Entered when the front reaches the side of the other's ground, left when the rear does.
     enter, leave = 50 - half - BODY.front_m, 50 + half + BODY.rear_m
@@ -141,7 +141,7 @@ def merging():
 
 def test_pet_of_merging_paths_is_the_gap_at_the_merge_point():
     paths = merging()
-    scene = build_scene(paths, (CAR, CAR))
+    scene = build_tables(paths, (CAR, CAR))
     assert scene.areas.first.tolist() == [0, 1]
     merge = scene.areas.enter_m[0] + BODY.front_m
     np.testing.assert_allclose(scene.areas.leave_m[0], merge + BODY.rear_m, atol=1e-9)
@@ -155,17 +155,17 @@ def test_pet_of_merging_paths_is_the_gap_at_the_merge_point():
 
 def test_pet_is_undefined_where_it_is():
     lane = line(0, 0, 0, 200)
-    following = build_scene([lane, lane], (CAR, CAR))
+    following = build_tables([lane, lane], (CAR, CAR))
     assert following.areas.first[1] == 0
-    apart = build_scene([lane, line(0, 50, 0, 200)], (CAR, CAR))
+    apart = build_tables([lane, line(0, 50, 0, 200)], (CAR, CAR))
     assert apart.areas.first[1] == 0
     diverging = through(
         [(x, 0.0) for x in np.arange(0, 50, 0.5)]
         + [(50 + 20 * np.sin(a), 20 - 20 * np.cos(a)) for a in np.arange(0, 1.5, 0.02)]
     )
-    assert build_scene([lane, diverging], (CAR, CAR)).areas.first[1] == 0
+    assert build_tables([lane, diverging], (CAR, CAR)).areas.first[1] == 0
     paths = [line(-50, 0, 0, 100), line(0, -50, np.pi / 2, 100)]
-    scene = build_scene(paths, (CAR, CAR))
+    scene = build_tables(paths, (CAR, CAR))
     for starts, speeds, why in (
         ([0, 0], [0.0, 10.0], "one never enters"),
         ([70, 0], [10.0, 10.0], "one starts beyond"),
@@ -176,7 +176,7 @@ def test_pet_is_undefined_where_it_is():
 
 def test_one_who_stands_in_the_way_never_leaves():
     standing = Path(*(np.array([v]) for v in (0.0, 50.0, 0.5, 0.0)), ())
-    scene = build_scene([line(0, 0, 0, 100), standing], (CAR, CAR))
+    scene = build_tables([line(0, 0, 0, 100), standing], (CAR, CAR))
     assert scene.areas.leave_m[0, 1] == np.inf
     result = measure(cruising([line(0, 0, 0, 100), standing], [0, 0], [10.0, 0.0]), scene)
     assert np.isnan(result.pet_s[0, 0])

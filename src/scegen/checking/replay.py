@@ -24,13 +24,13 @@ from scegen.checking.esmini.playing import NotPlayedError, Played, play
 from scegen.checking.esmini.recording import Movement, RecordingError, read_recording
 from scegen.checking.results import CheckResult, Finding, error, not_run, verdict
 from scegen.errors import ScegenError
-from scegen.measures import build_scene
+from scegen.measures import build_tables
 from scegen.measures.distance import distance_series
 from scegen.motion import build_paths, simulate
 from scegen.motion.batch import compile_program, simulate_batch, stack_traces
 from scegen.motion.model import Array, Trace
 from scegen.motion.standing import object_paths
-from scegen.motion.ties import STEP_S
+from scegen.motion.trigger_steps import STEP_S
 from scegen.road import build_network
 from scegen.scenario.concrete import ConcreteScenario
 
@@ -118,7 +118,7 @@ def predict(concrete: ConcreteScenario) -> Prediction:
     steps = batch.fired_step[0].tolist()
     people = concrete.participants
     still = object_paths(concrete)
-    scene = build_scene(
+    scene = build_tables(
         [*(paths[p.id] for p in people), *still.values()],
         [*(p.kind for p in people), *concrete.objects],
     )

@@ -17,7 +17,7 @@ from scegen.claims.ways import Way
 from scegen.measures.distance import distances_at
 from scegen.measures.evaluation import Summary, measure
 from scegen.measures.following import gaps_behind
-from scegen.measures.scene import Scene
+from scegen.measures.tables import Tables
 from scegen.motion.batch.arrays import SPEED, BatchTraces, Bools, Floats, Ints, S
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario
@@ -39,7 +39,7 @@ class Area(NamedTuple):
 
 @dataclass(frozen=True)
 class View:
-    """Movements, measures and ways of one batch; ``friction`` as in ``build_scene``.
+    """Movements, measures and ways of one batch; ``friction`` as in ``build_tables``.
 
     ``ends_s`` (c,) is when each candidate is over, None where all movements count. What several
     ask for is worked out ``once``.
@@ -47,7 +47,7 @@ class View:
 
     concrete: ConcreteScenario
     ways: Mapping[str, Way]
-    scene: Scene
+    scene: Tables
     traces: BatchTraces
     summary: Summary
     index: Mapping[str, int]
@@ -202,7 +202,7 @@ class View:
 def view_of(
     concrete: ConcreteScenario,
     ways: Mapping[str, Way],
-    scene: Scene,
+    scene: Tables,
     traces: BatchTraces,
     friction: float,
 ) -> View:

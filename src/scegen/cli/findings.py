@@ -11,7 +11,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from scegen.understanding import Standing, stretches
+from scegen.understanding import Standing, passages
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -76,16 +76,16 @@ def print_report(report: ParseReport, console: Console) -> None:
 
 def _sentence(report: ParseReport) -> Text:
     text = Text()
-    for stretch in stretches(report):
-        style = "" if stretch.standing is None else _STYLES[stretch.standing]
-        text.append(_visible(report.text[stretch.start : stretch.end]), style)
+    for passage in passages(report):
+        style = "" if passage.standing is None else _STYLES[passage.standing]
+        text.append(_visible(report.text[passage.start : passage.end]), style)
     return text
 
 
 def _ruled(report: ParseReport, console: Console) -> None:
     """The text line by line, with a line of marks below each that has any."""
     marks = "".join(
-        (_MARKS[s.standing] if s.standing else " ") * (s.end - s.start) for s in stretches(report)
+        (_MARKS[s.standing] if s.standing else " ") * (s.end - s.start) for s in passages(report)
     )
     text = Text()
     for character, mark in zip(_visible(report.text), marks, strict=True):

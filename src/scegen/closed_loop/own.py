@@ -8,7 +8,7 @@ from scegen.closed_loop.state import State
 from scegen.motion import build_paths
 from scegen.motion.simulation import Steps
 from scegen.motion.standing import object_paths
-from scegen.motion.ties import STEP_S
+from scegen.motion.trigger_steps import STEP_S
 from scegen.road import build_network
 from scegen.road.geometry import Pose
 from scegen.scenario.concrete import ConcreteScenario

@@ -18,7 +18,7 @@ from pathlib import Path
 from scegen.checking.environment import ESMINI_HINT, esmini
 from scegen.closed_loop.state import State
 from scegen.errors import InputError, MissingToolError
-from scegen.motion.ties import STEP_S
+from scegen.motion.trigger_steps import STEP_S
 
 LIBRARY_VARIABLE = "SCEGEN_ESMINI_LIBRARY"
 """Names the file of esmini's library, instead of looking for it beside esmini."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.lane_choice import choose_ring_lane, entry_lanes
 from scegen.road.lane_choice import lane_ways
 from scegen.scenario.concrete import RoadParameters, Turn
@@ -136,7 +136,7 @@ def turns_across(
     return tuple(dict.fromkeys(found))
 
 
-def place_abreast(scene: Scene) -> None:
+def place_abreast(scene: Setup) -> None:
     """Give those beside others a lane on the side that is said, or a lane that is free."""
     functional, logical = scene.functional, scene.logical
     settled = {
@@ -157,7 +157,7 @@ def place_abreast(scene: Scene) -> None:
     _place_diagonally(scene)
 
 
-def _place_diagonally(scene: Scene) -> None:
+def _place_diagonally(scene: Setup) -> None:
     """Who is said to be ahead or behind in the lane beside the ego drives in that lane."""
     if scene.functional.ego.id not in scene.drives:
         return
@@ -176,7 +176,7 @@ def _place_diagonally(scene: Scene) -> None:
             _take(scene, draft, near[-1])
 
 
-def _clear_of_turning_back(scene: Scene) -> None:
+def _clear_of_turning_back(scene: Setup) -> None:
     """Who goes straight on is passed on its own side by nobody who turns back from the kerb."""
     if scene.road.kind is not JunctionKind.STRAIGHT:
         return
@@ -187,7 +187,7 @@ def _clear_of_turning_back(scene: Scene) -> None:
             _take(scene, draft, min(entry_lanes(scene, draft)))
 
 
-def _place_group(scene: Scene, reference: str, drives: list[Drive], *, movable: bool) -> None:
+def _place_group(scene: Setup, reference: str, drives: list[Drive], *, movable: bool) -> None:
     """All who drive beside one: the sides said, then what is free, the inner lane first."""
     centre = scene.drives[reference]
     said = {d.participant: is_outward(scene.functional, d.participant, reference) for d in drives}
@@ -220,7 +220,7 @@ def _place_group(scene: Scene, reference: str, drives: list[Drive], *, movable: 
             taken.add(lane)
 
 
-def _take(scene: Scene, draft: DriveDraft, lane: int) -> None:
+def _take(scene: Setup, draft: DriveDraft, lane: int) -> None:
     if lane != draft.entry_lane:
         draft.entry_lane = draft.exit_lane = lane
         choose_ring_lane(scene, draft)

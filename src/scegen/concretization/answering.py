@@ -11,10 +11,10 @@ import numpy as np
 from scegen.claims.boxes import apart, same_way, seen
 from scegen.concretization.amounts import BRAKING, CLOSEST_M, SLOWING, answering_rates_mps2
 from scegen.concretization.asked import contact_wanted
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.courses import Sort, SpeedChange
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.hazards.rule import same_arm
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, REACTION_S
-from scegen.concretization.marks import Mark, Sort
 from scegen.concretization.moments import Moments
 from scegen.motion.model import Array
 
@@ -36,7 +36,7 @@ class _Contact:
     runs_in: bool
 
 
-def answer(scene: Scene, moments: Moments) -> None:
+def answer(scene: Setup, moments: Moments) -> None:
     """Let everybody brake who would run into somebody ahead, or who crosses as the text says."""
     # Who stops in somebody's way does so when it is said to, whatever is done about it.
     moments.sets_off_s |= {n: moments.leaves_s(n) for n, w in scene.walks.items() if w.stops}
@@ -54,7 +54,7 @@ def answer(scene: Scene, moments: Moments) -> None:
         settled.add((first.who, first.other))
 
 
-def touching(scene: Scene, moments: Moments) -> bool:
+def touching(scene: Setup, moments: Moments) -> bool:
     """Whether two touch all the same who are not to."""
     return any(True for _ in _contacts(scene, moments))
 
@@ -66,7 +66,7 @@ def _times(moments: Moments) -> Array:
     return np.arange(0.0, ends + _AFTER_S, _STEP_S)
 
 
-def _contacts(scene: Scene, moments: Moments) -> Iterator[_Contact]:
+def _contacts(scene: Setup, moments: Moments) -> Iterator[_Contact]:
     """Unwanted contacts; with walkers only where the text says when they set off."""
     times = _times(moments)
     tracks = {n: moments.track(n, times)[0] for n in (*scene.drives, *scene.walks, *scene.pulls)}
@@ -106,7 +106,7 @@ def _room(moments: Moments, who: str, other: str) -> Callable[[], float]:
     return least_m
 
 
-def _brake_for(scene: Scene, moments: Moments, who: DriveDraft, contact: _Contact) -> None:
+def _brake_for(scene: Setup, moments: Moments, who: DriveDraft, contact: _Contact) -> None:
     """Brake as late as leaves a little room; not at all where nothing does."""
     own = _loose(scene, who)
     before = who.deeds
@@ -124,7 +124,7 @@ def _brake_for(scene: Scene, moments: Moments, who: DriveDraft, contact: _Contac
             mark = replace(own, s_m=place, target_mps=min(own.target_mps, target))
         else:
             hazard = next(iter(kinds), None)
-            mark = Mark(place, target, rate, hazard, sort=Sort.ACT)
+            mark = SpeedChange(place, target, rate, hazard, sort=Sort.ACT)
         who.deeds, who.course_ = [*rest, mark], None
         return least_m()
 
@@ -151,14 +151,14 @@ def _go_on(who: DriveDraft, least_m: Callable[[], float]) -> None:
     kept = who.deeds
     rate = who.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2)
     for then in _GOES_ON_S:
-        on = Mark(kept[-1].s_m, who.cruise_mps, rate, sort=Sort.ACT, then_s=then)
+        on = SpeedChange(kept[-1].s_m, who.cruise_mps, rate, sort=Sort.ACT, then_s=then)
         who.deeds, who.course_ = [*kept, on], None
         if least_m() >= CLOSEST_M - 0.1:
             return
     who.deeds, who.course_ = kept, None
 
 
-def _loose(scene: Scene, who: DriveDraft) -> Mark | None:
+def _loose(scene: Setup, who: DriveDraft) -> SpeedChange | None:
     """Its own braking of which nothing says when it begins: the answer to who is ahead."""
     for mark in who.deeds:
         slows = mark.act is not None and scene.act(mark.act).kind in SLOWING
@@ -168,7 +168,7 @@ def _loose(scene: Scene, who: DriveDraft) -> Mark | None:
     return None
 
 
-def _slowest_mps(scene: Scene, moments: Moments, contact: _Contact) -> float:
+def _slowest_mps(scene: Setup, moments: Moments, contact: _Contact) -> float:
     """How slow whoever it runs into becomes."""
     if contact.other in scene.walks:
         return 0.0
@@ -179,7 +179,7 @@ def _slowest_mps(scene: Scene, moments: Moments, contact: _Contact) -> float:
     return slowest if slowest > 0.1 else 0.0
 
 
-def _seen_s(scene: Scene, moments: Moments, other: str) -> float:
+def _seen_s(scene: Setup, moments: Moments, other: str) -> float:
     """When somebody becomes a danger: as it slows down, comes into the lane, or steps out."""
     if other not in scene.drives:
         return moments.leaves_s(other)
@@ -191,7 +191,9 @@ def _seen_s(scene: Scene, moments: Moments, other: str) -> float:
     return late + min(begins, default=-late)
 
 
-def _rates_mps2(scene: Scene, who: DriveDraft, own: Mark | None, *, hard: bool) -> list[float]:
+def _rates_mps2(
+    scene: Setup, who: DriveDraft, own: SpeedChange | None, *, hard: bool
+) -> list[float]:
     """How hard it may brake, the usual first; as the text says, if it does."""
     if own is not None and scene.act(own.act or "").rate_mps2 is not None:
         return [own.rate_mps2]

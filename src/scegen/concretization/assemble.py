@@ -8,16 +8,16 @@ import numpy as np
 
 from scegen.concretization.asked import slug_name
 from scegen.concretization.boxes import overlap
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.courses import speed_program
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.limits import LONGEST_DURATION_S, MAX_DURATION_S
-from scegen.concretization.marks import compile_marks
 from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.settling import settle
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.model import Path
 from scegen.motion.paths import build_path
 from scegen.motion.simulation import STANDING_MPS, simulate
-from scegen.motion.ties import clear_of_ties
+from scegen.motion.trigger_steps import put_between_steps
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
     ConcreteParticipant,
@@ -34,7 +34,7 @@ _TURNS_MPS = 0.6
 """One that is to stand where it changes direction comes to rest some centimetres short of it."""
 
 
-def assemble(scene: Scene, seed: int) -> ConcreteScenario:
+def assemble(scene: Setup, seed: int) -> ConcreteScenario:
     """The concrete scenario of a finished scene.
 
     Raises:
@@ -68,11 +68,11 @@ def assemble(scene: Scene, seed: int) -> ConcreteScenario:
             f"somebody has not left after {LONGEST_DURATION_S:.0f} s",
             hint="Raise the speeds or take a smaller junction.",
         )
-    timed = clear_of_ties(concrete.model_copy(update={"duration_s": duration}), paths)
+    timed = put_between_steps(concrete.model_copy(update={"duration_s": duration}), paths)
     return settle(timed, scene.network)
 
 
-def _participant(scene: Scene, participant: Participant) -> ConcreteParticipant:
+def _participant(scene: Setup, participant: Participant) -> ConcreteParticipant:
     name = participant.id
     if name in scene.drives:
         draft = scene.drives[name]
@@ -109,7 +109,7 @@ def _participant(scene: Scene, participant: Participant) -> ConcreteParticipant:
 
 def _program(draft: DriveDraft) -> tuple[float, tuple[SpeedPhase, ...]]:
     """Initial speed and phases, rounded; reactions come where the program reaches them."""
-    speed, phases = compile_marks(
+    speed, phases = speed_program(
         draft.id, draft.course, draft.start_s, draft.start_m, draft.triggers
     )
     if draft.reactions:
@@ -170,7 +170,7 @@ def _check_turns(concrete: ConcreteScenario, paths: dict[str, Path]) -> None:
                 )
 
 
-def _duration_s(scene: Scene, concrete: ConcreteScenario, paths: dict[str, Path]) -> float | None:
+def _duration_s(scene: Setup, concrete: ConcreteScenario, paths: dict[str, Path]) -> float | None:
     """Until everybody has left the junction and everything has happened; None if never."""
     traces = simulate(concrete, paths)
     ends: dict[str, float] = {}
@@ -200,7 +200,7 @@ def _duration_s(scene: Scene, concrete: ConcreteScenario, paths: dict[str, Path]
     return round(duration * 20) / 20
 
 
-def _goal_m(scene: Scene, name: str, path: Path) -> float:
+def _goal_m(scene: Setup, name: str, path: Path) -> float:
     """How far somebody must come."""
     if name in scene.drives:
         draft = scene.drives[name]

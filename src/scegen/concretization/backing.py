@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scegen.concretization.boxes import overlaps
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.courses import SpeedChange
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.limits import (
     COMFORTABLE_ACCELERATION_MPS2,
     CREEP_MPS,
@@ -19,7 +20,6 @@ from scegen.concretization.limits import (
     REVERSING_MPS2,
     STOPPING_MPS2,
 )
-from scegen.concretization.marks import Mark
 from scegen.concretization.meetings import meeting_point, sampled
 from scegen.concretization.others import WalkDraft
 from scegen.concretization.room import NeedsLongerArms
@@ -56,7 +56,7 @@ _OUT_OF_ARM_M = 2.0
 _BEFORE_END_M = 15.0
 
 
-def back_up(scene: Scene, draft: DriveDraft, other: DriveDraft | None) -> None:
+def back_up(scene: Setup, draft: DriveDraft, other: DriveDraft | None) -> None:
     """Let it stop on its way, stand there, go back on it and drive on.
 
     On another's arm ahead of it; where the ways cross, beyond the other's way.
@@ -82,7 +82,7 @@ def back_up(scene: Scene, draft: DriveDraft, other: DriveDraft | None) -> None:
     _up_and_back(scene, draft, stops_s, back_m)
 
 
-def back_up_to(scene: Scene, draft: DriveDraft, walk: WalkDraft) -> None:
+def back_up_to(scene: Setup, draft: DriveDraft, walk: WalkDraft) -> None:
     """Let it drive past the place where somebody will cross, stop, and go back to it."""
     point = meeting_point(draft.laid.path, walk.path)
     if point is None:
@@ -96,7 +96,7 @@ def back_up_to(scene: Scene, draft: DriveDraft, walk: WalkDraft) -> None:
 
 
 def _up_and_back(
-    scene: Scene, draft: DriveDraft, stops_s: float, back_m: float, waits_s: float = _WAITS_S
+    scene: Setup, draft: DriveDraft, stops_s: float, back_m: float, waits_s: float = _WAITS_S
 ) -> None:
     laid = draft.laid
     station = laid.station_m(stops_s)
@@ -111,7 +111,7 @@ def _up_and_back(
     _go_back(scene, draft, waits_s)
 
 
-def back_out(scene: Scene, draft: DriveDraft) -> None:
+def back_out(scene: Setup, draft: DriveDraft) -> None:
     """Let it come out backwards into its lane from where it stands, and drive on."""
     body = draft.body
     entry_end_m = draft.laid.turning_starts_m
@@ -140,17 +140,17 @@ def back_out(scene: Scene, draft: DriveDraft) -> None:
     _go_back(scene, draft, _WAITS_S)
 
 
-def _back_mps(scene: Scene, draft: DriveDraft) -> float:
+def _back_mps(scene: Setup, draft: DriveDraft) -> float:
     speed = float(scene.rng.uniform(*REVERSING_MPS))
     scene.note(f"{draft.id}.reversing_mps", speed, "usual speed backwards")
     return speed
 
 
-def _asked(scene: Scene, draft: DriveDraft, kind: HazardKind) -> bool:
+def _asked(scene: Setup, draft: DriveDraft, kind: HazardKind) -> bool:
     return any(h.kind is kind and draft.id in h.by for h in scene.functional.hazards)
 
 
-def _stop_before(scene: Scene, draft: DriveDraft, rest_s: float) -> None:
+def _stop_before(scene: Setup, draft: DriveDraft, rest_s: float) -> None:
     """Brake to creeping, creep, stand: at the place from which it goes back."""
     wanted = STOPPING_MPS2
     if _asked(scene, draft, HazardKind.HARD_BRAKING):
@@ -161,16 +161,16 @@ def _stop_before(scene: Scene, draft: DriveDraft, rest_s: float) -> None:
         raise NeedsLongerArms(_LEAST_RUN_UP_M - begins + 1.0, draft.id)
     _, ends_s = draft.laid.path.backwards[0]
     draft.alone_s_m = (begins, ends_s + _ROOM_M)
-    draft.marks.append(Mark(begins, CREEP_MPS, rate))
+    draft.marks.append(SpeedChange(begins, CREEP_MPS, rate))
     draft.course_ = None
 
 
-def _go_back(scene: Scene, draft: DriveDraft, waits_s: float) -> None:
+def _go_back(scene: Setup, draft: DriveDraft, waits_s: float) -> None:
     """Stand, go back, and what follows."""
     begins_s, _ = draft.laid.path.backwards[0]
     speed = _back_mps(scene, draft)
     draft.marks.append(
-        Mark(
+        SpeedChange(
             _brakes_at(begins_s),
             0.0,
             _STOPS_MPS2,
@@ -189,8 +189,8 @@ def _halt(draft: DriveDraft, speed: float, onwards_mps2: float) -> None:
     braking = (speed**2 - CREEP_MPS**2) / (2 * REVERSING_MPS2)
     slows = max(begins_s + 0.5, ends_s - _CREEPS_M / 2 - braking)
     draft.marks += [
-        Mark(slows, CREEP_MPS, REVERSING_MPS2),
-        Mark(
+        SpeedChange(slows, CREEP_MPS, REVERSING_MPS2),
+        SpeedChange(
             _brakes_at(ends_s),
             0.0,
             _STOPS_MPS2,

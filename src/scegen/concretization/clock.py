@@ -12,7 +12,7 @@ from collections.abc import Collection, Mapping, Sequence
 import numpy as np
 
 from scegen.concretization.clearance import LONGEST_S, clear_offset
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.lights import lights_of
 from scegen.concretization.limits import APPROACH_S, HEADWAY_S, LEAD_IN_S, QUEUE_GAP_M
 from scegen.concretization.meetings import (
@@ -32,7 +32,7 @@ _DANGER_WITHIN_S = 1.5
 """Those who meet in danger may be this much off their meeting to spare others."""
 
 
-def arrange(scene: Scene, meetings: Sequence[Meeting]) -> dict[str, float]:
+def arrange(scene: Setup, meetings: Sequence[Meeting]) -> dict[str, float]:
     """The offset of every drive against the ego's timeline (s)."""
     offsets = {scene.ego.id: 0.0}
     ordered = sorted(meetings, key=lambda m: m.priority)
@@ -69,7 +69,7 @@ def _partners(meetings: Sequence[Meeting], name: str) -> set[str]:
 
 
 def _companions(
-    scene: Scene, meetings: Sequence[Meeting], name: str, offsets: dict[str, float]
+    scene: Setup, meetings: Sequence[Meeting], name: str, offsets: dict[str, float]
 ) -> list[tuple[DriveDraft, float]]:
     """Those whose place follows from one's own, as an overtaker's does, and how much later (s)."""
     return [
@@ -79,20 +79,20 @@ def _companions(
     ]
 
 
-def _gap_s(scene: Scene, meeting: Meeting) -> float:
+def _gap_s(scene: Setup, meeting: Meeting) -> float:
     """How much longer the second of a meeting is on its way there than the first."""
     first, second = scene.drives[meeting.first], scene.drives[meeting.second]
     return second.course.time_at(meeting.second_s_m) - first.course.time_at(meeting.first_s_m)
 
 
 def _placed(
-    scene: Scene, offsets: dict[str, float], *, without: Collection[str] = ()
+    scene: Setup, offsets: dict[str, float], *, without: Collection[str] = ()
 ) -> list[DriveDraft]:
     return [d for n, d in scene.drives.items() if n in offsets and n not in without]
 
 
 def _arrange_one(
-    scene: Scene,
+    scene: Setup,
     meetings: Sequence[Meeting],
     offsets: dict[str, float],
     manners: Manners | None,
@@ -133,7 +133,7 @@ def _arrange_one(
     return False
 
 
-def _keep_apart(scene: Scene, draft: DriveDraft, offsets: dict[str, float], partner: str) -> None:
+def _keep_apart(scene: Setup, draft: DriveDraft, offsets: dict[str, float], partner: str) -> None:
     """Move a vehicle back or forth in the queue of its lane where it would touch another."""
     for other in scene.drives.values():
         if other.id not in offsets or other.id == partner or not same_lane(other, draft):
@@ -146,7 +146,7 @@ def _keep_apart(scene: Scene, draft: DriveDraft, offsets: dict[str, float], part
 
 
 def _queue_one(
-    scene: Scene,
+    scene: Setup,
     meetings: Sequence[Meeting],
     offsets: dict[str, float],
     manners: Manners | None,
@@ -205,14 +205,14 @@ def headway_s(
     return float(np.max(np.maximum(by_time, by_place) - mine))
 
 
-def _like_the_ego(scene: Scene, draft: DriveDraft) -> float:
+def _like_the_ego(scene: Setup, draft: DriveDraft) -> float:
     """Arrives at the junction when the ego does."""
     ego = scene.ego
     return ego.course.time_at(ego.arrives_s_m) - draft.course.time_at(draft.arrives_s_m)
 
 
 def schedule(
-    scene: Scene, meetings: Sequence[Meeting], appointments: Sequence[Appointment]
+    scene: Setup, meetings: Sequence[Meeting], appointments: Sequence[Appointment]
 ) -> dict[str, float]:
     """Offsets on the scenario's clock.
 
@@ -239,7 +239,7 @@ def schedule(
     return {name: offset + shift for name, offset in offsets.items()}
 
 
-def shortfall(scene: Scene, offsets_s: Mapping[str, float]) -> tuple[float, str]:
+def shortfall(scene: Setup, offsets_s: Mapping[str, float]) -> tuple[float, str]:
     """By how much the arms are too short (m), and for whom."""
     short, who = 0.0, ""
     for name, draft in scene.drives.items():
@@ -252,7 +252,7 @@ def shortfall(scene: Scene, offsets_s: Mapping[str, float]) -> tuple[float, str]
     return short, who
 
 
-def _first_places(scene: Scene, meetings: Sequence[Meeting]) -> dict[str, float]:
+def _first_places(scene: Setup, meetings: Sequence[Meeting]) -> dict[str, float]:
     """Where each drive has its first meeting, or the inner end of its arm."""
     places = {name: draft.arrives_s_m for name, draft in scene.drives.items()}
     for meeting in meetings:
@@ -265,6 +265,6 @@ def _first_places(scene: Scene, meetings: Sequence[Meeting]) -> dict[str, float]
 
 def _latest_start_m(draft: DriveDraft, meeting_s_m: float) -> float:
     places = [meeting_s_m, draft.junction_s_m - _BEFORE_JUNCTION_M]
-    places += [mark.s_m for mark in draft.all_marks() if mark.s_m > 0.5]
+    places += [mark.s_m for mark in draft.speed_changes() if mark.s_m > 0.5]
     places += [draft.laid.path_s_m(change.position_m) for change in draft.lane_changes]
     return max(0.0, min(places))

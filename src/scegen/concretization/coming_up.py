@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.courses import Sort, SpeedChange
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.hazards.rule import in_line_before
-from scegen.concretization.marks import Mark, Sort
 from scegen.concretization.meetings import STRUCTURAL, Meeting
 from scegen.concretization.passing import slowing_s_m
 from scegen.scenario.vocabulary import HazardKind
@@ -15,7 +15,7 @@ _BEFORE_LINE_M = 2.0
 _STANDS_MPS2 = 5.0
 
 
-def stand_in_line(scene: Scene) -> None:
+def stand_in_line(scene: Setup) -> None:
     """Those who are said to stay stand before the junction, one behind the other, for good."""
     for draft in sorted(scene.drives.values(), key=lambda each: each.drive.rank):
         if not draft.stands:
@@ -26,7 +26,7 @@ def stand_in_line(scene: Scene) -> None:
                 behind = other.body.rear_m + _QUEUE_GAP_M + draft.body.front_m
                 place = _rest_m(other) - behind
         begins = place - draft.cruise_mps**2 / (2 * _STANDS_MPS2)
-        draft.deeds = [Mark(begins, 0.0, _STANDS_MPS2, sort=Sort.ACT)]
+        draft.deeds = [SpeedChange(begins, 0.0, _STANDS_MPS2, sort=Sort.ACT)]
         draft.course_ = None
 
 
@@ -34,7 +34,7 @@ def _rest_m(draft: DriveDraft) -> float:
     return float(draft.course.s_m[-1])
 
 
-def come_up(scene: Scene) -> list[Meeting]:
+def come_up(scene: Setup) -> list[Meeting]:
     """Where those who are faster than who is ahead of them in their lane catch up with it."""
     meetings: list[Meeting] = []
     for draft in sorted(scene.drives.values(), key=lambda each: each.drive.rank):
@@ -56,7 +56,7 @@ def come_up(scene: Scene) -> list[Meeting]:
     return meetings
 
 
-def _otherwise(scene: Scene, draft: DriveDraft, lead: DriveDraft) -> bool:
+def _otherwise(scene: Setup, draft: DriveDraft, lead: DriveDraft) -> bool:
     """Whether a danger already says how the two come together or part."""
     if any(mark.hazard is not None for mark in (*draft.marks, *lead.marks)):
         return True

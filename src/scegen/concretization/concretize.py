@@ -19,7 +19,7 @@ from scegen.concretization.deeds import (
     set_triggers,
     usual_speed_mps,
 )
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.encounters import conflict_meetings
 from scegen.concretization.fitting import conditioned, fit, is_anything_said
 from scegen.concretization.hazards.table import ordered_rules
@@ -44,7 +44,7 @@ from scegen.concretization.pulling_out import (
 from scegen.concretization.roads import FIRST_ARM_M, LONGEST_ARM_M, plan
 from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.speeds import cruise_speed_mps
-from scegen.concretization.standers import go_round_standers, place_standers
+from scegen.concretization.stationary import go_round_stationary, place_stationary
 from scegen.concretization.walkers import (
     appointments,
     place_walkers,
@@ -112,7 +112,7 @@ def _on_long_enough_arms(
         network = build_network(parameters)
         # The same draws in every attempt: lengthening the road must not change the rest.
         rng = np.random.Generator(np.random.PCG64(seed))
-        scene = Scene(functional, logical, parameters, network, rng, obstacles=obstacles)
+        scene = Setup(functional, logical, parameters, network, rng, obstacles=obstacles)
         try:
             return _compose(scene, seed)
         except NeedsLongerArms as need:
@@ -129,7 +129,7 @@ def _on_long_enough_arms(
     raise MotionInfeasibleError(f"no arm length up to {arm_m:.0f} m lets everybody in and out")
 
 
-def _compose(scene: Scene, seed: int) -> ConcreteScenario:
+def _compose(scene: Setup, seed: int) -> ConcreteScenario:
     rules = ordered_rules(scene.functional.hazards)
     _place(scene)
     expect_obstacles(scene)
@@ -146,7 +146,7 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
         if rule.shape is not None:
             meetings += rule.shape(scene, hazard)
     meetings += shape_maneuvers(scene)
-    meetings += go_round_standers(scene)
+    meetings += go_round_stationary(scene)
     place_obstacles(scene)
     for rule, hazard in rules:
         if rule.act is not None:
@@ -166,9 +166,9 @@ def _compose(scene: Scene, seed: int) -> ConcreteScenario:
     return hide(scene.functional, assemble(scene, seed), scene.network)
 
 
-def _place(scene: Scene) -> None:
+def _place(scene: Setup) -> None:
     """Who stands where, and who drives in which lane before any danger is looked at."""
-    place_standers(scene)
+    place_stationary(scene)
     for drive in scene.logical.drives:
         if drive.participant not in scene.stands:
             scene.drives[drive.participant] = _draft(scene, drive)
@@ -177,7 +177,7 @@ def _place(scene: Scene) -> None:
     place_abreast(scene)
 
 
-def _draft(scene: Scene, drive: Drive) -> DriveDraft:
+def _draft(scene: Setup, drive: Drive) -> DriveDraft:
     participant = scene.functional.participant(drive.participant)
     cruise = cruise_speed_mps(scene, participant)
     if scene.sets_off(participant.id):
@@ -192,7 +192,7 @@ def _draft(scene: Scene, drive: Drive) -> DriveDraft:
     )
 
 
-def _start(scene: Scene, meetings: list[Meeting]) -> Moments:
+def _start(scene: Setup, meetings: list[Meeting]) -> Moments:
     offsets = schedule(scene, meetings, [*appointments(scene), *pull_appointments(scene)])
     offsets = do_acts(scene, offsets)
     moments = _fitted(scene, offsets, meetings)
@@ -212,7 +212,7 @@ def _start(scene: Scene, meetings: list[Meeting]) -> Moments:
     return moments
 
 
-def _fitted(scene: Scene, offsets_s: dict[str, float], meetings: list[Meeting]) -> Moments:
+def _fitted(scene: Setup, offsets_s: dict[str, float], meetings: list[Meeting]) -> Moments:
     """Starts and acts as is said; who meets does so as closely as nobody is to be touched."""
     deeds = {name: list(draft.deeds) for name, draft in scene.drives.items()}
     for later_s in _LATER_S:
@@ -226,7 +226,7 @@ def _fitted(scene: Scene, offsets_s: dict[str, float], meetings: list[Meeting]) 
 
 
 def _with_lead_in(
-    scene: Scene, offsets_s: dict[str, float], meetings: list[Meeting], later_s: float
+    scene: Setup, offsets_s: dict[str, float], meetings: list[Meeting], later_s: float
 ) -> Moments:
     """Starts and acts as is said, everybody undisturbed for a moment before the first act."""
     for _ in range(_AGAIN):

@@ -7,10 +7,10 @@ from dataclasses import replace
 
 from scegen.concretization.amounts import GAINING, change_of_speed
 from scegen.concretization.asked import hazard_of
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.courses import Sort, SpeedChange
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.hazards.rule import happens_s_m
 from scegen.concretization.limits import FAST_LATERAL_MPS2, LEAD_IN_S
-from scegen.concretization.marks import Mark, Sort
 from scegen.concretization.moments import Moments
 from scegen.concretization.profile import Profile
 from scegen.concretization.room import NeedsLongerArms
@@ -25,7 +25,7 @@ _HOLDS_S = 1.5
 _BEFORE_LINE_M = 1.0
 
 
-def usual_speed_mps(scene: Scene, name: str) -> float:
+def usual_speed_mps(scene: Setup, name: str) -> float:
     """How fast one goes that sets off, where nobody says."""
     said = scene.functional.participant(name).speed_mps
     if said is not None and said.high > 0:
@@ -33,7 +33,7 @@ def usual_speed_mps(scene: Scene, name: str) -> float:
     return scene.limit_mps
 
 
-def do_acts(scene: Scene, offsets_s: Mapping[str, float]) -> dict[str, float]:
+def do_acts(scene: Setup, offsets_s: Mapping[str, float]) -> dict[str, float]:
     """Give everybody who drives the marks of its acts; places that are open are usual ones.
 
     Returns how late everybody is, with those who stand at first setting off when they would have
@@ -62,7 +62,7 @@ def do_acts(scene: Scene, offsets_s: Mapping[str, float]) -> dict[str, float]:
     return late
 
 
-def lead_in_missing_s(scene: Scene, moments: Moments) -> float:
+def lead_in_missing_s(scene: Setup, moments: Moments) -> float:
     """How much too early the first act comes, where the text does not say when."""
     begins = [
         moments.begins_s(act)
@@ -73,7 +73,7 @@ def lead_in_missing_s(scene: Scene, moments: Moments) -> float:
     return max(0.0, LEAD_IN_S - min(begins, default=LEAD_IN_S))
 
 
-def _marks(scene: Scene, draft: DriveDraft) -> Iterator[Mark]:
+def _marks(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
     """The marks of one's acts, the first of each chain at place 0."""
     before = draft.cruise_mps
     own: set[str] = set()
@@ -81,7 +81,7 @@ def _marks(scene: Scene, draft: DriveDraft) -> Iterator[Mark]:
     if scene.sets_off(draft.id):
         line = draft.junction_s_m - draft.body.front_m - _BEFORE_LINE_M
         rate = draft.braking_mps2(5.0)
-        yield Mark(line - before**2 / (2 * rate), 0.0, rate, sort=Sort.ACT)
+        yield SpeedChange(line - before**2 / (2 * rate), 0.0, rate, sort=Sort.ACT)
         before = 0.0
     for act in scene.speed_acts(draft.id):
         hazard = hazard_of(scene.functional.hazards, act)
@@ -104,20 +104,20 @@ def _marks(scene: Scene, draft: DriveDraft) -> Iterator[Mark]:
             place = draft.junction_s_m - draft.body.front_m - when.distance_m.middle
             if act.kind is ActKind.STOP:  # where it stands
                 place -= before**2 / (2 * rate)
-        yield Mark(place, target, rate, hazard, sort=Sort.ACT, then_s=then, act=act.id)
+        yield SpeedChange(place, target, rate, hazard, sort=Sort.ACT, then_s=then, act=act.id)
         took_s = abs(target - before) / rate
         before = target
         own.add(act.id)
 
 
-def is_open(scene: Scene, mark: Mark) -> bool:
+def is_open(scene: Setup, mark: SpeedChange) -> bool:
     """Whether the place of an act is free: neither said, nor that of the act before it."""
     if mark.act is None or mark.then_s is not None:
         return False
     return not isinstance(scene.act(mark.act).when, BeforeJunction)
 
 
-def _place(scene: Scene, draft: DriveDraft) -> None:
+def _place(scene: Setup, draft: DriveDraft) -> None:
     """Put the first of each chain where its last is done in time for what it is about."""
     way = _way_m(draft.cruise_mps, draft.deeds)
     first = draft.deeds[0]
@@ -136,7 +136,7 @@ def _place(scene: Scene, draft: DriveDraft) -> None:
     draft.course_ = None
 
 
-def _way_m(speed_mps: float, marks: list[Mark]) -> float:
+def _way_m(speed_mps: float, marks: list[SpeedChange]) -> float:
     """The way from the beginning of a chain until its last act is done."""
     profile, ready = Profile(speed_mps), 0.0
     for mark in marks:
@@ -146,7 +146,7 @@ def _way_m(speed_mps: float, marks: list[Mark]) -> float:
     return profile.way_m(ready)
 
 
-def set_triggers(scene: Scene, moments: Moments) -> None:
+def set_triggers(scene: Setup, moments: Moments) -> None:
     """Who stands until it sets off does so as another comes, or at its time."""
     for draft in scene.drives.values():
         for mark in draft.deeds[1:2] if scene.sets_off(draft.id) else ():

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from scegen.concretization.amounts import GAINING, SLOWING, spelled_out
+from scegen.concretization.courses import Course, SpeedChange, course_of
 from scegen.concretization.limits import (
     COMFORTABLE_ACCELERATION_MPS2,
     COMFORTABLE_BRAKING_MPS2,
@@ -14,9 +15,8 @@ from scegen.concretization.limits import (
     LATERAL_MPS2,
     STOPS_FOR_S,
 )
-from scegen.concretization.marks import Mark, Timeline, timeline
 from scegen.concretization.others import PullDraft, StandDraft, WalkDraft
-from scegen.concretization.turning import Stop, turning_marks
+from scegen.concretization.turning import Stop, turning_changes
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.paths import END_MARGIN_M
@@ -80,8 +80,8 @@ class DriveDraft:
     approach_mps: float | None = None
     resume_mps: float | None = None
     lane_changes: list[LaneChange] = field(default_factory=list)
-    marks: list[Mark] = field(default_factory=list)
-    deeds: list[Mark] = field(default_factory=list)
+    marks: list[SpeedChange] = field(default_factory=list)
+    deeds: list[SpeedChange] = field(default_factory=list)
     reactions: list[SpeedPhase] = field(default_factory=list)
     reacts_at_s_m: float = 0.0
     start_m: float = 0.0
@@ -96,7 +96,7 @@ class DriveDraft:
     alone_s_m: tuple[float, float] | None = None
     triggers: dict[str, Trigger] = field(default_factory=dict)
     laid_: LaidDrive | None = None
-    course_: Timeline | None = None
+    course_: Course | None = None
     line_back_m: float = 0.0
     waits_s: float | None = None
     goes_at: AtTime | None = None
@@ -123,10 +123,12 @@ class DriveDraft:
         return self.laid_
 
     @property
-    def course(self) -> Timeline:
+    def course(self) -> Course:
         """When it is where if it starts at the outer end of its entry arm."""
         if self.course_ is None:
-            self.course_ = timeline(self.all_marks(), self.first_speed(), self.laid.path.length_m)
+            self.course_ = course_of(
+                self.speed_changes(), self.first_speed(), self.laid.path.length_m
+            )
         return self.course_
 
     @property
@@ -204,7 +206,7 @@ class DriveDraft:
         self.laid_ = lay_way(network, motion, stretches, end_m, self.id)
         self.course_ = None
 
-    def add_mark(self, mark: Mark) -> None:
+    def add_speed_change(self, mark: SpeedChange) -> None:
         """Add a mark of a danger; a holding one resumes the speed then in force."""
         if mark.hold_s is not None:
             faster = self.acceleration_mps2(mark.resume_rate_mps2)
@@ -213,9 +215,9 @@ class DriveDraft:
         self.marks.append(mark)
         self.course_ = None
 
-    def base_marks(self) -> list[Mark]:
+    def road_changes(self) -> list[SpeedChange]:
         """Slowing down for turns and stop lines, and speeding up after them."""
-        return turning_marks(
+        return turning_changes(
             self.laid,
             self.cruise_mps,
             lateral_mps2=min(self.lateral_mps2, _SIDEWAYS * self.grip_mps2),
@@ -233,16 +235,16 @@ class DriveDraft:
             return None
         return Stop(self.stop_line_s_m - self.body.front_m, stands_s, self.goes_at)
 
-    def all_marks(self) -> list[Mark]:
+    def speed_changes(self) -> list[SpeedChange]:
         """All marks in the order of the path; one that stays before the junction does not turn."""
-        turning = self.base_marks() if self.halts_at_m is None else []
+        turning = self.road_changes() if self.halts_at_m is None else []
         low, high = self.alone_s_m or (1.0, 0.0)
         ordinary = [mark for mark in turning if not low <= mark.s_m <= high]
         if any(self._stands_at_line(mark) for mark in self.marks):
             ordinary = [mark for mark in ordinary if mark.hold_s is None]
         return sorted([*ordinary, *self.marks, *self.deeds], key=lambda mark: mark.s_m)
 
-    def _stands_at_line(self, mark: Mark) -> bool:
+    def _stands_at_line(self, mark: SpeedChange) -> bool:
         """Whether a danger's mark lets it stand at the stop line long enough, as a stop does."""
         if not self.stops_at_line or mark.target_mps > 0.0 or (mark.hold_s or 0.0) < STOPPED_S:
             return False
@@ -257,14 +259,14 @@ class DriveDraft:
     def speed_in_force(self, s_m: float) -> float:
         """The target speed at a place, dangers apart."""
         speed = self.cruise_mps
-        for mark in self.base_marks():
+        for mark in self.road_changes():
             if mark.s_m <= s_m:
                 speed = mark.target_mps if mark.hold_s is None else mark.resume_mps
         return speed
 
 
 @dataclass
-class Scene:
+class Setup:
     """Everything about one scenario in the making.
 
     ``obstacles`` says whether things may be laid in the way, ``expected`` are the dangers with the

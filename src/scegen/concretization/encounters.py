@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.hazards.rule import (
     Rule,
     event_s_m,
@@ -29,7 +29,7 @@ _LEAST_PLACE_M = 20.0
 
 
 def conflict_meetings(
-    scene: Scene, rules: list[tuple[Rule, Hazard]], arranged: list[Meeting]
+    scene: Setup, rules: list[tuple[Rule, Hazard]], arranged: list[Meeting]
 ) -> list[Meeting]:
     """Meetings by priority: dangers to or by the ego, between others, then all others' with it.
 
@@ -60,14 +60,14 @@ def conflict_meetings(
     return [*together, *meetings, *_ordinary(scene, involved, named)]
 
 
-def _others_between(scene: Scene, one: DriveDraft, other: DriveDraft) -> bool:
+def _others_between(scene: Setup, one: DriveDraft, other: DriveDraft) -> bool:
     """Whether somebody drives between two in one lane: each keeps its distance from the next."""
     first, last = sorted((one, other), key=lambda draft: draft.drive.rank)
     line = in_line_before(scene, last)
     return first in line and line[-1] is not first
 
 
-def _brake_together(scene: Scene) -> list[Meeting]:
+def _brake_together(scene: Setup) -> list[Meeting]:
     """All who brake hard for one who walks begin when it leaves the kerb."""
     if not scene.walks:
         return []
@@ -84,7 +84,7 @@ def _brake_together(scene: Scene) -> list[Meeting]:
     return [Meeting(DANGER, first, name, first_s, s, 0.0, reason) for name, s in others]
 
 
-def _ordinary(scene: Scene, involved: set[frozenset[str]], named: set[str]) -> list[Meeting]:
+def _ordinary(scene: Setup, involved: set[frozenset[str]], named: set[str]) -> list[Meeting]:
     """The first of each queue that the ego's way meets; the others queue up."""
     meetings: list[Meeting] = []
     ego = scene.ego.id
@@ -136,7 +136,7 @@ def arrival_s_m(draft: DriveDraft, meeting_s_m: float) -> float:
 
 
 def _close(
-    scene: Scene, hazard: Hazard, cause: DriveDraft, sufferer: DriveDraft, priority: int
+    scene: Setup, hazard: Hazard, cause: DriveDraft, sufferer: DriveDraft, priority: int
 ) -> Meeting:
     """On one arm: level in neighbouring lanes, close behind each other in one."""
     place = max(5.0, event_s_m(scene, cause, hazard))

@@ -14,7 +14,7 @@ import numpy as np
 
 from scegen.concretization.asked import contact_wanted
 from scegen.concretization.deeds import is_open
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.meetings import Meeting
 from scegen.concretization.moments import Moments, is_lengthwise
 from scegen.motion.model import Array
@@ -49,7 +49,7 @@ class Unknown:
     give: Callable[[Moments, float], None]
 
 
-def fit(scene: Scene, moments: Moments, meetings: Sequence[Meeting], later_s: float = 0.0) -> None:
+def fit(scene: Setup, moments: Moments, meetings: Sequence[Meeting], later_s: float = 0.0) -> None:
     """Change what is open in ``moments`` until what is said holds, as little as that needs.
 
     ``later_s`` is how much later than is usual the second of a meeting comes.
@@ -87,12 +87,12 @@ def fit(scene: Scene, moments: Moments, meetings: Sequence[Meeting], later_s: fl
     missed(x)
 
 
-def is_anything_said(scene: Scene) -> bool:
+def is_anything_said(scene: Setup) -> bool:
     """Whether the text says anything of distances and moments."""
     return any(True for _ in _said(scene))
 
 
-def _unknowns(scene: Scene, moments: Moments) -> Iterator[Unknown]:
+def _unknowns(scene: Setup, moments: Moments) -> Iterator[Unknown]:
     for name, draft in scene.drives.items():
         yield Unknown(
             _STEP_S,
@@ -129,7 +129,7 @@ def _move(draft: DriveDraft, n: int, place_m: float) -> None:
         draft.course_ = None
 
 
-def _said(scene: Scene) -> Iterator[Residual]:
+def _said(scene: Setup) -> Iterator[Residual]:
     """What the text says of distances and moments."""
     known = {*scene.drives, *scene.walks, *scene.pulls, *scene.stands}
     for spacing in scene.functional.spacings:
@@ -163,7 +163,7 @@ def _said(scene: Scene) -> Iterator[Residual]:
                 yield _after(act, other, when)
 
 
-def _is_chained(scene: Scene, act: Act) -> bool:
+def _is_chained(scene: Setup, act: Act) -> bool:
     draft = scene.drives.get(act.participant)
     marks = draft.deeds if draft is not None else ()
     return any(mark.act == act.id and mark.then_s is not None for mark in marks)
@@ -189,7 +189,7 @@ def _after(act: Act, other: Act, when: AfterAct) -> Residual:
     return residual
 
 
-def _meetings(scene: Scene, meetings: Sequence[Meeting], later_s: float) -> Iterator[Residual]:
+def _meetings(scene: Setup, meetings: Sequence[Meeting], later_s: float) -> Iterator[Residual]:
     """Who usually meets whom, but for those of one arm whose distance is said."""
     told = set()
     whens = [(a.when.participant, a.when.reference) for a in scene.acts
@@ -205,7 +205,7 @@ def _meetings(scene: Scene, meetings: Sequence[Meeting], later_s: float) -> Iter
         yield lambda m, name=name: m.walks_late_s(name)  # type: ignore[misc]
 
 
-def conditioned(scene: Scene, name: str) -> bool:
+def conditioned(scene: Setup, name: str) -> bool:
     """Whether the text says when somebody who stands at first, to cross or pull out, sets off."""
     goes = {ActKind.CROSS, ActKind.SET_OFF}
     crosses = [a for a in scene.acts if a.participant == name and a.kind in goes]

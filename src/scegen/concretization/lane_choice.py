@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.errors import MotionInfeasibleError
 from scegen.road.model import Route
 from scegen.scenario.concrete import LaneChange
 from scegen.scenario.vocabulary import HazardKind
 
 
-def routes_of(scene: Scene, draft: DriveDraft) -> tuple[Route, ...]:
+def routes_of(scene: Setup, draft: DriveDraft) -> tuple[Route, ...]:
     """The routes between a drive's arms.
 
     Raises:
@@ -26,17 +26,17 @@ def routes_of(scene: Scene, draft: DriveDraft) -> tuple[Route, ...]:
     return routes
 
 
-def entry_lanes(scene: Scene, draft: DriveDraft) -> tuple[int, ...]:
+def entry_lanes(scene: Setup, draft: DriveDraft) -> tuple[int, ...]:
     """The lanes from which a drive's exit can be reached, outermost first."""
     return tuple(sorted({r.entry_lane for r in routes_of(scene, draft)}, reverse=True))
 
 
-def lanes_in(scene: Scene, draft: DriveDraft) -> int:
+def lanes_in(scene: Setup, draft: DriveDraft) -> int:
     """Number of lanes towards the junction on a drive's entry arm."""
     return scene.road.arms[draft.drive.entry].lanes_in
 
 
-def choose_lanes(scene: Scene, draft: DriveDraft) -> None:
+def choose_lanes(scene: Setup, draft: DriveDraft) -> None:
     """Start in the outermost lane that leads to the exit."""
     lanes = entry_lanes(scene, draft)
     draft.entry_lane = lanes[0]
@@ -44,7 +44,7 @@ def choose_lanes(scene: Scene, draft: DriveDraft) -> None:
     choose_ring_lane(scene, draft)
 
 
-def choose_ring_lane(scene: Scene, draft: DriveDraft, *, inner: bool = False) -> None:
+def choose_ring_lane(scene: Setup, draft: DriveDraft, *, inner: bool = False) -> None:
     """The outermost ring lane (or the innermost) that can be reached from the drive's lane."""
     lane = lane_at_junction(draft)
     rings = sorted(
@@ -68,7 +68,7 @@ def lane_at_junction(draft: DriveDraft) -> int:
     return lane
 
 
-def neighbour_lane(scene: Scene, draft: DriveDraft, *, oncoming: bool) -> int:
+def neighbour_lane(scene: Setup, draft: DriveDraft, *, oncoming: bool) -> int:
     """The lane into which a drive pulls out: towards the centre line, else outwards.
 
     ``oncoming`` allows (and where there is one lane, chooses) the oncoming lane.
@@ -88,7 +88,7 @@ def neighbour_lane(scene: Scene, draft: DriveDraft, *, oncoming: bool) -> int:
 
 
 def change_lanes(
-    scene: Scene,
+    scene: Setup,
     draft: DriveDraft,
     changes: Sequence[tuple[float, float, int]],
     hazard: HazardKind | None = None,

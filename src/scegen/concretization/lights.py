@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.motion.rules.intergreen import LEAST_GREEN_S, all_red_s, amber_s
 from scegen.motion.rules.lights import at_lights, green_phases, light_runners, must_obey
 from scegen.scenario.concrete import AtTime
@@ -59,7 +59,7 @@ def crosses_s(draft: DriveDraft, offset_s: float) -> float:
     return offset_s + draft.course.time_at(draft.stop_line_s_m - draft.body.front_m)
 
 
-def lights_of(scene: Scene, offsets_s: Mapping[str, float]) -> Lights | None:
+def lights_of(scene: Setup, offsets_s: Mapping[str, float]) -> Lights | None:
     """The lights under which those who are placed pass as they are to; None where there are none.
 
     Of plans of equal green the one that suits them best, and gives the others green soonest.
@@ -95,7 +95,7 @@ def shifted(plan: SignalPlan, later_s: float) -> SignalPlan:
     return plan.model_copy(update={"groups": groups})
 
 
-def _plan(scene: Scene, phases: tuple[int, ...]) -> SignalPlan:
+def _plan(scene: Setup, phases: tuple[int, ...]) -> SignalPlan:
     """Every phase in turn, with the shortest times between them that keep them apart."""
     amber = amber_s(max(arm.speed_limit_mps for arm in scene.road.arms))
     between = amber + all_red_s(scene.network, phases, amber)
@@ -133,7 +133,7 @@ def _worth(plan: SignalPlan, draft: DriveDraft, crosses: float, *, runs: bool) -
     return -missed
 
 
-def set_lights(scene: Scene) -> None:
+def set_lights(scene: Setup) -> None:
     """The plan on the scenario's clock; who waits goes on by it."""
     if scene.signals is None:
         return

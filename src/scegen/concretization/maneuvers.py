@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.hazards.overtaking import overtake_speeds
 from scegen.concretization.hazards.rule import same_arm
 from scegen.concretization.hazards.swerving import close_before
@@ -19,7 +19,7 @@ from scegen.errors import MotionInfeasibleError
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
 
 
-def prepare_maneuvers(scene: Scene) -> None:
+def prepare_maneuvers(scene: Setup) -> None:
     """Make those who change lanes round another faster than it."""
     for draft in scene.drives.values():
         slower = _passed(scene, draft)
@@ -27,7 +27,7 @@ def prepare_maneuvers(scene: Scene) -> None:
             overtake_speeds(scene, draft, slower)
 
 
-def shape_maneuvers(scene: Scene) -> list[Meeting]:
+def shape_maneuvers(scene: Setup) -> list[Meeting]:
     """Lane changes and overtakes of those who have none yet, and the meetings they need."""
     meetings: list[Meeting] = []
     for draft in scene.drives.values():
@@ -54,7 +54,7 @@ def shape_maneuvers(scene: Scene) -> list[Meeting]:
 _SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 
 
-def _passed(scene: Scene, draft: DriveDraft) -> DriveDraft | None:
+def _passed(scene: Setup, draft: DriveDraft) -> DriveDraft | None:
     """The vehicle ahead on the same arm that a lane change or overtake goes round.
 
     The one that the text calls slow, else the nearest.
@@ -79,14 +79,14 @@ def _passed(scene: Scene, draft: DriveDraft) -> DriveDraft | None:
     return max(ahead, key=lambda other: (other.id in slow, other.drive.rank), default=None)
 
 
-def _goes_round_somebody_standing(scene: Scene, draft: DriveDraft) -> bool:
+def _goes_round_somebody_standing(scene: Setup, draft: DriveDraft) -> bool:
     return any(
         stand.standing.in_lane and stand.standing.arm in {draft.drive.entry, draft.drive.exit}
         for stand in scene.stands.values()
     )
 
 
-def _drives_past(scene: Scene, draft: DriveDraft) -> bool:
+def _drives_past(scene: Setup, draft: DriveDraft) -> bool:
     """Whether it "overtakes" one who is parked beside its lane, which needs no other lane.
 
     Nor does passing one who reverses into its way: it gets no farther.
@@ -104,7 +104,7 @@ def _drives_past(scene: Scene, draft: DriveDraft) -> bool:
     return draft.drive.maneuver is Maneuver.OVERTAKE and (beside or reverses)
 
 
-def _free_change(scene: Scene, draft: DriveDraft) -> list[Meeting]:
+def _free_change(scene: Setup, draft: DriveDraft) -> list[Meeting]:
     """A change into the lane of one beside it, or into the one that leads on."""
     if scene.road.kind is JunctionKind.ROUNDABOUT and lanes_in(scene, draft) < 2:
         raise MotionInfeasibleError("there is no second lane to change into", where=draft.id)
@@ -141,7 +141,7 @@ def _free_change(scene: Scene, draft: DriveDraft) -> list[Meeting]:
     return [] if beside is None else [close_before(scene, draft, beside, end)]
 
 
-def _into_lane_of(scene: Scene, draft: DriveDraft, goals: tuple[int, ...]) -> DriveDraft | None:
+def _into_lane_of(scene: Setup, draft: DriveDraft, goals: tuple[int, ...]) -> DriveDraft | None:
     """The one next to whom it drives, and into whose lane it changes; rather the ego."""
     near = [
         other
@@ -155,7 +155,7 @@ def _into_lane_of(scene: Scene, draft: DriveDraft, goals: tuple[int, ...]) -> Dr
     return max(near, key=lambda other: other is scene.ego, default=None)
 
 
-def _side_by_side(scene: Scene, meetings: list[Meeting]) -> list[Meeting]:
+def _side_by_side(scene: Setup, meetings: list[Meeting]) -> list[Meeting]:
     """Those who travel beside another are level with it half way along the arm.
 
     Where one turns across the other, they are so there.

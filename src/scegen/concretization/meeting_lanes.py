@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
 
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.hazards.rule import Rule, pairs
 from scegen.concretization.lane_choice import routes_of
 from scegen.concretization.meetings import ways_touch
@@ -56,7 +56,7 @@ class _Couple:
     last_resort: bool = False
 
 
-def choose_lanes_that_meet(scene: Scene, rules: list[tuple[Rule, Hazard]]) -> None:
+def choose_lanes_that_meet(scene: Setup, rules: list[tuple[Rule, Hazard]]) -> None:
     """Change lanes where those who are to meet do not, and can: dangers first, then the ego's.
 
     Conflicts among others count only where nobody else meets; somebody moves over only for a
@@ -81,7 +81,7 @@ def choose_lanes_that_meet(scene: Scene, rules: list[tuple[Rule, Hazard]]) -> No
             met = True
 
 
-def _bound_to_lanes(scene: Scene) -> set[str]:
+def _bound_to_lanes(scene: Setup) -> set[str]:
     """Those whose lanes follow from something else."""
     bound: set[str] = set()
     for draft in scene.drives.values():
@@ -92,7 +92,7 @@ def _bound_to_lanes(scene: Scene) -> set[str]:
     return bound
 
 
-def _wanted(scene: Scene, rules: list[tuple[Rule, Hazard]]) -> Iterator[_Couple]:
+def _wanted(scene: Setup, rules: list[tuple[Rule, Hazard]]) -> Iterator[_Couple]:
     """Who is to meet, the most important first."""
     for rule, hazard in rules:
         if rule.meets:
@@ -107,7 +107,7 @@ def _wanted(scene: Scene, rules: list[tuple[Rule, Hazard]]) -> Iterator[_Couple]
             yield _Couple(first, second, last_resort=ego not in {first.id, second.id})
 
 
-def _change(scene: Scene, couple: _Couple, fixed: set[str]) -> bool:
+def _change(scene: Setup, couple: _Couple, fixed: set[str]) -> bool:
     """Give two drives lanes in which they meet, as few new ones as possible; whether there are."""
     first, second = couple.first, couple.second
     own = _Lanes.of(first), _Lanes.of(second)
@@ -128,7 +128,7 @@ def _change(scene: Scene, couple: _Couple, fixed: set[str]) -> bool:
     return False
 
 
-def _move_over(scene: Scene, couple: _Couple, fixed: set[str]) -> bool:
+def _move_over(scene: Setup, couple: _Couple, fixed: set[str]) -> bool:
     """Let one of two who leave by one arm change into the other's lane there; whether it can.
 
     Rather not the ego: its way is the text's.
@@ -160,7 +160,7 @@ def _move_over(scene: Scene, couple: _Couple, fixed: set[str]) -> bool:
     return False
 
 
-def _end(scene: Scene, draft: DriveDraft) -> tuple[int, float, float]:
+def _end(scene: Setup, draft: DriveDraft) -> tuple[int, float, float]:
     """Lane in which a drive ends, where its exit arm begins on the way and where that ends, m."""
     own = _Lanes.of(draft)
     stretches, lane = walk_route(scene.network, draft.motion(), draft.id)
@@ -171,13 +171,13 @@ def _end(scene: Scene, draft: DriveDraft) -> tuple[int, float, float]:
     return lane, begins_m, stretches[-1].end_m
 
 
-def _others(scene: Scene, draft: DriveDraft, own: _Lanes) -> list[_Lanes]:
+def _others(scene: Setup, draft: DriveDraft, own: _Lanes) -> list[_Lanes]:
     """The other lanes that lead to a drive's exit, outermost first."""
     found = {_Lanes(r.entry_lane, r.ring_lane, r.exit_lane) for r in routes_of(scene, draft)}
     return sorted(found - {own}, key=lambda o: (-o.entry_lane, -(o.ring_lane or 0), -o.exit_lane))
 
 
-def _meet(scene: Scene, first: DriveDraft, second: DriveDraft) -> bool:
+def _meet(scene: Setup, first: DriveDraft, second: DriveDraft) -> bool:
     """Whether their ways touch in the lanes that they have now; the lanes stay as they are."""
     own = _Lanes.of(first), _Lanes.of(second)
     for draft in (first, second):
@@ -189,7 +189,7 @@ def _meet(scene: Scene, first: DriveDraft, second: DriveDraft) -> bool:
     return touch
 
 
-def _note(scene: Scene, draft: DriveDraft, before: _Lanes, other: DriveDraft) -> None:
+def _note(scene: Setup, draft: DriveDraft, before: _Lanes, other: DriveDraft) -> None:
     """Say which lanes were changed."""
     for name in ("entry_lane", "ring_lane", "exit_lane"):
         was, now = getattr(before, name), getattr(draft, name)

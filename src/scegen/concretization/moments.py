@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from scegen.claims.boxes import Boxes, gap_m, same_way, seen
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.limits import LEAD_IN_S
 from scegen.concretization.meetings import Meeting
 from scegen.concretization.others import gained
@@ -31,7 +31,7 @@ def is_lengthwise(measure: Measure) -> bool:
 class Moments:
     """Everybody in time: how late drives are, and when walkers set off of whom that is said."""
 
-    scene: Scene
+    scene: Setup
     offsets_s: dict[str, float]
     sets_off_s: dict[str, float] = field(default_factory=dict)
 

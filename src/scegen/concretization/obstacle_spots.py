@@ -10,11 +10,11 @@ import numpy as np
 
 from scegen.concretization.boxes import Poses, overlaps
 from scegen.concretization.clock import same_lane
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.lane_choice import neighbour_lane
 from scegen.concretization.passing import calm_change_length_m
 from scegen.concretization.room import NeedsLongerArms
-from scegen.concretization.standers import BLOCKS_AT_M, BLOCKS_STRAIGHT_AT_M
+from scegen.concretization.stationary import BLOCKS_AT_M, BLOCKS_STRAIGHT_AT_M
 from scegen.motion.model import Path
 from scegen.motion.standing import object_path
 from scegen.road.geometry import Pose
@@ -41,7 +41,7 @@ class Spot:
     pose: Pose
 
 
-def spots(scene: Scene, draft: DriveDraft, body: Body, *, stays: bool) -> Iterator[Spot]:
+def spots(scene: Setup, draft: DriveDraft, body: Body, *, stays: bool) -> Iterator[Spot]:
     """In the lane of one that keeps to it, before the junction and then farther away from it.
 
     In the lane that one leaves, as near to its way as can be. In the middle for one that stops;
@@ -59,7 +59,7 @@ def spots(scene: Scene, draft: DriveDraft, body: Body, *, stays: bool) -> Iterat
             yield Spot(station, _pose(scene, draft, station, aside))
 
 
-def _ahead(scene: Scene, draft: DriveDraft, body: Body, *, stays: bool) -> list[float]:
+def _ahead(scene: Setup, draft: DriveDraft, body: Body, *, stays: bool) -> list[float]:
     arm = scene.road.arms[draft.drive.entry]
     nearest = BLOCKS_STRAIGHT_AT_M
     if scene.network.junctions:
@@ -71,7 +71,7 @@ def _ahead(scene: Scene, draft: DriveDraft, body: Body, *, stays: bool) -> list[
     return [s for s in (first - k * _STEP_M for k in range(_EARLIER)) if s > _LEAST_WAY_M]
 
 
-def _where_it_has_left(scene: Scene, draft: DriveDraft, body: Body) -> tuple[list[float], bool]:
+def _where_it_has_left(scene: Setup, draft: DriveDraft, body: Body) -> tuple[list[float], bool]:
     """From where it leaves its lane until it comes back; and whether it leaves it inwards."""
     changes = draft.lane_changes
     leaving = next((c for c in changes if c.lane_after != draft.entry_lane), None)
@@ -91,7 +91,7 @@ def _where_it_has_left(scene: Scene, draft: DriveDraft, body: Body) -> tuple[lis
     return [leaving.position_m + k * _STEP_M for k in steps], inwards
 
 
-def _room_m(scene: Scene, draft: DriveDraft, body: Body) -> float:
+def _room_m(scene: Setup, draft: DriveDraft, body: Body) -> float:
     """How far aside a thing can lie, so that one who goes round comes close to it.
 
     It lies in the lane, and one who stayed in the middle of the lane would hit it.
@@ -100,12 +100,12 @@ def _room_m(scene: Scene, draft: DriveDraft, body: Body) -> float:
     return min(in_lane, (draft.body.width_m + body.width_m) / 2 - _WOULD_HIT_M)
 
 
-def _left_m(scene: Scene, aside_m: float, *, inwards: bool) -> float:
+def _left_m(scene: Setup, aside_m: float, *, inwards: bool) -> float:
     keeps_right = scene.network.driving_side is DrivingSide.RIGHT
     return aside_m if inwards == keeps_right else -aside_m
 
 
-def _pose(scene: Scene, draft: DriveDraft, station_m: float, left_m: float) -> Pose:
+def _pose(scene: Setup, draft: DriveDraft, station_m: float, left_m: float) -> Pose:
     """A place in the lane in which a drive enters, whether or not it has left it there."""
     network, lane = scene.network, draft.entry_lane
     inwards = -1 if network.driving_side is DrivingSide.RIGHT else 1
@@ -117,7 +117,7 @@ def _pose(scene: Scene, draft: DriveDraft, station_m: float, left_m: float) -> P
     return network.pose_at(step, station_m - length, left_m)
 
 
-def is_free(scene: Scene, draft: DriveDraft, spot: Spot, body: Body) -> bool:
+def is_free(scene: Setup, draft: DriveDraft, spot: Spot, body: Body) -> bool:
     """Whether a thing may lie there: whoever would touch it and may not can still go round."""
     for other in scene.drives.values():
         free = not other.changes_before and (other is draft or same_lane(other, draft))

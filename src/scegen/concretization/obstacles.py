@@ -10,11 +10,11 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.concretization.clock import same_lane
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.courses import SpeedChange
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.hazards.rule import culprits, same_arm, victims
 from scegen.concretization.lane_choice import lanes_in
 from scegen.concretization.limits import HARD_BRAKING_MPS2
-from scegen.concretization.marks import Mark
 from scegen.concretization.meetings import drives_meet
 from scegen.concretization.objects import (
     caused_by_nobody,
@@ -49,19 +49,19 @@ def needs_obstacle(functional: FunctionalScenario, hazard: Hazard) -> bool:
     return hazard.kind is HazardKind.OBSTACLE and caused_by_nobody(functional, hazard)
 
 
-def expect_obstacles(scene: Scene) -> None:
+def expect_obstacles(scene: Setup) -> None:
     """Which dangers need a thing in the way, what it is, and in whose way it lies."""
     if scene.obstacles:
         scene.expected = lying_in_the_way(scene.functional, scene.logical, scene.drives)
 
 
-def goes_round_a_thing(scene: Scene, draft: DriveDraft) -> bool:
+def goes_round_a_thing(scene: Setup, draft: DriveDraft) -> bool:
     """Whether a drive that overtakes or changes lanes does so round a thing in its way."""
     expected = any(thing.in_way_of == draft.id for _, thing in scene.expected)
     return expected and (draft.drive.maneuver is Maneuver.OVERTAKE or lanes_in(scene, draft) == 1)
 
 
-def place_obstacles(scene: Scene) -> None:
+def place_obstacles(scene: Setup) -> None:
     """Lay every thing that is expected in the way, and lead the others round it.
 
     Where there is no place for it, it is left out, and the danger with it.
@@ -83,7 +83,7 @@ def place_obstacles(scene: Scene) -> None:
         scene.note(f"{made.id}.from_junction_m", away, f"lies in the way of {draft.id}")
 
 
-def _may_stay(scene: Scene, draft: DriveDraft) -> bool:
+def _may_stay(scene: Setup, draft: DriveDraft) -> bool:
     """Whether a drive may stop short of a thing for good: nothing but its line is concerned."""
     line = [draft, *_behind(scene, draft)]
     names = {d.id for d in line}
@@ -101,7 +101,7 @@ def _may_stay(scene: Scene, draft: DriveDraft) -> bool:
     )
 
 
-def _behind(scene: Scene, draft: DriveDraft) -> list[DriveDraft]:
+def _behind(scene: Setup, draft: DriveDraft) -> list[DriveDraft]:
     """Those behind a drive in its lane, in line."""
     behind = [
         other
@@ -111,7 +111,7 @@ def _behind(scene: Scene, draft: DriveDraft) -> list[DriveDraft]:
     return sorted(behind, key=lambda other: other.drive.rank)
 
 
-def _react(scene: Scene, draft: DriveDraft, spot: Spot, body: Body, *, stays: bool) -> bool:
+def _react(scene: Setup, draft: DriveDraft, spot: Spot, body: Body, *, stays: bool) -> bool:
     """Lead everybody round a thing who would touch it; who may stay stops short of it.
 
     False where somebody has no room for it: nothing has changed then.
@@ -130,7 +130,7 @@ def _react(scene: Scene, draft: DriveDraft, spot: Spot, body: Body, *, stays: bo
     return True
 
 
-def _go_round(scene: Scene, draft: DriveDraft, spot: Spot, body: Body, *, stays: bool) -> None:
+def _go_round(scene: Setup, draft: DriveDraft, spot: Spot, body: Body, *, stays: bool) -> None:
     line = [draft, *_behind(scene, draft)] if stays else []
     rear = spot.station_m - body.length_m / 2 - _SHORT_M
     for one in line:
@@ -150,7 +150,7 @@ def _go_round(scene: Scene, draft: DriveDraft, spot: Spot, body: Body, *, stays:
                 draft.rests_at_m = draft.laid.path_s_m(out)
 
 
-def _brakes(scene: Scene, draft: DriveDraft) -> bool:
+def _brakes(scene: Setup, draft: DriveDraft) -> bool:
     """Whether a drive is said to brake or to stop, as one does before a thing.
 
     Who brakes in the way of one from another arm does it where the two meet.
@@ -163,7 +163,7 @@ def _brakes(scene: Scene, draft: DriveDraft) -> bool:
     )
 
 
-def stop_short(scene: Scene) -> None:
+def stop_short(scene: Setup) -> None:
     """Who stops short of a thing stays there; where nothing says how it brakes, it brakes hard."""
     for draft in scene.drives.values():
         if draft.halts_at_m is None:
@@ -175,5 +175,5 @@ def stop_short(scene: Scene) -> None:
             rate = draft.braking_mps2(float(scene.rng.uniform(*HARD_BRAKING_MPS2)))
             braking = draft.course.speed_at(draft.halts_at_m) ** 2 / (2 * rate)
             start = max(3.0, draft.halts_at_m - braking - 0.1)
-            draft.add_mark(Mark(start, 0.0, rate, HazardKind.OBSTACLE))
+            draft.add_speed_change(SpeedChange(start, 0.0, rate, HazardKind.OBSTACLE))
         draft.course_ = None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import pi, sqrt
 
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.lane_choice import (
     change_lanes,
     entry_lanes,
@@ -54,12 +54,12 @@ def calm_change_length_m(passer: DriveDraft, width_m: float) -> float:
 
 def slowing_s_m(draft: DriveDraft) -> float:
     """Where a drive begins to slow down for its turn, or its arm ends."""
-    places = [mark.s_m for mark in draft.base_marks()]
+    places = [mark.s_m for mark in draft.road_changes()]
     return min([draft.junction_s_m - _BEFORE_JUNCTION_M, *places])
 
 
 def pass_drive(
-    scene: Scene,
+    scene: Setup,
     passer: DriveDraft,
     passed: DriveDraft,
     *,
@@ -104,7 +104,7 @@ def pass_drive(
     ]
 
 
-def _is_to_stray(scene: Scene, passer: DriveDraft) -> bool:
+def _is_to_stray(scene: Setup, passer: DriveDraft) -> bool:
     """Whether one who overtakes is said to do so through the oncoming lane."""
     return any(
         hazard.kind is HazardKind.ONCOMING_LANE and passer.id in hazard.by
@@ -113,7 +113,7 @@ def _is_to_stray(scene: Scene, passer: DriveDraft) -> bool:
 
 
 def pass_standing(
-    scene: Scene,
+    scene: Setup,
     passer: DriveDraft,
     middle_m: float,
     body: Body,

@@ -11,11 +11,11 @@ from dataclasses import dataclass
 from math import pi, sqrt
 
 from scegen.concretization.amounts import change_of_speed
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.limits import LATE_BRAKING_MPS2, LEAD_IN_S, SUDDEN_ACCELERATION_MPS2
 from scegen.concretization.meetings import nearest_s_m
 from scegen.concretization.others import PullDraft
-from scegen.concretization.standers import towards_junction
+from scegen.concretization.stationary import towards_junction
 from scegen.concretization.walkers import Appointment
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
@@ -51,7 +51,7 @@ class _Rendezvous:
     takes_s: float
 
 
-def pull_out(scene: Scene) -> None:
+def pull_out(scene: Setup) -> None:
     """Give those who pull out their ways, and those behind them their braking."""
     for name, stand in list(scene.stands.items()):
         participant = scene.functional.participant(name)
@@ -66,7 +66,7 @@ def pull_out(scene: Scene) -> None:
                 pull.takes_s = met.takes_s
 
 
-def _draft(scene: Scene, name: str, from_junction_m: float) -> PullDraft:
+def _draft(scene: Setup, name: str, from_junction_m: float) -> PullDraft:
     participant = scene.functional.participant(name)
     standing = next(s for s in scene.logical.standings if s.participant == name)
     body = BODIES[participant.kind]
@@ -137,14 +137,14 @@ def _draft(scene: Scene, name: str, from_junction_m: float) -> PullDraft:
     )
 
 
-def _bend_rad(scene: Scene, entry: int, exit_: int, lane: int) -> float:
+def _bend_rad(scene: Setup, entry: int, exit_: int, lane: int) -> float:
     route = next(r for r in scene.network.routes[entry, exit_] if r.entry_lane == lane)
     first = scene.network.arm_road(entry).line.end.heading_rad
     last = scene.network.arm_road(route.exit).line.end.heading_rad
     return (last - first) % (2 * pi) - pi
 
 
-def _meet(scene: Scene, pull: PullDraft) -> _Rendezvous | None:
+def _meet(scene: Setup, pull: PullDraft) -> _Rendezvous | None:
     """The one in whose way it pulls out."""
     pose = pull.laid.path.pose(pull.in_lane_m)
     for draft in scene.concerned(pull.id):
@@ -161,7 +161,7 @@ def _meet(scene: Scene, pull: PullDraft) -> _Rendezvous | None:
     return None
 
 
-def pull_appointments(scene: Scene) -> list[Appointment]:
+def pull_appointments(scene: Setup) -> list[Appointment]:
     """Nobody may come by before one who pulls out can be there."""
     return [
         Appointment(pull.waits_for, pull.place_m, pull.takes_s + LEAD_IN_S)
@@ -170,7 +170,7 @@ def pull_appointments(scene: Scene) -> list[Appointment]:
     ]
 
 
-def program_pulls(scene: Scene, leaves_s: Callable[[str], float]) -> None:
+def program_pulls(scene: Setup, leaves_s: Callable[[str], float]) -> None:
     """Set off at its moment, as the one in whose way it is has come so far."""
     for pull in scene.pulls.values():
         go = leaves_s(pull.id)

@@ -13,7 +13,7 @@ import numpy as np
 from scegen.motion.model import Trace
 from scegen.motion.paths import build_path
 from scegen.motion.simulation import simulate
-from scegen.motion.ties import STEP_S
+from scegen.motion.trigger_steps import STEP_S
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import (
     ConcreteParticipant,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.concretization.drafts import Scene
+from scegen.concretization.drafts import Setup
 from scegen.concretization.limits import CYCLING_MPS, JITTER
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.functional import Participant
@@ -11,7 +11,7 @@ from scegen.scenario.vocabulary import ParticipantKind
 _SLOWEST_MPS = 1.0
 
 
-def cruise_speed_mps(scene: Scene, participant: Participant) -> float:
+def cruise_speed_mps(scene: Setup, participant: Participant) -> float:
     """The parameter's default (or the limit, or a cyclist's pace) with a little jitter."""
     name = f"{participant.id}.speed_mps"
     usual = CYCLING_MPS if participant.kind is ParticipantKind.BICYCLE else scene.limit_mps

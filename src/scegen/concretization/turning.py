@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from math import sqrt
 
-from scegen.concretization.marks import Mark, Sort
+from scegen.concretization.courses import Sort, SpeedChange
 from scegen.motion.polyline import LaidDrive
 from scegen.scenario.concrete import AtTime
 
@@ -56,7 +56,7 @@ def bend_of(laid: LaidDrive, cruise_mps: float, lateral_mps2: float) -> Bend | N
     return Bend(found[0].start_s_m, found[-1].end_s_m, min(bend.speed_mps for bend in found))
 
 
-def turning_marks(
+def turning_changes(
     laid: LaidDrive,
     cruise_mps: float,
     *,
@@ -66,14 +66,14 @@ def turning_marks(
     faster_mps2: float,
     approach_mps: float | None = None,
     resume_mps: float | None = None,
-) -> list[Mark]:
+) -> list[SpeedChange]:
     """The marks of a drive along a way at ``cruise_mps``.
 
     ``stop`` is where it stands for a while, ``approach_mps`` its speed when it begins to slow down,
     ``resume_mps`` its speed after the bend; None: ``cruise_mps``.
     """
     bend = bend_of(laid, cruise_mps, lateral_mps2)
-    marks: list[Mark] = []
+    marks: list[SpeedChange] = []
     before = cruise_mps if approach_mps is None else approach_mps
     after = cruise_mps if resume_mps is None else resume_mps
     if stop is not None:
@@ -91,12 +91,12 @@ def turning_marks(
     elif bend:
         marks.append(_slow_before(bend.start_s_m, before, bend.speed_mps, slowing_mps2))
     if bend:
-        marks.append(Mark(bend.end_s_m, after, faster_mps2, sort=Sort.FREES))
+        marks.append(SpeedChange(bend.end_s_m, after, faster_mps2, sort=Sort.FREES))
     return marks
 
 
-def _slow_before(s_m: float, from_mps: float, to_mps: float, rate_mps2: float) -> Mark:
+def _slow_before(s_m: float, from_mps: float, to_mps: float, rate_mps2: float) -> SpeedChange:
     distance = (from_mps**2 - to_mps**2) / (2 * rate_mps2)
     by_m = s_m - _REACTION_M
     place = max(0.0, by_m - distance)
-    return Mark(place, to_mps, rate_mps2, sort=Sort.SLOWS, by_m=by_m)
+    return SpeedChange(place, to_mps, rate_mps2, sort=Sort.SLOWS, by_m=by_m)

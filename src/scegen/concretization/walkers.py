@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from math import sin, sqrt
 
 from scegen.concretization.asked import contact_wanted
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.limits import (
     CYCLING_MPS,
     WALKING_MPS,
@@ -60,7 +60,7 @@ class Appointment:
     least_s: float
 
 
-def place_walkers(scene: Scene) -> None:
+def place_walkers(scene: Setup) -> None:
     """On the crosswalk if the arm has one, from behind a parked vehicle if one hides them."""
     side_by_side: Counter[tuple[int, Side]] = Counter()
     for crossing in scene.logical.crossings:
@@ -86,7 +86,7 @@ def _abreast_m(number: int) -> float:
     return (number + 1) // 2 * _ABREAST_M * (1 if number % 2 else -1)
 
 
-def _speed(scene: Scene, participant: Participant) -> float:
+def _speed(scene: Setup, participant: Participant) -> float:
     usual = WALKING_MPS if participant.kind is ParticipantKind.PEDESTRIAN else CYCLING_MPS
     low, high = scene.allowed(f"{participant.id}.speed_mps", (0.9 * usual, 1.2 * usual))
     least = min(max(low, 0.9 * usual), high)
@@ -96,7 +96,7 @@ def _speed(scene: Scene, participant: Participant) -> float:
     return round(speed, 3)
 
 
-def _setback_m(scene: Scene, arm: int, body: Body, speed_mps: float) -> float:
+def _setback_m(scene: Setup, arm: int, body: Body, speed_mps: float) -> float:
     """How far outside the carriageway one starts: far enough to have its pace on it."""
     hidden = any(h.kind is HazardKind.OCCLUSION and not h.by for h in scene.functional.hazards)
     behind = body.front_m + _BEHIND_SCREEN_M if hidden else 0.0
@@ -110,7 +110,7 @@ def _setback_m(scene: Scene, arm: int, body: Body, speed_mps: float) -> float:
     return round(max(usual, behind, gains), 3)
 
 
-def _from_junction_m(scene: Scene, crossing: Crossing) -> float:
+def _from_junction_m(scene: Setup, crossing: Crossing) -> float:
     road = scene.network.arm_road(crossing.arm)
     if road.crosswalks:
         return road.length_m - road.crosswalks[0].s_m
@@ -132,7 +132,7 @@ def _from_junction_m(scene: Scene, crossing: Crossing) -> float:
     return max(0.5, nearest.motion.from_junction_m - front - _BEYOND_PARKED_M)
 
 
-def partner_of(scene: Scene, walk: WalkDraft) -> tuple[DriveDraft, MeetingPoint] | None:
+def partner_of(scene: Setup, walk: WalkDraft) -> tuple[DriveDraft, MeetingPoint] | None:
     """The drive into whose way a walker steps."""
     for draft in scene.concerned(walk.id):
         point = meeting_point(draft.laid.path, walk.path)
@@ -146,7 +146,7 @@ def walking_time_s(walk: WalkDraft, distance_m: float) -> float:
     return distance_m / walk.speed_mps + walk.speed_mps / (2 * walk.rate_mps2)
 
 
-def appointments(scene: Scene) -> list[Appointment]:
+def appointments(scene: Setup) -> list[Appointment]:
     """What walkers ask of the drivers' schedule."""
     result = []
     for walk in scene.walks.values():
@@ -160,7 +160,7 @@ def appointments(scene: Scene) -> list[Appointment]:
 
 
 def rendezvous(
-    scene: Scene, draft: DriveDraft, walk: WalkDraft, point: MeetingPoint
+    scene: Setup, draft: DriveDraft, walk: WalkDraft, point: MeetingPoint
 ) -> tuple[float, float]:
     """(place of the driver, way of the walker) to be reached at the same time.
 
@@ -183,7 +183,7 @@ def rendezvous(
 
 
 def _contact(
-    scene: Scene, draft: DriveDraft, walk: WalkDraft, point: MeetingPoint
+    scene: Setup, draft: DriveDraft, walk: WalkDraft, point: MeetingPoint
 ) -> tuple[float, float]:
     """The front of the driver at the side of the walker, whose middle is where it is to be hit."""
     outcome = scene.functional.outcome
@@ -195,7 +195,7 @@ def _contact(
     return max(1.0, place), second_s - walk.body.centre_ahead_m - aside
 
 
-def start_farther_out(scene: Scene) -> None:
+def start_farther_out(scene: Setup) -> None:
     """Lay those anew who start farther out (or less far) than was usual."""
     for walk in scene.walks.values():
         if walk.back_m:
@@ -210,7 +210,7 @@ def _crosses(act: Act) -> bool:
     return act.kind is ActKind.CROSS
 
 
-def program_walkers(scene: Scene, leaves_s: Callable[[str], float]) -> None:
+def program_walkers(scene: Setup, leaves_s: Callable[[str], float]) -> None:
     """Step off when the driver has come so far that both arrive together; stop at the far side."""
     for walk in scene.walks.values():
         found = partner_of(scene, walk)
@@ -244,7 +244,7 @@ def program_walkers(scene: Scene, leaves_s: Callable[[str], float]) -> None:
         ]
 
 
-def stop_in_the_way(scene: Scene) -> None:
+def stop_in_the_way(scene: Setup) -> None:
     """End the ways of those who are said to stop where the driver whom they meet comes by."""
     for hazard in scene.functional.hazards:
         walks = [scene.walks[n] for n in hazard.by if n in scene.walks]
@@ -254,7 +254,7 @@ def stop_in_the_way(scene: Scene) -> None:
                 _end_at(scene, walk, found[1])
 
 
-def _end_at(scene: Scene, walk: WalkDraft, point: MeetingPoint) -> None:
+def _end_at(scene: Setup, walk: WalkDraft, point: MeetingPoint) -> None:
     length = min(point.second_s_m + _STOP_SHORT_M, walk.path.length_m)
     if length <= 0:
         raise MotionInfeasibleError("stops before it has started", where=walk.id)

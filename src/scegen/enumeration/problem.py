@@ -21,10 +21,8 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.arms import arm_angles_deg
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.hazards import HAZARDS, Arrangement, Case
+from scegen.scenario.size import require_few_enough
 from scegen.scenario.vocabulary import HazardKind
-
-MAX_VEHICLES = 60
-"""More vehicles than this are refused: no approach roads are built for them."""
 
 Choice = tuple[int, str]
 """A symbolic move and its manner (plain, lane_change, overtake, stay)."""
@@ -239,13 +237,7 @@ def _wanted(derived: Iterable[Predicate]) -> dict[tuple[str, int], tuple[Choice,
 
 def _check_size(functional: FunctionalScenario) -> None:
     vehicles = functional.vehicles
-    if len(functional.participants) > MAX_VEHICLES:
-        raise InfeasibleError(
-            f"{len(functional.participants)} participants are more than one junction holds "
-            f"(at most {MAX_VEHICLES})",
-            where="participants",
-            hint="Describe fewer participants.",
-        )
+    require_few_enough(len(functional.participants))
     if functional.ego not in vehicles:
         raise InfeasibleError(
             "the ego must drive through the junction, not park or cross it",

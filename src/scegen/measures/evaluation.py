@@ -22,7 +22,7 @@ from scegen.measures.injury import injury_probability
 from scegen.measures.occlusion import occlusion_times
 from scegen.measures.post_encroachment import post_encroachment_time
 from scegen.measures.required_braking import highest_before_area, highest_behind_leader
-from scegen.measures.scene import Scene
+from scegen.measures.tables import Tables
 from scegen.measures.time_to_collision import least_time_to_collision
 from scegen.motion.batch.arrays import BatchTraces, Candidates, Floats, Program, empty_traces
 from scegen.motion.batch.kernels import kernel
@@ -57,7 +57,7 @@ class Summary(NamedTuple):
 def evaluate(
     program: Program,
     candidates: Candidates,
-    scene: Scene,
+    scene: Tables,
     *,
     duration_s: float,
     dt_s: float = 0.05,
@@ -79,7 +79,7 @@ def evaluate(
     return summary
 
 
-def measure(traces: BatchTraces, scene: Scene) -> Summary:
+def measure(traces: BatchTraces, scene: Tables) -> Summary:
     """Measure movements that exist already.
 
     Args:
@@ -91,7 +91,7 @@ def measure(traces: BatchTraces, scene: Scene) -> Summary:
     return summary
 
 
-def _room(candidates: int, scene: Scene) -> Summary:
+def _room(candidates: int, scene: Tables) -> Summary:
     """A summary in which everything is undefined."""
     pairs, occlusions = len(scene.pairs), len(scene.occlusions)
     per_pair, per_each = (candidates, pairs), (candidates, pairs, 2)
@@ -115,7 +115,7 @@ def _room(candidates: int, scene: Scene) -> Summary:
 
 @kernel
 def _evaluate(
-    program: Program, candidates: Candidates, scene: Scene, scratch: BatchTraces, out: Summary
+    program: Program, candidates: Candidates, scene: Tables, scratch: BatchTraces, out: Summary
 ) -> None:
     tracks = scratch.tracks[0]
     frames = np.empty((tracks.shape[0], FRAME_ROWS, tracks.shape[2]))
@@ -126,7 +126,7 @@ def _evaluate(
 
 
 @kernel
-def _measure(traces: BatchTraces, scene: Scene, out: Summary) -> None:
+def _measure(traces: BatchTraces, scene: Tables, out: Summary) -> None:
     shape = traces.tracks.shape
     frames = np.empty((shape[1], FRAME_ROWS, shape[3]))
     room = np.empty(shape[3])
@@ -136,7 +136,7 @@ def _measure(traces: BatchTraces, scene: Scene, out: Summary) -> None:
 
 @kernel
 def _measure_one(
-    tracks: Floats, dt_s: float, scene: Scene, frames: Floats, room: Floats, out: Summary, c: int
+    tracks: Floats, dt_s: float, scene: Tables, frames: Floats, room: Floats, out: Summary, c: int
 ) -> None:
     """Measure one candidate, whose tracks these are, into row ``c`` of the summary.
 

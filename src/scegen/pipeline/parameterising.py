@@ -29,7 +29,7 @@ from scegen.export.openscenario_parameters import Declared, Parameterisation
 from scegen.motion.batch import compile_program, simulate_batch
 from scegen.motion.batch.arrays import Candidates, Floats
 from scegen.motion.model import Path
-from scegen.motion.ties import STEP_S, clear_of_ties
+from scegen.motion.trigger_steps import STEP_S, put_between_steps
 from scegen.road import build_network
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario
@@ -143,7 +143,7 @@ class ParameterSpace:
         rounded = zip(own[1:], made[1:], strict=True)
         if any(np.abs(a - b).max(initial=0.0) > _AS_WRITTEN for a, b in rounded):
             raise UnusableError("a number of it is moved off the steps of time")
-        if clear_of_ties(concrete, paths) is not concrete:
+        if put_between_steps(concrete, paths) is not concrete:
             raise UnusableError("a trigger ties with a step of time")
         end_s = concrete.duration_s
         ours = simulate_batch(program, own, duration_s=end_s, dt_s=STEP_S)

@@ -10,8 +10,8 @@ from scegen.checking.subject import SCENARIO_FILE
 from scegen.errors import InputError, MissingToolError
 from scegen.motion import build_paths, simulate
 from scegen.motion.model import Trace
-from scegen.motion.ties import STEP_S
 from scegen.motion.traces import traces_csv
+from scegen.motion.trigger_steps import STEP_S
 from scegen.pipeline.trace_options import TraceFormat, TracePlayer
 from scegen.report.mcap_file import mcap_of
 from scegen.road import build_network

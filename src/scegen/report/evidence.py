@@ -9,7 +9,7 @@ from itertools import pairwise
 from scegen.report.words import hazard_words, plain
 from scegen.scenario.functional import Evidence, FunctionalScenario
 from scegen.scenario.proof import ClaimProof
-from scegen.understanding import STANDINGS, Finding, report_on, stretches
+from scegen.understanding import STANDINGS, Finding, passages, report_on
 from scegen.understanding.report.disagreement import Disagreement
 
 LONGEST_SHOWN = 20_000
@@ -68,12 +68,12 @@ def spans(
     ranked = sorted(claims, key=lambda c: (c.holds, not 0.0 < (c.time_s or 0.0) < end_s))
     text = functional.description[:LONGEST_SHOWN]
     result = []
-    for stretch in stretches(replace(report, text=text)):
-        tips = dict.fromkeys(_claim(finding) for finding in stretch.findings)
-        became = tuple(c for c in ranked if any(_rests(c, f) for f in stretch.findings))
+    for passage in passages(replace(report, text=text)):
+        tips = dict.fromkeys(_claim(finding) for finding in passage.findings)
+        became = tuple(c for c in ranked if any(_rests(c, f) for f in passage.findings))
         tips |= dict.fromkeys(f"{'✓' if c.holds else '✕'} {c.statement}" for c in became)
-        shown = text[stretch.start : stretch.end]
-        result.append(Span(shown, stretch.standing or "", "\n".join(tips), became))
+        shown = text[passage.start : passage.end]
+        result.append(Span(shown, passage.standing or "", "\n".join(tips), became))
     for place, (span, after) in enumerate(pairwise(list(result))):
         result[place] = replace(span, ends=not after.kind)
     if len(functional.description) > LONGEST_SHOWN:

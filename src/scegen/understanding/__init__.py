@@ -2,7 +2,7 @@
 
 from scegen.understanding.reader import MAX_CHARACTERS, read
 from scegen.understanding.report.cases import Case, load_cases, paper_cases
-from scegen.understanding.report.explain import Stretch, stretches
+from scegen.understanding.report.explain import Passage, passages
 from scegen.understanding.report.parse_report import (
     STANDINGS,
     Finding,
@@ -20,15 +20,15 @@ __all__ = [
     "Case",
     "Finding",
     "ParseReport",
+    "Passage",
     "Score",
     "Standing",
-    "Stretch",
     "load_cases",
     "paper_cases",
     "parse_report",
+    "passages",
     "read",
     "report_on",
     "report_on_contradiction",
     "score",
-    "stretches",
 ]

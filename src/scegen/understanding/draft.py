@@ -7,6 +7,7 @@ from typing import Any
 
 from scegen.errors import InfeasibleError
 from scegen.scenario.model import Interval
+from scegen.scenario.size import require_few_enough
 from scegen.scenario.vocabulary import (
     Approach,
     CrossedArm,
@@ -16,7 +17,6 @@ from scegen.scenario.vocabulary import (
 )
 from scegen.understanding.words.tokens import Token
 
-MAX_PARTICIPANTS = 24
 _TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
 _OVERRIDABLE = frozenset({Maneuver.STRAIGHT})
 _ON_THE_WAY = frozenset({Maneuver.LANE_CHANGE})
@@ -168,13 +168,7 @@ class Draft:
         Raises:
             InfeasibleError: if there are too many.
         """
-        if len(self.entities) >= MAX_PARTICIPANTS:
-            msg = f"more than {MAX_PARTICIPANTS} participants"
-            raise InfeasibleError(
-                msg,
-                where="participants",
-                hint=f"Describe a situation with at most {MAX_PARTICIPANTS} participants.",
-            )
+        require_few_enough(len(self.entities) + 1)
         entity = Entity(len(self.entities), kind, basis)
         self.entities.append(entity)
         return entity

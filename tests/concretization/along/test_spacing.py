@@ -7,7 +7,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from scegen.concretization.along.runner import Runner, Step, gap_m
-from scegen.concretization.along.spacing import Tie, level, measured, place
+from scegen.concretization.along.spacing import GapAt, level, measured, place
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import ParticipantKind
 
@@ -37,7 +37,7 @@ def test_the_measure_placed_is_the_measure_found(data, measure, value, time_s, a
         assume(back.speed_at_mps(time_s) - along > 0.2)
     if measure is Measure.HEADWAY_S:
         assume(back.speed_at_mps(time_s) > 0.2)
-    tie = Tie("who", "other", measure, value, time_s, ahead, said=True)
+    tie = GapAt("who", "other", measure, value, time_s, ahead, said=True)
     who.at_m = place(tie, who, other)
     assert measured(measure, who, other, time_s) == pytest.approx(value, rel=1e-6)
 

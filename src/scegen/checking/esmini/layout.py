@@ -7,7 +7,7 @@ from math import cos, pi, sin
 from scegen.motion import build_paths, simulate
 from scegen.motion.model import Trace
 from scegen.motion.standing import object_paths
-from scegen.motion.ties import STEP_S
+from scegen.motion.trigger_steps import STEP_S
 from scegen.road import build_network
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from scegen.checking.environment import ESMINI_HINT, esmini
 from scegen.checking.limits import run_limited
-from scegen.motion.ties import STEP_S
+from scegen.motion.trigger_steps import STEP_S
 
 TIMEOUT_S = 30.0
 _OF_A_SET = re.compile(r"played_(\d+)_of_\d+\.csv")

@@ -8,7 +8,7 @@ from itertools import combinations
 import numpy as np
 
 from scegen.claims.hazards.judging import hazard_pairs
-from scegen.measures.scene import Scene, build_scene
+from scegen.measures.tables import Tables, build_tables
 from scegen.motion.model import Path
 from scegen.motion.standing import object_paths
 from scegen.scenario.concrete import ConcreteScenario
@@ -51,7 +51,7 @@ def scene_of(
     paths: Mapping[str, Path],
     focus: Sequence[Pair],
     friction: float,
-) -> Scene:
+) -> Tables:
     """A scene with all measures for some pairs, and contacts and distances for all others.
 
     Where lanes are shared and paths cross costs time per pair, so only the focus gets it.
@@ -62,7 +62,7 @@ def scene_of(
     for a, b in focus:
         if (index[b], index[a]) not in chosen:
             chosen[index[a], index[b]] = None
-    scene = build_scene(
+    scene = build_tables(
         [ways[name] for name in index],
         [*(p.kind for p in concrete.participants), *concrete.objects],
         pairs=list(chosen),

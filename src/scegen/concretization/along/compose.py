@@ -32,7 +32,7 @@ from scegen.concretization.roads import plan
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.paths import build_paths
 from scegen.motion.standing import crossing_path
-from scegen.motion.ties import clear_of_ties
+from scegen.motion.trigger_steps import put_between_steps
 from scegen.road import build_network
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.road.model import RoadNetwork
@@ -145,7 +145,7 @@ def _written(
         duration_s=round(lasts_s * 20) / 20,
         provenance=_provenance(story, walks),
     )
-    return clear_of_ties(concrete, build_paths(concrete, network))
+    return put_between_steps(concrete, build_paths(concrete, network))
 
 
 def _caused(story: Story) -> tuple[Hazard, ...]:

@@ -9,11 +9,11 @@ from scegen.concretization.along.moments import perform_waiting, time_what_is_kn
 from scegen.concretization.along.overtaking import come_back, overtake
 from scegen.concretization.along.parked import shift_to_pass, strips_m
 from scegen.concretization.along.passing import apart_m, leap_s
+from scegen.concretization.along.placing import place_all
 from scegen.concretization.along.reactions import contacts, react
 from scegen.concretization.along.runner import Runner, gap_m
 from scegen.concretization.along.sideways import offset_all
 from scegen.concretization.along.story import Story, contact_wanted
-from scegen.concretization.along.ties import tie_up
 from scegen.errors import MotionInfeasibleError
 
 _WIDER = (1.0, 1.3, 1.7, 2.2, 3.0)
@@ -40,7 +40,7 @@ def lay(story: Story) -> list[Walk]:
         story.begins_s, story.ends_s = dict(begins), dict(ends)
         offset_all(story)
         shift_to_pass(story)
-        tie_up(story, wider=wider)
+        place_all(story, wider=wider)
         never = perform_waiting(story, waiting)
         if never:
             act = never[0]

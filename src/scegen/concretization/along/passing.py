@@ -6,7 +6,7 @@ from collections.abc import Callable
 from math import sqrt
 
 from scegen.concretization.along.runner import Move, Runner, gap_m
-from scegen.concretization.along.spacing import Tie, level, place
+from scegen.concretization.along.spacing import GapAt, level, place
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.spacings import Measure
 
@@ -78,7 +78,7 @@ def place_just_missed(
     until_s = move.ends_s + _AROUND_S
 
     def missed(gap: float) -> bool:
-        tie = Tie(
+        tie = GapAt(
             who.id, other.id, Measure.GAP_M, gap, move.begins_s, ahead=who is front, said=False
         )
         who.at_m = place(tie, who, other)

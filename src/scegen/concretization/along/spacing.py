@@ -13,7 +13,7 @@ LENGTHWISE = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
 
 
 @dataclass(frozen=True, slots=True)
-class Tie:
+class GapAt:
     """The ``measure`` of two is ``value`` at ``time_s``; ``ahead``: ``who`` is ahead of ``other``.
 
     ``said`` tells a statement of the text from what is usual.
@@ -28,7 +28,7 @@ class Tie:
     said: bool
 
 
-def wanted_gap_m(tie: Tie, who: Runner, other: Runner) -> float:
+def wanted_gap_m(tie: GapAt, who: Runner, other: Runner) -> float:
     """The free length along the road that the measure means at that moment."""
     front, back = (who, other) if tie.ahead else (other, who)
     speed = back.speed_at_mps(tie.time_s)
@@ -40,7 +40,7 @@ def wanted_gap_m(tie: Tie, who: Runner, other: Runner) -> float:
     return tie.value
 
 
-def place(tie: Tie, who: Runner, other: Runner) -> float:
+def place(tie: GapAt, who: Runner, other: Runner) -> float:
     """Where ``who`` starts so that the tie holds; ``other`` has its place."""
     wanted = wanted_gap_m(tie, who, other)
     who.at_m = 0.0

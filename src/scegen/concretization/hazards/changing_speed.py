@@ -7,7 +7,8 @@ an act by the text does it so; who reverses stops for that.
 from __future__ import annotations
 
 from scegen.concretization.amounts import GAINING, SLOWING, change_of_speed
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.courses import SpeedChange
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.hazards.rule import (
     Rule,
     culprits,
@@ -16,7 +17,6 @@ from scegen.concretization.hazards.rule import (
     stops_for_walkers,
     victims,
 )
-from scegen.concretization.marks import Mark
 from scegen.concretization.turning import bend_of
 from scegen.scenario.acts import Act
 from scegen.scenario.functional import Hazard
@@ -34,7 +34,7 @@ _BEFORE_M = 5.0
 _TOO_LATE_M, _OUT_OF_BEND_M, _FIRST_M = 15.0, 2.0, 5.0
 
 
-def _act_of(scene: Scene, hazard: Hazard, draft: DriveDraft) -> Act | None:
+def _act_of(scene: Setup, hazard: Hazard, draft: DriveDraft) -> Act | None:
     """The act that a danger consists of, where the text has none of the sort."""
     kind = HAZARDS[hazard.kind].acts[0]
     alike = SLOWING if kind in SLOWING else GAINING
@@ -43,7 +43,7 @@ def _act_of(scene: Scene, hazard: Hazard, draft: DriveDraft) -> Act | None:
     return Act(id=f"{hazard.kind}_of_{draft.id}"[:40], participant=draft.id, kind=kind)
 
 
-def _prepare(scene: Scene, hazard: Hazard) -> None:
+def _prepare(scene: Setup, hazard: Hazard) -> None:
     """Who speeds up comes slower than is usual, but for one who follows its sufferer."""
     for draft in culprits(scene, hazard):
         act = _act_of(scene, hazard, draft)
@@ -55,7 +55,7 @@ def _prepare(scene: Scene, hazard: Hazard) -> None:
         scene.note(f"{draft.id}.speed_mps", draft.cruise_mps, reason, before)
 
 
-def _change_speed(scene: Scene, hazard: Hazard) -> None:
+def _change_speed(scene: Setup, hazard: Hazard) -> None:
     for draft in culprits(scene, hazard):
         act = _act_of(scene, hazard, draft)
         if act is None:
@@ -67,7 +67,9 @@ def _change_speed(scene: Scene, hazard: Hazard) -> None:
         )
         if act.kind in GAINING:
             draft.resume_mps = target
-            draft.add_mark(Mark(_clear_of_bend(draft, event, target), target, rate, hazard.kind))
+            draft.add_speed_change(
+                SpeedChange(_clear_of_bend(draft, event, target), target, rate, hazard.kind)
+            )
             continue
         late = hazard.kind is HazardKind.DELAYED_BRAKING and draft.rests_at_m is None
         way = before**2 / (2 * rate) * (_LATE if late else 1.0)
@@ -75,7 +77,9 @@ def _change_speed(scene: Scene, hazard: Hazard) -> None:
         walkers = stops_for_walkers(scene, draft)
         if walkers is not None:
             hold = max(hold, walkers[1] - before / rate + _AFTER_WALKER_S)
-        draft.add_mark(Mark(max(3.0, event - way - 0.1), 0.0, rate, hazard.kind, hold_s=hold))
+        draft.add_speed_change(
+            SpeedChange(max(3.0, event - way - 0.1), 0.0, rate, hazard.kind, hold_s=hold)
+        )
 
 
 def _clear_of_bend(draft: DriveDraft, place_m: float, target_mps: float) -> float:

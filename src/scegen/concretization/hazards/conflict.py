@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.concretization.drafts import Scene
+from scegen.concretization.drafts import Setup
 from scegen.concretization.hazards.cut_in import on_arm
 from scegen.concretization.hazards.rule import Rule, pairs, same_arm
 from scegen.concretization.hazards.swerving import swerve
@@ -15,7 +15,7 @@ ARRIVES_TOGETHER = Rule()
 """Merging conflict, unprotected left turn, red-light running, failure to yield."""
 
 
-def _across(scene: Scene, hazard: Hazard) -> list[Meeting]:
+def _across(scene: Setup, hazard: Hazard) -> list[Meeting]:
     """A rider ahead who does not turn off comes over from the kerb, in front of one behind it."""
     meetings: list[Meeting] = []
     for rider, other in pairs(scene, hazard):

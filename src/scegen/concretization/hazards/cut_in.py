@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from scegen.concretization.abreast import is_outward
 from scegen.concretization.amounts import lasting_s
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.courses import SpeedChange
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.hazards.rule import (
     Rule,
     culprits,
@@ -28,7 +29,6 @@ from scegen.concretization.limits import (
     CUT_IN_HEADWAY_S,
     LATE_BRAKING_MPS2,
 )
-from scegen.concretization.marks import Mark
 from scegen.concretization.meetings import STRUCTURAL, Meeting, nearest_s_m
 from scegen.concretization.passing import (
     change_length_m,
@@ -51,7 +51,7 @@ _MUCH_FASTER_MPS = 3.5
 _GAP_M = 1.5
 
 
-def _prepare(scene: Scene, hazard: Hazard) -> None:
+def _prepare(scene: Setup, hazard: Hazard) -> None:
     """In a ring, start on the inner lane."""
     if scene.road.kind is not JunctionKind.ROUNDABOUT:
         return
@@ -61,7 +61,7 @@ def _prepare(scene: Scene, hazard: Hazard) -> None:
         choose_ring_lane(scene, draft, inner=True)
 
 
-def come_in(scene: Scene, hazard: Hazard) -> list[Meeting]:
+def come_in(scene: Setup, hazard: Hazard) -> list[Meeting]:
     """The changes of lane into the sufferers' way, and the meetings that they need."""
     meetings: list[Meeting] = []
     done: set[str] = set()
@@ -78,7 +78,7 @@ def come_in(scene: Scene, hazard: Hazard) -> list[Meeting]:
 
 
 def on_arm(
-    scene: Scene, culprit: DriveDraft, victim: DriveDraft, kind: HazardKind
+    scene: Setup, culprit: DriveDraft, victim: DriveDraft, kind: HazardKind
 ) -> list[Meeting]:
     """Into the sufferer's lane, close before it; one who is much faster brakes late."""
     lanes = [n for n in entry_lanes(scene, culprit) if n in entry_lanes(scene, victim)]
@@ -110,7 +110,7 @@ def on_arm(
 
 
 def _lanes(
-    scene: Scene, culprit: DriveDraft, victim: DriveDraft, lanes: list[int]
+    scene: Setup, culprit: DriveDraft, victim: DriveDraft, lanes: list[int]
 ) -> tuple[int, int]:
     """(the sufferer's lane, the one it is cut in from): as they drive, or on the side said.
 
@@ -131,7 +131,7 @@ def _lanes(
 
 
 def _close_behind(
-    scene: Scene, culprit: DriveDraft, victim: DriveDraft, place_m: float, victim_m: float
+    scene: Setup, culprit: DriveDraft, victim: DriveDraft, place_m: float, victim_m: float
 ) -> Meeting:
     headway = float(scene.rng.uniform(*CUT_IN_HEADWAY_S))
     gap = headway * victim.cruise_mps + culprit.body.rear_m + victim.body.front_m
@@ -139,7 +139,7 @@ def _close_behind(
     return Meeting(STRUCTURAL, culprit.id, victim.id, place_m, max(0.0, victim_m - gap), 0, reason)
 
 
-def _in_ring(scene: Scene, culprit: DriveDraft, victim: DriveDraft) -> list[Meeting]:
+def _in_ring(scene: Setup, culprit: DriveDraft, victim: DriveDraft) -> list[Meeting]:
     rings = [piece for piece in culprit.laid.stretches if is_ring(piece.road)]
     usable = [p for p in rings if _room_m(p) >= _LEAST_RING_CHANGE_M]
     if not usable or scene.road.ring_lanes < 2:
@@ -159,7 +159,7 @@ def _in_ring(scene: Scene, culprit: DriveDraft, victim: DriveDraft) -> list[Meet
     fastest = speed_for_change_mps(length)
     speed = culprit.course.speed_at(end_s - length)
     if speed > fastest:
-        culprit.add_mark(Mark(max(1.0, end_s - length - speed), fastest, 3.0))
+        culprit.add_speed_change(SpeedChange(max(1.0, end_s - length - speed), fastest, 3.0))
     pose = culprit.laid.path.pose(end_s)
     place, apart = nearest_s_m(victim.laid.path, pose.x_m, pose.y_m)
     if apart > _SAME_LINE_M:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.hazards.rule import Rule, pairs, same_arm
 from scegen.concretization.lane_choice import lanes_in
 from scegen.concretization.meetings import Meeting
@@ -11,7 +11,7 @@ from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
 
 
-def overtake_speeds(scene: Scene, passer: DriveDraft, passed: DriveDraft) -> None:
+def overtake_speeds(scene: Setup, passer: DriveDraft, passed: DriveDraft) -> None:
     """Make the passer clearly faster: slow the other down rather than break the limit."""
     if passer.cruise_mps >= FASTER * passed.cruise_mps:
         return
@@ -20,7 +20,7 @@ def overtake_speeds(scene: Scene, passer: DriveDraft, passed: DriveDraft) -> Non
     passed.cruise_mps = slower
 
 
-def _couples(scene: Scene, hazard: Hazard) -> list[tuple[DriveDraft, DriveDraft]]:
+def _couples(scene: Setup, hazard: Hazard) -> list[tuple[DriveDraft, DriveDraft]]:
     couples = [(c, v) for c, v in pairs(scene, hazard) if same_arm(c, v)]
     if couples:
         return couples[:1]
@@ -33,12 +33,12 @@ def _couples(scene: Scene, hazard: Hazard) -> list[tuple[DriveDraft, DriveDraft]
     ][:1]
 
 
-def _prepare(scene: Scene, hazard: Hazard) -> None:
+def _prepare(scene: Setup, hazard: Hazard) -> None:
     for passer, passed in _couples(scene, hazard):
         overtake_speeds(scene, passer, passed)
 
 
-def _shape(scene: Scene, hazard: Hazard) -> list[Meeting]:
+def _shape(scene: Setup, hazard: Hazard) -> list[Meeting]:
     meetings: list[Meeting] = []
     for passer, passed in _couples(scene, hazard):
         if passer.lane_changes:

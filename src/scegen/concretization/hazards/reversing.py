@@ -17,7 +17,7 @@ from scegen.concretization.backing import (
     brakes_from,
     in_each_others_way,
 )
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.hazards.rule import Rule, culprits, same_arm, victims
 from scegen.concretization.lane_choice import entry_lanes
 from scegen.concretization.meetings import DANGER, Meeting, sampled
@@ -46,7 +46,7 @@ _IN_LINE_M = 3.0
 _SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 
 
-def _sufferer(scene: Scene, hazard: Hazard, draft: DriveDraft) -> DriveDraft | None:
+def _sufferer(scene: Setup, hazard: Hazard, draft: DriveDraft) -> DriveDraft | None:
     """Towards whom it reverses: the first who drives.
 
     Raises:
@@ -66,7 +66,7 @@ def _sufferer(scene: Scene, hazard: Hazard, draft: DriveDraft) -> DriveDraft | N
     return others[0] if others else None
 
 
-def _crosser(scene: Scene, hazard: Hazard, draft: DriveDraft) -> WalkDraft | None:
+def _crosser(scene: Setup, hazard: Hazard, draft: DriveDraft) -> WalkDraft | None:
     """Who crosses behind it: one who suffers it, or in whose way it is by another danger."""
     crossing = [
         name for other in scene.functional.hazards if draft.id in other.to for name in other.by
@@ -75,7 +75,7 @@ def _crosser(scene: Scene, hazard: Hazard, draft: DriveDraft) -> WalkDraft | Non
     return scene.walks[names[0]] if names else None
 
 
-def _prepare(scene: Scene, hazard: Hazard) -> None:
+def _prepare(scene: Setup, hazard: Hazard) -> None:
     """Who comes out backwards enters, as it were, ahead of the other, in its lane."""
     for draft in culprits(scene, hazard):
         other = _sufferer(scene, hazard, draft)
@@ -108,7 +108,7 @@ def _check_order(draft: DriveDraft, other: DriveDraft) -> None:
         )
 
 
-def _one_lane(scene: Scene, draft: DriveDraft, other: DriveDraft) -> None:
+def _one_lane(scene: Setup, draft: DriveDraft, other: DriveDraft) -> None:
     own = entry_lanes(scene, draft)
     lanes = [lane for lane in entry_lanes(scene, other) if lane in own]
     if draft.from_arm is not None:
@@ -124,7 +124,7 @@ def _one_lane(scene: Scene, draft: DriveDraft, other: DriveDraft) -> None:
     draft.entry_lane = other.entry_lane = lane
 
 
-def _shape(scene: Scene, hazard: Hazard) -> list[Meeting]:
+def _shape(scene: Setup, hazard: Hazard) -> list[Meeting]:
     meetings: list[Meeting] = []
     for draft in culprits(scene, hazard):
         other = _sufferer(scene, hazard, draft)
@@ -168,7 +168,7 @@ def _encounter(draft: DriveDraft, other: DriveDraft) -> tuple[float, float, floa
     return event_s, brakes_s, stops_s
 
 
-def _react(scene: Scene, hazard: Hazard) -> None:
+def _react(scene: Setup, hazard: Hazard) -> None:
     """It goes when the other comes; the other, and who is behind it, brakes and goes on later."""
     for draft in culprits(scene, hazard):
         other = _sufferer(scene, hazard, draft)

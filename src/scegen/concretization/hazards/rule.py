@@ -6,14 +6,14 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from scegen.concretization.amounts import GAINING
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.meetings import Meeting, drives_meet, meeting_point
 from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
 
-Shape = Callable[[Scene, Hazard], list[Meeting]]
-Act = Callable[[Scene, Hazard], None]
+Shape = Callable[[Setup, Hazard], list[Meeting]]
+Act = Callable[[Setup, Hazard], None]
 
 _CLEAR_OF_WALKER_M, _CLEAR_OF_OTHER_M = 2.0, 3.0
 _BEFORE_S = 1.5
@@ -37,17 +37,17 @@ class Rule:
     meets: bool = True
 
 
-def culprits(scene: Scene, hazard: Hazard) -> list[DriveDraft]:
+def culprits(scene: Setup, hazard: Hazard) -> list[DriveDraft]:
     """The drives that cause a hazard."""
     return [scene.drives[name] for name in hazard.by if name in scene.drives]
 
 
-def victims(scene: Scene, hazard: Hazard, culprit: DriveDraft) -> list[DriveDraft]:
+def victims(scene: Setup, hazard: Hazard, culprit: DriveDraft) -> list[DriveDraft]:
     """The drives that suffer it; none where those who do are on foot."""
     return [scene.drives[n] for n in hazard.to if n in scene.drives and n != culprit.id]
 
 
-def pairs(scene: Scene, hazard: Hazard) -> list[tuple[DriveDraft, DriveDraft]]:
+def pairs(scene: Setup, hazard: Hazard) -> list[tuple[DriveDraft, DriveDraft]]:
     """(cause, sufferer) of a hazard, drives only."""
     return [(c, v) for c in culprits(scene, hazard) for v in victims(scene, hazard, c)]
 
@@ -57,7 +57,7 @@ def same_arm(first: DriveDraft, second: DriveDraft) -> bool:
     return first.drive.entry == second.drive.entry
 
 
-def in_line_before(scene: Scene, draft: DriveDraft) -> list[DriveDraft]:
+def in_line_before(scene: Setup, draft: DriveDraft) -> list[DriveDraft]:
     """Those ahead on the same arm and lane, the first in line first."""
     ahead = [
         other
@@ -70,7 +70,7 @@ def in_line_before(scene: Scene, draft: DriveDraft) -> list[DriveDraft]:
     return sorted(ahead, key=lambda other: other.drive.rank)
 
 
-def event_s_m(scene: Scene, draft: DriveDraft, hazard: Hazard) -> float:
+def event_s_m(scene: Setup, draft: DriveDraft, hazard: Hazard) -> float:
     """Where on its way a driver's danger happens.
 
     Short of a thing in its way; where it meets a sufferer; else two thirds along its entry arm,
@@ -82,11 +82,11 @@ def event_s_m(scene: Scene, draft: DriveDraft, hazard: Hazard) -> float:
         point = drives_meet(draft, victim)
         if point is not None:
             return point.first_s_m
-    base = [mark.s_m for mark in draft.base_marks() if mark.s_m > 1.0]
+    base = [mark.s_m for mark in draft.road_changes() if mark.s_m > 1.0]
     return min([draft.junction_s_m - 10.0, *base]) - 5.0
 
 
-def stops_for_walkers(scene: Scene, draft: DriveDraft) -> tuple[float, float] | None:
+def stops_for_walkers(scene: Setup, draft: DriveDraft) -> tuple[float, float] | None:
     """Where the reference point must rest for those who cross, and how long until they have."""
     stops = []
     for walk in scene.walks.values():
@@ -100,7 +100,7 @@ def stops_for_walkers(scene: Scene, draft: DriveDraft) -> tuple[float, float] | 
     return min(place for place, _ in stops), max(clear for _, clear in stops)
 
 
-def happens_s_m(scene: Scene, draft: DriveDraft, kind: HazardKind, act: ActKind) -> float:
+def happens_s_m(scene: Setup, draft: DriveDraft, kind: HazardKind, act: ActKind) -> float:
     """Where a change of speed is to be over (or a gain of it to begin), as far as nobody says."""
     to = [h.to for h in scene.functional.hazards if draft.id in h.by and h.kind is kind]
     hazard = Hazard(kind=kind, by=(draft.id,), to=to[0] if to else ())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.hazards.rule import Rule, culprits, in_line_before
 from scegen.concretization.limits import SLOW_FACTOR
 from scegen.scenario.functional import Hazard
@@ -11,7 +11,7 @@ from scegen.scenario.vocabulary import HazardKind
 _LEAST_GAP_M = 4.0
 
 
-def _prepare(scene: Scene, hazard: Hazard) -> None:
+def _prepare(scene: Setup, hazard: Hazard) -> None:
     for draft in culprits(scene, hazard):
         wanted = float(scene.rng.uniform(*SLOW_FACTOR)) * scene.limit_mps
         low, high = scene.allowed(f"{draft.id}.speed_mps", (wanted, wanted))
@@ -27,7 +27,7 @@ def _prepare(scene: Scene, hazard: Hazard) -> None:
             draft.cruise_mps = ahead[-1].cruise_mps
 
 
-def _is_slow(scene: Scene, draft: DriveDraft) -> bool:
+def _is_slow(scene: Setup, draft: DriveDraft) -> bool:
     return any(
         hazard.kind is HazardKind.SLOW_DRIVING and draft.id in hazard.by
         for hazard in scene.functional.hazards

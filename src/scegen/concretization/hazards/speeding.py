@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.concretization.drafts import Scene
+from scegen.concretization.drafts import Setup
 from scegen.concretization.hazards.rule import Rule, culprits
 from scegen.concretization.limits import FAST_LATERAL_MPS2, SPEEDING_FACTOR
 from scegen.scenario.functional import Hazard
@@ -11,7 +11,7 @@ from scegen.scenario.speed_limits import limit_for_kind_mps
 _CLEARLY = 1.1
 
 
-def _prepare(scene: Scene, hazard: Hazard) -> None:
+def _prepare(scene: Setup, hazard: Hazard) -> None:
     for draft in culprits(scene, hazard):
         factor = float(scene.rng.uniform(*SPEEDING_FACTOR))
         limit = limit_for_kind_mps(draft.kind, scene.limit_mps)

@@ -5,7 +5,7 @@ One whose way has no bend turns the wheel all the same: into the lane beside, an
 
 from __future__ import annotations
 
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.hazards.rule import Rule, culprits
 from scegen.concretization.hazards.swerving import swerve
 from scegen.concretization.limits import FAST_LATERAL_MPS2
@@ -15,13 +15,13 @@ from scegen.scenario.functional import Hazard
 _BEND_RAD = 0.35
 
 
-def _prepare(scene: Scene, hazard: Hazard) -> None:
+def _prepare(scene: Setup, hazard: Hazard) -> None:
     for draft in culprits(scene, hazard):
         draft.lateral_mps2 = FAST_LATERAL_MPS2
         draft.slowing_mps2 = 6.0
 
 
-def _shape(scene: Scene, hazard: Hazard) -> list[Meeting]:
+def _shape(scene: Setup, hazard: Hazard) -> list[Meeting]:
     return [
         meeting
         for draft in culprits(scene, hazard)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from scegen.concretization.amounts import lasting_s
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.courses import SpeedChange
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.hazards.rule import Rule, culprits, same_arm, victims
 from scegen.concretization.lane_choice import (
     change_lanes,
@@ -16,7 +17,6 @@ from scegen.concretization.limits import (
     CUT_IN_HEADWAY_S,
     HARD_BRAKING_MPS2,
 )
-from scegen.concretization.marks import Mark
 from scegen.concretization.meetings import STRUCTURAL, Meeting
 from scegen.concretization.passing import slowing_s_m
 from scegen.concretization.room import NeedsLongerArms
@@ -29,7 +29,7 @@ _STAYS_M = 1.0
 _IN_LANE_M, _IN_LANE_S = 0.85, 0.75
 
 
-def swerve(scene: Scene, draft: DriveDraft, hazard: Hazard) -> list[Meeting]:
+def swerve(scene: Setup, draft: DriveDraft, hazard: Hazard) -> list[Meeting]:
     """Out of the lane and back before the junction: as is said, else towards the sufferer.
 
     Close before it, if it drives in a lane beside. One that leaves its lane for another danger
@@ -65,7 +65,7 @@ def swerve(scene: Scene, draft: DriveDraft, hazard: Hazard) -> list[Meeting]:
 
 
 def stray(
-    scene: Scene,
+    scene: Setup,
     draft: DriveDraft,
     aside: int,
     length_m: float,
@@ -89,7 +89,7 @@ def stray(
     return start
 
 
-def sufferer_beside(scene: Scene, hazard: Hazard, draft: DriveDraft) -> DriveDraft | None:
+def sufferer_beside(scene: Setup, hazard: Hazard, draft: DriveDraft) -> DriveDraft | None:
     """The sufferer in a lane next to one who causes a danger, on the same arm."""
     for other in victims(scene, hazard, draft):
         if same_arm(draft, other) and abs(other.entry_lane - draft.entry_lane) == 1:
@@ -97,7 +97,7 @@ def sufferer_beside(scene: Scene, hazard: Hazard, draft: DriveDraft) -> DriveDra
     return None
 
 
-def meet_at_centre_line(scene: Scene, hazard: Hazard, draft: DriveDraft) -> bool:
+def meet_at_centre_line(scene: Setup, hazard: Hazard, draft: DriveDraft) -> bool:
     """Put one who strays and those who come towards it next to the centre line, if any come."""
     oncoming = [
         other
@@ -112,7 +112,7 @@ def meet_at_centre_line(scene: Scene, hazard: Hazard, draft: DriveDraft) -> bool
     return bool(oncoming) and draft.entry_lane == 1
 
 
-def close_before(scene: Scene, draft: DriveDraft, other: DriveDraft, place_m: float) -> Meeting:
+def close_before(scene: Setup, draft: DriveDraft, other: DriveDraft, place_m: float) -> Meeting:
     """At a place of its way, one is as close before another as a cut-in."""
     place = draft.laid.path_s_m(place_m)
     headway = float(scene.rng.uniform(*CUT_IN_HEADWAY_S))
@@ -121,15 +121,15 @@ def close_before(scene: Scene, draft: DriveDraft, other: DriveDraft, place_m: fl
     return Meeting(STRUCTURAL, draft.id, other.id, place, max(0.0, place - gap), 0.0, reason)
 
 
-def _swerving(scene: Scene, hazard: Hazard) -> list[Meeting]:
+def _swerving(scene: Setup, hazard: Hazard) -> list[Meeting]:
     return [m for draft in culprits(scene, hazard) for m in swerve(scene, draft, hazard)]
 
 
-def _losing(scene: Scene, hazard: Hazard) -> list[Meeting]:
+def _losing(scene: Setup, hazard: Hazard) -> list[Meeting]:
     return [m for draft in culprits(scene, hazard) for m in swerve(scene, draft, hazard)]
 
 
-def _brake(scene: Scene, hazard: Hazard) -> None:
+def _brake(scene: Setup, hazard: Hazard) -> None:
     """Loss of control ends in hard braking to walking pace."""
     for draft in culprits(scene, hazard):
         changes = draft.lane_changes
@@ -137,7 +137,9 @@ def _brake(scene: Scene, hazard: Hazard) -> None:
             continue
         place = draft.laid.path_s_m(changes[-1].position_m)
         rate = draft.braking_mps2(HARD_BRAKING_MPS2[0])
-        draft.add_mark(Mark(place, 2.0, rate, HazardKind.LOSS_OF_CONTROL, hold_s=1.0))
+        draft.add_speed_change(
+            SpeedChange(place, 2.0, rate, HazardKind.LOSS_OF_CONTROL, hold_s=1.0)
+        )
 
 
 SWERVING = Rule(shape=_swerving)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.hazards.rule import Rule, pairs, same_arm
 from scegen.concretization.limits import TAILGATING_HEADWAY_S
 from scegen.concretization.meetings import STRUCTURAL, Meeting
@@ -16,11 +16,11 @@ _SLOWER_START_S = 0.8
 _PLACE = 0.5
 
 
-def _couples(scene: Scene, hazard: Hazard) -> list[tuple[DriveDraft, DriveDraft]]:
+def _couples(scene: Setup, hazard: Hazard) -> list[tuple[DriveDraft, DriveDraft]]:
     return [(c, v) for c, v in pairs(scene, hazard) if same_arm(c, v)][:1]
 
 
-def _shape(scene: Scene, hazard: Hazard) -> list[Meeting]:
+def _shape(scene: Setup, hazard: Hazard) -> list[Meeting]:
     meetings = []
     for follower, leader in _couples(scene, hazard):
         headway = float(scene.rng.uniform(*TAILGATING_HEADWAY_S))
@@ -48,7 +48,7 @@ def _shape(scene: Scene, hazard: Hazard) -> list[Meeting]:
     return meetings
 
 
-def _comes_up_fast(scene: Scene, follower: DriveDraft, leader: DriveDraft) -> bool:
+def _comes_up_fast(scene: Setup, follower: DriveDraft, leader: DriveDraft) -> bool:
     """Whether the follower is said to be speeding, and the leader is not."""
     speeding = [h.by for h in scene.functional.hazards if h.kind is HazardKind.SPEEDING]
     fast = any(follower.id in by for by in speeding)

@@ -23,7 +23,7 @@ from scegen.criticality.search.proving import PROOF_DT_S, Evidence
 from scegen.criticality.search.rebuild import rebuilt
 from scegen.criticality.target import NEAR_MISS, parse_target
 from scegen.errors import InputError
-from scegen.motion.ties import clear_of_ties
+from scegen.motion.trigger_steps import put_between_steps
 from scegen.road import build_network
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
@@ -263,5 +263,5 @@ def _evidence(stage: Stage, problem: Problem, best: Best, concrete: ConcreteScen
         float(outcome.duration_s[0]),
         f"search for {stage.target.text}",
     )
-    fresh = clear_of_ties(fresh, paths_of(ways_of(fresh, stage.network)))
+    fresh = put_between_steps(fresh, paths_of(ways_of(fresh, stage.network)))
     return stage.examine(fresh)

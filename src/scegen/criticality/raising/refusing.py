@@ -6,7 +6,7 @@ from scegen.claims.hazards.scenes import Pair
 from scegen.criticality.search.bounds import speed_range
 from scegen.criticality.search.pairs import MEETS, follows, has_areas
 from scegen.criticality.target import Target
-from scegen.measures.scene import Scene
+from scegen.measures.tables import Tables
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.functional import FunctionalScenario
@@ -46,7 +46,7 @@ def too_slow(concrete: ConcreteScenario, pair: Pair) -> str | None:
     )
 
 
-def measurable(target: Target, scene: Scene, p: int, *, still: bool = False) -> bool:
+def measurable(target: Target, scene: Tables, p: int, *, still: bool = False) -> bool:
     """Whether the target can be about this pair at all.
 
     How near somebody passes by what is ``still`` there can be asked even where it leads around.

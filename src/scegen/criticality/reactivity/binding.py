@@ -14,7 +14,7 @@ from scegen.motion.batch.compilation import compile_program
 from scegen.motion.batch.simulation import simulate_batch
 from scegen.motion.friction import friction_of
 from scegen.motion.model import Trace
-from scegen.motion.ties import clear_of_ties
+from scegen.motion.trigger_steps import put_between_steps
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 
@@ -109,7 +109,7 @@ def _waiting(
                     friction=friction_of(concrete.environment),
                 )
                 if tried is not None:
-                    yield clear_of_ties(tried, paths_of(ways_of(tried, network)))
+                    yield put_between_steps(tried, paths_of(ways_of(tried, network)))
 
 
 def _trace(batch: BatchTraces, concrete: ConcreteScenario, who: str) -> Trace:

@@ -22,7 +22,7 @@ import numpy as np
 from scegen.claims.hazards.scenes import scene_of
 from scegen.criticality.encounter import closest_encounter
 from scegen.measures.evaluation import Summary, measure
-from scegen.measures.scene import Scene
+from scegen.measures.tables import Tables
 from scegen.motion import simulate
 from scegen.motion.batch import BatchTraces, compile_program, repeat, simulate_batch
 from scegen.motion.batch.arrays import Floats, Ints
@@ -144,7 +144,7 @@ def _ends(
     return ends
 
 
-def _start(found: Summary, scene: Scene, ego: int, arrives_s: Floats, factor: float) -> Start:
+def _start(found: Summary, scene: Tables, ego: int, arrives_s: Floats, factor: float) -> Start:
     in_time = found.contact_s[0] < arrives_s[scene.pairs].min(axis=1)
     without_ego = np.all(scene.pairs != ego, axis=1)
     return Start(

@@ -7,7 +7,7 @@ from itertools import combinations
 from scegen.claims.hazards.judging import both_sides
 from scegen.claims.hazards.scenes import Pair
 from scegen.claims.hazards.table import PREDICATES
-from scegen.measures.scene import Scene
+from scegen.measures.tables import Tables
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.logical import ConflictKind, Rule
 
@@ -69,11 +69,11 @@ def _parted(concrete: ConcreteScenario, pair: Pair) -> bool:
     )
 
 
-def has_areas(scene: Scene, p: int) -> bool:
+def has_areas(scene: Tables, p: int) -> bool:
     """Whether the paths of a pair cross or merge."""
     return bool(scene.areas.first[p + 1] > scene.areas.first[p])
 
 
-def follows(scene: Scene, p: int) -> bool:
+def follows(scene: Tables, p: int) -> bool:
     """Whether one of a pair drives behind the other somewhere."""
     return bool((scene.following.first[p] >= 0).any())

@@ -16,7 +16,7 @@ from scegen.criticality.search.lead_in import early_contact_missing, early_missi
 from scegen.criticality.search.variables import Space
 from scegen.criticality.target import Target
 from scegen.measures.registry import measure_named
-from scegen.measures.scene import Scene
+from scegen.measures.tables import Tables
 from scegen.motion.batch.arrays import BatchTraces, Bools, Candidates, Floats, Program
 from scegen.motion.batch.simulation import simulate_batch
 from scegen.motion.friction import GRAVITY_MPS2
@@ -97,7 +97,7 @@ class Problem:
     ways: Mapping[str, Way]
     program: Program
     space: Space
-    scene: Scene
+    scene: Tables
     target: Target
     pair: tuple[str, str]
     friction: float

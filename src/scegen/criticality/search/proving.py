@@ -18,7 +18,7 @@ from scegen.criticality.search.problem import PROVED, choice_missing, target_mis
 from scegen.criticality.target import Target
 from scegen.motion.batch.compilation import compile_program
 from scegen.motion.batch.simulation import simulate_batch
-from scegen.motion.ties import STEP_S
+from scegen.motion.trigger_steps import STEP_S
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.proof import ClaimProof, HazardProof, MeasureProof, Proof

@@ -17,7 +17,7 @@ from scegen.measures.distance import distance_series
 from scegen.measures.evaluation import Summary, measure
 from scegen.measures.occlusion import occlusion_series
 from scegen.measures.post_encroachment import post_encroachment_time, time_of_reaching
-from scegen.measures.scene import Scene, build_scene
+from scegen.measures.tables import Tables, build_tables
 from scegen.measures.time_to_collision import time_to_collision_series
 from scegen.motion.batch import BatchTraces, stack_scenario
 from scegen.motion.friction import friction_of
@@ -47,7 +47,7 @@ class Meetings:
     paths: Sequence[Path]
     bodies: Sequence[ConcreteParticipant | None]
     traces: BatchTraces
-    scene: Scene
+    scene: Tables
     summary: Summary
 
     @property
@@ -216,7 +216,7 @@ def meetings_of(
             known.add(frozenset((a, b)))
             chosen[index[a], index[b]] = None
     sights = [*occlusions(concrete), *_sights(concrete)]
-    scene = build_scene(
+    scene = build_tables(
         order,
         [*(p.kind for p in concrete.participants), *concrete.objects],
         pairs=list(chosen),

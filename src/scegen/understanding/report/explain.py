@@ -1,4 +1,4 @@
-"""The description cut into stretches, each with what rests on it, for terminals and pages."""
+"""The description cut into passages, each with what rests on it, for terminals and pages."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _RANK = (
 
 
 @dataclass(frozen=True, slots=True)
-class Stretch:
+class Passage:
     """Consecutive characters on which the same findings rest.
 
     Attributes:
@@ -34,8 +34,8 @@ class Stretch:
     findings: tuple[Finding, ...]
 
 
-def stretches(report: ParseReport) -> tuple[Stretch, ...]:
-    """The whole text in stretches without gap or overlap, cut where any finding begins or ends.
+def passages(report: ParseReport) -> tuple[Passage, ...]:
+    """The whole text in passages without gap or overlap, cut where any finding begins or ends.
 
     Args:
         report: of the description.
@@ -53,5 +53,5 @@ def stretches(report: ParseReport) -> tuple[Stretch, ...]:
     for start, end in pairwise(cuts):
         here = tuple(f for a, b, f in placed if a <= start and end <= b)
         standing = min((f.standing for f in here), key=_RANK.index, default=None)
-        found.append(Stretch(start, end, standing, here))
+        found.append(Passage(start, end, standing, here))
     return tuple(found)

@@ -6,7 +6,7 @@ import json
 from collections.abc import Iterable
 from typing import Any
 
-from scegen.understanding import MAX_CHARACTERS, Finding, Standing, stretches
+from scegen.understanding import MAX_CHARACTERS, Finding, Standing, passages
 from scegen.web.elements import Description, Form, button, drawn, node
 from scegen.web.form import form_spec, standings
 from scegen.web.pictures import junction, participant_colours, tile_picture
@@ -260,7 +260,7 @@ def _spans(work: Work) -> list[dict[str, Any]]:
             "fields": [f.field for f in s.findings if f.field],
             "tip": "\n".join(dict.fromkeys(_told(f) for f in s.findings)),
         }
-        for s in stretches(work.report)
+        for s in passages(work.report)
     ]
 
 

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from scegen.concretization import concretize
 from scegen.motion import simulate
 from scegen.motion.model import Path
-from scegen.motion.ties import STEP_S, clear_of_ties
+from scegen.motion.trigger_steps import STEP_S, put_between_steps
 from scegen.scenario.concrete import (
     ArrivalBelow,
     AtTime,
@@ -66,27 +66,27 @@ def base(cases):
 def test_what_is_played_stays_the_same(base, program):
     ego = base.participants[0].model_copy(update={"speed_program": tuple(program)})
     concrete = base.model_copy(update={"participants": (ego, base.participants[1])})
-    cleared = clear_of_ties(concrete, PATHS)
+    cleared = put_between_steps(concrete, PATHS)
     before, after = (simulate(c, PATHS, dt_s=STEP_S) for c in (concrete, cleared))
     for name in PATHS:
         np.testing.assert_array_equal(before[name].s_m, after[name].s_m)
-    assert clear_of_ties(cleared, PATHS).participants == cleared.participants
+    assert put_between_steps(cleared, PATHS).participants == cleared.participants
 
 
 def test_a_tie_ends_up_between_two_steps(cases):
     concrete = scenario(cases, [phase(Travelled(participant="ego", distance_m=50.0))])
-    cleared = clear_of_ties(concrete, PATHS)
+    cleared = put_between_steps(concrete, PATHS)
     # 50 m are reached exactly after 100 steps of half a metre.
     assert cleared.participants[0].speed_program[0].trigger.distance_m == 49.75
     change = cleared.provenance[-1]
     assert (change.by, change.before, change.after) == ("rounding", 50.0, 49.75)
-    assert clear_of_ties(cleared, PATHS) is cleared
+    assert put_between_steps(cleared, PATHS) is cleared
 
 
 def test_later_phases_of_a_waiting_one_are_cleared_too(cases):
     stop = phase(Travelled(participant="ego", distance_m=20.2), 0.0)
     go = phase(StoodStill(participant="ego", duration_s=1.5), 10.0)
     late = phase(Travelled(participant="car_1", distance_m=150.0), 4.0)
-    cleared = clear_of_ties(scenario(cases, [stop, go, late]), PATHS)
+    cleared = put_between_steps(scenario(cases, [stop, go, late]), PATHS)
     first, wait, last = (p.trigger for p in cleared.participants[0].speed_program)
     assert (first.distance_m, wait.duration_s, last.distance_m) == (20.2, 1.5, 149.75)

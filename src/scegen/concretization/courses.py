@@ -39,7 +39,7 @@ class Sort(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Mark:
+class SpeedChange:
     """At ``s_m`` of the path (from the outer end), change speed to ``target_mps``.
 
     With ``hold_s``, that long after the target is reached the speed changes to ``resume_mps``.
@@ -75,7 +75,7 @@ class Phase:
     s_m: float
     target_mps: float
     rate_mps2: float
-    mark: Mark
+    mark: SpeedChange
     resumes: bool = False
     stood_s: float | None = None
 
@@ -86,7 +86,7 @@ class Phase:
 
 
 @dataclass(frozen=True)
-class Timeline:
+class Course:
     """When a lone vehicle that starts at the outer end of its path is where, at which speed."""
 
     time_s: Array
@@ -138,7 +138,7 @@ class _Driving:
         self.wanted: float | None = None
         self.bend: float | None = None
 
-    def fire(self, mark: Mark, time_s: float) -> None:
+    def fire(self, mark: SpeedChange, time_s: float) -> None:
         """Carry a mark out."""
         target = mark.target_mps
         if mark.sort is Sort.ACT:
@@ -163,7 +163,7 @@ class _Driving:
                 onward = min(onward, self.wanted)
             self._change(Phase(again, 0.0, onward, mark.resume_rate_mps2, mark, True, stood))
 
-    def place_m(self, mark: Mark, others: Sequence[Mark]) -> float:
+    def place_m(self, mark: SpeedChange, others: Sequence[SpeedChange]) -> float:
         """Where a mark is carried out, as fast as it is by then.
 
         The road does not slow down whom an act that is to come makes slow enough in time.
@@ -177,7 +177,7 @@ class _Driving:
                 return mark.by_m
         return max(mark.by_m - change / (2 * mark.rate_mps2), self._gaining_m(mark))
 
-    def _gaining_m(self, mark: Mark) -> float:
+    def _gaining_m(self, mark: SpeedChange) -> float:
         """Where one who still gains speed must begin to slow down; 0 if it does not."""
         if not self.phases:
             return 0.0
@@ -200,7 +200,7 @@ class _Driving:
         self.target, self.ready_s = phase.target_mps, phase.begins_s
 
 
-def timeline(marks: Sequence[Mark], speed_mps: float, length_m: float) -> Timeline:
+def course_of(marks: Sequence[SpeedChange], speed_mps: float, length_m: float) -> Course:
     """Drive alone along a path of ``length_m`` from its outer end."""
     drive = _Driving(speed_mps)
     placed = [mark for mark in marks if mark.then_s is None]
@@ -227,7 +227,7 @@ def timeline(marks: Sequence[Mark], speed_mps: float, length_m: float) -> Timeli
     return _sampled(drive, length_m)
 
 
-def _sampled(drive: _Driving, length_m: float) -> Timeline:
+def _sampled(drive: _Driving, length_m: float) -> Course:
     profile = drive.profile
     ends = min(profile.time_s(length_m), _LONGEST_S)
     if profile.time_s(length_m) >= NEVER_S:
@@ -238,12 +238,12 @@ def _sampled(drive: _Driving, length_m: float) -> Timeline:
     places, speeds = profile.at_times(times)
     # Strictly rising places, so that the time at a place is the first one.
     first = np.concatenate(([True], np.diff(places) > 1e-9))
-    return Timeline(times[first], places[first], speeds[first], tuple(drive.phases), profile)
+    return Course(times[first], places[first], speeds[first], tuple(drive.phases), profile)
 
 
-def compile_marks(
+def speed_program(
     who: str,
-    course: Timeline,
+    course: Course,
     start_s: float,
     start_m: float,
     triggers: Mapping[str, Trigger],

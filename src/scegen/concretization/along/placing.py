@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from scegen.concretization.along.passing import JUST_M, just_missed_s, place_just_missed
 from scegen.concretization.along.runner import FORTH_M, Move, Runner, gap_m
-from scegen.concretization.along.spacing import LENGTHWISE, Tie, level, place
+from scegen.concretization.along.spacing import LENGTHWISE, GapAt, level, place
 from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank
 from scegen.concretization.limits import TAILGATING_HEADWAY_S
 from scegen.scenario.acts import ActKind, WhenMeasure
@@ -30,7 +30,7 @@ _STOPS_BEFORE_M = 1.0
 _AT_REST_S = 60.0
 
 
-def tie_up(story: Story, *, wider: float = 1.0) -> None:
+def place_all(story: Story, *, wider: float = 1.0) -> None:
     """Give everybody a place at the start: by what is said first, by what is usual else.
 
     ``wider`` stretches what is usual, where it turns out too close.
@@ -51,41 +51,43 @@ def tie_up(story: Story, *, wider: float = 1.0) -> None:
         open_ = [n for n in open_ if story.runners[n].at_m is None]
 
 
-def _one_known(story: Story, tie: Tie) -> bool:
-    known = [story.runners[n].at_m is not None for n in (tie.who, tie.other)]
+def _one_known(story: Story, gap: GapAt) -> bool:
+    known = [story.runners[n].at_m is not None for n in (gap.who, gap.other)]
     return known[0] != known[1]
 
 
-def _place(story: Story, tie: Tie) -> None:
-    who, other = story.runners[tie.who], story.runners[tie.other]
+def _place(story: Story, gap: GapAt) -> None:
+    who, other = story.runners[gap.who], story.runners[gap.other]
     if who.at_m is not None:
-        ahead = not tie.ahead if who.forward == other.forward else tie.ahead
-        turned = replace(tie, who=tie.other, other=tie.who, ahead=ahead)
+        ahead = not gap.ahead if who.forward == other.forward else gap.ahead
+        turned = replace(gap, who=gap.other, other=gap.who, ahead=ahead)
         other.at_m = place(turned, other, who)
     else:
-        who.at_m = place(tie, who, other)
+        who.at_m = place(gap, who, other)
 
 
-def _said(story: Story) -> Iterator[Tie]:
+def _said(story: Story) -> Iterator[GapAt]:
     """The ties of the text: spacings along the road, and measures that set acts off."""
     for spacing in story.functional.spacings:
         pair = {spacing.participant, spacing.reference}
         known = pair <= story.runners.keys() and spacing.measure in LENGTHWISE
         if known and spacing.at != CONTACT:
             time_s = 0.0 if spacing.at == START else story.begins_s.get(spacing.at, FIRST_ACT_S)
-            yield _tie(story, spacing.participant, spacing.reference, spacing.measure,
+            yield _gap_at(story, spacing.participant, spacing.reference, spacing.measure,
                        spacing.value.middle, time_s)  # fmt: skip
     for act in story.acts:
         when = act.when
         if not isinstance(when, WhenMeasure) or when.measure not in LENGTHWISE:
             continue
         if {when.participant, when.reference} <= story.runners.keys() and act.id in story.begins_s:
-            yield _tie(story, when.participant, when.reference, when.measure,
+            yield _gap_at(story, when.participant, when.reference, when.measure,
                        when.value.middle, story.begins_s[act.id])  # fmt: skip
 
 
-def _tie(story: Story, who: str, other: str, measure: Measure, value: float, time_s: float) -> Tie:
-    return Tie(who, other, measure, value, time_s, is_ahead(story, who, other), said=True)
+def _gap_at(
+    story: Story, who: str, other: str, measure: Measure, value: float, time_s: float
+) -> GapAt:
+    return GapAt(who, other, measure, value, time_s, is_ahead(story, who, other), said=True)
 
 
 def is_ahead(story: Story, who: str, other: str) -> bool:
@@ -148,7 +150,7 @@ def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float
     measure, value, time_s = kind
     ahead = is_ahead(story, name, other.id)
     runner.at_m = place(
-        Tie(name, other.id, measure, value, time_s, ahead, said=False), runner, other
+        GapAt(name, other.id, measure, value, time_s, ahead, said=False), runner, other
     )
 
 
@@ -174,8 +176,8 @@ def _queue_up(story: Story, runner: Runner) -> None:
         ]  # fmt: skip
         if not taken:
             return
-        tie = Tie(runner.id, taken[0].id, Measure.HEADWAY_S, 1.0, 0.0, ahead=False, said=False)
-        runner.at_m = place(tie, runner, taken[0])
+        gap = GapAt(runner.id, taken[0].id, Measure.HEADWAY_S, 1.0, 0.0, ahead=False, said=False)
+        runner.at_m = place(gap, runner, taken[0])
 
 
 def _meets_s(runner: Runner, other: Runner) -> float:

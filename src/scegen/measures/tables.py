@@ -16,7 +16,7 @@ from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.model import Path
 
 
-class Scene(NamedTuple):
+class Tables(NamedTuple):
     """Made once per scenario; candidates share it, because they share the paths.
 
     ``bodies`` (participant, field of ``Body``); ``pairs`` (p, 2) are the indices of the
@@ -31,14 +31,14 @@ class Scene(NamedTuple):
     occlusions: Ints
 
 
-def build_scene(
+def build_tables(
     paths: Sequence[Path],
     kinds: Sequence[Kind],
     *,
     pairs: Sequence[tuple[int, int]] | None = None,
     occlusions: Sequence[tuple[int, int, int]] = (),
     friction: float = 1.0,
-) -> Scene:
+) -> Tables:
     """The scene of participants with these paths and kinds.
 
     Args:
@@ -52,7 +52,7 @@ def build_scene(
         kinds, friction=friction, protected_curve=PROTECTED, unprotected_curve=UNPROTECTED
     )
     chosen = list(combinations(range(len(paths)), 2)) if pairs is None else list(pairs)
-    return Scene(
+    return Tables(
         bodies=bodies,
         pairs=np.array(chosen, dtype=np.int64).reshape(-1, 2),
         following=follow_table(paths, bodies, chosen),

@@ -8,10 +8,10 @@ from told import act, apart
 
 from scegen.concretization.along.laying import lay
 from scegen.concretization.along.moments import time_what_is_known
+from scegen.concretization.along.placing import place_all
 from scegen.concretization.along.runner import gap_m
 from scegen.concretization.along.spacing import LENGTHWISE, measured
 from scegen.concretization.along.telling import story_of
-from scegen.concretization.along.ties import tie_up
 from scegen.enumeration import enumerate_scenarios
 from scegen.scenario.acts import WhenMeasure
 from scegen.scenario.spacings import CONTACT, START
@@ -63,7 +63,7 @@ def test_distances_in_a_chain_hold_one_after_the_other():
         )
     )
     time_what_is_known(told)
-    tie_up(told)
+    place_all(told)
     at = told.runners
     assert at["tail"].at_m < at["ego"].at_m < at["near"].at_m < at["far"].at_m
     assert gap_m(at["far"], at["near"], 0.0) == pytest.approx(40.0)
@@ -75,7 +75,7 @@ def test_distances_in_a_chain_hold_one_after_the_other():
 def test_what_is_usual_is_stretched_and_what_is_said_is_not(wider):
     people = [ego(60), one("near", "car", AHEAD, speed=60), one("tail", "car", BEHIND, speed=60)]
     told = story(road(people, spacings=[apart("ego", "near", "gap_m", 25.0)]))
-    tie_up(told, wider=wider)
+    place_all(told, wider=wider)
     assert gap_m(told.ego, told.runners["near"], 0.0) == pytest.approx(25.0)
     tail = gap_m(told.ego, told.runners["tail"], 0.0)
     assert tail == pytest.approx(wider * 1.8 * 60 / 3.6)

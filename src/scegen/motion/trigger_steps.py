@@ -34,7 +34,7 @@ _ROUNDING = 1e-9
 _REASON = "clear of a tie between two steps"
 
 
-def clear_of_ties(concrete: ConcreteScenario, paths: Mapping[str, Path]) -> ConcreteScenario:
+def put_between_steps(concrete: ConcreteScenario, paths: Mapping[str, Path]) -> ConcreteScenario:
     """The scenario with triggers moved to between two steps of 0.05 s where they tie with one.
 
     Every phase fires in the same step as before.

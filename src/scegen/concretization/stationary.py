@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.concretization.drafts import DriveDraft, Scene
+from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.hazards.rule import same_arm
 from scegen.concretization.limits import LATE_BRAKING_MPS2
 from scegen.concretization.meetings import STRUCTURAL, Meeting
@@ -28,7 +28,7 @@ BLOCKS_AT_M = 45.0
 BLOCKS_STRAIGHT_AT_M = 15.0
 
 
-def passed_where_they_stand(scene: Scene) -> tuple[Standing, ...]:
+def passed_where_they_stand(scene: Setup) -> tuple[Standing, ...]:
     """Those who are said to stay in their lane while somebody from behind goes round them."""
     passers = [d for d in scene.logical.drives if d.maneuver in _GO_ROUND]
     kerb = Side(scene.functional.junction.driving_side.value)
@@ -41,7 +41,7 @@ def passed_where_they_stand(scene: Scene) -> tuple[Standing, ...]:
     )
 
 
-def place_standers(scene: Scene) -> None:
+def place_stationary(scene: Setup) -> None:
     """Line them up from the junction outwards, those that hide somebody next to the corner."""
     filled: dict[tuple[int, Side, bool], float] = {}
     for standing in (*scene.logical.standings, *passed_where_they_stand(scene)):
@@ -58,7 +58,7 @@ def place_standers(scene: Scene) -> None:
         scene.stands[participant.id] = _draft(scene, participant, standing, from_junction)
 
 
-def _first_free_m(scene: Scene, standing: Standing) -> float:
+def _first_free_m(scene: Setup, standing: Standing) -> float:
     if not standing.in_lane:
         pulls_out = any(
             scene.functional.participant(other.participant).pulls_out
@@ -71,7 +71,7 @@ def _first_free_m(scene: Scene, standing: Standing) -> float:
 
 
 def _draft(
-    scene: Scene, participant: Participant, standing: Standing, from_junction_m: float
+    scene: Setup, participant: Participant, standing: Standing, from_junction_m: float
 ) -> StandDraft:
     motion = StandingMotion(
         arm=standing.arm,
@@ -84,19 +84,19 @@ def _draft(
     return StandDraft(participant.id, participant.kind, standing, motion, path)
 
 
-def towards_junction(scene: Scene, standing: Standing) -> bool:
+def towards_junction(scene: Setup, standing: Standing) -> bool:
     """Whether one who stands on that side heads for the junction."""
     right = standing.side is Side.RIGHT
     return right == (scene.network.driving_side is DrivingSide.RIGHT)
 
 
-def blocked_lane_ahead(scene: Scene, draft: DriveDraft) -> bool:
+def blocked_lane_ahead(scene: Setup, draft: DriveDraft) -> bool:
     """Whether somebody stands in a drive's lane."""
     blocking = [stand for stand in scene.stands.values() if stand.standing.in_lane]
     return any(_place_on_way(scene, draft, stand) is not None for stand in blocking)
 
 
-def go_round_standers(scene: Scene) -> list[Meeting]:
+def go_round_stationary(scene: Setup) -> list[Meeting]:
     """Who drives in the lane of a vehicle that blocks it goes round.
 
     Returns the meetings with those who come from behind in the lane that this needs.
@@ -113,7 +113,7 @@ def go_round_standers(scene: Scene) -> list[Meeting]:
     return meetings
 
 
-def _in_front_of(scene: Scene, draft: DriveDraft) -> list[Meeting]:
+def _in_front_of(scene: Setup, draft: DriveDraft) -> list[Meeting]:
     """The next from behind in the lane into which one pulls out: it brakes late if it is faster."""
     out = draft.lane_changes[0]
     behind = [
@@ -135,7 +135,7 @@ def _in_front_of(scene: Scene, draft: DriveDraft) -> list[Meeting]:
     return [Meeting(STRUCTURAL, draft.id, other.id, place, met, 0.0, reason)]
 
 
-def _place_on_way(scene: Scene, draft: DriveDraft, stand: StandDraft) -> float | None:
+def _place_on_way(scene: Setup, draft: DriveDraft, stand: StandDraft) -> float | None:
     """Where on its way a drive meets the middle of a vehicle in its lane; None if elsewhere."""
     body = BODIES[stand.kind]
     inbound = towards_junction(scene, stand.standing)
