@@ -59,9 +59,9 @@ def test_of_a_million_a_selection_is_listed_with_the_total():
 
 
 def test_counts_do_not_list():
-    certificate = count_scenarios(plain_crossing(tuple(range(8)) * 6, 8), arms=ArmsMode.EQUAL)
-    assert certificate.total == 7**48
-    assert certificate.count > 7**48 // (720**8 * 8)
+    certificate = count_scenarios(plain_crossing(tuple(range(8)) * 3, 8), arms=ArmsMode.EQUAL)
+    assert certificate.total == 7**24
+    assert certificate.count > 7**24 // (6**8 * 8)
 
 
 def test_patterns_of_ten_cars_at_five_arms():
