@@ -6,8 +6,18 @@ from scegen.understanding.lexicon.loader import (
     Spelling,
     load,
     load_languages,
+    load_lists,
     load_spelling,
     load_ways,
 )
 
-__all__ = ["Entry", "Lexicon", "Spelling", "load", "load_languages", "load_spelling", "load_ways"]
+__all__ = [
+    "Entry",
+    "Lexicon",
+    "Spelling",
+    "load",
+    "load_languages",
+    "load_lists",
+    "load_spelling",
+    "load_ways",
+]

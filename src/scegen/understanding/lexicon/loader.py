@@ -109,6 +109,12 @@ def load_ways() -> dict[str, frozenset[str]]:
     return {name: frozenset(words) for name, words in _read("ways").items()}
 
 
+@lru_cache(maxsize=1)
+def load_lists() -> dict[str, frozenset[str]]:
+    """Words of one kind, by the name of the list."""
+    return {name: frozenset(words) for name, words in _read("lists").items()}
+
+
 @dataclass(frozen=True, slots=True)
 class Spelling:
     """Words in which slips are mended, and words that only look like slips of them."""

@@ -17,20 +17,6 @@ def fail_to_yield(clause: Clause, context: Context) -> None:
     _from_the_side(clause, context)
 
 
-def take_priority(clause: Clause, context: Context) -> None:
-    """``takes priority illegally``, ``takes the ego's right of way``: it belongs to others.
-
-    Args:
-        clause: what happens.
-        context: the scenario in the making.
-    """
-    taken = [p for p in clause.places() if p.kind == "right_of_way"]
-    others = [e for e in clause.drivers if not e.ego]
-    owned = any(p.owner is not None and p.owner.entities for p in taken)
-    if taken and others and (owned or clause.how("aggressive", "sudden") is not None):
-        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, clause.words, others)
-
-
 def _from_the_side(clause: Clause, context: Context) -> None:
     """Who has to give way and comes from the side comes from another road."""
     sides = (Approach.LEFT, Approach.RIGHT)

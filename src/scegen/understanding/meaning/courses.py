@@ -2,18 +2,10 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver
-from scegen.understanding.chunks import Chunk, Mention, Place, Prep, Thing
+from scegen.scenario.vocabulary import HazardKind
+from scegen.understanding.chunks import Chunk, Mention, Place, Prep
 from scegen.understanding.draft import Basis
 from scegen.understanding.semantics.context import Clause, Context
-
-
-def hold(clause: Clause, _context: Context) -> None:
-    """``keeps to the left lane``, ``maintains its course``: it drives on."""
-    places = [p for p in clause.places() if p.kind in {"lane", "path", "road", "side"}]
-    course = isinstance(clause.event.object, Thing) and not places
-    for entity in clause.drivers if places or course else []:
-        entity.moves = entity.moves or Basis(clause.event.i, clause.event.j)
 
 
 def circulate(chunks: list[Chunk], clauses: list[Clause], context: Context) -> None:
@@ -48,20 +40,6 @@ def _inside(prep: Prep, context: Context) -> bool:
     return named and context.tokens[prep.word.i].low in {"in", "inside", "on", "within", "round"}
 
 
-def follow(clause: Clause, context: Context) -> None:
-    """One drives behind another."""
-    straight = any(p.kind in {"road", "highway"} and "straight" in p.dirs for p in clause.places())
-    for entity in clause.drivers:
-        entity.moves = entity.moves or Basis(clause.event.i, clause.event.j)
-        entity.on_straight = entity.on_straight or straight
-    basis = Basis(clause.event.i, clause.event.j)
-    context.ahead(clause.targets, clause.actors, basis)
-    nobody = clause.event.object is None and not clause.event.passive and not clause.event.pps
-    if nobody and not any(e.ego for e in clause.actors):
-        for entity in clause.drivers:  # "and the car following brakes"
-            context.draft.place(entity, None, {Approach.BEHIND}, basis)
-
-
 def move_off(clause: Clause, context: Context) -> None:
     """``a parked van drives off``: whoever comes along has to be let through.
 
@@ -78,23 +56,6 @@ def move_off(clause: Clause, context: Context) -> None:
     others = [e for e in clause.drivers if e.pulls_out and not e.ego]
     if away and others:
         context.draft.hazard(HazardKind.FAILURE_TO_YIELD, clause.words, others)
-
-
-def precede(clause: Clause, context: Context) -> None:
-    """One drives ahead of another."""
-    context.ahead(clause.actors, clause.targets, Basis(clause.event.i, clause.event.j))
-
-
-def stay(clause: Clause, context: Context) -> None:
-    """Whoever waits on foot stays where they are; who drives waits for the light."""
-    basis = Basis(clause.event.i, clause.event.j)
-    held = any(p.kind == "signal" for p in clause.places())
-    lit = context.junction.control is Control.SIGNALS
-    for entity in [e for e in clause.drivers if held or (lit and e.ego)]:
-        entity.waits = entity.waits or basis
-    for entity in clause.actors:
-        if not entity.is_vehicle and not entity.maneuvers:
-            context.draft.maneuver(entity, {Maneuver.STAY}, basis)
 
 
 def park(clause: Clause, _context: Context) -> None:

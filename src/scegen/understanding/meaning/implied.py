@@ -5,10 +5,10 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Danger, Entity
-from scegen.understanding.meaning import conflicts, oncoming
+from scegen.understanding.meaning import oncoming
 from scegen.understanding.meaning.reactions import into_rear
-from scegen.understanding.meaning.ways import past_the_roadside
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.ways import head_on, past_the_roadside
 from scegen.understanding.words.terms import Term
 
 _TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
@@ -197,7 +197,7 @@ def _comes_towards(clause: Clause, driver: Entity, context: Context) -> None:
         basis = Basis(clause.event.i, towards[0], "comes towards the ego")
         context.draft.place(driver, None, {Approach.OPPOSITE}, basis)
         for place in clause.places():
-            if conflicts.head_on(clause, place, context):
+            if head_on(clause, place, context):
                 words = Basis(place.i, place.j)
                 context.draft.hazard(HazardKind.ONCOMING_LANE, words, [driver], [ego])
 
@@ -208,7 +208,7 @@ def _at_the_ego(prep: Prep, clause: Clause, context: Context) -> bool:
     return goal and clause.event.name in {"move", "speed", "approach"}
 
 
-def head_on(term: Term, clause: Clause, context: Context) -> None:
+def meet_head_on(term: Term, clause: Clause, context: Context) -> None:
     """``a motorcycle approaches head-on``: who collides so has come from the front, too.
 
     Args:

@@ -17,7 +17,6 @@ from scegen.understanding.meaning import (
     crossed_arms,
     dangers,
     detours,
-    encounters,
     implied,
     lane_moves,
     numbered_lanes,
@@ -30,7 +29,7 @@ from scegen.understanding.meaning import (
     standing,
     titled,
 )
-from scegen.understanding.meaning.movements import MOVEMENTS
+from scegen.understanding.meaning.movements import follow_movement
 from scegen.understanding.meaning.omissions import not_done
 from scegen.understanding.meaning.out_of_turn import out_of_turn
 from scegen.understanding.meaning.placing import Placer
@@ -43,6 +42,7 @@ from scegen.understanding.meaning.sides_left import sides_left
 from scegen.understanding.phrases.on_sides import from_everywhere
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.roles import clause_of
+from scegen.understanding.semantics.rows import say
 from scegen.understanding.words.terms import Term
 
 _BY_MANNER = {
@@ -210,21 +210,18 @@ class Interpreter:
         side_roads.access(clause, self._context)
         failed = event.parent is not None and event.parent.name == "fail"
         if event.name in _ANSWERS:
-            encounters.answered(clause, self._context)
+            say("dangers.answered", clause, self._context)
         if event.negated or failed or event.name == "overlook":
             not_done(clause, self._context)
             return
         if event.name in _BREACHING or breaches.may_break(clause, self._context):
             breaches.breach(clause, self._context)
         self._manner(clause)
-        movement = MOVEMENTS.get(event.name)
-        if movement is not None:
-            movement(clause, self._context)
-        encounters.onto_the_road(clause, self._context)
-        encounters.after_a_thing(clause, self._context)
-        danger = dangers.DANGERS.get(event.name)
-        if danger is not None and not self._overruled(clause):
-            danger(clause, self._context)
+        follow_movement(clause, self._context)
+        say("dangers.onto_the_road", clause, self._context)
+        say("dangers.after_a_thing", clause, self._context)
+        if not self._overruled(clause):
+            say(f"dangers.{event.name}", clause, self._context)
         if event.name in _ON_THE_MOVE:
             dangers.oncoming_lane(clause, self._context)
         screens.from_behind(clause, self._context)
@@ -314,7 +311,7 @@ class Interpreter:
             elif term.cat == "state":
                 self._quality(term, clause.actors)
             elif (term.cat, term.value) == ("manner", "head_on"):
-                implied.head_on(term, clause, self._context)
+                implied.meet_head_on(term, clause, self._context)
         if event.nominal and event.name not in _TRAVEL:
             return
         travels = event.name in _TRAVEL and not clause.reaction

@@ -11,8 +11,8 @@ from scegen.scenario.vocabulary import Approach, Control
 from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.meaning import numbered_lanes
 from scegen.understanding.meaning.verbs_of_contact import contact_or_shift
-from scegen.understanding.meaning.ways import into_lane
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.ways import into_lane
 
 _OPEN = frozenset({"dash", "breach"})
 """Verbs that say nothing without a phrase of place."""

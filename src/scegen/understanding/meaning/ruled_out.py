@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.meaning import ways
+from scegen.understanding.semantics import ways
 from scegen.understanding.semantics.context import Clause, Context
 
 _WAYS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.STRAIGHT})

@@ -5,8 +5,8 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.meaning import encounters
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.rows import say
 
 _HIDING = frozenset({"behind", "between"})
 _OPAQUE_PLACES = frozenset({"bus_stop", "feature", "parking"})
@@ -15,66 +15,6 @@ _SHELTERING = frozenset({"shield", "cover"})
 _SPRINGING = frozenset({"cross", "appear"})
 _COMING = frozenset({"move", "enter", "pull_out"})
 _WAITING = frozenset({"wait", "locate", "walk", "move", "stop", "park", "appear"})
-
-
-def block(clause: Clause, context: Context) -> None:
-    """Standing in the way, or in the line of sight."""
-    if isinstance(clause.event.object, Thing) and clause.event.object.kind == "view":
-        occlude(clause, context)
-        return
-    if clause.event.nominal and not clause.targets and not clause.places():
-        return  # "in the middle of the block"
-    screened = [e for e in clause.targets if not e.is_vehicle or context.is_cyclist(e)]
-    if clause.event.passive and screened:
-        context.draft.hazard(HazardKind.OCCLUSION, clause.words, clause.actors)
-        return  # "a child obstructed by a van"
-    prevents = any(c.link == "ing" or c.nominal for c in clause.event.children)
-    if prevents and not clause.places():
-        return
-    parked = [e for e in clause.actors if e.still]
-    if parked:
-        context.draft.hazard(HazardKind.OBSTACLE, clause.words, parked)
-    moving = [e for e in clause.actors if not e.still]
-    faster = [d for d in context.draft.dangers if d.kind is HazardKind.SUDDEN_ACCELERATION]
-    if moving and not any(e in d.by for d in faster for e in moving):
-        context.draft.hazard(HazardKind.STOPPING, clause.words, moving)
-
-
-def occlude(clause: Clause, context: Context) -> None:
-    """``hides the pedestrian``, ``is hidden behind a truck``, ``blocks the view``."""
-    seen = clause.event.object
-    narrow = clause.event.lemma in _NARROWING
-    if narrow and not (isinstance(seen, Thing) and seen.kind == "view"):
-        return  # "limits the space"
-    covers = clause.event.lemma in _SHELTERING and not clause.event.passive
-    if covers and not clause.targets and not isinstance(seen, Thing):
-        return  # "has covered half of the way"
-    walkers = [e for e in clause.actors if not e.is_vehicle]
-    hiders = [] if clause.event.passive and _behind(clause.event) else clause.actors
-    by = [e for e in hiders if e.is_vehicle and not e.ego]
-    by += [e for e in _behind(clause.event) if e not in by]
-    hidden = bool(clause.targets) and not clause.actors  # "a hedge hiding two cyclists"
-    hidden = hidden or _screened_by_a_thing(clause)
-    if walkers or by or hidden or isinstance(clause.event.object, Thing):
-        context.draft.hazard(HazardKind.OCCLUSION, clause.words, by)
-
-
-def _screened_by_a_thing(clause: Clause) -> bool:
-    """``whose left side is screened by a wall``: whatever it is, it is out of sight."""
-    sheltered = clause.event.lemma in _SHELTERING
-    by = [p.target for p in clause.event.pps if p.value in {"by", "behind"}]
-    things = any(isinstance(t, Thing) and t.kind == "object" for t in by)
-    return clause.event.passive and things and not sheltered
-
-
-def _behind(event: Event) -> list[Entity]:
-    """Who is named after "behind", "from behind", "by"."""
-    targets = [
-        p.target
-        for p in event.pps
-        if (p.word.cat == "locus" and p.value in {"behind", "between"}) or p.value in {"by", "due"}
-    ]
-    return [e for t in targets if isinstance(t, Mention) for e in t.entities]
 
 
 def from_behind(clause: Clause, context: Context) -> None:
@@ -93,7 +33,7 @@ def from_behind(clause: Clause, context: Context) -> None:
             basis, by = _screen(prep, clause.actors)
             context.draft.hazard(HazardKind.OCCLUSION, basis, by)
             if clause.event.name in _COMING:
-                encounters.cyclists_cross(clause, context)
+                say("dangers.cyclists_cross", clause, context)
         elif clause.event.name in _WAITING:
             wait_behind(prep, clause.actors, context)
 

@@ -83,22 +83,6 @@ def _from_access(place: Place, clause: Clause, context: Context) -> None:
             context.draft.place(entity, None, sides, Basis(place.i, place.j))
 
 
-def stays_there(clause: Clause, context: Context) -> bool:
-    """``a van on the minor road stops, then pulls out``: it stops before it gets in the way.
-
-    Args:
-        clause: somebody stops.
-        context: the scenario in the making.
-    """
-    told = bool(clause.event.pps) or clause.event.object is not None
-    named = [p.target for m in clause.event.subject for p in m.pps if p.value in {"in", "from"}]
-    aside = any(isinstance(p, Place) and p.kind == "access" for p in named)
-    across = context.draft.access is not None and all(
-        context.comes_across(e) for e in clause.actors
-    )
-    return not told and (aside or across)
-
-
 def spread(prep: Prep, actors: list[Entity], context: Context) -> None:
     """One vehicle to each arm.
 

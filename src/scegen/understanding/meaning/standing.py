@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import HazardKind, Maneuver
-from scegen.understanding.chunks import Event, Place
+from scegen.understanding.chunks import Event
 from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.lexicon import load_lists
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.words.terms import Term
 
-STANDING = frozenset({"stand", "sit", "idle", "unload", "load", "deliver", "linger", "lie"})
-"""Verbs by which somebody stays where it is."""
 _HELD = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "parking", "sidewalk",
                    "shoulder"})  # fmt: skip
 _ROADSIDE = frozenset({"shoulder", "sidewalk", "parking"})
@@ -30,7 +29,7 @@ def stand(clause: Clause, context: Context) -> None:
     if event.negated or event.modal or event.nominal or _until(event, context):
         return
     lemma = event.lemma
-    stands = event.name in {"wait", "stop"} and lemma in STANDING
+    stands = event.name in {"wait", "stop"} and lemma in load_lists()["standing"]
     stands = stands or (event.name == "stop" and _over(event, context))
     if not stands:
         return
@@ -91,31 +90,3 @@ def _over(event: Event, context: Context) -> bool:
     before = {t.low for t in context.tokens[max(0, event.i - _REACH) : event.i]}
     now = not context.told_in_the_past and not event.mods
     return event.form == "ed" and (event.reduced or now or bool(before & _SINCE))
-
-
-def in_the_road(clause: Clause, context: Context) -> bool:
-    """``a man stands in the lane``: in the way, without crossing.
-
-    Args:
-        clause: what happens.
-        context: the scenario in the making.
-
-    Returns:
-        Whether that is said.
-    """
-    there = [e for e in clause.walkers if e.stands is not None and e.maneuvers == {Maneuver.STAY}]
-    lanes = [
-        p.target
-        for p in clause.event.pps
-        if p.value == "in" and isinstance(p.target, Place) and p.target.kind in _WAY
-    ]
-    if there and lanes and there == clause.walkers:
-        basis = Basis(clause.event.i, max(clause.event.j, lanes[0].j))
-        context.draft.dangers[:] = [
-            d
-            for d in context.draft.dangers
-            if d.kind is not HazardKind.CROSSING_PEDESTRIAN or not all(e in there for e in d.by)
-        ]
-        context.draft.hazard(HazardKind.STOPPING, basis, there)
-        return True
-    return False

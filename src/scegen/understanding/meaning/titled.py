@@ -5,9 +5,9 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.chunks import Event
 from scegen.understanding.draft import Entity
-from scegen.understanding.meaning import dangers
-from scegen.understanding.meaning.movements import MOVEMENTS
+from scegen.understanding.meaning.movements import follow_movement
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.rows import say
 
 _INTO_LANES = frozenset({"cut_in", "lane_change", "cut_off"})
 _TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT})
@@ -32,10 +32,8 @@ def by_the_only_one(clauses: list[Clause], context: Context) -> None:
         if told is None:
             clause.actors = [doer]
         told = told or clause
-        for rules in (MOVEMENTS, dangers.DANGERS):
-            rule = rules.get(told.event.name)
-            if rule is not None:
-                rule(told, context)
+        follow_movement(told, context)
+        say(f"dangers.{told.event.name}", told, context)
 
 
 def _swerves(doer: Entity, event: Event, clauses: list[Clause], context: Context) -> Clause | None:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
+from collections.abc import Callable
+
+from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.phrases.which_road import AGAINST, ALONG
 from scegen.understanding.semantics.context import Clause, Context
 
-_CROSSING = HazardKind.CROSSING_PEDESTRIAN
 _LENGTHWISE = frozenset({"along", "down", "up", "beside"})
 _LEAVING = frozenset({"off", "from"})
 _ACROSS = frozenset({"over", "across", "into", "onto"})
@@ -43,27 +44,24 @@ def keep_along(clause: Clause, context: Context) -> bool:
     along = along or (free and event.how(ALONG, AGAINST) is not None)  # "the way the ego drives"
     along = along or any(_from_or_to_a_vehicle(p, context) for p in event.pps)
     along = along or (_own_word(event, context) in _LENGTHWISE and event.object is not None)
-    if not aside and (not along or words & _ACROSS):
-        return False
-    for entity in clause.walkers:
-        if not entity.maneuvers:
-            context.draft.maneuver(entity, {Maneuver.STRAIGHT}, clause.words)
-            dangers = context.draft.dangers
-            dangers[:] = [d for d in dangers if d.kind is not _CROSSING or d.by != [entity]]
-        way = _way_along(clause, context)
-        if way is not None:
-            context.draft.place(entity, None, {way}, clause.words)
-    return True
+    return aside or (along and not words & _ACROSS)
 
 
-def _way_along(clause: Clause, context: Context) -> Approach | None:
-    """``in the direction of traffic``, ``towards the ego``: the same way, or the other."""
+def _after(clause: Clause, context: Context) -> str:
+    """The words after the verb, to the end of its clause."""
     after = context.tokens[clause.event.i : clause.event.i + _REACH]
     end = next((k for k, t in enumerate(after) if t.low in {".", ";"}), len(after))
-    words = f" {' '.join(t.low for t in after[:end])} "
-    if any(f" {w} " in words for w in _TOWARDS):
-        return Approach.OPPOSITE
-    return Approach.AHEAD if any(f" {w} " in words for w in _WITH) else None
+    return f" {' '.join(t.low for t in after[:end])} "
+
+
+def _heads_towards(clause: Clause, context: Context) -> bool:
+    words = _after(clause, context)
+    return any(f" {w} " in words for w in _TOWARDS)
+
+
+def _heads_with(clause: Clause, context: Context) -> bool:
+    words = _after(clause, context)
+    return any(f" {w} " in words for w in _WITH)
 
 
 def _from_or_to_a_vehicle(prep: Prep, context: Context) -> bool:
@@ -86,3 +84,11 @@ def _lengthwise(prep: Prep, context: Context) -> bool:
     same = place.kind == "direction" and "same" in place.dirs
     edge = place.kind in {"side", "shoulder"} and prep.value == "in" and not place.dirs
     return along or same or edge
+
+
+FACTS: dict[str, Callable[[Clause, Context], bool]] = {
+    "keeps_along": keep_along,
+    "heads_towards": _heads_towards,
+    "heads_with": _heads_with,
+}
+"""Words of conditions that ask for a way along the road."""

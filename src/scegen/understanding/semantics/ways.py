@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
-from scegen.understanding.chunks import Event, Place, Prep, Thing
+from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.semantics.context import Clause, Context, span
 from scegen.understanding.words.quantities import after_a_measure
@@ -25,6 +27,8 @@ _TO_PASS = frozenset({"pull_out", "try", "accelerate", "lane_change", "swerve", 
 _LAMPS = frozenset({"indicator", "indicators", "blinker", "blinkers", "signal", "flasher", "lamp"})
 _LAMP_REACH = 6
 _THROUGH = frozenset({"through", "across"})
+_SIDEWAYS = frozenset({Maneuver.LEFT, Maneuver.RIGHT})
+_ASIDE = frozenset({"access", "parking", "shoulder", "sidewalk", "junction", "bus_stop"})
 
 
 def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
@@ -255,3 +259,134 @@ def against(entity: Entity, place: Place) -> bool:
     opposed = {"north": "south", "south": "north", "east": "west", "west": "east"}
     heading = entity.heading or ""
     return place.kind == "lane" and opposed.get(heading, "") in ways
+
+
+def owners(lane: Place | None, clause: Clause, context: Context) -> list[Entity]:
+    """Whose lane it is; "its lane" is the ego's for everybody who moves into it."""
+    if lane is None:
+        return []
+    if lane.owner is not None:
+        return list(lane.owner.entities)
+    possessed = any(m.cat == "possessive" for m in lane.mods)
+    kept = any(m.value == "same" for m in lane.mods)
+    others = [e for e in context.draft.entities if e.moving_vehicle and e not in clause.actors]
+    named = [d for d in lane.dirs if d in _OTHER]
+    there = [e for e in others if e.ego and e.start_lane and e.start_lane[0] in named]
+    if there and lane.kind == "lane":
+        return there  # "the ego in the right lane …, a car changes to the right lane"
+    its = [e for e in others if e.ego or (lane.kind == "path" and len(others) == 1)]
+    return its if possessed and not kept else []
+
+
+def head_on(clause: Clause, place: Place | None, context: Context) -> bool:
+    """``an oncoming van drifts into the ego's lane``: it has no business there.
+
+    Args:
+        clause: what happens.
+        place: where it ends.
+        context: the scenario in the making.
+    """
+    if place is None or not owners(place, clause, context):
+        return False
+    words = context.tokens
+    if place.kind == "side" and not place.dirs:  # "comes onto the ego's side"
+        return any(p.target is place and words[p.word.i].low == "onto" for p in clause.event.pps)
+    entered = place is clause.event.object or any(
+        p.target is place and p.value == "into" for p in clause.event.pps
+    )
+    if place.kind != "lane" or not (entered or place.owner is not None):
+        return False  # "stays in its lane"
+    egos = place.owner is not None and any(e.ego for e in place.owner.entities)
+    sideways = any(t.value in _OTHER for t in clause.event.dirs) and not egos
+    return not sideways and any(context.oncoming(e) and not e.ego for e in clause.drivers)
+
+
+def across_somebody(clause: Clause, context: Context) -> bool:
+    """``turned left right across me``: across my way."""
+    return all(context.oncoming(e) for e in clause.drivers) and any(
+        context.tokens[p.word.i].low == "across"
+        and isinstance(p.target, Mention)
+        and any(e.moving_vehicle for e in p.target.entities)
+        for p in clause.event.pps
+    )
+
+
+def stays_there(clause: Clause, context: Context) -> bool:
+    """``a van on the minor road stops, then pulls out``: it stops before it gets in the way.
+
+    Args:
+        clause: somebody stops.
+        context: the scenario in the making.
+    """
+    told = bool(clause.event.pps) or clause.event.object is not None
+    named = [p.target for m in clause.event.subject for p in m.pps if p.value in {"in", "from"}]
+    aside = any(isinstance(p, Place) and p.kind == "access" for p in named)
+    across = context.draft.access is not None and all(
+        context.comes_across(e) for e in clause.actors
+    )
+    return not told and (aside or across)
+
+
+def onto_the_road(event: Event) -> bool:
+    """The road itself, a crosswalk or somebody's way is crossed, not a junction."""
+    places = [event.object, *(p.target for p in event.pps)]
+    kinds = {p.kind for p in places if isinstance(p, Place)}
+    return (
+        any(p.arm is not None for p in places if isinstance(p, Place))
+        or bool(kinds & {"road", "crosswalk", "lane", "path", "highway", "centerline"})
+        or (not kinds and event.object is None)
+    )
+
+
+def turns_across(clause: Clause, context: Context) -> bool:
+    """A turn across oncoming traffic."""
+    return Maneuver(context.across) in directions(clause.event, context.tokens)
+
+
+def set_across(clause: Clause, context: Context) -> bool:
+    """It is known from elsewhere that the turn leads across oncoming traffic."""
+    known = {m for e in clause.drivers for m in e.maneuvers}
+    return not clause.event.dirs and known & _SIDEWAYS == {Maneuver(context.across)}
+
+
+def _against_lane(clause: Clause, _: Context) -> bool:
+    lane = into_lane(clause.event)
+    return lane is not None and any(against(e, lane) for e in clause.drivers)
+
+
+def _lane_ahead(clause: Clause, _: Context) -> bool:
+    """``the lane in front of V1``."""
+    lane = into_lane(clause.event)
+    return lane is not None and any(p.word.cat == "locus" and p.value == "ahead" for p in lane.pps)
+
+
+def _out_of_a_side(clause: Clause, context: Context) -> bool:
+    out = any(p.kind in _ASIDE for p in clause.places())
+    across = any(context.comes_across(e) for e in clause.drivers)
+    return out or across or context.draft.from_kerb
+
+
+FACTS: dict[str, Callable[[Clause, Context], bool]] = {
+    "next_lane": lambda clause, c: next_lane(clause.event, c),
+    "overtaking": overtaking,
+    "across_the_road": lambda clause, c: across_the_road(clause.event, c),
+    "past_the_roadside": past_the_roadside,
+    "no_arrow": lambda _, c: without_arrow(c),
+    "turns_across": turns_across,
+    "set_across": set_across,
+    "across_somebody": across_somebody,
+    "against_lane": _against_lane,
+    "head_on": lambda clause, c: head_on(clause, into_lane(clause.event), c),
+    "lane_ahead": _lane_ahead,
+    "out_of_a_side": _out_of_a_side,
+    "stays_there": stays_there,
+    "onto_the_road": lambda clause, _: onto_the_road(clause.event),
+    "only_signalled": lambda clause, c: only_signalled(clause.event, c),
+    "side_to_side": lambda clause, _: side_to_side(clause.event),
+    "leads_somewhere": lambda clause, c: bool(directions(clause.event, c.tokens)),
+    "leads_aside": lambda clause, c: bool(_SIDEWAYS & set(directions(clause.event, c.tokens))),
+    "leads_through": lambda clause, c: through(clause.event, c) is not None,
+    "onward": lambda clause, _: any(d.value == "straight" for d in clause.event.dirs),
+    "denies_a_way": lambda clause, _: bool(clause.event.denied_ways & set(DIRECTIONS)),
+}
+"""Words of conditions that ask for a way."""

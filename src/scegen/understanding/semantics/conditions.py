@@ -1,0 +1,192 @@
+"""Conditions of rows: what must hold of a clause, in a few words each.
+
+``path PATTERN``: a phrase of the verb; ``at PATTERN``: a place named with it; ``object PATTERN``;
+``some|no WHO``: there is somebody, nobody; ``any|all|no WHO is WORD``: of whom something holds;
+``how VALUE…``: manner; ``own WORD…``: a word of the verb itself; ``lemma``, ``event``, ``parent``,
+``child``, ``form``, ``link``, ``control``; ``danger KIND…``: there is one; or a word of `FACTS`.
+``not`` before any of them turns it round; ``A or B`` asks for one of two.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TypeAlias
+
+from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind
+from scegen.understanding.lexicon import load_lists
+from scegen.understanding.semantics import along, patterns, ways
+from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.values import alike
+from scegen.understanding.semantics.who import entity, who
+
+Test: TypeAlias = Callable[[Clause, Context], bool]
+
+FACTS: dict[str, Test] = {
+    "reaction": lambda clause, _: clause.reaction,
+    "modal": lambda clause, _: clause.event.modal,
+    "nominal": lambda clause, _: clause.event.nominal,
+    "passive": lambda clause, _: clause.event.passive,
+    "perfect": lambda clause, _: clause.event.perfect,
+    "negated": lambda clause, _: clause.event.negated,
+    "late": lambda clause, _: clause.event.late,
+    "unable": lambda clause, _: clause.event.unable,
+    "sudden": lambda clause, _: clause.sudden is not None,
+    "premodifier": lambda clause, _: clause.event.premod_of is not None,
+    "subject": lambda clause, _: bool(clause.event.subject),
+    "sided": lambda clause, _: any(t.value in {"left", "right"} for t in clause.event.dirs),
+    "directed": lambda clause, _: bool(clause.event.dirs),
+    "crossing": lambda _, context: context.junction.crossing,
+    "highway": lambda _, context: context.junction.highway,
+    "meeting": lambda _, c: c.junction.crossing or c.draft.crossing_implied is not None,
+    "access": lambda _, context: context.draft.access is not None,
+    "from_kerb": lambda _, context: context.draft.from_kerb,
+    "controlled": lambda _, context: context.junction.control is not None,
+    "dangerous": lambda _, context: bool(context.draft.dangers),
+    "endangered": lambda _, c: any(d.by and not any(e.ego for e in d.by) for d in c.draft.dangers),
+    "prevents": lambda clause, _: any(c.link == "ing" or c.nominal for c in clause.event.children),
+    "people_act": lambda clause, _: any(
+        h.value == "pedestrian" for m in clause.event.subject for h in m.heads
+    ),
+    "as_others_do": lambda clause, c: bool(alike(clause, c)),
+    **ways.FACTS,
+    **along.FACTS,
+}
+
+
+def _path(rest: str) -> Test:
+    test = patterns.prep(rest.split())
+    return lambda clause, c: any(test(p, c) for p in clause.event.pps)
+
+
+def _at(rest: str) -> Test:
+    test = patterns.noun(rest.split())
+    return lambda clause, _: any(test(p) for p in clause.places())
+
+
+def _object(rest: str) -> Test:
+    test = patterns.noun(rest.split())
+    return lambda clause, _: test(clause.event.object)
+
+
+def _goal(rest: str) -> Test:
+    test = patterns.noun(rest.split())
+    return lambda clause, _: test(ways.into_lane(clause.event))
+
+
+def _words(rest: str) -> frozenset[str]:
+    """Words, or those of a list of the lexicon ("@gently")."""
+    return load_lists()[rest[1:]] if rest.startswith("@") else frozenset(rest.split())
+
+
+def _ends(rest: str) -> Test:
+    return lambda clause, c: c.tokens[clause.event.j - 1].low == rest
+
+
+def _how(rest: str) -> Test:
+    values = rest.split()
+    return lambda clause, _: clause.event.how(*values) is not None
+
+
+def _own(rest: str) -> Test:
+    words = _words(rest)
+    return lambda clause, c: any(t.low in words for t in c.tokens[clause.event.i : clause.event.j])
+
+
+def _mod(rest: str) -> Test:
+    words = _words(rest)
+    return lambda clause, c: any(c.tokens[m.j - 1].low in words for m in clause.event.mods)
+
+
+def _lemma(rest: str) -> Test:
+    words = _words(rest)
+    return lambda clause, _: clause.event.lemma in words
+
+
+def _event(rest: str) -> Test:
+    names = frozenset(rest.split())
+    return lambda clause, _: clause.event.name in names
+
+
+def _parent(rest: str) -> Test:
+    names = frozenset(rest.split())
+    return lambda clause, _: clause.event.parent is not None and clause.event.parent.name in names
+
+
+def _child(rest: str) -> Test:
+    names = frozenset(rest.split())
+    return lambda clause, _: any(c.name in names for c in clause.event.children)
+
+
+def _form(rest: str) -> Test:
+    return lambda clause, _: clause.event.form == rest
+
+
+def _link(rest: str) -> Test:
+    return lambda clause, _: clause.event.link == rest
+
+
+def _control(rest: str) -> Test:
+    kinds = frozenset(Control(word) for word in rest.split())
+    return lambda _, context: context.junction.control in kinds
+
+
+def _junction(rest: str) -> Test:
+    kinds = frozenset(JunctionKind(word) for word in rest.split())
+    return lambda _, context: context.junction.kind in kinds
+
+
+def _danger(rest: str) -> Test:
+    kinds = frozenset(HazardKind(word) for word in rest.split())
+    return lambda _, context: any(d.kind in kinds for d in context.draft.dangers)
+
+
+def _some(rest: str) -> Test:
+    find = who(rest)
+    return lambda clause, context: bool(find(clause, context))
+
+
+def _one(rest: str) -> Test:
+    find = who(rest)
+    return lambda clause, context: len(find(clause, context)) == 1
+
+
+def _any(rest: str) -> Test:
+    left, _, word = rest.rpartition(" is ")
+    find, test = who(left), entity(word)
+    return lambda clause, context: any(test(e, context) for e in find(clause, context))
+
+
+def _all(rest: str) -> Test:
+    left, _, word = rest.rpartition(" is ")
+    find, test = who(left), entity(word)
+    return lambda clause, context: all(test(e, context) for e in find(clause, context))
+
+
+def _no(rest: str) -> Test:
+    found = _any(rest) if " is " in rest else _some(rest)
+    return lambda clause, context: not found(clause, context)
+
+
+_KINDS: dict[str, Callable[[str], Test]] = {
+    "path": _path, "at": _at, "object": _object, "goal": _goal, "how": _how, "own": _own,
+    "mod": _mod, "lemma": _lemma, "event": _event, "parent": _parent, "child": _child,
+    "form": _form, "ends": _ends, "link": _link, "control": _control, "junction": _junction,
+    "danger": _danger,
+    "some": _some, "one": _one, "any": _any, "all": _all, "no": _no,
+}  # fmt: skip
+
+
+def condition(text: str) -> Test:
+    """The test that the words of a condition make.
+
+    Raises:
+        KeyError: names a word that means nothing here.
+    """
+    if " or " in text:
+        tests = [condition(part) for part in text.split(" or ")]
+        return lambda clause, context: any(test(clause, context) for test in tests)
+    name, _, rest = text.partition(" ")
+    if name == "not":
+        test = condition(rest)
+        return lambda clause, context: not test(clause, context)
+    return _KINDS[name](rest) if name in _KINDS else FACTS[text]

@@ -1,0 +1,52 @@
+"""What rows note of a participant beside where it comes from and what it does."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from scegen.understanding.draft import Basis, Entity
+
+
+def _pulls_out(entity: Entity, _: Basis) -> None:
+    entity.pulls_out = True
+
+
+def _was_parked(entity: Entity, basis: Basis) -> None:
+    entity.was_parked = entity.was_parked or basis
+
+
+def _parked(entity: Entity, basis: Basis) -> None:
+    entity.parked, entity.parked_basis = True, basis
+
+
+def _moves(entity: Entity, basis: Basis) -> None:
+    entity.moves = entity.moves or basis
+
+
+def _waits(entity: Entity, basis: Basis) -> None:
+    entity.waits = entity.waits or basis
+
+
+def _forgets(entity: Entity, _: Basis) -> None:
+    entity.maneuvers = set()
+
+
+def _on_straight(entity: Entity, _: Basis) -> None:
+    entity.on_straight = True
+
+
+def _through(entity: Entity, basis: Basis) -> None:
+    entity.through = entity.through or basis
+
+
+MARKS: dict[str, Callable[[Entity, Basis], None]] = {
+    "pulls_out": _pulls_out,
+    "was_parked": _was_parked,
+    "parked": _parked,
+    "moves": _moves,
+    "waits": _waits,
+    "on_straight": _on_straight,
+    "through": _through,
+    "forgets": _forgets,
+}
+"""Mark -> what it sets; ``forgets``: what was said of its way before no longer holds."""

@@ -1,0 +1,143 @@
+"""Patterns of phrases and nouns: ``into lane -opposite``, ``=across road``, ``from<behind who``.
+
+A phrase is one or more prepositions by their value, with ``=`` by the word itself, with ``~`` by
+any other word, after ``<`` the one inside ("from behind"); then a noun. A noun is a kind of place,
+``who`` (participants), ``thing`` or ``thing.view``, ``event``, ``place`` (any), ``none``, ``named``
+(any but none); ``any`` is whatever stands there.
+``+x`` and ``-x`` ask for, and rule out, a direction or one of `_FILTERS`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, TypeAlias
+
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
+from scegen.understanding.draft import Entity
+from scegen.understanding.semantics.context import Clause, Context
+
+NounTest: TypeAlias = Callable[[Any], bool]
+PrepTest: TypeAlias = Callable[[Prep, Context], bool]
+ANY = "any"
+FRONT = "in_front"
+"""In somebody's way; "ahead of" somebody one only leads."""
+
+_FILTERS: dict[str, NounTest] = {
+    "owned": lambda n: n.owner is not None,
+    "its": lambda n: any(m.cat == "possessive" for m in n.mods),
+    "egos": lambda n: n.owner is not None and any(e.ego for e in n.owner.entities),
+    "other": lambda n: any(m.value == "other" for m in n.mods),
+    "unprotected": lambda n: any(m.value == "unprotected" for m in n.mods),
+    "ranked": lambda n: n.head is not None and "ranked" in n.head.data,
+    "compound": lambda n: n.head is not None and n.head.j - n.head.i > 1,
+    "gap": lambda n: n.head is not None and "gap" in n.head.data,
+    "plural": lambda n: n.head is not None and n.head.form == "s",
+    "headed": lambda n: n.head is not None,
+    "roundabout": lambda n: n.head is not None and n.head.data.get("kind") == "roundabout",
+    "undirected": lambda n: not n.dirs,
+    "vehicle": lambda n: any(e.is_vehicle for e in n.entities),
+    "afoot": lambda n: any(not e.is_vehicle for e in n.entities),
+    "moving": lambda n: any(e.moving_vehicle for e in n.entities),
+    "ego": lambda n: any(e.ego for e in n.entities),
+    "pronoun": lambda n: n.pronoun is not None,
+}
+
+
+def _alternative(word: str) -> NounTest:
+    kind, _, detail = word.partition(".")
+    if kind == "who":
+        return lambda n: isinstance(n, Mention)
+    if kind == "thing":
+        return lambda n: isinstance(n, Thing) and (not detail or n.kind == detail)
+    if kind == "event":
+        return lambda n: isinstance(n, Event)
+    if kind == ANY:
+        return lambda _: True
+    if kind == "none":
+        return lambda n: n is None
+    if kind == "named":
+        return lambda n: n is not None
+    if kind == "place":
+        return lambda n: isinstance(n, Place)
+    return lambda n: isinstance(n, Place) and n.kind == kind
+
+
+def _filter(word: str) -> NounTest:
+    wanted, names = word[0] == "+", word[1:].split("|")
+    tests = [_FILTERS[name] for name in names if name in _FILTERS]
+    dirs = {name for name in names if name not in _FILTERS}
+    return lambda n: (any(t(n) for t in tests) or bool(dirs and dirs & set(n.dirs))) == wanted
+
+
+def noun(words: list[str]) -> NounTest:
+    """The test that a pattern of a noun makes; True for any where there is none.
+
+    Args:
+        words: the pattern, split at blanks.
+    """
+    if not words or words == [ANY]:
+        return lambda _: True
+    filters = [_filter(word) for word in words[1:]]
+    kinds = words[0].split("|")
+    special = {"who", "thing", "event", "none", "place", "named", ANY}
+    if all(k.partition(".")[0] not in special for k in kinds):
+        named = frozenset(kinds)
+        if not filters:
+            return lambda n: isinstance(n, Place) and n.kind in named
+        return lambda n: isinstance(n, Place) and n.kind in named and all(f(n) for f in filters)
+    tests = [_alternative(kind) for kind in kinds]
+    return lambda n: any(t(n) for t in tests) and all(f(n) for f in filters)
+
+
+def _in_front(p: Prep, context: Context) -> bool:
+    words = context.tokens[p.word.i : p.word.j]
+    return p.word.cat == "locus" and p.value == "ahead" and all(t.low != "ahead" for t in words)
+
+
+def prep(words: list[str]) -> PrepTest:
+    """The test that a pattern of a phrase makes.
+
+    Args:
+        words: the pattern, split at blanks.
+    """
+    values: set[str] = set()
+    spelled: set[str] = set()
+    other: set[str] = set()
+    outer: set[tuple[str, str]] = set()
+    for word in words[0].split("|"):
+        before, inside, value = word.rpartition("<")
+        if inside:
+            outer.add((before, value))
+        elif word[0] in "=~":
+            (spelled if word[0] == "=" else other).add(word[1:])
+        else:
+            values.add(value)
+    target = noun(words[1:])
+    free = ANY in values
+
+    def fits(p: Prep, context: Context) -> bool:
+        word = context.tokens[p.word.i].low
+        named = free or p.value in values or word in spelled or (bool(other) and word not in other)
+        named = named or any(
+            (p.outer == o and v in {ANY, p.value}) or (word == o and p.value == v) for o, v in outer
+        )
+        named = named or (FRONT in values and _in_front(p, context))
+        return named and target(p.target)
+
+    return fits
+
+
+def phrases(pattern: str) -> Callable[[Clause, Context], list[Prep]]:
+    """What finds the phrases of a clause that fit a pattern."""
+    test = prep(pattern.split())
+    return lambda clause, context: [p for p in clause.event.pps if test(p, context)]
+
+
+def people(found: list[Prep]) -> list[Entity]:
+    """Whom phrases name."""
+    return [e for p in found if isinstance(p.target, Mention) for e in p.target.entities]
+
+
+def end(found: Prep) -> int:
+    """The index after the last token of a phrase."""
+    return found.target.j if isinstance(found.target, NounPhrase | Event) else found.word.j

@@ -1,0 +1,235 @@
+"""Rows of data: under which conditions a clause says what. Of a family, the first that fits holds.
+
+Rows stand from the most specific to the most general; one without effects says that nothing
+follows. With ``also`` the next rows are asked as well. The keys:
+
+* ``if``: conditions, all of which must hold;
+* ``hazard`` of ``by`` (those who act; with ``?`` maybe nobody) and ``to``;
+* ``maneuver`` of ``of``; ``place``: where ``of`` comes from, seen by ``from`` (the ego);
+* ``lanes``, ``crossing``: why the road has lanes, a junction;
+* ``marks`` of ``of``; ``drop``: a danger that is none after all; ``unplace``; ``note``;
+* ``then``: further families; ``words``, ``reason``: what it rests on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib.resources import files
+from typing import Any, TypeAlias
+
+from scegen.scenario.parsing import parse
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
+from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.semantics.conditions import Test, condition
+from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.marks import MARKS
+from scegen.understanding.semantics.patterns import end, phrases
+from scegen.understanding.semantics.values import VALUES, WORDS
+from scegen.understanding.semantics.who import who
+
+Effect: TypeAlias = Callable[[Clause, Context], None]
+Words: TypeAlias = Callable[[Clause, Context], Basis]
+_FILES = ("dangers", "movements")
+_KEYS = frozenset({"if", "hazard", "by", "to", "maneuver", "of", "place", "from", "lanes",
+                   "crossing", "drop", "unplace", "marks", "note", "then", "words", "reason",
+                   "also"})  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One row: all its conditions and all its effects; whether further rows are asked."""
+
+    tests: tuple[Test, ...]
+    effects: tuple[Effect, ...]
+    also: bool
+
+
+def _words(expression: str, reason: str | None) -> Words:
+    """What a row rests on.
+
+    Args:
+        expression: ``event``; ``sudden`` or ``how VALUE…``, where that is said; ``to PATTERN``,
+            from the verb to the end of a phrase; one of `VALUES` or `WORDS`.
+        reason: why, where the words do not say it themselves.
+    """
+    name, _, rest = expression.partition(" ")
+    find = phrases(rest) if name == "to" else lambda _clause, _context: []
+
+    def basis(clause: Clause, context: Context) -> Basis:
+        found: Basis | None = None
+        if name == "sudden":
+            found = clause.sudden
+        elif name == "how":
+            found = clause.how(*rest.split())
+        elif name == "to":
+            phrase = next(iter(find(clause, context)), None)
+            found = Basis(clause.event.i, end(phrase)) if phrase is not None else None
+        elif name in WORDS:
+            found = WORDS[name](clause, context)
+        elif name in VALUES:
+            found = next(iter(VALUES[name](clause, context).values()), None)
+        found = found or clause.words
+        return Basis(found.i, found.j, reason) if reason is not None else found
+
+    return basis
+
+
+def _hazard(kind: HazardKind, by: str, to: str, words: Words) -> Effect:
+    culprits, victims = who(by), who(to)
+
+    def effect(clause: Clause, context: Context) -> None:
+        context.draft.hazard(
+            kind, words(clause, context), culprits(clause, context), victims(clause, context)
+        )
+
+    return effect
+
+
+def _maneuver(said: str, of: str, words: Words) -> Effect:
+    whom, find = who(of), VALUES.get(said)
+    named = {Maneuver(value) for value in said.split()} if find is None else set()
+
+    def effect(clause: Clause, context: Context) -> None:
+        basis = words(clause, context)
+        values = named if find is None else set(find(clause, context))
+        for entity in list(whom(clause, context)) if values else []:
+            later = context.in_order(entity.maneuver_basis, clause.event)
+            context.draft.maneuver(entity, values, basis, clause.alternative, later=later)
+
+    return effect
+
+
+def _place(approaches: set[Approach], of: str, seen_from: str, words: Words) -> Effect:
+    whom, reference = who(of), who(seen_from)
+
+    def effect(clause: Clause, context: Context) -> None:
+        basis = words(clause, context)
+        observer = next(iter(reference(clause, context)), None)
+        for entity in list(whom(clause, context)):
+            context.draft.place(entity, observer, set(approaches), basis)
+
+    return effect
+
+
+def _drop(kind: HazardKind, of: str) -> Effect:
+    whom = who(of)
+
+    def effect(clause: Clause, context: Context) -> None:
+        found = whom(clause, context)
+        context.draft.dangers[:] = [
+            d for d in context.draft.dangers if d.kind is not kind or not _all_in(d.by, found)
+        ]
+
+    return effect
+
+
+def _all_in(some: list[Entity], found: list[Entity]) -> bool:
+    return bool(some) and all(e in found for e in some)
+
+
+def _unplace(approach: Approach, of: str) -> Effect:
+    whom = who(of)
+
+    def effect(clause: Clause, context: Context) -> None:
+        found = whom(clause, context)
+        placed = context.draft.placements
+        placed[:] = [p for p in placed if p.entity not in found or p.approaches != {approach}]
+
+    return effect
+
+
+def _mark(name: str, of: str, words: Words) -> Effect:
+    whom, mark = who(of), MARKS[name]
+
+    def effect(clause: Clause, context: Context) -> None:
+        basis = words(clause, context)
+        for entity in list(whom(clause, context)):
+            mark(entity, basis)
+
+    return effect
+
+
+def _then(family: str) -> Effect:
+    return lambda clause, context: say(family, clause, context)
+
+
+def _effects(row: dict[str, Any]) -> Iterable[Effect]:
+    words = _words(row.get("words", "event"), row.get("reason"))
+    by = row.get("by", "drivers").rstrip("?")
+    of = row.get("of", by)
+    if "drop" in row:
+        yield _drop(HazardKind(row["drop"]), of)
+    if "unplace" in row:
+        yield _unplace(Approach(row["unplace"]), of)
+    if "lanes" in row:
+        yield lambda clause, c: c.lanes_implied(words(clause, c), row["lanes"])
+    if "crossing" in row:
+        yield lambda clause, c: c.crossing_implied(words(clause, c), row["crossing"])
+    for name in row.get("marks", ()):
+        yield _mark(name, of, words)
+    if "maneuver" in row:
+        yield _maneuver(row["maneuver"], of, words)
+    if "hazard" in row:
+        yield _hazard(HazardKind(row["hazard"]), by, row.get("to", "nobody"), words)
+    if "place" in row:
+        approaches = set(map(Approach, row["place"].split()))
+        yield _place(approaches, of, row.get("from", "nobody"), words)
+    if "note" in row:
+        yield lambda clause, c: c.draft.note(clause.event.i, clause.event.j, row["note"])
+    for family in row.get("then", ()):
+        yield _then(family)
+
+
+def _row(row: dict[str, Any], where: str) -> Row:
+    unknown = sorted(row.keys() - _KEYS)
+    if unknown:
+        raise KeyError(f"{where}: {unknown[0]!r} is no part of a row")
+    try:
+        tests = [condition(text) for text in row.get("if", ())]
+        by = row.get("by", "drivers")
+        if "hazard" in row and not by.endswith("?"):
+            tests.append(condition(f"some {by}"))
+        return Row(tuple(tests), tuple(_effects(row)), bool(row.get("also")))
+    except KeyError as error:
+        raise KeyError(f"{where}: {error} in {row}") from error
+
+
+@lru_cache(maxsize=1)
+def families() -> dict[str, tuple[Row, ...]]:
+    """All rows of the package by family, read once.
+
+    Raises:
+        KeyError: names the family, and what in it means nothing.
+    """
+    found: dict[str, tuple[Row, ...]] = {}
+    for name in _FILES:
+        path = files("scegen.understanding.frames").joinpath(f"{name}.yaml")
+        data: Any = parse(path.read_text(encoding="utf-8"), where=f"{name}.yaml")
+        for events, rows in data.items():
+            made = tuple(_row(row, f"{name}.yaml, {events}") for row in rows)
+            found.update((f"{name}.{event.strip()}", made) for event in events.split(","))
+    return found
+
+
+def say(family: str, clause: Clause, context: Context) -> bool:
+    """Adds what the rows of a family make of a clause.
+
+    Args:
+        family: file and event, as ``dangers.brake``.
+        clause: what happens.
+        context: the scenario in the making.
+
+    Returns:
+        Whether a row fits.
+    """
+    fitted = False
+    for row in families().get(family, ()):
+        if all(test(clause, context) for test in row.tests):
+            fitted = True
+            for effect in row.effects:
+                effect(clause, context)
+            if not row.also:
+                break
+    return fitted

@@ -1,0 +1,164 @@
+"""Expressions for participants: ``drivers-ego``, ``targets+moving``, ``drivers+does.overtake``.
+
+A base is who acts (``actors``, ``drivers``, ``walkers``), on whom it is done (``targets``), who
+stands in phrases (``@for``), ``everybody``, ``others`` (than those who act) or one of `NAMED`.
+``+x`` and ``-x`` keep, and leave out, those of whom a word of `ENTITY` holds.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from functools import lru_cache
+from typing import TypeAlias
+
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
+from scegen.understanding.draft import Entity
+from scegen.understanding.semantics import ways
+from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.patterns import people, phrases
+
+Who: TypeAlias = Callable[[Clause, Context], list[Entity]]
+EntityTest: TypeAlias = Callable[[Entity, Context], bool]
+_PART = re.compile(r"[+-][\w.|]+")
+_SLOWER = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
+
+
+def _unplaced(e: Entity, context: Context) -> bool:
+    return not any(p.entity is e for p in context.draft.placements)
+
+
+def _unseen(e: Entity, context: Context) -> bool:
+    """Nothing is said of where the ego sees it."""
+    return not any(
+        p.entity is e and (p.reference is None or p.reference.ego) for p in context.draft.placements
+    )
+
+
+def _slow(e: Entity, context: Context) -> bool:
+    return any(d.kind in _SLOWER and e in d.by for d in context.draft.dangers)
+
+
+ENTITY: dict[str, EntityTest] = {
+    "ego": lambda e, _: e.ego,
+    "vehicle": lambda e, _: e.is_vehicle,
+    "moving": lambda e, _: e.moving_vehicle,
+    "parked": lambda e, _: e.parked,
+    "still": lambda e, _: e.still,
+    "stands": lambda e, _: e.stands is not None,
+    "bus": lambda e, _: e.kind is ParticipantKind.BUS,
+    "cyclist": lambda e, c: c.is_cyclist(e),
+    "free": lambda e, _: not e.maneuvers,
+    "turns": lambda e, _: bool(e.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT}),
+    "headed": lambda e, _: e.heading is not None,
+    "pulls_out": lambda e, _: e.pulls_out,
+    "unmoved": lambda e, _: e.moves is None,
+    "opposite": lambda e, _: "opposite" in e.dirs,
+    "oncoming": lambda e, c: c.oncoming(e),
+    "ahead": lambda e, c: c.placed(e, Approach.AHEAD),
+    "behind": lambda e, c: c.placed(e, Approach.BEHIND),
+    "beside": lambda e, c: c.placed(e, Approach.ADJACENT),
+    "left": lambda e, c: c.placed(e, Approach.LEFT),
+    "right": lambda e, c: c.placed(e, Approach.RIGHT),
+    "sided": lambda e, c: c.from_the_side(e),
+    "across": lambda e, c: c.comes_across(e),
+    "does_across": lambda e, c: Maneuver(c.across) in e.maneuvers,
+    "only_across": lambda e, c: e.maneuvers == {Maneuver(c.across)},
+    "unplaced": _unplaced,
+    "unseen": _unseen,
+    "slow": _slow,
+}
+
+
+def entity(word: str) -> EntityTest:
+    """What a word asks of a participant.
+
+    Args:
+        word: one of `ENTITY`, or ``does.MANEUVER`` (among others), ``only.MANEUVER``,
+            ``causes.HAZARD``.
+    """
+    name, _, detail = word.partition(".")
+    if name == "does":
+        return lambda e, _: Maneuver(detail) in e.maneuvers
+    if name == "only":
+        return lambda e, _: e.maneuvers == {Maneuver(detail)}
+    if name == "causes":
+        kinds = frozenset(HazardKind(kind) for kind in detail.split("|"))
+        return lambda e, c: any(d.kind in kinds and e in d.by for d in c.draft.dangers)
+    return ENTITY[name]
+
+
+def _owners(clause: Clause, context: Context) -> list[Entity]:
+    return ways.owners(ways.into_lane(clause.event), clause, context)
+
+
+def _path_owners(clause: Clause, _: Context) -> list[Entity]:
+    ways_ = [p for p in clause.places() if p.kind == "path"]
+    return [e for p in ways_ if p.owner is not None for e in p.owner.entities]
+
+
+def _hit(clause: Clause, _: Context) -> list[Entity]:
+    owner = getattr(clause.event.object, "owner", None)
+    return [*clause.targets, *(owner.entities if owner is not None else [])]
+
+
+def _unsighted(clause: Clause) -> bool:
+    return any(p.word.cat == "locus" and p.outer == "from" for p in clause.event.pps)
+
+
+def _pullers(clause: Clause, context: Context) -> list[Entity]:
+    """Who may come out of a side road: who overtakes comes out of its lane."""
+    hidden = _unsighted(clause)
+    found = [e for e in clause.drivers if Maneuver.OVERTAKE not in e.maneuvers]
+    return [e for e in found if not (hidden and context.is_cyclist(e))]
+
+
+def _met(clause: Clause, context: Context) -> list[Entity]:
+    return [] if _unsighted(clause) else NAMED["named"](clause, context)
+
+
+def _hiders(clause: Clause, context: Context) -> list[Entity]:
+    behind = who("@behind|between|by|due")(clause, context)
+    own = [] if clause.event.passive and behind else clause.actors
+    by = [e for e in own if e.is_vehicle and not e.ego]
+    return by + [e for e in behind if e not in by]
+
+
+NAMED: dict[str, Who] = {
+    "actors": lambda clause, _: clause.actors,
+    "drivers": lambda clause, _: clause.drivers,
+    "walkers": lambda clause, _: clause.walkers,
+    "targets": lambda clause, _: clause.targets,
+    "everybody": lambda _, context: context.draft.entities,
+    "others": lambda clause, c: [e for e in c.draft.entities if e not in clause.actors],
+    "named": lambda clause, _: people([p for p in clause.event.pps if p.word.cat == "locus"]),
+    "owners": _owners,
+    "path_owners": _path_owners,
+    "hit": _hit,
+    "pullers": _pullers,
+    "met": _met,
+    "hiders": _hiders,
+    "nobody": lambda _clause, _context: [],
+}
+
+
+@lru_cache(maxsize=512)
+def who(expression: str) -> Who:
+    """The participants that an expression means."""
+    first, *more = expression.split(" or ")
+    if more:
+        either = [who(part) for part in (first, *more)]
+        return lambda clause, c: next((f for w in either if (f := w(clause, c))), [])
+    parts = _PART.findall(expression)
+    name = expression[: len(expression) - sum(map(len, parts))]
+    if name.startswith("@"):
+        find = phrases(name[1:])
+        base: Who = lambda clause, c: people(find(clause, c))  # noqa: E731
+    else:
+        base = NAMED[name]
+    if not parts:
+        return base
+    tests = [(entity(part[1:]), part[0] == "+") for part in parts]
+    return lambda clause, c: [
+        e for e in base(clause, c) if all(test(e, c) == wanted for test, wanted in tests)
+    ]
