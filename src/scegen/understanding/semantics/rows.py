@@ -152,7 +152,10 @@ def _mark(name: str, of: str, words: Words) -> Effect:
 
 
 def _then(family: str) -> Effect:
-    return lambda clause, context: say(family, clause, context)
+    def effect(clause: Clause, context: Context) -> None:
+        say(family, clause, context)
+
+    return effect
 
 
 def _effects(row: dict[str, Any]) -> Iterable[Effect]:
