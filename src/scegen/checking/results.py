@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Any
 
 
 class Severity(StrEnum):
-    """How bad a finding is; only an ``error`` fails a check."""
+    """How bad a finding is; only an ``error`` fails a check.
+
+    ``warning`` is a remark: nothing that a standard forbids. ``unchecked`` is a part that a rule
+    could not look at, with the reason; where there is one, a check has not passed.
+    """
 
     ERROR = "error"
     WARNING = "warning"
     INFO = "info"
+    UNCHECKED = "unchecked"
 
 
 class CheckStatus(StrEnum):
@@ -53,6 +58,18 @@ def warning(rule: str, place: str, message: str) -> Finding:
     return Finding(rule, Severity.WARNING, place, message)
 
 
+def unchecked(rule: str, place: str, message: str) -> Finding:
+    """A part that was not looked at, and why."""
+    return Finding(rule, Severity.UNCHECKED, place, message)
+
+
+def as_remarks(findings: Iterable[Finding]) -> Iterator[Finding]:
+    """The same findings as remarks: they break a convention of ours and no standard."""
+    for found in findings:
+        broken = found.severity is Severity.ERROR
+        yield replace(found, severity=Severity.WARNING) if broken else found
+
+
 @dataclass(frozen=True, slots=True)
 class CheckResult:
     """The verdict of one checker; ``detail`` says what was looked at, or why nothing was."""
@@ -78,12 +95,15 @@ class CheckResult:
 
 
 def verdict(checker: str, findings: Iterable[Finding], detail: str = "") -> CheckResult:
-    """A result that failed if one finding is an error, and passed otherwise."""
+    """A result that failed if one finding is an error, and passed if everything was looked at."""
     listed = tuple(findings)
-    failed = any(finding.severity is Severity.ERROR for finding in listed)
-    return CheckResult(
-        checker, CheckStatus.FAILED if failed else CheckStatus.PASSED, listed, detail
-    )
+    severities = {finding.severity for finding in listed}
+    status = CheckStatus.PASSED
+    if Severity.ERROR in severities:
+        status = CheckStatus.FAILED
+    elif Severity.UNCHECKED in severities:
+        status = CheckStatus.NOT_RUN
+    return CheckResult(checker, status, listed, detail)
 
 
 def not_run(checker: str, reason: str, findings: Iterable[Finding] = ()) -> CheckResult:

@@ -1,4 +1,4 @@
-"""XSD: OpenDRIVE 1.7 and OpenSCENARIO by version, with the schema files of the ASAM checkers."""
+"""XSD: OpenDRIVE and OpenSCENARIO by version, with the schema files of the ASAM checkers."""
 
 from __future__ import annotations
 
@@ -11,17 +11,23 @@ from lxml import etree
 
 from scegen.checking.documents import BrokenXmlError, Document, parse_document
 from scegen.checking.environment import ASAM_HINT, asam_python, site_packages
-from scegen.checking.results import CheckResult, Finding, error, not_run, verdict
+from scegen.checking.results import CheckResult, Finding, error, not_run, unchecked, verdict
 
 CHECKER = "schema"
 SCHEMAS: dict[tuple[str, str, str], str] = {
+    ("OpenDRIVE", "1", "1"): "qc_opendrive/schema/1.1/OpenDRIVE_1.1.xsd",
+    ("OpenDRIVE", "1", "2"): "qc_opendrive/schema/1.2/OpenDRIVE_1.2.xsd",
+    ("OpenDRIVE", "1", "3"): "qc_opendrive/schema/1.3/OpenDRIVE_1.3.xsd",
+    ("OpenDRIVE", "1", "4"): "qc_opendrive/schema/1.4/OpenDRIVE_1.4H.xsd",
+    ("OpenDRIVE", "1", "5"): "qc_opendrive/schema/1.5/OpenDRIVE_1.5M.xsd",
     ("OpenDRIVE", "1", "6"): "qc_opendrive/schema/1.6.1/opendrive_16_core.xsd",
     ("OpenDRIVE", "1", "7"): "qc_opendrive/schema/1.7.0/opendrive_17_core.xsd",
     ("OpenSCENARIO", "1", "0"): "qc_openscenario/schema/1.0.0/OpenSCENARIO.xsd",
     ("OpenSCENARIO", "1", "1"): "qc_openscenario/schema/1.1.1/OpenSCENARIO.xsd",
     ("OpenSCENARIO", "1", "2"): "qc_openscenario/schema/1.2.0/OpenSCENARIO.xsd",
+    ("OpenSCENARIO", "1", "3"): "qc_openscenario/schema/1.3.0/OpenSCENARIO.xsd",
 }
-"""Schema file by root element, revMajor and revMinor; the others are not valid XSD 1.0."""
+"""Schema file by root element, revMajor and revMinor; that of OpenDRIVE 1.8 is no valid XSD 1.0."""
 HEADERS = {"OpenDRIVE": "header", "OpenSCENARIO": "FileHeader"}
 SHOWN = 10
 """How many schema errors of one file are listed."""
@@ -44,8 +50,8 @@ def check_schema(contents: dict[str, bytes]) -> CheckResult:
             continue
         version = _version(document)
         if version not in SCHEMAS:
-            message = f"there is no schema for {root_tag} {'.'.join(version[1:])}"
-            findings.append(error("xsd.version", name, message))
+            message = f"there is no schema here for {root_tag} {'.'.join(version[1:])}"
+            findings.append(unchecked("xsd.version", name, message))
             continue
         path = folder / SCHEMAS[version]
         if not path.is_file():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable
 
 from rich.markup import escape
@@ -14,9 +15,18 @@ MARKS = {
     CheckStatus.FAILED: "[bold red]FAILED[/]",
     CheckStatus.NOT_RUN: "[bold yellow]NOT RUN[/]",
 }
-COLOURS = {Severity.ERROR: "red", Severity.WARNING: "yellow", Severity.INFO: "dim"}
+COLOURS = {
+    Severity.ERROR: "red",
+    Severity.WARNING: "yellow",
+    Severity.INFO: "dim",
+    Severity.UNCHECKED: "cyan",
+}
+ORDER = (Severity.ERROR, Severity.UNCHECKED, Severity.WARNING, Severity.INFO)
+KINDS = {Severity.WARNING: "remark: ", Severity.UNCHECKED: "not looked at: "}
 SHOWN = 12
 """How many findings of one checker are shown; JSON has them all."""
+PLACES = 4
+"""How many places of the same finding are named."""
 
 
 def reports_table(reports: Iterable[CheckReport]) -> Table:
@@ -37,9 +47,15 @@ def reports_table(reports: Iterable[CheckReport]) -> Table:
 
 def _what(result: CheckResult) -> str:
     lines = [escape(result.detail)] if result.detail else []
-    for finding in result.findings[:SHOWN]:
-        text = escape(f"{finding.place}: {finding.message} [{finding.rule}]")
-        lines.append(f"[{COLOURS[finding.severity]}]{text}[/]")
-    if len(result.findings) > SHOWN:
-        lines.append(f"and {len(result.findings) - SHOWN} more")
+    alike: dict[tuple[Severity, str, str], list[str]] = defaultdict(list)
+    for finding in sorted(result.findings, key=lambda found: ORDER.index(found.severity)):
+        alike[finding.severity, finding.rule, finding.message].append(finding.place)
+    for (severity, rule, message), places in list(alike.items())[:SHOWN]:
+        named = ", ".join(places[:PLACES])
+        if len(places) > PLACES:
+            named += f" and {len(places) - PLACES} more"
+        text = escape(f"{KINDS.get(severity, '')}{named}: {message} [{rule}]")
+        lines.append(f"[{COLOURS[severity]}]{text}[/]")
+    if len(alike) > SHOWN:
+        lines.append(f"and {len(alike) - SHOWN} more")
     return "\n".join(lines)

@@ -18,27 +18,34 @@ from scegen.checking.opendrive.rules.elevation import check_elevation
 from scegen.checking.opendrive.rules.folds import check_folds, check_overlaps
 from scegen.checking.opendrive.rules.header import check_version
 from scegen.checking.opendrive.rules.joints import check_joints
-from scegen.checking.opendrive.rules.junctions import check_connecting_roads, check_connections
+from scegen.checking.opendrive.rules.junctions import (
+    check_connected_types,
+    check_connecting_roads,
+    check_connections,
+)
 from scegen.checking.opendrive.rules.lane_links import check_lane_links
 from scegen.checking.opendrive.rules.plan_view import (
     check_geometry_kinds,
+    check_readable_kinds,
     check_reference_line,
     check_stations,
 )
 from scegen.checking.opendrive.rules.reachability import check_dead_ends, check_reachability
 from scegen.checking.opendrive.rules.road_links import check_road_links
-from scegen.checking.opendrive.rules.sections import check_sections
-from scegen.checking.opendrive.rules.widths import check_width_steps, check_widths
-from scegen.checking.results import CheckResult, Finding, verdict
+from scegen.checking.opendrive.rules.sections import check_lanes_carry_on, check_sections
+from scegen.checking.opendrive.rules.widths import (
+    check_driving_widths,
+    check_width_steps,
+    check_widths,
+)
+from scegen.checking.results import CheckResult, Finding, as_remarks, verdict
 from scegen.scenario.concrete import ConcreteScenario
 
 CHECKER = "opendrive"
 Rule = Callable[[Network], Iterator[Finding]]
 
 RULES: tuple[Rule, ...] = (
-    check_version,
-    check_elevation,
-    check_geometry_kinds,
+    check_readable_kinds,
     check_stations,
     check_reference_line,
     check_sections,
@@ -51,9 +58,19 @@ RULES: tuple[Rule, ...] = (
     check_joints,
     check_connections,
     check_connecting_roads,
+)
+"""What the standard asks for."""
+CONVENTIONS: tuple[Rule, ...] = (
+    check_version,
+    check_elevation,
+    check_geometry_kinds,
+    check_driving_widths,
+    check_lanes_carry_on,
+    check_connected_types,
     check_dead_ends,
     check_reachability,
 )
+"""What our own roads keep besides, so that all players agree; remarks on the roads of others."""
 _KEPT = 8
 """Roads that are kept: many scenarios of a campaign share theirs."""
 
@@ -70,22 +87,30 @@ def check_opendrive(
 ) -> CheckedRoad:
     """Check an OpenDRIVE file, against the concrete scenario it should serve if there is one."""
     try:
-        network, found = _looked_at(name, content)
+        network, found, unconventional = _looked_at(name, content)
     except BrokenXmlError as broken:
         return CheckedRoad(verdict(CHECKER, [broken.finding]), None)
     findings = list(found)
+    findings += unconventional if concrete is not None else as_remarks(unconventional)
     if concrete is not None and network.roads:
         findings += check_described(network, concrete)
-    detail = f"{len(network.roads)} roads, {len(network.junctions)} junctions, {len(RULES)} rules"
+    detail = f"{len(network.roads)} roads, {len(network.junctions)} junctions, "
+    detail += f"{len(RULES) + len(CONVENTIONS)} rules"
     return CheckedRoad(verdict(CHECKER, findings, detail), network)
 
 
 @lru_cache(maxsize=_KEPT)
-def _looked_at(name: str, content: bytes) -> tuple[Network, tuple[Finding, ...]]:
-    """A road as read, and what the rules find in it, whatever drives there.
+def _looked_at(
+    name: str, content: bytes
+) -> tuple[Network, tuple[Finding, ...], tuple[Finding, ...]]:
+    """A road as read, what the rules and the conventions find in it, whatever drives there.
 
     Raises:
         BrokenXmlError: it cannot be read.
     """
     network, unread = read_network(parse_document(name, content, "OpenDRIVE"))
-    return network, (*unread, *(finding for rule in RULES for finding in rule(network)))
+    found, unconventional = (
+        tuple(finding for rule in rules for finding in rule(network))
+        for rules in (RULES, CONVENTIONS)
+    )
+    return network, (*unread, *found), unconventional

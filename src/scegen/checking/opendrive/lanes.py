@@ -11,6 +11,7 @@ from scegen.checking.opendrive.network import (
     END,
     START,
     Geometry,
+    Junction,
     LaneSection,
     Network,
     Poly3,
@@ -24,7 +25,7 @@ def reference(road: Road, s: float) -> tuple[complex, float, float]:
     """Point, heading and curvature of the reference line at ``s``."""
     geometry = geometry_at(road, s)
     ds = s - geometry.s
-    return geometry.point(ds), geometry.heading_at(ds), geometry.curvature
+    return geometry.point(ds), geometry.heading_at(ds), geometry.shape.curvature(ds)
 
 
 def geometry_at(road: Road, s: float) -> Geometry:
@@ -134,28 +135,28 @@ def lane_joints(network: Network) -> Iterator[LaneJoint]:
     for road in network.roads.values():
         for contact in (START, END):
             yield from _road_joints(network, road, contact)
-    yield from junction_joints(network)
-
-
-def junction_joints(network: Network) -> Iterator[LaneJoint]:
-    """Every joint of the lanes of two roads that a junction's connections state."""
     for junction in network.junctions.values():
-        for connection in junction.connections:
-            incoming = network.roads.get(connection.incoming)
-            connecting = network.roads.get(connection.connecting)
-            if incoming is None or connecting is None or connection.contact not in {START, END}:
-                continue
-            met = end_at_junction(incoming, junction.id, connecting, connection.contact)
-            if met is None:
-                continue
-            for lane_from, lane_to in connection.lanes:
-                known = lane_from in incoming.section(met).lanes and 0 not in {lane_from, lane_to}
-                if known and lane_to in connecting.section(connection.contact).lanes:
-                    yield LaneJoint(
-                        *(incoming, met, lane_from),
-                        *(connecting, connection.contact, lane_to),
-                        f"junction {junction.id} connection {connection.id}",
-                    )
+        yield from junction_joints(network, junction)
+
+
+def junction_joints(network: Network, junction: Junction) -> Iterator[LaneJoint]:
+    """Every joint of the lanes of two roads that a junction's connections state."""
+    for connection in junction.connections:
+        incoming = network.roads.get(connection.incoming)
+        connecting = network.roads.get(connection.connecting)
+        if incoming is None or connecting is None or connection.contact not in {START, END}:
+            continue
+        met = end_at_junction(incoming, junction.id, connecting, connection.contact)
+        if met is None:
+            continue
+        for lane_from, lane_to in connection.lanes:
+            known = lane_from in incoming.section(met).lanes and 0 not in {lane_from, lane_to}
+            if known and lane_to in connecting.section(connection.contact).lanes:
+                yield LaneJoint(
+                    *(incoming, met, lane_from),
+                    *(connecting, connection.contact, lane_to),
+                    f"junction {junction.id} connection {connection.id}",
+                )
 
 
 def _road_joints(network: Network, road: Road, contact: str) -> Iterator[LaneJoint]:
@@ -190,4 +191,4 @@ def end_at_junction(
 
 def driving(section: LaneSection) -> list[int]:
     """The driving lanes of a section."""
-    return sorted(lane.id for lane in section.lanes.values() if lane.type == "driving")
+    return sorted(n for n, lane in section.lanes.items() if n != 0 and lane.type == "driving")

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import pi
+from math import ceil, pi
 
 import numpy as np
 from numpy.typing import NDArray
 
+from scegen.checking.opendrive.curves import Arc
 from scegen.checking.opendrive.lanes import lane_borders, reference, section_at
 from scegen.checking.opendrive.network import Geometry, Network, Road
 
 TOLERANCE_M = 0.05
 """How far outside a lane a point may lie and still count as on it."""
+CHORD_M = 0.5
 Points = NDArray[np.complex128]
 Numbers = NDArray[np.float64]
 
@@ -47,9 +49,11 @@ def lanes_at(network: Network, points: Points) -> list[list[OnLane]]:
 
 
 def _along(geometry: Geometry, points: Points) -> tuple[Numbers, Numbers]:
-    turned = np.exp(-1j * geometry.heading)
+    turned = np.exp(-1j * geometry.hdg)
     local = (points - complex(geometry.x, geometry.y)) * turned
-    k = geometry.curvature
+    if not isinstance(geometry.curve, Arc):
+        return _along_chords(geometry, local)
+    k = geometry.curve.bend
     if k == 0.0:
         return local.real, local.imag
     from_centre = local - 1j / k
@@ -58,6 +62,24 @@ def _along(geometry: Geometry, points: Points) -> tuple[Numbers, Numbers]:
     # Just before the start is a little less than nothing, not almost a full circle.
     ds = np.where(ds > (2 * pi / abs(k) + geometry.length) / 2, ds - 2 * pi / abs(k), ds)
     return ds, 1 / k - np.sign(k) * np.abs(from_centre)
+
+
+def _along_chords(geometry: Geometry, local: Points) -> tuple[Numbers, Numbers]:
+    """Along the chords of a curve without a closed form; one of 0.5 m is off by millimetres."""
+    count = max(1, ceil(geometry.length / CHORD_M))
+    ds = np.linspace(0.0, geometry.length, count + 1)
+    line = np.array([geometry.shape.point(float(s)) for s in ds])
+    chord = np.diff(line)
+    share = ((local[:, None] - line[:-1]) * chord.conj()).real / np.abs(chord) ** 2
+    # Beyond the ends, and nowhere else, a point lies before or after the curve.
+    low = np.where(np.arange(count) == 0, -np.inf, 0.0)
+    high = np.where(np.arange(count) == count - 1, np.inf, 1.0)
+    share = np.clip(share, low, high)
+    away = local[:, None] - (line[:-1] + share * chord)
+    best = np.abs(away).argmin(axis=1)
+    rows = np.arange(len(local))
+    left = (away[rows, best] * chord[best].conj()).imag / np.abs(chord[best])
+    return ds[best] + share[rows, best] * np.diff(ds)[best], left
 
 
 def _reach(road: Road) -> float:

@@ -9,6 +9,8 @@ from cmath import exp
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from scegen.checking.opendrive.curves import Curve
+
 START, END = "start", "end"
 
 
@@ -44,31 +46,30 @@ def piece_at(pieces: tuple[Poly3, ...], s: float) -> Poly3 | None:
 
 @dataclass(frozen=True, slots=True)
 class Geometry:
-    """One planView geometry; ``kind`` is ``line``, ``arc`` or what else the file says."""
+    """One planView geometry; ``curve`` is None if its ``kind`` is one that is not read."""
 
     s: float
     x: float
     y: float
-    heading: float
+    hdg: float
     length: float
     kind: str
-    curvature: float = 0.0
+    curve: Curve | None
+
+    @property
+    def shape(self) -> Curve:
+        """Its curve; ValueError if that is not read."""
+        if self.curve is None:
+            raise ValueError(f"geometry {self.kind!r} has no curve")
+        return self.curve
 
     def point(self, ds: float) -> complex:
-        """The point ``ds`` after the start, as x + iy.
-
-        Written apart from the generator's own geometry on purpose: a checker that shares the
-        formula would share its bug.
-        """
-        k = self.curvature
-        turned = exp(1j * self.heading)
-        if k == 0.0:
-            return complex(self.x, self.y) + turned * ds
-        return complex(self.x, self.y) + turned * (exp(1j * k * ds) - 1) / (1j * k)
+        """The point ``ds`` after the start, as x + iy."""
+        return complex(self.x, self.y) + exp(1j * self.hdg) * self.shape.point(ds)
 
     def heading_at(self, ds: float) -> float:
         """The heading ``ds`` after the start."""
-        return self.heading + self.curvature * ds
+        return self.hdg + self.shape.heading(ds)
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,8 +139,8 @@ class Road:
 
     @property
     def measurable(self) -> bool:
-        """Whether every geometry is a line or an arc, so that positions can be computed."""
-        return all(geometry.kind in {"line", "arc"} for geometry in self.geometries)
+        """Whether every geometry is of a kind that is read, so that positions can be computed."""
+        return all(geometry.curve is not None for geometry in self.geometries)
 
     def runs_along_s(self, lane_id: int) -> bool:
         """Whether traffic on this lane runs in the direction of s.
@@ -156,7 +157,10 @@ class Road:
 
 @dataclass(frozen=True, slots=True)
 class Connection:
-    """A connection of a junction; ``lanes`` are (from, to) pairs."""
+    """A connection of a junction; ``lanes`` are (from, to) pairs.
+
+    In a direct junction ``connecting`` is the linked road itself.
+    """
 
     id: str
     incoming: str
@@ -167,9 +171,10 @@ class Connection:
 
 @dataclass(frozen=True, slots=True)
 class Junction:
-    """A junction as read."""
+    """A junction as read; a ``direct`` one joins roads without roads of its own."""
 
     id: str
+    direct: bool
     connections: tuple[Connection, ...]
 
 

@@ -7,6 +7,7 @@ from typing import NamedTuple
 from lxml import etree
 
 from scegen.checking.documents import Document
+from scegen.checking.opendrive.curves import Arc, Cubic, Curve, Spiral
 from scegen.checking.opendrive.network import (
     Connection,
     Geometry,
@@ -26,6 +27,7 @@ MPS = {"m/s": 1.0, "km/h": 1 / 3.6, "mph": 0.44704}
 """Units of speed (OpenDRIVE e_unitSpeed) in m/s."""
 
 
+SHAPES = frozenset({"line", "arc", "spiral", "poly3", "paramPoly3"})
 LARGEST = 1e9
 """Larger numbers are no metres, radians or shares; computing with them could overflow."""
 
@@ -150,17 +152,38 @@ def _link(element: etree._Element | None) -> Link | None:
 
 
 def _geometry(element: etree._Element) -> Geometry:
-    shapes = [child for child in element if isinstance(child.tag, str)]
+    shapes = [child for child in element if child.tag in SHAPES]
     kind = str(shapes[0].tag) if shapes else "nothing"
+    length = _number(element, "length")
     return Geometry(
         s=_number(element, "s"),
         x=_number(element, "x"),
         y=_number(element, "y"),
-        heading=_number(element, "hdg"),
-        length=_number(element, "length"),
+        hdg=_number(element, "hdg"),
+        length=length,
         kind=kind,
-        curvature=_number(shapes[0], "curvature") if kind == "arc" else 0.0,
+        curve=_curve(shapes[0], length) if shapes else None,
     )
+
+
+def _curve(shape: etree._Element, length: float) -> Curve | None:
+    if shape.tag == "line":
+        return Arc()
+    if shape.tag == "arc":
+        return Arc(_number(shape, "curvature"))
+    if shape.tag == "spiral":
+        first, last = _number(shape, "curvStart"), _number(shape, "curvEnd")
+        return Spiral(first, (last - first) / length if length else 0.0)
+    if shape.tag == "paramPoly3":
+        u, v = (_cubic(shape, axis) for axis in "UV")
+        by_length = shape.get("pRange") == "arcLength"
+        return Cubic(u, v, 1.0 if by_length else 1.0 / length if length else 0.0)
+    return None
+
+
+def _cubic(shape: etree._Element, axis: str) -> tuple[float, float, float, float]:
+    a, b, c, d = (_number(shape, f"{power}{axis}") for power in "abcd")
+    return a, b, c, d
 
 
 def _sections(element: etree._Element, length: float) -> tuple[LaneSection, ...]:
@@ -205,16 +228,17 @@ def _lane(element: etree._Element, start: float) -> Lane:
 
 
 def _junction(element: etree._Element) -> Junction:
-    return Junction(
-        _text(element, "id"), tuple(_connection(e) for e in element.iterfind("connection"))
-    )
+    direct = element.get("type") == "direct"
+    joined = "linkedRoad" if direct else "connectingRoad"
+    found = tuple(_connection(e, joined) for e in element.iterfind("connection"))
+    return Junction(_text(element, "id"), direct, found)
 
 
-def _connection(element: etree._Element) -> Connection:
+def _connection(element: etree._Element, joined: str) -> Connection:
     return Connection(
         id=_text(element, "id"),
         incoming=_text(element, "incomingRoad"),
-        connecting=_text(element, "connectingRoad"),
+        connecting=_text(element, joined),
         contact=_text(element, "contactPoint"),
         lanes=tuple((_whole(e, "from"), _whole(e, "to")) for e in element.iterfind("laneLink")),
     )

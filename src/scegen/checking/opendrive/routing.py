@@ -79,7 +79,9 @@ def _driving(network: Network, road: str, index: int, lane: int | None) -> tuple
 
 def _connected(network: Network) -> dict[tuple[str, str, int], list[Node]]:
     connected: dict[tuple[str, str, int], list[Node]] = defaultdict(list)
-    for joint in junction_joints(network):
+    for joint in (
+        x for junction in network.junctions.values() for x in junction_joints(network, junction)
+    ):
         road = joint.second_road
         node = road.id, _index(road, joint.second_contact), joint.second_lane
         connected[joint.first_road.id, joint.first_contact, joint.first_lane].append(node)

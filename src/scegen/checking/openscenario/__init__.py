@@ -20,11 +20,12 @@ from scegen.checking.openscenario.rules.references import (
 from scegen.checking.openscenario.rules.starts import check_starts
 from scegen.checking.openscenario.rules.trajectories import (
     check_trajectories,
+    check_trajectory_shapes,
     check_trajectory_starts,
 )
 from scegen.checking.openscenario.situation import Situation
 from scegen.checking.openscenario.storyboard import Storyboard
-from scegen.checking.results import CheckResult, Finding, error, verdict
+from scegen.checking.results import CheckResult, Finding, as_remarks, error, verdict
 from scegen.scenario.concrete import ConcreteScenario
 
 CHECKER = "openscenario"
@@ -32,15 +33,19 @@ Rule = Callable[[Situation], Iterator[Finding]]
 
 RULES: tuple[Rule, ...] = (
     check_entities,
-    check_ego,
     check_participants,
     check_lane_positions,
     check_starts,
     check_trajectories,
-    check_trajectory_starts,
     check_paths,
     check_objects,
 )
+CONVENTIONS: tuple[Rule, ...] = (
+    check_ego,
+    check_trajectory_shapes,
+    check_trajectory_starts,
+)
+"""What our own scenarios keep besides; remarks on those of others."""
 
 
 def check_openscenario(
@@ -69,7 +74,9 @@ def check_openscenario(
     situation = Situation(storyboard, network, concrete, arms)
     findings = [*unread, *_road_file(storyboard, road_file)]
     findings += (finding for rule in RULES for finding in rule(situation))
-    detail = f"{len(storyboard.entities)} entities, {len(RULES) + 1} rules"
+    unconventional = [finding for rule in CONVENTIONS for finding in rule(situation)]
+    findings += unconventional if concrete is not None else as_remarks(unconventional)
+    detail = f"{len(storyboard.entities)} entities, {len(RULES) + len(CONVENTIONS) + 1} rules"
     return verdict(CHECKER, findings, detail)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 from lxml import etree
@@ -19,7 +19,7 @@ from scegen.checking.openscenario.storyboard import (
     Trajectory,
     WorldPoint,
 )
-from scegen.checking.results import Finding, error
+from scegen.checking.results import Finding, error, unchecked
 
 READABLE = "xosc.readable"
 LARGEST = 1e9
@@ -35,10 +35,13 @@ class ReadStoryboard(NamedTuple):
 
 
 class _UnreadableError(Exception):
-    """A value that makes no sense, at a line of the file."""
+    """A value that makes no sense, at a line of the file; or only to this reader."""
 
-    def __init__(self, element: etree._Element, message: str) -> None:
+    def __init__(
+        self, element: etree._Element, message: str, found: Callable[..., Finding] = error
+    ) -> None:
         self.line = element.sourceline
+        self.found = found
         super().__init__(message)
 
 
@@ -52,8 +55,10 @@ class _Reader:
     def __init__(self, document: Document) -> None:
         self.document = document
         self.findings: list[Finding] = []
-        declared = document.root.iterfind("ParameterDeclarations/ParameterDeclaration")
-        self.parameters = {"$" + e.get("name", ""): e.get("value", "") for e in declared}
+        declared = document.root.iterfind(".//ParameterDeclaration")
+        self.parameters = {
+            "$" + e.get("name", "").removeprefix("$"): e.get("value", "") for e in declared
+        }
 
     def storyboard(self) -> Storyboard:
         root = self.document.root
@@ -79,6 +84,9 @@ class _Reader:
 
     def number(self, element: etree._Element, name: str, default: str | None = None) -> float:
         text = self.text(element, name) or default
+        if text and text.startswith("$"):
+            message = f"<{element.tag}> {name}={text!r} is not worked out"
+            raise _UnreadableError(element, message, unchecked)
         try:
             value = float(text or "")
         except ValueError:
@@ -91,7 +99,7 @@ class _Reader:
 
     def report(self, problem: _UnreadableError) -> None:
         place = f"{self.document.name}:{problem.line}"
-        self.findings.append(error(READABLE, place, str(problem)))
+        self.findings.append(problem.found(READABLE, place, str(problem)))
 
     def entity(self, element: etree._Element) -> Entity:
         body = next((child for child in element if child.tag in BODIES), None)
@@ -155,6 +163,9 @@ class _Reader:
 
     def lane_point(self, element: etree._Element) -> LanePoint:
         text = self.text(element, "laneId")
+        if text.startswith("$"):
+            message = f"<LanePosition> laneId={text!r} is not worked out"
+            raise _UnreadableError(element, message, unchecked)
         if not text.lstrip("+-").isdecimal():
             raise _UnreadableError(element, f"<LanePosition> laneId={text!r} is not a lane number")
         return LanePoint(
@@ -179,13 +190,13 @@ class _Reader:
         self, element: etree._Element, actors: tuple[str, ...], begins_m: float = 0.0
     ) -> Trajectory:
         if element.find("Shape/Polyline") is None:
-            raise _UnreadableError(element, "the trajectory is not a polyline and is not checked")
+            raise _UnreadableError(element, "the trajectory is no polyline", unchecked)
         times: list[float | None] = []
         points: list[WorldPoint] = []
         for vertex in element.iterfind("Shape/Polyline/Vertex"):
             world = vertex.find("Position/WorldPosition")
             if world is None:
-                raise _UnreadableError(vertex, "a vertex has no world position and is not checked")
+                raise _UnreadableError(vertex, "a vertex has no world position", unchecked)
             points.append(self.world_point(world))
             times.append(self.number(vertex, "time") if vertex.get("time") else None)
         name = element.get("name", "?")

@@ -1,4 +1,4 @@
-"""Every road has a height from its start on."""
+"""Every road says its height from its start on; the standard takes it for flat otherwise."""
 
 from __future__ import annotations
 

@@ -9,6 +9,7 @@ from itertools import pairwise
 from shapely import unary_union
 from shapely.geometry import Polygon
 
+from scegen.checking.opendrive.curves import Arc
 from scegen.checking.opendrive.lanes import driving, lane_borders, reference, section_at
 from scegen.checking.opendrive.network import LaneSection, Network, Road, lane_place
 from scegen.checking.opendrive.sampling import stations
@@ -23,7 +24,7 @@ OVERLAP_M2 = 0.05
 def check_folds(network: Network) -> Iterator[Finding]:
     """``xodr.lane_fold``: 1 - k·t stays positive at both borders of every lane."""
     for road in network.roads.values():
-        if any(geometry.curvature for geometry in road.geometries) and road.measurable:
+        if road.measurable and any(g.curve != Arc() for g in road.geometries):
             for section in road.sections:
                 for lane in section.lanes:
                     if lane != 0:

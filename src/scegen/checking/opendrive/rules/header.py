@@ -1,4 +1,4 @@
-"""The file says that it is OpenDRIVE 1.7."""
+"""The file says that it is OpenDRIVE 1.7, as our own do."""
 
 from __future__ import annotations
 

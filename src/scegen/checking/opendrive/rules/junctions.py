@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from scegen.checking.opendrive.lanes import end_at_junction
+from scegen.checking.opendrive.lanes import end_at_junction, junction_joints
 from scegen.checking.opendrive.network import (
     END,
     START,
@@ -61,7 +61,7 @@ def _roads(
             yield error(RULE, place, f"names {name} road {number}, which does not exist")
     if incoming is None or connecting is None:
         return
-    if connecting.junction != junction.id:
+    if connecting.junction != junction.id and not junction.direct:
         message = f"road {connecting.id} belongs to {connecting.junction or 'no junction'}"
         yield error(RULE, place, message)
     if connection.contact not in {START, END}:
@@ -73,23 +73,38 @@ def _roads(
         yield error(RULE, place, message)
         return
     link = connecting.link(connection.contact)
-    if link is None or (link.id, link.contact) != (incoming.id, contact):
+    to_road = link is not None and (link.id, link.contact) == (incoming.id, contact)
+    to_junction = link is not None and (link.element, link.id) == ("junction", junction.id)
+    if not (to_junction if junction.direct else to_road):
         said = f"{link.element} {link.id} {link.contact or ''}".rstrip() if link else "nothing"
+        goes_on = f"junction {junction.id}" if junction.direct else f"road {incoming.id} {contact}"
         message = (
-            f"road {connecting.id} {connection.contact} is linked to {said} "
-            f"instead of road {incoming.id} {contact}"
+            f"road {connecting.id} {connection.contact} is linked to {said} instead of {goes_on}"
         )
         yield error(RULE, place, message)
     if not connection.lanes:
         yield error(RULE, place, "links no lanes")
     for lane_from, lane_to in connection.lanes:
-        yield from _lanes(
-            (incoming, contact, lane_from), (connecting, connection.contact, lane_to), place
-        )
+        start, goal = (incoming, contact, lane_from), (connecting, connection.contact, lane_to)
+        yield from _lanes(start, goal, place, linked=not junction.direct)
+
+
+def check_connected_types(network: Network) -> Iterator[Finding]:
+    """``xodr.connection``: connections join driving lanes only."""
+    for junction in network.junctions.values():
+        for joint in junction_joints(network, junction):
+            for road, contact, number in (
+                (joint.first_road, joint.first_contact, joint.first_lane),
+                (joint.second_road, joint.second_contact, joint.second_lane),
+            ):
+                kind = road.section(contact).lanes[number].type
+                if kind != "driving":
+                    message = f"links {lane_place(road.id, number)}, which is of type {kind}"
+                    yield error(RULE, joint.by, message)
 
 
 def _lanes(
-    start: tuple[Road, str, int], goal: tuple[Road, str, int], place: str
+    start: tuple[Road, str, int], goal: tuple[Road, str, int], place: str, *, linked: bool
 ) -> Iterator[Finding]:
     for road, contact, number in (start, goal):
         lane = road.section(contact).lanes.get(number)
@@ -97,18 +112,16 @@ def _lanes(
             message = f"links {lane_place(road.id, number)}, which does not exist"
             yield error(RULE, place, message)
             return
-        if lane.type != "driving":
-            message = f"links {lane_place(road.id, number)}, which is of type {lane.type}"
-            yield error(RULE, place, message)
     (incoming, in_contact, lane_from), (connecting, contact, lane_to) = start, goal
-    if not incoming.leads_to(lane_from, in_contact):
+    driven = incoming.section(in_contact).lanes[lane_from].type == "driving"
+    if driven and not incoming.leads_to(lane_from, in_contact):
         message = f"comes from {lane_place(incoming.id, lane_from)}, which leaves the junction"
         yield error(RULE, place, message)
-    if connecting.leads_to(lane_to, contact):
+    if driven and connecting.leads_to(lane_to, contact):
         message = f"{lane_place(connecting.id, lane_to)} runs against the connection"
         yield error(RULE, place, message)
     back = connecting.section(contact).lanes[lane_to].link(contact)
-    if back != lane_from:
+    if linked and back != lane_from:
         message = (
             f"links lane {lane_from} to {lane_place(connecting.id, lane_to)}, "
             f"which is linked to {'nothing' if back is None else f'lane {back}'}"

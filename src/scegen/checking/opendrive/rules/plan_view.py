@@ -8,7 +8,7 @@ from math import degrees
 
 from scegen.checking.opendrive.network import Geometry, Network, Road, road_place
 from scegen.checking.opendrive.tolerances import GAP_M, KINK_DEG, heading_step
-from scegen.checking.results import Finding, error
+from scegen.checking.results import Finding, error, unchecked
 
 LENGTH_M = 0.001
 """How far stated s values and lengths may differ; they are written with more digits than that."""
@@ -17,11 +17,17 @@ LENGTH_M = 0.001
 def check_geometry_kinds(network: Network) -> Iterator[Finding]:
     """``xodr.geometry_kind``: lines and arcs only, which every simulator places alike."""
     for road in network.roads.values():
-        for geometry in road.geometries:
-            if geometry.kind not in {"line", "arc"}:
-                place = road_place(road.id, f"s = {geometry.s:g} m")
-                message = f"geometry {geometry.kind!r} is neither line nor arc and is not checked"
-                yield error("xodr.geometry_kind", place, message)
+        for kind in sorted({g.kind for g in road.geometries} - {"line", "arc"}):
+            message = f"has a geometry of kind {kind!r}, neither line nor arc"
+            yield error("xodr.geometry_kind", road_place(road.id), message)
+
+
+def check_readable_kinds(network: Network) -> Iterator[Finding]:
+    """``xodr.geometry_kind``: what lies along a geometry of another kind is not worked out."""
+    for road in network.roads.values():
+        for kind in sorted({g.kind for g in road.geometries if g.curve is None}):
+            message = f"the geometry {kind!r} is not read, so nothing is placed on this road"
+            yield unchecked("xodr.geometry_kind", road_place(road.id), message)
 
 
 def check_stations(network: Network) -> Iterator[Finding]:
@@ -45,8 +51,13 @@ def check_reference_line(network: Network) -> Iterator[Finding]:
     """``xodr.road_gap``, ``xodr.road_kink``: no step between the geometries of a road."""
     for road in network.roads.values():
         for before, after in pairwise(road.geometries):
-            if {before.kind, after.kind} <= {"line", "arc"}:
+            if before.curve is not None:
                 yield from _joint(road, before, after)
+
+
+def _starts(geometry: Geometry) -> float:
+    """The heading at its start: a cubic may begin at an angle to its own axis."""
+    return geometry.hdg if geometry.curve is None else geometry.heading_at(0.0)
 
 
 def _joint(road: Road, before: Geometry, after: Geometry) -> Iterator[Finding]:
@@ -54,6 +65,6 @@ def _joint(road: Road, before: Geometry, after: Geometry) -> Iterator[Finding]:
     gap = abs(before.point(before.length) - complex(after.x, after.y))
     if gap > GAP_M:
         yield error("xodr.road_gap", place, f"the reference line breaks by {gap:.3f} m")
-    kink = degrees(heading_step(before.heading_at(before.length), after.heading))
+    kink = degrees(heading_step(before.heading_at(before.length), _starts(after)))
     if abs(kink) > KINK_DEG:
         yield error("xodr.road_kink", place, f"the reference line bends by {kink:.2f}°")

@@ -65,4 +65,5 @@ def _joined(network: Network, road: Road, junction: str) -> bool:
         for link in (connecting.predecessor, connecting.successor)
         if link is not None
     )
-    return any(connection.incoming == road.id for connection in connections) or road.id in leaving
+    named = {number for c in connections for number in (c.incoming, c.connecting)}
+    return road.id in {*named, *leaving}

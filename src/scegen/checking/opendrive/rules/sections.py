@@ -12,7 +12,7 @@ from scegen.checking.results import Finding, error
 
 
 def check_sections(network: Network) -> Iterator[Finding]:
-    """``xodr.sections``: sections begin at 0 and rise; ``xodr.section_lanes``: lanes carry on."""
+    """``xodr.sections``: sections begin at 0 and rise; ``xodr.section_lanes``: lanes fit."""
     for road in network.roads.values():
         starts = [section.s for section in road.sections]
         if starts[0] != 0 or any(b <= a for a, b in pairwise([*starts, road.length])):
@@ -23,6 +23,18 @@ def check_sections(network: Network) -> Iterator[Finding]:
             yield from _carry_on(road, before, after)
 
 
+def check_lanes_carry_on(network: Network) -> Iterator[Finding]:
+    """``xodr.section_lanes``: a driving lane does not end where a section does."""
+    for road in network.roads.values():
+        for before, after in pairwise(road.sections):
+            for lane in before.lanes.values():
+                carries_on = lane.successor in after.lanes and lane.successor != 0
+                if lane.id != 0 and lane.type == "driving" and not carries_on:
+                    place = lane_place(road.id, lane.id, f"s = {after.s:.2f} m")
+                    message = "does not carry on into a lane of the next section"
+                    yield error("xodr.section_lanes", place, message)
+
+
 def _carry_on(road: Road, before: LaneSection, after: LaneSection) -> Iterator[Finding]:
     for lane in before.lanes.values():
         place = lane_place(road.id, lane.id, f"s = {after.s:.2f} m")
@@ -30,8 +42,6 @@ def _carry_on(road: Road, before: LaneSection, after: LaneSection) -> Iterator[F
             continue
         following = after.lanes.get(lane.successor) if lane.successor else None
         if following is None:
-            message = "does not carry on into a lane of the next section"
-            yield error("xodr.section_lanes", place, message)
             continue
         if following.predecessor != lane.id:
             message = f"carries on as lane {following.id}, which does not link back"

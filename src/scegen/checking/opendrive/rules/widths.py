@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import pairwise
 
 from scegen.checking.opendrive.lanes import lane_width
 from scegen.checking.opendrive.network import (
-    LaneSection,
+    Lane,
     Network,
     Poly3,
-    Road,
     lane_place,
     road_place,
 )
@@ -18,22 +17,31 @@ from scegen.checking.opendrive.sampling import stations
 from scegen.checking.opendrive.tolerances import GAP_M
 from scegen.checking.results import Finding, error
 
+ROUNDED_M = 1e-3
+"""What rounding of coefficients may leave of nothing."""
+
 
 def check_widths(network: Network) -> Iterator[Finding]:
-    """``xodr.lane_width``: driving lanes have a width everywhere, no lane a negative one."""
+    """``xodr.lane_width``: no lane has a negative width."""
+    yield from _narrow(network, -ROUNDED_M, lambda _: True)
+
+
+def check_driving_widths(network: Network) -> Iterator[Finding]:
+    """``xodr.lane_width``: a driving lane has a width everywhere, its ends included."""
+    yield from _narrow(network, GAP_M, lambda lane: lane.type == "driving")
+
+
+def _narrow(network: Network, least: float, asked: Callable[[Lane], bool]) -> Iterator[Finding]:
     for road in network.roads.values():
         for section in road.sections:
             for lane in section.lanes.values():
-                if lane.id != 0:
-                    yield from _narrowest(road, section, lane.id)
-
-
-def _narrowest(road: Road, section: LaneSection, lane: int) -> Iterator[Finding]:
-    width, s = min((lane_width(section, lane, s), s) for s in stations(section.s, section.end))
-    lowest = GAP_M if section.lanes[lane].type == "driving" else -1e-6
-    if width < lowest:
-        place = lane_place(road.id, lane, f"s = {s:.2f} m")
-        yield error("xodr.lane_width", place, f"is {width:.3f} m wide")
+                if lane.id == 0 or not asked(lane):
+                    continue
+                along = stations(section.s, section.end)
+                width, s = min((lane_width(section, lane.id, s), s) for s in along)
+                if width < least:
+                    place = lane_place(road.id, lane.id, f"s = {s:.2f} m")
+                    yield error("xodr.lane_width", place, f"is {width:.3f} m wide")
 
 
 def check_width_steps(network: Network) -> Iterator[Finding]:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from scegen.checking.opendrive.network import lane_place, road_place
 from scegen.checking.openscenario.situation import Situation
-from scegen.checking.results import Finding, error
+from scegen.checking.results import Finding, error, unchecked
 
 
 def check_entities(situation: Situation) -> Iterator[Finding]:
@@ -17,7 +17,10 @@ def check_entities(situation: Situation) -> Iterator[Finding]:
         if times > 1:
             yield error("xosc.entity", name, f"is the name of {times} entities")
     for reference in situation.storyboard.references:
-        if reference.entity not in counted:
+        if reference.entity.startswith("$"):
+            message = f"names the entity by {reference.entity!r}, which is not worked out"
+            yield unchecked("xosc.entity", reference.place, message)
+        elif reference.entity not in counted:
             message = f"names the unknown entity {reference.entity!r}"
             yield error("xosc.entity", reference.place, message)
 

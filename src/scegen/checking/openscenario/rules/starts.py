@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from scegen.checking.opendrive.arms import Arm
 from scegen.checking.opendrive.locate import OnLane
 from scegen.checking.openscenario.situation import Situation
-from scegen.checking.results import Finding, error
+from scegen.checking.results import Finding, error, unchecked
 from scegen.scenario.concrete import ConcreteParticipant, CrossingMotion, DriveMotion
 from scegen.scenario.reversing import BacksOut
 
@@ -26,8 +26,9 @@ def check_starts(situation: Situation) -> Iterator[Finding]:
         position = situation.in_world(situation.storyboard.start(entity.name))
         if position is None:
             if situation.network is not None:
+                found = unchecked if situation.concrete is None else error
                 message = "Init does not teleport it to a position that can be placed"
-                yield error(RULE, entity.name, message)
+                yield found(RULE, entity.name, message)
             continue
         lanes = situation.lanes_at([position])[0]
         participant = situation.participant(entity.name)

@@ -34,12 +34,16 @@ START_M = 0.05
 
 
 def check_trajectories(situation: Situation) -> Iterator[Finding]:
-    """``xosc.trajectory``: times, steps, turns and headings of every polyline."""
+    """``xosc.trajectory``: times rise; ``xosc.reversing``: backwards only where that is asked."""
     for trajectory in situation.storyboard.trajectories:
-        place = ", ".join(trajectory.actors) or trajectory.name
-        yield from _times(trajectory, place)
-        yield from _shape(trajectory, place)
-        yield from _backwards(situation, trajectory, place)
+        yield from _times(trajectory, _place(trajectory))
+        yield from _backwards(situation, trajectory, _place(trajectory))
+
+
+def check_trajectory_shapes(situation: Situation) -> Iterator[Finding]:
+    """``xosc.trajectory``: steps, turns and headings of every polyline."""
+    for trajectory in situation.storyboard.trajectories:
+        yield from _shape(trajectory, _place(trajectory))
 
 
 def check_trajectory_starts(situation: Situation) -> Iterator[Finding]:
@@ -55,6 +59,10 @@ def check_trajectory_starts(situation: Situation) -> Iterator[Finding]:
             elif (gap := abs(begins.point - start)) > START_M:
                 message = f"starts {gap:.2f} m from where its trajectory begins"
                 yield error("xosc.trajectory_start", entity.name, message)
+
+
+def _place(trajectory: Trajectory) -> str:
+    return ", ".join(trajectory.actors) or trajectory.name
 
 
 def _times(trajectory: Trajectory, place: str) -> Iterator[Finding]:
