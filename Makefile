@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 DEMO_TEXT := A vehicle tailgating another car at a four-way stop, leading to a sudden braking event as a pedestrian steps into the crosswalk.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo quick test lint types layers asam interop benchmark bench docs lock clean
+.PHONY: help demo quick test lint types layers asam interop benchmark bench docs gallery lock clean
 
 help: ## what there is to make
 	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## /  \1\t/' | expand -t 14
@@ -70,6 +70,9 @@ bench: $(VENV)/.installed ## the danger's benchmarks, beside esmini and commonro
 
 docs: $(VENV)/.installed ## the documentation as pages, strictly, into build/site
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --quiet --strict
+
+gallery: $(VENV)/.installed ## the pictures of the gallery alone, into build/gallery
+	$(BIN)/python docs/making/gallery.py build/gallery
 
 lock: ## pin what is installed now
 	@{ sed -n '1p' constraints.txt; $(BIN)/python -m pip freeze --exclude-editable | grep -vE '^(pip|setuptools)=='; } > constraints.new

@@ -10,7 +10,7 @@ from scegen.scenario.files import json_schema
 ROOT = Path(__file__).parents[1]
 PAGES = [*sorted((ROOT / "docs").rglob("*.md")), ROOT / "README.md", ROOT / "CONTRIBUTING.md"]
 MADE = {"glossary.md", "../reference/glossary.md"}
-"""By docs/_build/hooks.py, when the documentation is built; it refuses links that lead nowhere."""
+"""By docs/making/hooks.py, when the documentation is built; it refuses links that lead nowhere."""
 NEW = re.compile(r"<!-- new (\S+) -->")
 
 
