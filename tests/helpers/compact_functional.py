@@ -78,6 +78,7 @@ def _act(act: Any) -> dict[str, Any]:
         values["when"] = {
             name: number(v) if isinstance(v, Interval) else str(getattr(v, "value", v))
             for name, v in act.when
+            if v is not None
             if not (isinstance(v, Interval) and v.high == 0)
         }
     return values

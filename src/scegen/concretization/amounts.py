@@ -36,7 +36,20 @@ def spelled_out(acts: Sequence[Act]) -> tuple[Act, ...]:
     """
     found: list[Act] = []
     over: dict[str, AfterAct] = {}
+    stands = {
+        act.id: act.duration_s or Interval(low=0.0, high=0.0)
+        for act in acts
+        if act.kind is ActKind.WAIT
+    }
     for n, act in enumerate(acts):
+        when = act.when
+        if isinstance(when, AfterAct) and when.act in stands and when.since == "end":
+            delay = Interval(
+                low=when.delay_s.low + stands[when.act].low,
+                high=when.delay_s.high + stands[when.act].high,
+            )
+            update = {"when": when.model_copy(update={"delay_s": delay})}
+            act = act.model_copy(update=update)  # noqa: PLW2901
         waited = over.pop(act.participant, None)
         if waited is not None and (act.kind is ActKind.SET_OFF or act.when is None):
             act = act.model_copy(update={"when": waited})  # noqa: PLW2901
@@ -44,8 +57,7 @@ def spelled_out(acts: Sequence[Act]) -> tuple[Act, ...]:
             found.append(act)
             continue
         found.append(act.model_copy(update={"kind": ActKind.STOP, "duration_s": None}))
-        stood = act.duration_s or Interval(low=0.0, high=0.0)
-        on = AfterAct(act=act.id, since="end", delay_s=stood)
+        on = AfterAct(act=act.id, since="end", delay_s=stands[act.id])
         later = next((a for a in acts[n + 1 :] if a.participant == act.participant), None)
         if later is not None and later.kind is ActKind.SET_OFF:
             over[act.participant] = on

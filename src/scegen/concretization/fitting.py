@@ -153,10 +153,8 @@ def _said(scene: Setup) -> Iterator[Residual]:
                 yield _measured(when, act)
         elif isinstance(when, AfterStart):
             yield lambda m, act=act, when=when: m.begins_s(act) - when.delay_s.middle  # type: ignore[misc]
-        elif isinstance(when, AfterDistance) and act.participant in scene.drives:
-            yield lambda m, act=act, when=when: (  # type: ignore[misc]
-                _PER_M * (m.gone_m(act) - when.distance_m.middle)
-            )
+        elif isinstance(when, AfterDistance):
+            yield from _driven(when, act, scene)
         elif isinstance(when, AfterAct):
             other = scene.act(when.act)
             if other.participant in known and not _is_chained(scene, act):
@@ -177,6 +175,12 @@ def _measured(when: WhenMeasure, act: Act | None) -> Residual:
         )
 
     return residual
+
+
+def _driven(when: AfterDistance, act: Act, scene: Scene) -> Iterator[Residual]:
+    name, way_m = when.participant or act.participant, when.distance_m.middle
+    if name in scene.drives:
+        yield lambda moments: _PER_M * (moments.gone_m(name, act) - way_m)
 
 
 def _after(act: Act, other: Act, when: AfterAct) -> Residual:

@@ -153,10 +153,10 @@ class Moments:
         still = np.zeros(len(times_s))
         return box_on(stand.path, stand.body, still), still
 
-    def gone_m(self, act: Act) -> float:
+    def gone_m(self, name: str, act: Act) -> float:
         """How far one who drives has gone from the start of the scenario until an act begins."""
-        profile = self.scene.drives[act.participant].course.profile
-        late = self.offsets_s[act.participant]
+        profile = self.scene.drives[name].course.profile
+        late = self.offsets_s[name]
 
         def way(time_s: float) -> float:
             own = time_s - late

@@ -109,9 +109,10 @@ class WhenMeasure(FrozenModel):
 
 
 class AfterDistance(FrozenModel):
-    """As soon as who acts has gone so far since the start of the scenario."""
+    """As soon as ``participant``, who acts if None, has gone so far since the start."""
 
     type: Literal["driven"] = "driven"
+    participant: Identifier | None = None
     distance_m: Interval
 
 

@@ -303,7 +303,8 @@ def _triggered(told: Told, act: Act, does: str) -> Iterator[Claim]:
         tolerance = tolerances.OF_MEASURE[when.measure]
         yield _claim(told, act, "when", statement, unit, _at_measure, when, tolerance=tolerance)
     elif isinstance(when, AfterDistance):
-        statement = f"{does} after {amount(when.distance_m)} m"
+        whose = f" of {when.participant}" if when.participant else ""
+        statement = f"{does} after {amount(when.distance_m)} m{whose}"
         tolerance = tolerances.DISTANCE_M
         yield _claim(told, act, "when", statement, "m", _driven, when, tolerance=tolerance)
     elif isinstance(when, BeforeJunction) and (drive := told.drive(act.participant)) is not None:
@@ -362,7 +363,7 @@ def _at_measure(told: Told, act: Act, when: WhenMeasure, view: View) -> Judged:
 
 def _driven(told: Told, act: Act, when: AfterDistance, view: View) -> Judged:
     step = _begins(told, act, view)
-    place = view.place_m(act.participant)
+    place = view.place_m(when.participant or act.participant)
     gone = at(place, step) - place[:, 0]
     margin = within(gone, when.distance_m, tolerances.DISTANCE_M)
     return Judged(np.where(step < view.steps, margin, np.nan), gone, view.time_of(step))

@@ -22,6 +22,7 @@ def time_what_is_known(story: Story) -> list[Act]:
     for act in story.acts:
         when = act.when
         placed = isinstance(when, WhenMeasure) and _is_placed_otherwise(story, act, when)
+        placed = placed or isinstance(when, AfterDistance)
         follows = isinstance(when, AfterAct) and when.act not in story.begins_s
         if placed or (follows and not story.is_loose(act)):
             waiting.append(act)
@@ -50,7 +51,10 @@ def _moment_s(story: Story, act: Act) -> float:
     if isinstance(when, AfterStart):
         return when.delay_s.middle
     if isinstance(when, AfterDistance):
-        return story.runners[act.participant].profile.time_s(when.distance_m.middle)
+        runner = story.runners.get(when.participant or act.participant)
+        if runner is None:
+            return NEVER_S
+        return runner.profile.time_s(when.distance_m.middle)
     if isinstance(when, AfterAct) and not story.is_loose(act):
         known = story.ends_s if when.since == "end" else story.begins_s
         delay = when.delay_s.middle

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
-from scegen.scenario.vocabulary import Side
+from scegen.scenario.vocabulary import Maneuver, Side
 from scegen.understanding.amounts.teller import Teller
 from scegen.understanding.chunks import Event
 from scegen.understanding.draft import Basis, Entity
@@ -40,16 +40,40 @@ class Filler(Teller):
         role = number.frame.role
         name, kinds = FIELDS[role]
         event = self._text.verb_at(number.i, number.j)
-        waits = role == "duration" and event is not None and event.name in {"wait", "match"}
-        if waits and self._before_the_next(number):
+        keeps = role == "duration" and event is not None and event.name == "match"
+        if keeps and self._before_the_next(number):
             return True
-        doing = self._act(number, kinds, name, event)
+        rests = role == "duration" and self._rests(number, event)
+        doing = rests or self.likewise(number, kinds) or self._act(number, kinds, name, event)
         if doing is None and role == "duration":
             doing = self._said_of_it(number)
+            doing = doing or self._made(number, role, event)
             if doing is None:
-                return self._before_the_next(number)
+                taken = number.around.preceded("takes")
+                return not taken and self._before_the_next(number)
         doing = doing or self._made(number, role, event)
         return doing is not None and self._give(doing, number, name)
+
+    def _rests(self, number: Measured, event: Event | None) -> Doing | None:
+        """``stops and stands there for 8 s``: how long one is at rest, not how it gets there."""
+        taken = any(number.around.preceded(w) for w in ("in", "within", "over", "takes", "lasts"))
+        if taken or event is None or event.name not in {"wait", "stop"}:
+            return None
+        clause = self._text.scene_at(number.i, number.j)
+        who = [e for e in (clause.actors if clause is not None else []) if e.is_vehicle]
+        who = who or [e for e in self._text.subject_before(number.i) if e.is_vehicle]
+        if not who or who[0].parked or event.nominal:
+            return None
+        entity = who[0]
+        if entity.maneuvers == {Maneuver.STAY}:
+            entity.maneuvers, entity.stands = set(), None
+        start, _ = self._text.bounds(number.i)
+        own = [a for a in self._happenings.acts if a.entity is entity and start <= a.i <= event.i]
+        if own and own[-1].kind is ActKind.STOP and not own[-1].amounts:
+            own[-1].kind, own[-1].always = ActKind.WAIT, True
+            own[-1].told.append(event.i)
+            return own[-1]
+        return self.add(Doing(ActKind.WAIT, entity, Basis(event.i, event.j), event.i))
 
     def _give(self, doing: Doing, number: Measured, name: str) -> bool:
         """Gives a number to a field of an act."""
@@ -88,9 +112,12 @@ class Filler(Teller):
         fitting = [a for a in self._happenings.acts if a.kind in kinds]
         here = [a for a in fitting if start <= a.i < end]
         if number.frame.role == "duration" and event is not None:
-            own = [a for a in here if event.i in (a.i, *a.told)]
-            if not own:
-                own = self._named_by(event, fitting)
+            near = {
+                e.i for e in (event, *event.children, *([event.parent] if event.parent else []))
+            }
+            own = [a for a in here if near & {a.i, *a.told}]
+            own = own or self._named_by(event, fitting)
+            own = own or [a for a in here if a.nominal and a.i < event.i and self._of(a, event)]
             return own[-1] if own else None
         if event is not None and self._unread(event, number, kinds):
             return None
@@ -109,6 +136,10 @@ class Filler(Teller):
         spoken = any(m.entities for m in self._text.mentions if start <= m.i < number.i)
         same = [a for a in earlier if not spoken or a.entity in self._text.subject_before(number.i)]
         return same[-1] if same and (not here) else None
+
+    def _of(self, doing: Doing, event: Event) -> bool:
+        """``the lane change of the truck takes 4.5 s``: whether a verb tells of the same one."""
+        return any(doing.entity in c.actors for c in self._text.scenes if c.event is event)
 
     def _unread(self, event: Event, number: Measured, kinds: frozenset[ActKind]) -> bool:
         """``pulls away at 1 m/s² and then stops``: said of a doing that is no act yet."""
@@ -133,8 +164,23 @@ class Filler(Teller):
         frame = frames().get(noun.name) if noun is not None and noun.nominal else None
         return [a for a in acts if frame is not None and a.kind is frame.kind]
 
+    def _own_stop(self, event: Event | None) -> Doing | None:
+        """``our own stop takes 3 s``: whose it is says the word before it."""
+        noun = event.parent if event is not None else None
+        frame = frames().get(noun.name) if noun is not None and noun.nominal else None
+        said = [m for m in noun.mods if m.cat == "possessive"] if noun is not None else []
+        ego = [e for e in self._context.draft.entities if e.ego]
+        if frame is None or noun is None or not said or not ego:
+            return None
+        if said[0].value != "first_person":
+            return None
+        basis = Basis(noun.i, noun.j)
+        return self.add(Doing(frame.kind, ego[0], basis, noun.i, told=[noun.i], nominal=True))
+
     def _made(self, number: Measured, role: str, event: Event | None) -> Doing | None:
         """``lead car, deceleration 6 m/s²``: an act that only its amount tells of."""
+        if role == "duration":
+            return self._own_stop(event)
         kind = ActKind.SWERVE if role == "lateral_move" else None
         frame = frames().get(event.name) if event is not None and event.name != "move" else None
         gains = frame is not None and frame.kind in _GAINING

@@ -10,6 +10,7 @@ from scegen.understanding.amounts.doings import FIELDS, Filler
 from scegen.understanding.amounts.items import items_in
 from scegen.understanding.amounts.outcomes import Judge
 from scegen.understanding.amounts.placed import MEASURES, Spacer
+from scegen.understanding.amounts.releasing import Releaser
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.amounts.speeds import held, relative
 from scegen.understanding.amounts.timing import Clock
@@ -45,7 +46,7 @@ def read_amounts(
     as_fast(text, context)
     found.items = items_in(text, context)
     filler, clock = Filler(text, context, found), Clock(text, context, found)
-    spacer = Spacer(text, context, found)
+    spacer, releaser = Spacer(text, context, found), Releaser(text, context, found)
     for number in (n for n in measured if n.frame.role in FIELDS):
         if not filler.read(number):
             _note(number, context)
@@ -53,6 +54,8 @@ def read_amounts(
         role = number.frame.role
         if role in MEASURES:
             done = spacer.read(number)
+        elif role == "driven":
+            done = releaser.driven(number)
         elif role == "delay":
             done = clock.delay(number)
         elif role == "impact":

@@ -78,6 +78,32 @@ class Releaser(Teller):
         doing.when.measure, doing.when.entity, doing.when.reference = measure, entity, reference
         return True
 
+    def driven(self, number: Measured) -> bool:
+        """``after 250 m``, ``the ego has driven 600 m when the van slows``: what sets it off.
+
+        Args:
+            number: the way that somebody has gone.
+        """
+        start, end = self._text.bounds(number.i)
+        clause = self._text.scene_at(number.i, number.j)
+        who = [e for e in (clause.actors if clause is not None else []) if e.is_vehicle]
+        who = who or [e for e in self._text.subject_before(number.i) if e.is_vehicle]
+        opened = self._text.subordinate(number.i)
+        doing = self._main(opened, number, start, end) if opened is not None else None
+        acts = [a for a in self._happenings.acts if a.i > number.i or start <= a.i]
+        free = [a for a in acts if a.when is None and a.i > number.i]
+        own = [a for a in free if a.entity in who]
+        told = [a for a in acts if start <= a.i < number.i]
+        chosen = (
+            [doing] if doing is not None else [*[a for a in free if a.i < end], *told[-1:], *own]
+        )
+        if not chosen or chosen[0].when is not None:
+            return False
+        moved = who[0] if who and who[0] is not chosen[0].entity else None
+        amount = amount_of(number)
+        chosen[0].when = Trigger("driven", amount.basis, amount, entity=moved)
+        return True
+
     def _starts_crossing(self, start: int, i: int) -> Doing | None:
         """``followed by a child when the ego is 18 m away``: when it crosses."""
         for mention in (m for m in self._text.mentions if start <= m.i < i):

@@ -11,6 +11,7 @@ from scegen.understanding.semantics.context import Clause
 from scegen.understanding.words.tokens import Token
 
 _PARENTHESIS = 2
+_JOINTS = frozenset({",", ":", "and", "while", "whereas", "but", "("})
 _ENDS = frozenset({".", ";", "!", "?", "\n"})
 
 
@@ -178,6 +179,34 @@ class Sentences:
         opening = self.bounds(start - 2)[0] if start > 1 else start
         said = [m for m in before if m.i >= opening and m.prep is None]
         return list((said or before)[0 if said else -1].entities) if before else []
+
+    def part(self, i: int) -> tuple[int, list[Entity]]:
+        """Where the part of a sentence begins in which a token stands, and who it is about.
+
+        A comma or conjunction begins a part if it has a subject of its own.
+        """
+        start, _ = self.bounds(i)
+        for k in range(i - 1, start - 1, -1):
+            if k > start and self.tokens[k - 1].low not in _JOINTS:
+                continue
+            free = [m for m in self.mentions if k <= m.i < i and m.entities and m.prep is None]
+            if free and not free[0].possessor:
+                return k, list(free[0].entities)
+        return start, []
+
+    def elided(self, i: int) -> tuple[int, list[Entity]] | None:
+        """``A brakes with 4 m/s², B 1 s later``: where a part begins without a verb, and of whom.
+
+        Args:
+            i: index of a number.
+        """
+        begin, who = self.part(i)
+        start, end = self.bounds(i)
+        after = next((k for k in range(i, end) if self.tokens[k].low in _JOINTS), end)
+        told = [c for c in self.within(start, begin) if c.actors]
+        if not who or not told or self.within(begin, after):
+            return None
+        return begin, who
 
     def phrase_after(self, j: int) -> tuple[Word, NounPhrase | None] | None:
         """A phrase of place right after a number: "ahead of the ego", "from the junction".

@@ -28,6 +28,11 @@ def held(number: Measured, text: Sentences, context: Context, found: Happenings)
     quantity = number.quantity
     change = _from_to(number, text, found)
     taken = [e for e in context.draft.entities if _at(e.speed_basis, span)]
+    if not taken and any(number.around.preceded(w) for w in words()["afoot"]):
+        afoot = [e for e in context.draft.entities if not e.is_vehicle and e.speed is None]
+        for entity in afoot[:1]:
+            entity.speed, entity.speed_basis = quantity.value, Basis(*span, quantity.note)
+            return True
     for entity in [e for e in taken if e.stands is not None and not e.ego and e.sets_off < 0]:
         entity.speed = entity.speed_basis = None  # "all at 70 km/h": not the stationary one
     if change is not None:

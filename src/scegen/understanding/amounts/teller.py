@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
+from scegen.scenario.acts import ActKind
 from scegen.understanding.amounts.sentences import Sentences
-from scegen.understanding.happenings import Happenings
+from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.frames import Measured
+from scegen.understanding.happenings import Doing, Happenings, amount_of
 from scegen.understanding.semantics.context import Context
 
 
@@ -20,3 +25,31 @@ class Teller:
         self._text = text
         self._context = context
         self._happenings = happenings
+
+    def add(self, doing: Doing) -> Doing:
+        """One more act, at its place in the order of the text."""
+        self._happenings.acts.append(doing)
+        self._happenings.acts.sort(key=lambda a: a.i)
+        return doing
+
+    def same(self, model: Doing, entity: Entity, i: int, basis: Basis) -> Doing:
+        """What somebody else does, done by this one too."""
+        return self.add(Doing(model.kind, entity, basis, i, always=model.always))
+
+    def likewise(self, number: Measured, kinds: Collection[ActKind]) -> Doing | None:
+        """``the car brakes with 4 m/s², the van with 3``: it does the same, without a verb.
+
+        Args:
+            number: the number that is said of it.
+            kinds: what it may be that both do.
+        """
+        part = self._text.elided(number.i)
+        if part is None:
+            return None
+        start, _ = self._text.bounds(number.i)
+        told = [a for a in self._happenings.acts if start <= a.i < part[0] and a.kind in kinds]
+        if not told or told[-1].entity in part[1]:
+            return None
+        basis = amount_of(number).basis
+        made = [self.same(told[-1], entity, number.i, basis) for entity in part[1]]
+        return made[0]

@@ -5,11 +5,13 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.understanding.amounts.teller import Teller
 from scegen.understanding.chunks import Word
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.draft import Basis
 from scegen.understanding.frames import Measured, words
 from scegen.understanding.happenings import Doing, Trigger, amount_of
 from scegen.understanding.words.quantities import quantity_at
 
+_ANY = frozenset(ActKind)
+_COMING = frozenset({"enter", "move", "pass", "cross", "turn", "approach", "appear", "merge"})
 _LATER = frozenset({"later", "afterwards", "thereafter", "that"})
 
 
@@ -22,8 +24,9 @@ class Clock(Teller):
         Args:
             number: the time.
         """
-        doing = self._delayed(number)
-        doing = doing or self._likewise(number)
+        if self._since(number) == "before":
+            return self._earlier(number)
+        doing = self.likewise(number, _ANY) or self._delayed(number) or self._comes_in(number)
         if doing is None or doing.when is not None:
             return False
         basis = amount_of(number).basis
@@ -33,21 +36,36 @@ class Clock(Teller):
         doing.when = Trigger("after" if base else "start", basis, amount_of(number), base, since)
         return True
 
-    def _likewise(self, number: Measured) -> Doing | None:
-        """``the van brakes 1 s after the car, the ego 2 s after the van``: it does the same."""
-        start, _ = self._text.bounds(number.i)
-        before = [a for a in self._happenings.acts if start <= a.i < number.i]
-        who = self._text.adjacent(number.i)
-        if not before or len(who) != 1 or who[0] is before[-1].entity:
-            return None
-        return self._same(before[-1], who[0], number.i, amount_of(number).basis)
+    def _earlier(self, number: Measured) -> bool:
+        """``the van enters 1.5 s before the ego gets there``: the other's act comes later."""
+        start, end = self._text.bounds(number.i)
+        told = [a for a in self._happenings.acts if start <= a.i < number.i]
+        first = told[-1] if told else self._comes_in(number)
+        if first is None:
+            return False
+        later = [a for a in self._happenings.acts if number.j <= a.i < end]
+        named = [m for m in self._text.mentions if number.j <= m.i < end and m.entities]
+        who = [m.entities[0] for m in named if m.entities[0] is not first.entity]
+        if not later and (not who or first.kind is not ActKind.ENTER):
+            return False
+        second = later[0] if later else self.same(first, who[0], number.j, first.basis)
+        if second.when is not None:
+            return False
+        amount = amount_of(number)
+        second.when = Trigger("after", amount.basis, amount, first, "begin")
+        return True
 
-    def _same(self, model: Doing, entity: Entity, i: int, basis: Basis) -> Doing:
-        """What somebody else does, done by this one too."""
-        same = Doing(model.kind, entity, basis, i, always=model.always)
-        self._happenings.acts.append(same)
-        self._happenings.acts.sort(key=lambda a: a.i)
-        return same
+    def _comes_in(self, number: Measured) -> Doing | None:
+        """``a van from the right 2 s after the ego``: it comes into the junction."""
+        met = self._context.junction.crossing or self._context.draft.crossing_implied is not None
+        _, end = self._text.bounds(number.i)
+        told = [c for c in self._text.within(number.i, end) if c.event.name in _COMING]
+        before = self._text.scene_at(number.i, number.j)
+        told += [before] if before is not None and before.event.name in _COMING else []
+        who = [e for c in told for e in c.drivers] or self._text.part(number.i)[1]
+        if not met or not who or not who[0].is_vehicle:
+            return None
+        return self.add(Doing(ActKind.ENTER, who[0], amount_of(number).basis, number.i))
 
     def _of_the_other(self, number: Measured, doing: Doing) -> Doing | None:
         """``1 s after the van``, and no verb: after it has done the same."""
@@ -60,7 +78,7 @@ class Clock(Teller):
             return None
         alike = [a for a in self._happenings.acts if a.entity is other and a.kind is doing.kind]
         told = named[0]
-        return alike[0] if alike else self._same(doing, other, told.i, Basis(told.i, told.j))
+        return alike[0] if alike else self.same(doing, other, told.i, Basis(told.i, told.j))
 
     def _after_another(self, number: Measured) -> bool:
         """``2 s after the car has passed the sign``: since something that is no act."""
@@ -118,6 +136,11 @@ class Clock(Teller):
             other = self._of_the_other(number, doing)
             return other, "begin" if other is not None else "end"
         before = [a for a in self._happenings.acts if a.i < doing.i]
+        if doing.kind is ActKind.ENTER and since not in {"into", "past", "from"}:
+            came = [c for c in self._text.within(0, doing.i) if c.event.name in _COMING]
+            others = [e for c in came for e in c.drivers if e is not doing.entity]
+            if others and not before:
+                return self.same(doing, others[-1], came[-1].event.i, doing.basis), "begin"
         if not before:
             return None, "end"
         nearby = {t.low for t in tokens[number.j : number.j + 2]}

@@ -73,7 +73,8 @@ class Writer:
         if trigger.kind == "junction":
             return BeforeJunction(distance_m=value)
         if trigger.kind == "driven":
-            return AfterDistance(distance_m=value)
+            whose = trigger.entity.name if trigger.entity is not None else None
+            return AfterDistance(participant=whose, distance_m=value)
         if trigger.kind == "after" and trigger.act is not None and trigger.act.name:
             since = "begin" if trigger.since == "begin" else "end"
             return AfterAct(act=trigger.act.name, since=since, delay_s=value)

@@ -21,6 +21,7 @@ class AmountFrame:
     next: tuple[str, ...] = ()
     near: tuple[str, ...] = ()
     verb: frozenset[str] = frozenset()
+    unless: tuple[str, ...] = ()
     most: float | None = None
     instead: str | None = None
 
@@ -49,6 +50,7 @@ def amounts() -> tuple[AmountFrame, ...]:
             next=tuple(row.get("next", ())),
             near=tuple(row.get("near", ())),
             verb=frozenset(row.get("verb", ())),
+            unless=tuple(row.get("unless", ())),
             most=row.get("most"),
             instead=row.get("instead"),
         )

@@ -39,6 +39,8 @@ class Window:
             return False
         if frame.near and not any(self._near(p) for p in frame.near):
             return False
+        if any(self.after.startswith(f" {p} ") or self.preceded(p) for p in frame.unless):
+            return False
         if not (frame.before or frame.next):
             return True
         after = self.after.replace(" of ", " ", 1) if self.after.startswith(" of ") else self.after

@@ -41,7 +41,9 @@ def silence(chunks: list[Chunk]) -> list[Chunk]:
 
 
 def _of_one(title: list[Chunk], rest: list[Chunk]) -> bool:
-    """``Ego: left turn.``, ``Adversary: from the right, goes straight.``."""
+    """``Ego: left turn.``, ``Hard-braking coach: 0.55 g from 26 m/s``: of who is named before."""
+    if _amount_first(rest) and _of_what_one_does(title):
+        return True
     who = title[0] if title and (len(title) == 1 or _goes_on(title, rest)) else None
     if not isinstance(who, Mention) or not who.heads or not rest or isinstance(rest[0], Mention):
         return False
@@ -55,6 +57,25 @@ def _of_one(title: list[Chunk], rest: list[Chunk]) -> bool:
         if isinstance(chunk, Mention):
             return isinstance(before, Word) and before.cat in {"prep", "locus"}
     return True
+
+
+def _amount_first(rest: list[Chunk]) -> bool:
+    """``: 0.55 g …``, ``: from 80 km/h …``."""
+    words = [c for c in rest[:2] if isinstance(c, Word)]
+    first = words[1:] if words and words[0].cat == "prep" else words
+    return bool(first) and first[0].cat == "quantity"
+
+
+def _of_what_one_does(title: list[Chunk]) -> bool:
+    """``Late braking of a van``, ``Emergency stop, lead car``: one, and what that one does."""
+    named = [c for c in title if isinstance(c, Mention)]
+    bare = all(isinstance(c, Event | Mention) or _beside(c) for c in title)
+    told = any(isinstance(c, Event) and not _finite(c) for c in title)
+    return len(named) == 1 and bare and told
+
+
+def _beside(chunk: Chunk) -> bool:
+    return isinstance(chunk, Word) and (chunk.cat in {"prep", "manner"} or chunk.value == ",")
 
 
 def _goes_on(title: list[Chunk], rest: list[Chunk]) -> bool:

@@ -115,7 +115,10 @@ def _sight_m(tokens: list[Token], term: Term) -> float | None:
     if (term.cat, term.value) != ("quantity", "length"):
         return None
     near = {t.low for t in tokens[max(0, term.i - _SIGHT_REACH) : term.j + 2]}
-    sight = bool(near & {"visibility", "visual", "sight"}) and "distance" not in near
+    sees = {"can", "one", "you", "anybody"} & near and {"see", "sees"} & near
+    sight = bool(sees) or (
+        bool(near & {"visibility", "visual", "sight"}) and "distance" not in near
+    )
     value = term.data["quantity"].exact
     return float(value.low) if sight and value.low == value.high else None
 

@@ -11,8 +11,8 @@ from scegen.understanding.words.tokens import Token
 _SIDES = frozenset({"left", "right"})
 _ELSEWHERE = frozenset({"behind", "after", "beyond", "past", "before"})
 """Whoever is there is not in the bend."""
-_SMALL = frozenset({"a", "an", "the", "with", "of", "and", "(", ")", "=", "sharp", "tight",
-                    "gentle", "wide", "long", "about"})  # fmt: skip
+_SMALL = frozenset({",", "is", "a", "an", "the", "with", "of", "and", "(", ")", "=", "sharp",
+                    "tight", "gentle", "wide", "long", "about"})  # fmt: skip
 _RADIUS = frozenset({"radius", "r"})
 _REACH = 5
 
@@ -40,7 +40,7 @@ def whole_bends(terms: Sequence[Term], tokens: list[Token]) -> list[Term]:
         if _elsewhere(tokens, first):
             whole = replace(whole, value="feature")
         found[i : j + 1] = [whole]
-    return found
+    return _with_radius_alone(found, tokens)
 
 
 def _with_side(terms: list[Term], k: int, tokens: list[Token]) -> tuple[int, int]:
@@ -73,6 +73,21 @@ def _with_radius(
         last += named_after and last == m
         return first, min(last, len(terms) - 1), term.data["quantity"].value.middle
     return i, j, None
+
+
+def _with_radius_alone(terms: list[Term], tokens: list[Token]) -> list[Term]:
+    """``at R = 750 m``: a bend that only its radius tells of."""
+    if any(t.value == "bend" and t.data.get("radius_m") for t in terms):
+        return terms
+    for m, term in enumerate(terms):
+        if (term.cat, term.value) != ("quantity", "length"):
+            continue
+        before = [t.low for t in tokens[max(0, term.i - 4) : term.i] if t.low not in _SMALL]
+        if before[-1:] and before[-1] in _RADIUS:
+            data = {"side": None, "radius_m": term.data["quantity"].value.middle}
+            terms[m] = Term("place", "bend", term.i, term.j, data=data)
+            break
+    return terms
 
 
 def _elsewhere(tokens: list[Token], i: int) -> bool:

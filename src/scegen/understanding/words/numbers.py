@@ -105,5 +105,6 @@ def share_at(tokens: list[Token], i: int) -> Number | None:
     if part is None:
         return None
     after = [t.low for t in tokens[i + length : i + length + _WIDTH_REACH]]
-    wide = after[:1] == ["overlap"] or (after[:1] == ["of"] and bool(_WIDTHS & set(after)))
+    named = i > 0 and tokens[i - 1].low in {"overlap", "overlapping"}
+    wide = named or after[:1] == ["overlap"] or (after[:1] == ["of"] and bool(_WIDTHS & set(after)))
     return Number(100 * count / part, length) if wide else None

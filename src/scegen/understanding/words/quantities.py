@@ -109,9 +109,12 @@ def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
 
 
 def _half_a(tokens: list[Token], i: int) -> Number | None:
-    """``half a second``."""
-    half = tokens[i].low == "half" and i + 1 < len(tokens) and tokens[i + 1].low in {"a", "an"}
-    return Number(0.5, 2) if half else None
+    """``half a second``, ``half metre``."""
+    if tokens[i].low != "half" or i + 1 >= len(tokens):
+        return None
+    if tokens[i + 1].low in {"a", "an"}:
+        return Number(0.5, 2)
+    return Number(0.5, 1) if _unit_at(tokens, i + 1) is not None else None
 
 
 def _tolerance_mark(tokens: list[Token], j: int) -> int | None:
