@@ -177,7 +177,7 @@ def _measured(when: WhenMeasure, act: Act | None) -> Residual:
     return residual
 
 
-def _driven(when: AfterDistance, act: Act, scene: Scene) -> Iterator[Residual]:
+def _driven(when: AfterDistance, act: Act, scene: Setup) -> Iterator[Residual]:
     name, way_m = when.participant or act.participant, when.distance_m.middle
     if name in scene.drives:
         yield lambda moments: _PER_M * (moments.gone_m(name, act) - way_m)
