@@ -40,7 +40,7 @@ def test_edited_scenario_has_no_twin(folder):
     assert result.status is CheckStatus.NOT_RUN
     assert result.detail.startswith("5 of 17 rules completed, scenario.xosc is not what")
     assert len(result.findings) == 12
-    assert {finding.severity for finding in result.findings} == {Severity.WARNING}
+    assert {finding.severity for finding in result.findings} == {Severity.UNCHECKED}
 
 
 @pytest.mark.asam
@@ -156,7 +156,7 @@ def test_only_rules_for_another_version_come_from_the_twin():
     second = {name: outcome(name, "completed", "twin") for name in first}
     assert [o.status for o in merged(first, second)] == ["completed", "completed", "skipped"]
     assert [o.findings() != () for o in merged(first, {})] == [False, True, True]
-    assert merged(first, {})[1].findings()[0].severity is Severity.WARNING
+    assert merged(first, {})[1].findings()[0].severity is Severity.UNCHECKED
     assert merged(first, {})[2].findings()[0].severity is Severity.ERROR
 
 

