@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Basis, Danger, Draft, Entity, Placement
-from scegen.understanding.meaning import numbered_lanes
 from scegen.understanding.meaning.approaches import INVERSE
 from scegen.understanding.meaning.mutual import allow, face_each_other, in_file
+from scegen.understanding.semantics import numbered_lanes
 
 _BARE = frozenset({"vehicle", "car", "driver", "truck", "van", "bus", "motorcycle"})
 _COMPASS = ("north", "east", "south", "west")

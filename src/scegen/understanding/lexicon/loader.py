@@ -111,8 +111,17 @@ def load_ways() -> dict[str, frozenset[str]]:
 
 @lru_cache(maxsize=1)
 def load_lists() -> dict[str, frozenset[str]]:
-    """Words of one kind, by the name of the list."""
-    return {name: frozenset(words) for name, words in _read("lists").items()}
+    """Words of one kind, by the name of the list.
+
+    Raises:
+        TypeError: names a word that YAML takes for a truth value or a number.
+    """
+    lists = _read("lists")
+    for name, words in lists.items():
+        if not all(isinstance(word, str) for word in words):
+            msg = f"lists.yaml: what stands in {name!r} must be quoted"
+            raise TypeError(msg)
+    return {name: frozenset(words) for name, words in lists.items()}
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding.chunks import Chunk, Mention, Place, Prep
 from scegen.understanding.draft import Basis
 from scegen.understanding.semantics.context import Clause, Context
@@ -38,32 +37,3 @@ def _inside(prep: Prep, context: Context) -> bool:
         return False
     named = place.head.data.get("kind") == "roundabout"
     return named and context.tokens[prep.word.i].low in {"in", "inside", "on", "within", "round"}
-
-
-def move_off(clause: Clause, context: Context) -> None:
-    """``a parked van drives off``: whoever comes along has to be let through.
-
-    Args:
-        clause: what happens.
-        context: the scenario in the making.
-    """
-    event = clause.event
-    if event.negated or event.passive or event.premod_of is not None:
-        return
-    words = {t.low for t in context.tokens[event.i : event.j]}
-    parking = any(p.kind in {"parking", "sidewalk", "shoulder"} for p in clause.places())
-    away = event.name == "leave" and (parking or bool(words & {"off", "away"}))
-    others = [e for e in clause.drivers if e.pulls_out and not e.ego]
-    if away and others:
-        context.draft.hazard(HazardKind.FAILURE_TO_YIELD, clause.words, others)
-
-
-def park(clause: Clause, _context: Context) -> None:
-    """``is parked``: the vehicle stands for the whole scenario."""
-    if clause.event.form != "ed":
-        return
-    for entity in clause.actors:
-        if entity.is_vehicle and not entity.ego and entity.sets_off < clause.event.i:
-            entity.parked = True
-            entity.parked_basis = Basis(clause.event.i, clause.event.j)
-        entity.pulls_out = entity.pulls_out or entity.sets_off > clause.event.i

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
-from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
+from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.draft import Basis, Danger, Entity
 from scegen.understanding.meaning import oncoming
 from scegen.understanding.meaning.reactions import into_rear
 from scegen.understanding.semantics.context import Clause, Context
-from scegen.understanding.semantics.ways import head_on, past_the_roadside
+from scegen.understanding.semantics.rows import say
+from scegen.understanding.semantics.ways import head_on
 from scegen.understanding.words.terms import Term
 
 _TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
@@ -27,93 +28,14 @@ def positions(clauses: list[Clause], context: Context) -> None:
         context: the scenario in the making.
     """
     for clause in clauses:
-        oncoming.faced(clause, context)
+        say("positions.any", clause, context)
         _driven_up_to(clause, context)
-        parked = [e for e in clause.targets if e.parked]
-        if clause.event.name == "bypass" and not clause.targets and clause.drivers:
-            parked = [e for e in context.draft.entities if e.parked and _in_front(e, context)]
-        thing = isinstance(clause.event.object, Thing) and clause.event.object.kind == "object"
-        parked = [] if past_the_roadside(clause, context) else parked
-        if clause.event.name == "bypass" and (parked or thing) and not clause.event.negated:
-            context.draft.hazard(HazardKind.OBSTACLE, clause.words, parked)
-        _owing_to_the_parked(clause, context)
-        oncoming.hidden_behind(clause, context)
-        oncoming.overtaken(clause, context)
-        oncoming.from_behind(clause, context)
-        oncoming.met(clause, context)
-        _cuts_out(clause, context)
-        _revealed(clause, context)
-        _across(clause, context)
     oncoming.turned_across(context)
     oncoming.unseen(context)
     for danger in context.draft.dangers:
         if danger.kind is HazardKind.ONCOMING_LANE:
             _around_something(danger, context)
             _face_to_face(danger, context)
-
-
-def _owing_to_the_parked(clause: Clause, context: Context) -> None:
-    """``has to leave its lane because of a broken-down lorry``: that is in the way."""
-    for prep in clause.event.pps:
-        by = prep.target.entities if isinstance(prep.target, Mention) else []
-        parked = [e for e in by if e.still]
-        if (
-            prep.value == "due"
-            and parked
-            and clause.event.name not in {"hide", "encounter", "appear"}
-        ):
-            context.draft.hazard(HazardKind.OBSTACLE, clause.words, parked)
-
-
-def _cuts_out(clause: Clause, context: Context) -> None:
-    """``cuts out``: leaves the lane in which it drove ahead of the ego."""
-    words = {t.low for t in context.tokens[clause.event.i : clause.event.j]}
-    if clause.event.name != "lane_change" or "out" not in words or clause.event.negated:
-        return
-    basis = Basis(clause.event.i, clause.event.j, "who cuts out was ahead in the lane")
-    for entity in clause.drivers:
-        seen = [
-            p for p in context.draft.placements if p.entity is entity and oncoming.by_the_ego(p)
-        ]
-        if not entity.ego and not seen:
-            context.draft.place(entity, None, {Approach.AHEAD}, basis)
-
-
-def _revealed(clause: Clause, context: Context) -> None:
-    """``swerves and exposes a stopped van``: the van is ahead in the lane."""
-    if clause.event.name != "reveal" or context.junction.crossing:
-        return
-    basis = Basis(clause.event.i, clause.event.j, "what comes into view is ahead")
-    for entity in clause.targets:
-        seen = [p for p in context.draft.placements if p.entity is entity]
-        if entity.is_vehicle and not entity.ego and not seen:
-            context.draft.place(entity, None, {Approach.AHEAD}, basis)
-
-
-def _across(clause: Clause, context: Context) -> None:
-    """Who crosses on red, or leaves the side road of a T, comes from the left or the right."""
-    event = clause.event
-    ego = next((e for e in context.draft.entities if e.ego), None)
-    implied = context.draft.access is not None and context.junction.straight is None
-    if ego is None or ego in clause.actors or not (context.junction.crossing or implied):
-        return
-    on_red = event.name == "cross" and any(
-        clause.drivers == d.by and d.kind is HazardKind.RED_LIGHT_RUNNING
-        for d in context.draft.dangers
-    )
-    sources = [*event.pps, *(p for m in event.subject for p in m.pps)]
-    out = event.name in {"pull_out", "reverse", "leave", "appear"}
-    words = {"from", "in", "of"} if out or event.name == "wait" else {"from", "in"}
-    stem = [p.target for p in sources if p.value in words] + ([event.object] if out else [])
-    stem = [p for p in stem if isinstance(p, Place) and p.kind == "access"]
-    along = context.junction.kind is JunctionKind.T and ego.maneuvers == {Maneuver.STRAIGHT}
-    along = along or (not context.junction.crossing and not ego.maneuvers & _TURNS)
-    if not on_red and not (stem and along):
-        return
-    basis = Basis(event.i, event.j, "it comes across the way of the ego")
-    for entity in clause.drivers:
-        if entity.heading is None and not any(p.entity is entity for p in context.draft.placements):
-            context.draft.place(entity, None, {Approach.LEFT, Approach.RIGHT}, basis)
 
 
 def _only_other(clause: Clause, context: Context) -> list[Entity]:
@@ -166,13 +88,6 @@ def _driven_up_to(clause: Clause, context: Context) -> None:
         if target.is_vehicle and slower and not crosses and not _placed(target, driver, context):
             reason = "who is driven up to is ahead"
             context.ahead([target], [driver], Basis(event.i, event.j, reason))
-
-
-def _in_front(entity: Entity, context: Context) -> bool:
-    return any(
-        p.entity is entity and p.reference is None and p.approaches == {Approach.AHEAD}
-        for p in context.draft.placements
-    )
 
 
 def _queue(target: object) -> bool:

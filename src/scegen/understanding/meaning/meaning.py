@@ -19,7 +19,6 @@ from scegen.understanding.meaning import (
     detours,
     implied,
     lane_moves,
-    numbered_lanes,
     red_lights,
     roles,
     rows,
@@ -30,16 +29,15 @@ from scegen.understanding.meaning import (
     titled,
 )
 from scegen.understanding.meaning.movements import follow_movement
-from scegen.understanding.meaning.omissions import not_done
 from scegen.understanding.meaning.out_of_turn import out_of_turn
 from scegen.understanding.meaning.placing import Placer
 from scegen.understanding.meaning.reactions import mark_answers, mark_late
-from scegen.understanding.meaning.recasting import recast
 from scegen.understanding.meaning.reciprocal import towards_each_other
 from scegen.understanding.meaning.roadside import read_thing
 from scegen.understanding.meaning.setting_off import set_off
 from scegen.understanding.meaning.sides_left import sides_left
 from scegen.understanding.phrases.on_sides import from_everywhere
+from scegen.understanding.semantics import numbered_lanes
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.roles import clause_of
 from scegen.understanding.semantics.rows import say
@@ -201,9 +199,9 @@ class Interpreter:
 
     def _event(self, event: Event) -> None:
         clause = clause_of(event)
-        courses.move_off(clause, self._context)
+        say("dangers.move_off", clause, self._context)
         self._told_again(clause)
-        event.name = recast(clause, self._context)
+        say("constructions.any", clause, self._context)
         self._clauses.append(clause)
         standing.stand(clause, self._context)
         self._places(clause)
@@ -212,10 +210,9 @@ class Interpreter:
         if event.name in _ANSWERS:
             say("dangers.answered", clause, self._context)
         if event.negated or failed or event.name == "overlook":
-            not_done(clause, self._context)
+            say("omissions.any", clause, self._context)
             return
-        if event.name in _BREACHING or breaches.may_break(clause, self._context):
-            breaches.breach(clause, self._context)
+        say("dangers.drives_on", clause, self._context)
         self._manner(clause)
         follow_movement(clause, self._context)
         say("dangers.onto_the_road", clause, self._context)

@@ -7,7 +7,6 @@ from collections.abc import Callable
 from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.chunks import Event, Mention, Place, Thing
 from scegen.understanding.draft import Basis
-from scegen.understanding.meaning import courses
 from scegen.understanding.meaning.lane_moves import apply
 from scegen.understanding.semantics import ways
 from scegen.understanding.semantics.context import Clause, Context
@@ -105,5 +104,4 @@ _RULES: dict[str, Callable[[Clause, Context], None]] = {
     "bypass": overtake,
     "pass": overtake,
     "pull_out": pull_around,
-    "park": courses.park,
 }

@@ -1,9 +1,14 @@
 """Conditions of rows: what must hold of a clause, in a few words each.
 
-``path PATTERN``: a phrase of the verb; ``at PATTERN``: a place named with it; ``object PATTERN``;
-``some|no WHO``: there is somebody, nobody; ``any|all|no WHO is WORD``: of whom something holds;
-``how VALUE…``: manner; ``own WORD…``: a word of the verb itself; ``lemma``, ``event``, ``parent``,
-``child``, ``form``, ``link``, ``control``; ``danger KIND…``: there is one; or a word of `FACTS`.
+* ``path PATTERN``: a phrase of the verb; ``at PATTERN``: a place named with it; ``object``,
+  ``goal`` (the lane it ends in) and ``over PATTERN`` (what is crossed);
+* ``some|no|one WHO``: there is somebody; ``any|all|no WHO is WORD``: of whom something holds;
+* ``own WORD…``: a word of the verb itself; ``before``, ``next``, ``soon``: around it; ``via``: of
+  the verb or a preposition; ``mod``: before or after it; ``ends``; ``said``: all its lemmas;
+  where a list of the lexicon stands for words, it is called ``@NAME``;
+* ``lemma``, ``event``, ``parent``, ``child``, ``form``, ``link`` of it; ``how VALUE…``: manner;
+* ``control``, ``junction``; ``danger KIND…``: there is one; or a word of `FACTS`.
+
 ``not`` before any of them turns it round; ``A or B`` asks for one of two.
 """
 
@@ -14,12 +19,15 @@ from typing import TypeAlias
 
 from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind
 from scegen.understanding.lexicon import load_lists
-from scegen.understanding.semantics import along, patterns, ways
+from scegen.understanding.semantics import along, owed, patterns, ways
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.numbered_lanes import leaves_it
+from scegen.understanding.semantics.rewriting import passes_round
 from scegen.understanding.semantics.values import alike
 from scegen.understanding.semantics.who import entity, who
 
 Test: TypeAlias = Callable[[Clause, Context], bool]
+_SOON = 5
 
 FACTS: dict[str, Test] = {
     "reaction": lambda clause, _: clause.reaction,
@@ -50,6 +58,9 @@ FACTS: dict[str, Test] = {
     "as_others_do": lambda clause, c: bool(alike(clause, c)),
     **ways.FACTS,
     **along.FACTS,
+    **owed.FACTS,
+    "passes_round": passes_round,
+    "leaves_its_number": lambda clause, c: leaves_it(clause.event, clause.drivers, c.tokens),
 }
 
 
@@ -60,17 +71,17 @@ def _path(rest: str) -> Test:
 
 def _at(rest: str) -> Test:
     test = patterns.noun(rest.split())
-    return lambda clause, _: any(test(p) for p in clause.places())
+    return lambda clause, c: any(test(p, c) for p in clause.places())
 
 
 def _object(rest: str) -> Test:
     test = patterns.noun(rest.split())
-    return lambda clause, _: test(clause.event.object)
+    return lambda clause, c: test(clause.event.object, c)
 
 
 def _goal(rest: str) -> Test:
     test = patterns.noun(rest.split())
-    return lambda clause, _: test(ways.into_lane(clause.event))
+    return lambda clause, c: test(ways.into_lane(clause.event), c)
 
 
 def _words(rest: str) -> frozenset[str]:
@@ -80,6 +91,44 @@ def _words(rest: str) -> frozenset[str]:
 
 def _ends(rest: str) -> Test:
     return lambda clause, c: c.tokens[clause.event.j - 1].low == rest
+
+
+def _before(rest: str) -> Test:
+    words = _words(rest)
+    return lambda clause, c: clause.event.i > 0 and c.tokens[clause.event.i - 1].low in words
+
+
+def _next(rest: str) -> Test:
+    words = _words(rest)
+    return lambda clause, c: any(
+        t.low in words for t in c.tokens[clause.event.j : clause.event.j + 1]
+    )
+
+
+def _soon(rest: str) -> Test:
+    words = _words(rest)
+    return lambda clause, c: any(
+        t.low in words for t in c.tokens[clause.event.j : clause.event.j + _SOON]
+    )
+
+
+def _said(rest: str) -> Test:
+    forms = rest.split()
+    return lambda clause, c: (
+        [t.forms[-1][0] for t in c.tokens[clause.event.i : clause.event.j]] == forms
+    )
+
+
+def _via(rest: str) -> Test:
+    words, own = _words(rest), _own(rest)
+    return lambda clause, c: (
+        own(clause, c) or any(c.tokens[p.word.i].low in words for p in clause.event.pps)
+    )
+
+
+def _over(rest: str) -> Test:
+    own, direct, phrase = _own("across over"), _object(rest), _path(f"=across|=over {rest}")
+    return lambda clause, c: (own(clause, c) and direct(clause, c)) or phrase(clause, c)
 
 
 def _how(rest: str) -> Test:
@@ -171,7 +220,8 @@ _KINDS: dict[str, Callable[[str], Test]] = {
     "path": _path, "at": _at, "object": _object, "goal": _goal, "how": _how, "own": _own,
     "mod": _mod, "lemma": _lemma, "event": _event, "parent": _parent, "child": _child,
     "form": _form, "ends": _ends, "link": _link, "control": _control, "junction": _junction,
-    "danger": _danger,
+    "danger": _danger, "before": _before, "next": _next, "soon": _soon, "said": _said,
+    "via": _via, "over": _over,
     "some": _some, "one": _one, "any": _any, "all": _all, "no": _no,
 }  # fmt: skip
 

@@ -39,10 +39,19 @@ def _through(entity: Entity, basis: Basis) -> None:
     entity.through = entity.through or basis
 
 
+def _parks(entity: Entity, basis: Basis) -> None:
+    """Unless the text says before or after that it drives."""
+    at = basis.i or 0
+    if entity.is_vehicle and not entity.ego and entity.sets_off < at:
+        _parked(entity, basis)
+    entity.pulls_out = entity.pulls_out or entity.sets_off > at
+
+
 MARKS: dict[str, Callable[[Entity, Basis], None]] = {
     "pulls_out": _pulls_out,
     "was_parked": _was_parked,
     "parked": _parked,
+    "parks": _parks,
     "moves": _moves,
     "waits": _waits,
     "on_straight": _on_straight,

@@ -1,9 +1,9 @@
 """Patterns of phrases and nouns: ``into lane -opposite``, ``=across road``, ``from<behind who``.
 
-A phrase is one or more prepositions by their value, with ``=`` by the word itself, with ``~`` by
-any other word, after ``<`` the one inside ("from behind"); then a noun. A noun is a kind of place,
-``who`` (participants), ``thing`` or ``thing.view``, ``event``, ``place`` (any), ``none``, ``named``
-(any but none); ``any`` is whatever stands there.
+A phrase is one or more prepositions by their value, with ``=`` by the word itself, with ``!`` by
+any other value and ``~`` any other word, after ``<`` the one inside ("from behind"); then a noun.
+A noun is a kind of place, ``who`` (participants), ``thing`` or ``thing.view``, ``event``, ``place``
+(any), ``none``, ``named`` (any but none); ``any`` is whatever stands there.
 ``+x`` and ``-x`` ask for, and rule out, a direction or one of `_FILTERS`.
 """
 
@@ -16,57 +16,65 @@ from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep,
 from scegen.understanding.draft import Entity
 from scegen.understanding.semantics.context import Clause, Context
 
-NounTest: TypeAlias = Callable[[Any], bool]
+NounTest: TypeAlias = Callable[[Any, Context], bool]
 PrepTest: TypeAlias = Callable[[Prep, Context], bool]
 ANY = "any"
 FRONT = "in_front"
 """In somebody's way; "ahead of" somebody one only leads."""
 
+
+def _lit(colour: str, noun: NounPhrase, context: Context) -> bool:
+    return any(t.low == colour for t in context.tokens[noun.i : noun.j])
+
+
 _FILTERS: dict[str, NounTest] = {
-    "owned": lambda n: n.owner is not None,
-    "its": lambda n: any(m.cat == "possessive" for m in n.mods),
-    "egos": lambda n: n.owner is not None and any(e.ego for e in n.owner.entities),
-    "other": lambda n: any(m.value == "other" for m in n.mods),
-    "unprotected": lambda n: any(m.value == "unprotected" for m in n.mods),
-    "ranked": lambda n: n.head is not None and "ranked" in n.head.data,
-    "compound": lambda n: n.head is not None and n.head.j - n.head.i > 1,
-    "gap": lambda n: n.head is not None and "gap" in n.head.data,
-    "plural": lambda n: n.head is not None and n.head.form == "s",
-    "headed": lambda n: n.head is not None,
-    "roundabout": lambda n: n.head is not None and n.head.data.get("kind") == "roundabout",
-    "undirected": lambda n: not n.dirs,
-    "vehicle": lambda n: any(e.is_vehicle for e in n.entities),
-    "afoot": lambda n: any(not e.is_vehicle for e in n.entities),
-    "moving": lambda n: any(e.moving_vehicle for e in n.entities),
-    "ego": lambda n: any(e.ego for e in n.entities),
-    "pronoun": lambda n: n.pronoun is not None,
+    "owned": lambda n, _: n.owner is not None,
+    "its": lambda n, _: any(m.cat == "possessive" for m in n.mods),
+    "egos": lambda n, _: n.owner is not None and any(e.ego for e in n.owner.entities),
+    "other": lambda n, _: any(m.value == "other" for m in n.mods),
+    "unprotected": lambda n, _: any(m.value == "unprotected" for m in n.mods),
+    "ranked": lambda n, _: n.head is not None and "ranked" in n.head.data,
+    "compound": lambda n, _: n.head is not None and n.head.j - n.head.i > 1,
+    "gap": lambda n, _: n.head is not None and "gap" in n.head.data,
+    "plural": lambda n, _: n.head is not None and n.head.form == "s",
+    "headed": lambda n, _: n.head is not None,
+    "roundabout": lambda n, _: n.head is not None and n.head.data.get("kind") == "roundabout",
+    "undirected": lambda n, _: not n.dirs,
+    "vehicle": lambda n, _: any(e.is_vehicle for e in n.entities),
+    "afoot": lambda n, _: any(not e.is_vehicle for e in n.entities),
+    "moving": lambda n, _: any(e.moving_vehicle for e in n.entities),
+    "ego": lambda n, _: any(e.ego for e in n.entities),
+    "somebody": lambda n, _: bool(n.entities),
+    "pronoun": lambda n, _: n.pronoun is not None,
+    "red": lambda n, c: _lit("red", n, c),
+    "green": lambda n, c: _lit("green", n, c),
 }
 
 
 def _alternative(word: str) -> NounTest:
     kind, _, detail = word.partition(".")
     if kind == "who":
-        return lambda n: isinstance(n, Mention)
+        return lambda n, _: isinstance(n, Mention)
     if kind == "thing":
-        return lambda n: isinstance(n, Thing) and (not detail or n.kind == detail)
+        return lambda n, _: isinstance(n, Thing) and (not detail or n.kind == detail)
     if kind == "event":
-        return lambda n: isinstance(n, Event)
+        return lambda n, _: isinstance(n, Event)
     if kind == ANY:
-        return lambda _: True
+        return lambda _n, _c: True
     if kind == "none":
-        return lambda n: n is None
+        return lambda n, _: n is None
     if kind == "named":
-        return lambda n: n is not None
+        return lambda n, _: n is not None
     if kind == "place":
-        return lambda n: isinstance(n, Place)
-    return lambda n: isinstance(n, Place) and n.kind == kind
+        return lambda n, _: isinstance(n, Place)
+    return lambda n, _: isinstance(n, Place) and n.kind == kind
 
 
 def _filter(word: str) -> NounTest:
     wanted, names = word[0] == "+", word[1:].split("|")
     tests = [_FILTERS[name] for name in names if name in _FILTERS]
     dirs = {name for name in names if name not in _FILTERS}
-    return lambda n: (any(t(n) for t in tests) or bool(dirs and dirs & set(n.dirs))) == wanted
+    return lambda n, c: (any(t(n, c) for t in tests) or bool(dirs and dirs & set(n.dirs))) == wanted
 
 
 def noun(words: list[str]) -> NounTest:
@@ -76,17 +84,19 @@ def noun(words: list[str]) -> NounTest:
         words: the pattern, split at blanks.
     """
     if not words or words == [ANY]:
-        return lambda _: True
+        return lambda _n, _c: True
     filters = [_filter(word) for word in words[1:]]
     kinds = words[0].split("|")
     special = {"who", "thing", "event", "none", "place", "named", ANY}
     if all(k.partition(".")[0] not in special for k in kinds):
         named = frozenset(kinds)
         if not filters:
-            return lambda n: isinstance(n, Place) and n.kind in named
-        return lambda n: isinstance(n, Place) and n.kind in named and all(f(n) for f in filters)
+            return lambda n, _: isinstance(n, Place) and n.kind in named
+        return lambda n, c: (
+            isinstance(n, Place) and n.kind in named and all(f(n, c) for f in filters)
+        )
     tests = [_alternative(kind) for kind in kinds]
-    return lambda n: any(t(n) for t in tests) and all(f(n) for f in filters)
+    return lambda n, c: any(t(n, c) for t in tests) and all(f(n, c) for f in filters)
 
 
 def _in_front(p: Prep, context: Context) -> bool:
@@ -103,11 +113,14 @@ def prep(words: list[str]) -> PrepTest:
     values: set[str] = set()
     spelled: set[str] = set()
     other: set[str] = set()
+    apart: set[str] = set()
     outer: set[tuple[str, str]] = set()
     for word in words[0].split("|"):
         before, inside, value = word.rpartition("<")
         if inside:
             outer.add((before, value))
+        elif word[0] == "!":
+            apart.add(word[1:])
         elif word[0] in "=~":
             (spelled if word[0] == "=" else other).add(word[1:])
         else:
@@ -118,11 +131,12 @@ def prep(words: list[str]) -> PrepTest:
     def fits(p: Prep, context: Context) -> bool:
         word = context.tokens[p.word.i].low
         named = free or p.value in values or word in spelled or (bool(other) and word not in other)
+        named = named or (bool(apart) and p.value not in apart)
         named = named or any(
             (p.outer == o and v in {ANY, p.value}) or (word == o and p.value == v) for o, v in outer
         )
         named = named or (FRONT in values and _in_front(p, context))
-        return named and target(p.target)
+        return named and target(p.target, context)
 
     return fits
 

@@ -8,6 +8,7 @@ follows. With ``also`` the next rows are asked as well. The keys:
 * ``maneuver`` of ``of``; ``place``: where ``of`` comes from, seen by ``from`` (the ego);
 * ``lanes``, ``crossing``: why the road has lanes, a junction;
 * ``marks`` of ``of``; ``drop``: a danger that is none after all; ``unplace``; ``note``;
+* ``as``: another event; ``targets``, ``actors``: who is in it; ``rewrite``; ``rules_out``: ways;
 * ``then``: further families; ``words``, ``reason``: what it rests on.
 """
 
@@ -25,22 +26,25 @@ from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.semantics.conditions import Test, condition
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.marks import MARKS
-from scegen.understanding.semantics.patterns import end, phrases
+from scegen.understanding.semantics.patterns import end, noun, phrases
+from scegen.understanding.semantics.rewriting import REWRITES
 from scegen.understanding.semantics.values import VALUES, WORDS
 from scegen.understanding.semantics.who import who
 
 Effect: TypeAlias = Callable[[Clause, Context], None]
 Words: TypeAlias = Callable[[Clause, Context], Basis]
-_FILES = ("dangers", "movements")
+_FILES = ("constructions", "dangers", "movements", "omissions", "positions")
 _KEYS = frozenset({"if", "hazard", "by", "to", "maneuver", "of", "place", "from", "lanes",
                    "crossing", "drop", "unplace", "marks", "note", "then", "words", "reason",
-                   "also"})  # fmt: skip
+                   "also",
+                   "as", "targets", "actors", "rewrite", "rules_out"})  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
 class Row:
     """One row: all its conditions and all its effects; whether further rows are asked."""
 
+    events: frozenset[str] | None
     tests: tuple[Test, ...]
     effects: tuple[Effect, ...]
     also: bool
@@ -50,12 +54,14 @@ def _words(expression: str, reason: str | None) -> Words:
     """What a row rests on.
 
     Args:
-        expression: ``event``; ``sudden`` or ``how VALUE…``, where that is said; ``to PATTERN``,
-            from the verb to the end of a phrase; one of `VALUES` or `WORDS`.
+        expression: ``event``; ``sudden`` or ``how VALUE…``, where that is said; ``to PATTERN``
+            and ``upto PATTERN``, from the verb to the end of a phrase or place; one of `VALUES`
+            or `WORDS`.
         reason: why, where the words do not say it themselves.
     """
     name, _, rest = expression.partition(" ")
     find = phrases(rest) if name == "to" else lambda _clause, _context: []
+    named = noun(rest.split())
 
     def basis(clause: Clause, context: Context) -> Basis:
         found: Basis | None = None
@@ -66,6 +72,9 @@ def _words(expression: str, reason: str | None) -> Words:
         elif name == "to":
             phrase = next(iter(find(clause, context)), None)
             found = Basis(clause.event.i, end(phrase)) if phrase is not None else None
+        elif name == "upto":
+            place = next((p for p in clause.places() if named(p, context)), None)
+            found = Basis(clause.words.i, max(clause.event.j, place.j)) if place else None
         elif name in WORDS:
             found = WORDS[name](clause, context)
         elif name in VALUES:
@@ -151,6 +160,34 @@ def _mark(name: str, of: str, words: Words) -> Effect:
     return effect
 
 
+def _recast(name: str) -> Effect:
+    def effect(clause: Clause, _: Context) -> None:
+        clause.event.name = name
+
+    return effect
+
+
+def _parts(row: dict[str, Any]) -> Effect:
+    targets, actors = who(row.get("targets", "targets")), who(row.get("actors", "actors"))
+
+    def effect(clause: Clause, context: Context) -> None:
+        clause.targets, clause.actors = targets(clause, context), actors(clause, context)
+
+    return effect
+
+
+def _rule_out(said: str) -> Effect:
+    find = VALUES.get(said)
+    named = {Maneuver(value) for value in said.split()} if find is None else set()
+
+    def effect(clause: Clause, context: Context) -> None:
+        for entity in clause.drivers:
+            entity.excluded |= named if find is None else set(find(clause, context))
+            entity.excluded_basis = clause.words
+
+    return effect
+
+
 def _then(family: str) -> Effect:
     def effect(clause: Clause, context: Context) -> None:
         say(family, clause, context)
@@ -158,18 +195,24 @@ def _then(family: str) -> Effect:
     return effect
 
 
-def _effects(row: dict[str, Any]) -> Iterable[Effect]:
-    words = _words(row.get("words", "event"), row.get("reason"))
-    by = row.get("by", "drivers").rstrip("?")
-    of = row.get("of", by)
+def _changes(row: dict[str, Any]) -> Iterable[Effect]:
+    """What a row does to the clause itself."""
+    if "targets" in row or "actors" in row:
+        yield _parts(row)
+    if "rewrite" in row:
+        yield REWRITES[row["rewrite"]]
+    if "as" in row:
+        yield _recast(row["as"])
+
+
+def _statements(row: dict[str, Any], by: str, of: str, words: Words) -> Iterable[Effect]:
+    """What a row says of participants."""
+    if "rules_out" in row:
+        yield _rule_out(row["rules_out"])
     if "drop" in row:
         yield _drop(HazardKind(row["drop"]), of)
     if "unplace" in row:
         yield _unplace(Approach(row["unplace"]), of)
-    if "lanes" in row:
-        yield lambda clause, c: c.lanes_implied(words(clause, c), row["lanes"])
-    if "crossing" in row:
-        yield lambda clause, c: c.crossing_implied(words(clause, c), row["crossing"])
     for name in row.get("marks", ()):
         yield _mark(name, of, words)
     if "maneuver" in row:
@@ -179,10 +222,20 @@ def _effects(row: dict[str, Any]) -> Iterable[Effect]:
     if "place" in row:
         approaches = set(map(Approach, row["place"].split()))
         yield _place(approaches, of, row.get("from", "nobody"), words)
+
+
+def _effects(row: dict[str, Any]) -> Iterable[Effect]:
+    words = _words(row.get("words", "event"), row.get("reason"))
+    by = row.get("by", "drivers").rstrip("?")
+    yield from _changes(row)
+    if "lanes" in row:
+        yield lambda clause, c: c.lanes_implied(words(clause, c), row["lanes"])
+    if "crossing" in row:
+        yield lambda clause, c: c.crossing_implied(words(clause, c), row["crossing"])
+    yield from _statements(row, by, row.get("of", by), words)
     if "note" in row:
         yield lambda clause, c: c.draft.note(clause.event.i, clause.event.j, row["note"])
-    for family in row.get("then", ()):
-        yield _then(family)
+    yield from map(_then, row.get("then", ()))
 
 
 def _row(row: dict[str, Any], where: str) -> Row:
@@ -190,11 +243,14 @@ def _row(row: dict[str, Any], where: str) -> Row:
     if unknown:
         raise KeyError(f"{where}: {unknown[0]!r} is no part of a row")
     try:
-        tests = [condition(text) for text in row.get("if", ())]
+        said = list(row.get("if", ()))
+        first = said[0].partition(" ") if said and " or " not in said[0] else ("", "", "")
+        events = frozenset(first[2].split()) if first[0] == "event" else None
+        tests = [condition(text) for text in (said[1:] if events else said)]
         by = row.get("by", "drivers")
         if "hazard" in row and not by.endswith("?"):
             tests.append(condition(f"some {by}"))
-        return Row(tuple(tests), tuple(_effects(row)), bool(row.get("also")))
+        return Row(events, tuple(tests), tuple(_effects(row)), bool(row.get("also")))
     except KeyError as error:
         raise KeyError(f"{where}: {error} in {row}") from error
 
@@ -229,6 +285,8 @@ def say(family: str, clause: Clause, context: Context) -> bool:
     """
     fitted = False
     for row in families().get(family, ()):
+        if row.events is not None and clause.event.name not in row.events:
+            continue
         if all(test(clause, context) for test in row.tests):
             fitted = True
             for effect in row.effects:

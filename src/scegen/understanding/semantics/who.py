@@ -9,12 +9,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from functools import lru_cache
 from typing import TypeAlias
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Entity
-from scegen.understanding.semantics import ways
+from scegen.understanding.semantics import owed, ways
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.patterns import people, phrases
 
@@ -32,6 +31,17 @@ def _unseen(e: Entity, context: Context) -> bool:
     """Nothing is said of where the ego sees it."""
     return not any(
         p.entity is e and (p.reference is None or p.reference.ego) for p in context.draft.placements
+    )
+
+
+def _aloof(e: Entity, context: Context) -> bool:
+    return not any(e in {p.entity, p.reference} for p in context.draft.placements)
+
+
+def _in_front(e: Entity, context: Context) -> bool:
+    return any(
+        p.entity is e and p.reference is None and p.approaches == {Approach.AHEAD}
+        for p in context.draft.placements
     )
 
 
@@ -64,6 +74,8 @@ ENTITY: dict[str, EntityTest] = {
     "across": lambda e, c: c.comes_across(e),
     "does_across": lambda e, c: Maneuver(c.across) in e.maneuvers,
     "only_across": lambda e, c: e.maneuvers == {Maneuver(c.across)},
+    "in_front": _in_front,
+    "aloof": _aloof,
     "unplaced": _unplaced,
     "unseen": _unseen,
     "slow": _slow,
@@ -102,6 +114,11 @@ def _hit(clause: Clause, _: Context) -> list[Entity]:
     return [*clause.targets, *(owner.entities if owner is not None else [])]
 
 
+def _in_phrases(pattern: str) -> Who:
+    find = phrases(pattern)
+    return lambda clause, context: people(find(clause, context))
+
+
 def _unsighted(clause: Clause) -> bool:
     return any(p.word.cat == "locus" and p.outer == "from" for p in clause.event.pps)
 
@@ -118,12 +135,18 @@ def _met(clause: Clause, context: Context) -> list[Entity]:
 
 
 def _hiders(clause: Clause, context: Context) -> list[Entity]:
-    behind = who("@behind|between|by|due")(clause, context)
+    behind = _BEHIND(clause, context)
     own = [] if clause.event.passive and behind else clause.actors
     by = [e for e in own if e.is_vehicle and not e.ego]
     return by + [e for e in behind if e not in by]
 
 
+def _met_with(clause: Clause, context: Context) -> list[Entity]:
+    return [*clause.actors, *clause.targets, *_WITH(clause, context)]
+
+
+_WITH = _in_phrases("with|by")
+_BEHIND = _in_phrases("behind|between|by|due")
 NAMED: dict[str, Who] = {
     "actors": lambda clause, _: clause.actors,
     "drivers": lambda clause, _: clause.drivers,
@@ -138,11 +161,14 @@ NAMED: dict[str, Who] = {
     "pullers": _pullers,
     "met": _met,
     "hiders": _hiders,
+    "involved": lambda clause, _: [*clause.actors, *clause.targets],
+    "met_with": _met_with,
+    "overlooked": owed.overlooked,
+    "in_the_way": owed.in_the_way,
     "nobody": lambda _clause, _context: [],
 }
 
 
-@lru_cache(maxsize=512)
 def who(expression: str) -> Who:
     """The participants that an expression means."""
     first, *more = expression.split(" or ")
@@ -152,8 +178,7 @@ def who(expression: str) -> Who:
     parts = _PART.findall(expression)
     name = expression[: len(expression) - sum(map(len, parts))]
     if name.startswith("@"):
-        find = phrases(name[1:])
-        base: Who = lambda clause, c: people(find(clause, c))  # noqa: E731
+        base = _in_phrases(name[1:])
     else:
         base = NAMED[name]
     if not parts:

@@ -1,0 +1,52 @@
+"""What rows change in a clause: a side that is a turn, a phrase that is whom one gets past."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from scegen.understanding.chunks import Event, Mention, Prep, Thing
+from scegen.understanding.draft import Entity
+from scegen.understanding.lexicon import load_lists
+from scegen.understanding.semantics.context import Clause, Context
+
+
+def _side_to_verb(clause: Clause, _: Context) -> None:
+    """``hangs a right``: turns right."""
+    event, side = clause.event, clause.event.object
+    ways = [m for m in side.mods if m.cat == "dir" and m.value in {"left", "right"}] if side else []
+    turned = [m for m in event.mods if m.value != "straight"]  # "hangs a right, straight across"
+    event.mods, event.object = [*turned, *ways], None
+
+
+def _round(clause: Clause, context: Context) -> tuple[Prep, list[Entity]] | None:
+    """The phrase that names what somebody gets past, with the vehicles in it."""
+    for prep in clause.event.pps if clause.event.object is None else []:
+        passed = prep.target
+        if context.tokens[prep.word.i].low not in load_lists()["past"]:
+            continue
+        thing = isinstance(passed, Thing) and passed.kind in {"object", "obstacle"}
+        who = passed.entities if isinstance(passed, Mention) else []
+        vehicles = [e for e in who if e.is_vehicle and e not in clause.actors]
+        if thing or vehicles:
+            return prep, vehicles
+    return None
+
+
+def passes_round(clause: Clause, context: Context) -> bool:
+    """``edges round the parked van``: whether a phrase says what is passed."""
+    return _round(clause, context) is not None
+
+
+def _take_round(clause: Clause, context: Context) -> None:
+    """What is passed becomes the object of the verb."""
+    found, event = _round(clause, context), clause.event
+    if found is not None and not isinstance(found[0].target, Event):
+        event.object, clause.targets = found[0].target, found[1]
+        event.pps = [p for p in event.pps if p is not found[0]]
+
+
+REWRITES: dict[str, Callable[[Clause, Context], None]] = {
+    "side_to_verb": _side_to_verb,
+    "take_round": _take_round,
+}
+"""Rewrite -> what it does to the clause."""
