@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from scegen.errors import ScegenError
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.vocabulary import Approach, EvidenceSource, Maneuver
-from scegen.understanding import read, report_on, stretches
+from scegen.understanding import read, report_on, passages
 from scegen.understanding.words.tokens import tokenize
 
 WORDS = tuple(
@@ -48,7 +48,7 @@ def test_any_text_gives_a_scenario_or_a_clear_error(text):
         assert item.source is EvidenceSource.STATED or item.reason
     for left in scenario.unsupported:
         assert text[left.start : left.end] == left.text
-    cut = stretches(report_on(scenario))
+    cut = passages(report_on(scenario))
     assert "".join(text[one.start : one.end] for one in cut) == text
 
 

@@ -177,10 +177,7 @@ def who(expression: str) -> Who:
         return lambda clause, c: next((f for w in either if (f := w(clause, c))), [])
     parts = _PART.findall(expression)
     name = expression[: len(expression) - sum(map(len, parts))]
-    if name.startswith("@"):
-        base = _in_phrases(name[1:])
-    else:
-        base = NAMED[name]
+    base = _in_phrases(name[1:]) if name.startswith("@") else NAMED[name]
     if not parts:
         return base
     tests = [(entity(part[1:]), part[0] == "+") for part in parts]
