@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from scegen.errors import ScegenError
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.vocabulary import Approach, EvidenceSource, Maneuver
-from scegen.understanding import read, report_on, passages
+from scegen.understanding import passages, read, report_on
 from scegen.understanding.words.tokens import tokenize
 
 WORDS = tuple(
