@@ -206,6 +206,12 @@ class DriveDraft:
         self.laid_ = lay_way(network, motion, stretches, end_m, self.id)
         self.course_ = None
 
+    def take_lane(self, network: RoadNetwork, lane: int) -> None:
+        """Enter in another lane."""
+        if lane != self.entry_lane:
+            self.entry_lane = lane
+            self.lay(network)
+
     def add_speed_change(self, mark: SpeedChange) -> None:
         """Add a mark of a danger; a holding one resumes the speed then in force."""
         if mark.hold_s is not None:

@@ -3,18 +3,12 @@
 from __future__ import annotations
 
 from scegen.concretization.drafts import DriveDraft, Setup
-from scegen.concretization.hazards.overtaking import overtake_speeds
+from scegen.concretization.hazards.aside import come_into_lane
 from scegen.concretization.hazards.rule import same_arm
-from scegen.concretization.hazards.swerving import close_before
-from scegen.concretization.lane_choice import change_lanes, entry_lanes, lanes_in
+from scegen.concretization.lane_choice import entry_lanes, lanes_in
 from scegen.concretization.meetings import DANGER, STRUCTURAL, Meeting, drives_meet
 from scegen.concretization.obstacles import goes_round_a_thing
-from scegen.concretization.passing import (
-    change_length_m,
-    pass_drive,
-    slowing_s_m,
-)
-from scegen.concretization.room import NeedsLongerArms
+from scegen.concretization.passing import be_faster, pass_drive
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
 
@@ -24,7 +18,7 @@ def prepare_maneuvers(scene: Setup) -> None:
     for draft in scene.drives.values():
         slower = _passed(scene, draft)
         if slower is not None:
-            overtake_speeds(scene, draft, slower)
+            be_faster(scene, draft, slower)
 
 
 def shape_maneuvers(scene: Setup) -> list[Meeting]:
@@ -39,7 +33,6 @@ def shape_maneuvers(scene: Setup) -> list[Meeting]:
                 scene,
                 draft,
                 passed,
-                oncoming=lanes_in(scene, draft) == 1,
                 comes_back=draft.drive.maneuver is Maneuver.OVERTAKE,
             )
         elif not (
@@ -108,40 +101,16 @@ def _free_change(scene: Setup, draft: DriveDraft) -> list[Meeting]:
     """A change into the lane of one beside it, or into the one that leads on."""
     if scene.road.kind is JunctionKind.ROUNDABOUT and lanes_in(scene, draft) < 2:
         raise MotionInfeasibleError("there is no second lane to change into", where=draft.id)
-    goals = entry_lanes(scene, draft)
-    count = lanes_in(scene, draft)
-    goal = draft.entry_lane if draft.entry_lane in goals else goals[0]
-    start = goal - 1 if goal > 1 else goal + 1
-    if start > count and draft.drive.maneuver is Maneuver.OVERTAKE:
+    if lanes_in(scene, draft) < 2 and draft.drive.maneuver is Maneuver.OVERTAKE:
         raise MotionInfeasibleError(
             f"nobody is ahead of it on arm {draft.drive.entry} whom it could overtake",
             where=draft.id,
             hint="Let another vehicle enter on that arm before it, or let it drive straight on.",
         )
-    if start > count:
-        raise MotionInfeasibleError(
-            f"arm {draft.drive.entry} has one lane: there is no lane to change into",
-            where=draft.id,
-        )
-    beside = _into_lane_of(scene, draft, goals)
-    if beside is not None:
-        goal = beside.entry_lane
-    else:
-        draft.entry_lane = start
-    for other in scene.drives.values():
-        # Who travels beside it is in the lane that it wants.
-        if beside is None and other.drive.beside == draft.id and goal in entry_lanes(scene, other):
-            other.entry_lane = goal
-            other.lay(scene.network)
-    length = change_length_m(draft.cruise_mps)
-    end = slowing_s_m(draft) - 3.0
-    if end - length < 10.0:
-        raise NeedsLongerArms(15.0 - (end - length), draft.id)
-    change_lanes(scene, draft, [(end - length, length, goal)])
-    return [] if beside is None else [close_before(scene, draft, beside, end)]
+    return come_into_lane(scene, draft, _beside(scene, draft))
 
 
-def _into_lane_of(scene: Setup, draft: DriveDraft, goals: tuple[int, ...]) -> DriveDraft | None:
+def _beside(scene: Setup, draft: DriveDraft) -> DriveDraft | None:
     """The one next to whom it drives, and into whose lane it changes; rather the ego."""
     near = [
         other
@@ -149,7 +118,7 @@ def _into_lane_of(scene: Setup, draft: DriveDraft, goals: tuple[int, ...]) -> Dr
         if (other.id == draft.drive.beside or other.drive.beside == draft.id)
         and same_arm(other, draft)
         and abs(other.entry_lane - draft.entry_lane) == 1
-        and other.entry_lane in goals
+        and other.entry_lane in entry_lanes(scene, draft)
         and not other.lane_changes
     ]
     return max(near, key=lambda other: other is scene.ego, default=None)

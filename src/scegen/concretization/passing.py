@@ -8,6 +8,7 @@ from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.lane_choice import (
     change_lanes,
     entry_lanes,
+    lanes_in,
     neighbour_lane,
 )
 from scegen.concretization.limits import (
@@ -58,12 +59,20 @@ def slowing_s_m(draft: DriveDraft) -> float:
     return min([draft.junction_s_m - _BEFORE_JUNCTION_M, *places])
 
 
+def be_faster(scene: Setup, passer: DriveDraft, passed: DriveDraft) -> None:
+    """Make the passer clearly faster: slow the other down rather than break the limit."""
+    if passer.cruise_mps < FASTER * passed.cruise_mps:
+        slower = passer.cruise_mps / FASTER
+        reason = f"is overtaken by {passer.id}"
+        scene.note(f"{passed.id}.speed_mps", slower, reason, passed.cruise_mps)
+        passed.cruise_mps = slower
+
+
 def pass_drive(
     scene: Setup,
     passer: DriveDraft,
     passed: DriveDraft,
     *,
-    oncoming: bool,
     comes_back: bool,
     hazard: HazardKind | None = None,
 ) -> list[Meeting]:
@@ -74,8 +83,8 @@ def pass_drive(
     Raises:
         NeedsLongerArms: the arm is too short for it.
     """
+    oncoming = lanes_in(scene, passer) == 1 or _is_to_stray(scene, passer)
     if _is_to_stray(scene, passer):
-        oncoming = True
         for draft in (passer, passed):
             if not draft.lane_changes:
                 draft.entry_lane = min(entry_lanes(scene, draft))

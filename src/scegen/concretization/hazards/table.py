@@ -2,36 +2,39 @@
 
 from __future__ import annotations
 
-from scegen.concretization.hazards.changing_speed import CHANGES_SPEED
-from scegen.concretization.hazards.conflict import (
-    ARRIVES_TOGETHER,
+from scegen.concretization.hazards.aside import (
     CROSSES,
-    STANDS_OR_WALKS,
+    LOSES_CONTROL,
+    OVERTAKES,
+    STRAYS,
+    TURNS_SUDDENLY,
 )
+from scegen.concretization.hazards.changing_speed import CHANGES_SPEED
 from scegen.concretization.hazards.cut_in import CUT_IN
-from scegen.concretization.hazards.oncoming_lane import ONCOMING_LANE
-from scegen.concretization.hazards.overtaking import OVERTAKING
 from scegen.concretization.hazards.reversing import REVERSING
 from scegen.concretization.hazards.rule import Rule
 from scegen.concretization.hazards.slow_driving import SLOW_DRIVING
 from scegen.concretization.hazards.speeding import SPEEDING
-from scegen.concretization.hazards.sudden_turn import SUDDEN_TURN
-from scegen.concretization.hazards.swerving import LOSS_OF_CONTROL, SWERVING
 from scegen.concretization.hazards.tailgating import TAILGATING
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
+
+ARRIVES_TOGETHER = Rule()
+"""Merging conflict, unprotected left turn, red-light running, failure to yield."""
+STANDS_OR_WALKS = Rule(meets=False)
+"""Made by where somebody walks or stands, not by how anybody drives."""
 
 RULES: dict[HazardKind, Rule] = {
     HazardKind.REVERSING: REVERSING,
     HazardKind.SPEEDING: SPEEDING,
     HazardKind.SLOW_DRIVING: SLOW_DRIVING,
     HazardKind.SUDDEN_ACCELERATION: CHANGES_SPEED,
-    HazardKind.SUDDEN_TURN: SUDDEN_TURN,
-    HazardKind.OVERTAKING: OVERTAKING,
+    HazardKind.SUDDEN_TURN: TURNS_SUDDENLY,
+    HazardKind.OVERTAKING: OVERTAKES,
     HazardKind.CUT_IN: CUT_IN,
-    HazardKind.ONCOMING_LANE: ONCOMING_LANE,
-    HazardKind.SWERVING: SWERVING,
-    HazardKind.LOSS_OF_CONTROL: LOSS_OF_CONTROL,
+    HazardKind.ONCOMING_LANE: STRAYS,
+    HazardKind.SWERVING: STRAYS,
+    HazardKind.LOSS_OF_CONTROL: LOSES_CONTROL,
     HazardKind.TAILGATING: TAILGATING,
     HazardKind.HARD_BRAKING: CHANGES_SPEED,
     HazardKind.DELAYED_BRAKING: CHANGES_SPEED,
