@@ -9,7 +9,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from scegen.concretization.boxes import overlaps
+from scegen.claims.boxes import apart
+from scegen.concretization.boxes import box_at
 from scegen.concretization.courses import SpeedChange
 from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.limits import (
@@ -231,8 +232,9 @@ def _shared_ground(
 
 def in_each_others_way(path: Path, body: Body, other: Path, other_body: Body) -> NDArray[np.bool_]:
     """Whether bodies touch on two ways, by place of the one and of the other (see ``sampled``)."""
-    _, *own = sampled(path)
-    _, *its = sampled(other)
-    x, y, heading = (values[:, None] for values in own)
-    x2, y2, heading2 = (values[None, :] for values in its)
-    return overlaps((x, y, heading), body, (x2, y2, heading2), other_body)
+    (_, *own), (_, *its) = sampled(path), sampled(other)
+    x, y, heading = (row[:, None] for row in own)
+    x2, y2, heading2 = (row[None, :] for row in its)
+    still = np.zeros(1)
+    first, second = box_at(x, y, heading, body, still), box_at(x2, y2, heading2, other_body, still)
+    return np.asarray(apart(first, second) < 0.0)

@@ -6,7 +6,8 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
-from scegen.concretization.boxes import Poses, overlaps
+from scegen.claims.boxes import Boxes, apart
+from scegen.concretization.boxes import box_on
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.priorities import Manners
 from scegen.motion.model import Array
@@ -33,8 +34,8 @@ def touch(first: DriveDraft, first_s: float, second: DriveDraft, second_s: float
     if not near.any():
         return False
     times = np.concatenate([np.arange(t, t + _COARSE_S, _SAMPLE_S) for t in coarse[near]])
-    a, b = _poses(first, times - first_s), _poses(second, times - second_s)
-    return bool(overlaps(a, first.body, b, second.body, _MARGIN_M).any())
+    near_m = apart(_boxes(first, times - first_s), _boxes(second, times - second_s))
+    return bool((near_m < _MARGIN_M).any())
 
 
 def _distance(first: DriveDraft, first_s: Array, second: DriveDraft, second_s: Array) -> Array:
@@ -48,14 +49,9 @@ def _distance(first: DriveDraft, first_s: Array, second: DriveDraft, second_s: A
     return np.hypot(x1 - x2, y1 - y2)
 
 
-def _poses(draft: DriveDraft, times_s: Array) -> Poses:
-    path = draft.laid.path
+def _boxes(draft: DriveDraft, times_s: Array) -> Boxes:
     s = np.interp(times_s, draft.course.time_s, draft.course.s_m)
-    return (
-        np.interp(s, path.s_m, path.x_m),
-        np.interp(s, path.s_m, path.y_m),
-        np.interp(s, path.s_m, path.heading_rad),
-    )
+    return box_on(draft.laid.path, draft.body, s)
 
 
 def clear_offset(

@@ -38,8 +38,6 @@ REACTION_S = 0.75  # [UN157]: from a danger that can be seen to the brakes
 CREEP_MPS = 0.5
 """Who is to stand at a place creeps the last bit."""
 
-SPEEDING_FACTOR = (1.2, 1.5)  # of the limit
-SLOW_FACTOR = (0.35, 0.5)
 JITTER = 0.04  # relative spread of ordinary speeds
 
 WALKING_MPS = 1.4  # above the 1.2 of [MUTCD]

@@ -7,14 +7,15 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from scegen.claims.boxes import Boxes, gap_m, same_way, seen
+from scegen.concretization.boxes import box_on
 from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.limits import LEAD_IN_S
 from scegen.concretization.meetings import Meeting
 from scegen.concretization.others import gained
 from scegen.concretization.walkers import partner_of, rendezvous, walking_time_s
-from scegen.motion.model import Array, Path
+from scegen.motion.model import Array
 from scegen.scenario.acts import Act, ActKind
-from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.bodies import BODIES
 from scegen.scenario.spacings import Measure
 
 _LENGTHWISE = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
@@ -181,15 +182,3 @@ class Moments:
         if measure is Measure.HEADWAY_S:
             return gap - value * (speed if follows else others)
         return gap - value * ((speed - others * along) if follows else (others * along - speed))
-
-
-def box_on(path: Path, body: Body, s_m: Array) -> Boxes:
-    """Boxes of a body whose reference point is at places of a path, or on its prolongation."""
-    x, y, heading = (
-        np.interp(s_m, path.s_m, row) for row in (path.x_m, path.y_m, path.heading_rad)
-    )
-    beyond = np.minimum(s_m, 0.0) + np.maximum(s_m - path.length_m, 0.0)
-    cos, sin = np.cos(heading), np.sin(heading)
-    ahead = body.centre_ahead_m + beyond
-    half = body.length_m / 2, body.width_m / 2
-    return Boxes(x + ahead * cos, y + ahead * sin, cos, sin, *half)

@@ -1,47 +1,68 @@
 """Things in the way: where they lie, and what those in whose way they lie do about them.
 
-Who changes lanes anyway does it because of the thing, which lies in the lane that it leaves. Who
-is concerned with nothing else brakes and stops short of it, and so does, in line, who follows.
+Places are tried from the junction outwards until one is free and everybody can do something about
+it. Who changes lanes anyway does it because of the thing, which lies in the lane that it leaves.
+Who is concerned with nothing else brakes and stops short of it, and so does, in line, who follows.
 Everybody else goes round it, as round a parked vehicle; who is said to brake does so first.
 """
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 
+import numpy as np
+
+from scegen.claims.boxes import apart
+from scegen.concretization.boxes import box_of, box_on
 from scegen.concretization.clock import same_lane
 from scegen.concretization.courses import SpeedChange
 from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.hazards.rule import culprits, same_arm, victims
-from scegen.concretization.lane_choice import lanes_in
+from scegen.concretization.lane_choice import lanes_in, neighbour_lane
 from scegen.concretization.limits import HARD_BRAKING_MPS2
 from scegen.concretization.meetings import drives_meet
-from scegen.concretization.objects import (
-    caused_by_nobody,
-    lying_in_the_way,
-    made_of,
-    shape_of,
-)
-from scegen.concretization.obstacle_spots import Spot, is_free, spots, touches
+from scegen.concretization.objects import caused_by_nobody, lying_in_the_way, made_of, shape_of
 from scegen.concretization.passing import calm_change_length_m, pass_standing
+from scegen.concretization.room import NeedsLongerArms
+from scegen.concretization.stationary import BLOCKS_AT_M
 from scegen.errors import MotionInfeasibleError
+from scegen.motion.model import Path
+from scegen.motion.standing import object_path
+from scegen.road.geometry import Pose
+from scegen.road.model import RouteStep
 from scegen.scenario.bodies import Body
 from scegen.scenario.functional import FunctionalScenario, Hazard
-from scegen.scenario.vocabulary import HazardKind, Maneuver
+from scegen.scenario.vocabulary import DrivingSide, HazardKind, Maneuver
 
 _BRAKES = frozenset({HazardKind.HARD_BRAKING, HazardKind.STOPPING, HazardKind.DELAYED_BRAKING})
 _BY_THINGS = frozenset({HazardKind.OBSTACLE, HazardKind.OCCLUSION})
-_IN_LINE = _BRAKES | {HazardKind.SPEEDING, HazardKind.TAILGATING}
+_IN_LINE = _BRAKES | _BY_THINGS | {HazardKind.SPEEDING, HazardKind.TAILGATING}
 """Dangers in one line of vehicles that end with it standing before the thing."""
 _SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
-_KERB_M = 0.1
-_SHORT_M = 1.0
-"""Between a thing and who stops for it."""
-_QUEUE_M = 1.5
-"""Between two who stop for it in line."""
-_PULLS_OUT_OVER_M = 15.0
+_KERB_M, _CLEAR_M, _WOULD_HIT_M = 0.1, 0.45, 0.1
+"""From the edge of the lane; from who keeps clear of it; into who would not."""
+_LEAST_WAY_M, _ROOM_M = 30.0, 6.0
+_PLACES, _STEP_M, _SAMPLE_M = 40, 1.0, 0.5
+_SHARES = (1.0, 0.75, 0.5, 0.25, 0.0)
+_SHORT_M, _QUEUE_M = 1.0, 1.5
+"""Between a thing and who stops for it, and the next in line."""
+_PULLS_OUT_OVER_M, _BEFORE_PULLING_OUT_M = 15.0, 0.5
 """One that has stopped needs no more room than this to change lanes."""
-_BEFORE_PULLING_OUT_M = 0.5
+
+
+@dataclass(frozen=True, slots=True)
+class _Spot:
+    """Where a thing may lie: ``station_m`` along the drive, the pose of its middle."""
+
+    station_m: float
+    pose: Pose
+    body: Body
+
+    def touches(self, path: Path, body: Body) -> bool:
+        """Whether one who goes along a path comes too close to it."""
+        s = np.linspace(0.0, path.length_m, max(2, int(path.length_m / _SAMPLE_M) + 1))
+        return bool((apart(box_on(path, body, s), box_of(self.pose, self.body)) < _CLEAR_M).any())
 
 
 def needs_obstacle(functional: FunctionalScenario, hazard: Hazard) -> bool:
@@ -71,10 +92,10 @@ def place_obstacles(scene: Setup) -> None:
         width = scene.road.arms[draft.drive.entry].lane_width_m - 2 * _KERB_M
         shape = shape_of(thing.kind)
         shape = replace(shape, width_m=min(shape.width_m, width))
-        stays = _may_stay(scene, draft)
-        free = (s for s in spots(scene, draft, shape.body, stays=stays)
-                if is_free(scene, draft, s, shape.body))  # fmt: skip
-        spot = next((s for s in free if _react(scene, draft, s, shape.body, stays=stays)), None)
+        line = _who_may_stay(scene, draft)
+        spots = _spots(scene, draft, shape.body, stays=bool(line))
+        free = (spot for spot in spots if _is_free(scene, draft, spot))
+        spot = next((spot for spot in free if _react(scene, draft, spot, line)), None)
         if spot is None:
             continue
         made = made_of(thing.id, shape, thing.called, spot.pose)
@@ -83,42 +104,82 @@ def place_obstacles(scene: Setup) -> None:
         scene.note(f"{made.id}.from_junction_m", away, f"lies in the way of {draft.id}")
 
 
-def _may_stay(scene: Setup, draft: DriveDraft) -> bool:
-    """Whether a drive may stop short of a thing for good: nothing but its line is concerned."""
-    line = [draft, *_behind(scene, draft)]
-    names = {d.id for d in line}
-    if scene.walks or any(d.changes_before or d.drive.maneuver in _SIDEWAYS for d in line):
-        return False
-    for hazard in scene.functional.hazards:
-        own = {d.id for d in culprits(scene, hazard)} | {*hazard.by, *hazard.to} <= names
-        if hazard.kind not in _BY_THINGS and not (own and hazard.kind in _IN_LINE):
+def _spots(scene: Setup, draft: DriveDraft, body: Body, *, stays: bool) -> Iterator[_Spot]:
+    """In the lane of one that keeps to it, from the junction outwards; or in that which it leaves.
+
+    In the middle for one that stops; as near to those who pass as can be for one that goes round.
+    """
+    arm, leaves = scene.road.arms[draft.drive.entry], draft.changes_before
+    in_lane = (arm.lane_width_m - body.width_m) / 2
+    room = 0.0 if stays else min(in_lane, (draft.body.width_m + body.width_m) / 2 - _WOULD_HIT_M)
+    if leaves:
+        out = next((c for c in draft.lane_changes if c.lane_after != draft.entry_lane), None)
+        if out is None:
+            return
+        back = [
+            c.position_m + c.length_m for c in draft.lane_changes if c.position_m > out.position_m
+        ]
+        last = min([*back, draft.laid.turning_starts_m - body.length_m])
+        stations = np.arange(out.position_m, last, _STEP_M)
+        inwards = out.lane_after < draft.entry_lane
+    else:
+        change = 0.0 if stays else calm_change_length_m(draft, arm.lane_width_m)
+        nearest = max(BLOCKS_AT_M, change + draft.body.length_m + body.length_m + _ROOM_M)
+        first = draft.laid.turning_starts_m - nearest
+        if first <= _LEAST_WAY_M:
+            raise NeedsLongerArms(_LEAST_WAY_M - first + 1.0, draft.id)
+        stations = first - _STEP_M * np.arange(_PLACES)
+        stations = stations[stations > _LEAST_WAY_M]
+        inwards = neighbour_lane(scene, draft, oncoming=True) < draft.entry_lane
+    right = scene.network.driving_side is DrivingSide.RIGHT
+    lane = -draft.entry_lane if right else draft.entry_lane
+    step = RouteStep(scene.network.arm_roads[draft.drive.entry], lane, forward=True)
+    for station in stations:
+        for share in _SHARES if leaves else _SHARES[:1]:
+            left = room * share * (1 if inwards == right else -1)
+            yield _Spot(float(station), scene.network.pose_at(step, float(station), left), body)
+
+
+def _is_free(scene: Setup, draft: DriveDraft, spot: _Spot) -> bool:
+    """Whether a thing may lie there: whoever would touch it and may not can still go round."""
+    for other in scene.drives.values():
+        goes_round = not other.changes_before and (other is draft or same_lane(other, draft))
+        if not goes_round and spot.touches(other.laid.path, other.body):
             return False
-    return all(
-        same_lane(other, draft) or drives_meet(one, other) is None
-        for one in line
-        for other in scene.drives.values()
-        if other.id not in names
-    )
+    still = [(w.path, w.body) for w in scene.walks.values()]
+    still += [(s.path, s.body) for s in scene.stands.values()]
+    still += [(object_path(thing), thing.body) for thing in scene.objects]
+    return not any(spot.touches(path, body) for path, body in still)
 
 
-def _behind(scene: Setup, draft: DriveDraft) -> list[DriveDraft]:
-    """Those behind a drive in its lane, in line."""
-    behind = [
+def _who_may_stay(scene: Setup, draft: DriveDraft) -> list[DriveDraft]:
+    """A drive and those behind it in line, if nothing else concerns them: they stop for good."""
+    behind = (
         other
         for other in scene.drives.values()
         if same_lane(other, draft) and other.drive.rank > draft.drive.rank
-    ]
-    return sorted(behind, key=lambda other: other.drive.rank)
+    )
+    line = [draft, *sorted(behind, key=lambda other: other.drive.rank)]
+    names = {d.id for d in line}
+    if scene.walks or any(d.changes_before or d.drive.maneuver in _SIDEWAYS for d in line):
+        return []
+    for hazard in scene.functional.hazards:
+        own = {d.id for d in culprits(scene, hazard)} | {*hazard.by, *hazard.to} <= names
+        if hazard.kind not in _BY_THINGS and not (own and hazard.kind in _IN_LINE):
+            return []
+    others = [other for other in scene.drives.values() if other.id not in names]
+    met = any(not same_lane(o, draft) and drives_meet(one, o) for one in line for o in others)
+    return [] if met else line
 
 
-def _react(scene: Setup, draft: DriveDraft, spot: Spot, body: Body, *, stays: bool) -> bool:
-    """Lead everybody round a thing who would touch it; who may stay stops short of it.
+def _react(scene: Setup, draft: DriveDraft, spot: _Spot, line: list[DriveDraft]) -> bool:
+    """Lead everybody round a thing who would touch it; those in ``line`` stop short of it.
 
     False where somebody has no room for it: nothing has changed then.
     """
     before = {name: list(other.lane_changes) for name, other in scene.drives.items()}
     try:
-        _go_round(scene, draft, spot, body, stays=stays)
+        _go_round(scene, draft, spot, line)
     except MotionInfeasibleError:
         for name, changes in before.items():
             other = scene.drives[name]
@@ -130,24 +191,21 @@ def _react(scene: Setup, draft: DriveDraft, spot: Spot, body: Body, *, stays: bo
     return True
 
 
-def _go_round(scene: Setup, draft: DriveDraft, spot: Spot, body: Body, *, stays: bool) -> None:
-    line = [draft, *_behind(scene, draft)] if stays else []
-    rear = spot.station_m - body.length_m / 2 - _SHORT_M
+def _go_round(scene: Setup, draft: DriveDraft, spot: _Spot, line: list[DriveDraft]) -> None:
+    rear = spot.station_m - spot.body.length_m / 2 - _SHORT_M
     for one in line:
         one.halts_at_m = one.rests_at_m = one.laid.path_s_m(rear - one.body.front_m)
         rear -= one.body.length_m + _QUEUE_M
-    brakes = _brakes(scene, draft)
     for other in scene.drives.values():
-        if other.changes_before or other in line:
+        if other.changes_before or other in line or not spot.touches(other.laid.path, other.body):
             continue
-        if touches(other.laid.path, other.body, spot.pose, body):
-            width = scene.road.arms[other.drive.entry].lane_width_m
-            calm = calm_change_length_m(other, width)
-            out = _PULLS_OUT_OVER_M if brakes and other is draft else calm
-            pass_standing(scene, other, spot.station_m, body, over_m=(out, calm))
-            if other is draft and brakes:
-                out = draft.lane_changes[0].position_m - _BEFORE_PULLING_OUT_M
-                draft.rests_at_m = draft.laid.path_s_m(out)
+        calm = calm_change_length_m(other, scene.road.arms[other.drive.entry].lane_width_m)
+        brakes = other is draft and _brakes(scene, draft)
+        out = _PULLS_OUT_OVER_M if brakes else calm
+        pass_standing(scene, other, spot.station_m, spot.body, over_m=(out, calm))
+        if brakes:
+            out = draft.lane_changes[0].position_m - _BEFORE_PULLING_OUT_M
+            draft.rests_at_m = draft.laid.path_s_m(out)
 
 
 def _brakes(scene: Setup, draft: DriveDraft) -> bool:
@@ -168,7 +226,7 @@ def stop_short(scene: Setup) -> None:
     for draft in scene.drives.values():
         if draft.halts_at_m is None:
             continue
-        stopping = [n for n, mark in enumerate(draft.marks) if mark.target_mps == 0.0]
+        stopping = [n for n, change in enumerate(draft.marks) if change.target_mps == 0.0]
         if stopping:
             draft.marks[stopping[0]] = replace(draft.marks[stopping[0]], hold_s=None)
         else:

@@ -11,11 +11,9 @@ from scegen.concretization.hazards.aside import (
 )
 from scegen.concretization.hazards.changing_speed import CHANGES_SPEED
 from scegen.concretization.hazards.cut_in import CUT_IN
+from scegen.concretization.hazards.pace import KEEPS_PACE, TAILGATES
 from scegen.concretization.hazards.reversing import REVERSING
 from scegen.concretization.hazards.rule import Rule
-from scegen.concretization.hazards.slow_driving import SLOW_DRIVING
-from scegen.concretization.hazards.speeding import SPEEDING
-from scegen.concretization.hazards.tailgating import TAILGATING
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
 
@@ -26,8 +24,8 @@ STANDS_OR_WALKS = Rule(meets=False)
 
 RULES: dict[HazardKind, Rule] = {
     HazardKind.REVERSING: REVERSING,
-    HazardKind.SPEEDING: SPEEDING,
-    HazardKind.SLOW_DRIVING: SLOW_DRIVING,
+    HazardKind.SPEEDING: KEEPS_PACE,
+    HazardKind.SLOW_DRIVING: KEEPS_PACE,
     HazardKind.SUDDEN_ACCELERATION: CHANGES_SPEED,
     HazardKind.SUDDEN_TURN: TURNS_SUDDENLY,
     HazardKind.OVERTAKING: OVERTAKES,
@@ -35,7 +33,7 @@ RULES: dict[HazardKind, Rule] = {
     HazardKind.ONCOMING_LANE: STRAYS,
     HazardKind.SWERVING: STRAYS,
     HazardKind.LOSS_OF_CONTROL: LOSES_CONTROL,
-    HazardKind.TAILGATING: TAILGATING,
+    HazardKind.TAILGATING: TAILGATES,
     HazardKind.HARD_BRAKING: CHANGES_SPEED,
     HazardKind.DELAYED_BRAKING: CHANGES_SPEED,
     HazardKind.STOPPING: CHANGES_SPEED,
