@@ -22,6 +22,7 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.spacings import Measure
 
+AT_JUNCTIONS = {ActKind.TURN, ActKind.REVERSE, ActKind.WAIT, ActKind.ENTER}
 MOST = 4
 MISTAKEN = {
     "is_followed_and_brakes": "speed.tail",
@@ -61,7 +62,7 @@ def test_all_that_is_said_holds(name, seed):
 def test_the_scenarios_cover_every_act_measure_moment_and_outcome():
     told = SCENARIOS.values()
     acts = {act.kind for functional in told for act in functional.acts}
-    assert acts == set(ActKind) - {ActKind.TURN, ActKind.REVERSE}
+    assert acts == set(ActKind) - AT_JUNCTIONS
     spacings = [spacing for functional in told for spacing in functional.spacings]
     assert {spacing.measure for spacing in spacings} == set(Measure)
     assert {"start", "contact"} < {spacing.at for spacing in spacings}
