@@ -1,4 +1,4 @@
-"""Who drives in which lane beside whom, and the turns across each other that this may need.
+"""Who drives beside whom, and the turns across each other that this may need.
 
 Where the text names the side, that side; else, where two beside each other turn different ways,
 the sides on which one turns across the other's nose: that is what such a text tells of. The usual
@@ -9,8 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from scegen.concretization.drafts import DriveDraft, Setup
-from scegen.concretization.lane_choice import choose_ring_lane, entry_lanes
 from scegen.road.lane_choice import lane_ways
 from scegen.scenario.concrete import RoadParameters, Turn
 from scegen.scenario.functional import FunctionalScenario
@@ -134,96 +132,6 @@ def turns_across(
         out = ways[0].lane_out if together else min(lane, road.arms[drive.exit].lanes_out)
         found.append(Turn(entry=drive.entry, lane_in=lane, exit=drive.exit, lane_out=out))
     return tuple(dict.fromkeys(found))
-
-
-def place_abreast(scene: Setup) -> None:
-    """Give those beside others a lane on the side that is said, or a lane that is free."""
-    functional, logical = scene.functional, scene.logical
-    settled = {
-        name: lane
-        for name, lane in lanes_abreast(functional, logical, scene.road).items()
-        if name in scene.drives and lane in entry_lanes(scene, scene.drives[name])
-    }
-    for name, lane in settled.items():
-        _take(scene, scene.drives[name], lane)
-    groups: dict[str, list[Drive]] = {}
-    for drive, other in abreast(logical):
-        known = scene.drives.keys() >= {drive.participant, other.participant}
-        if known and drive.participant not in settled:
-            groups.setdefault(other.participant, []).append(drive)
-    _clear_of_turning_back(scene)
-    for reference, drives in groups.items():
-        _place_group(scene, reference, drives, movable=reference not in settled)
-    _place_diagonally(scene)
-
-
-def _place_diagonally(scene: Setup) -> None:
-    """Who is said to be ahead or behind in the lane beside the ego drives in that lane."""
-    if scene.functional.ego.id not in scene.drives:
-        return
-    ego = scene.ego
-    for draft in scene.drives.values():
-        said = scene.functional.participant(draft.id).approaches
-        along = said & {Approach.AHEAD, Approach.BEHIND}
-        if draft is ego or draft.drive.beside or Approach.ADJACENT not in said or not along:
-            continue
-        near = [
-            lane
-            for lane in entry_lanes(scene, draft)
-            if draft.drive.entry == ego.drive.entry and abs(lane - ego.entry_lane) == 1
-        ]
-        if draft.entry_lane == ego.entry_lane and near:
-            _take(scene, draft, near[-1])
-
-
-def _clear_of_turning_back(scene: Setup) -> None:
-    """Who goes straight on is passed on its own side by nobody who turns back from the kerb."""
-    if scene.road.kind is not JunctionKind.STRAIGHT:
-        return
-    arms = {d.drive.entry for d in scene.drives.values() if d.drive.turn is Maneuver.U_TURN}
-    for draft in scene.drives.values():
-        plain = draft.drive.maneuver is draft.drive.turn is Maneuver.STRAIGHT
-        if plain and draft.drive.entry in arms:
-            _take(scene, draft, min(entry_lanes(scene, draft)))
-
-
-def _place_group(scene: Setup, reference: str, drives: list[Drive], *, movable: bool) -> None:
-    """All who drive beside one: the sides said, then what is free, the inner lane first."""
-    centre = scene.drives[reference]
-    said = {d.participant: is_outward(scene.functional, d.participant, reference) for d in drives}
-    outward = [name for name, side in said.items() if side is True]
-    free = [name for name, side in said.items() if side is None]
-    inward = [name for name, side in said.items() if side is False]
-    own = entry_lanes(scene, centre)
-    count = scene.road.arms[centre.drive.entry].lanes_in
-    # Two sides: of several with no side said, the second goes outside.
-    crowded = len(free) + min(len(inward), 1) > 1 and not outward and count > 2
-    if movable and outward + free[1:] * crowded and centre.entry_lane == count:
-        inner = [lane for lane in own if lane < count]
-        if inner:
-            _take(scene, centre, inner[0])
-    if movable and inward and centre.entry_lane == 1:
-        outer = [lane for lane in own if lane > 1]
-        if outer:
-            _take(scene, centre, outer[-1])
-    taken = {centre.entry_lane}
-    for name in (*outward, *inward, *free):
-        draft = scene.drives[name]
-        side = said[name]
-        near = [centre.entry_lane - 1, centre.entry_lane + 1]
-        if side is not None:
-            near = near[::-1] if side else near
-        wanted = [lane for lane in near if lane in entry_lanes(scene, draft)]
-        fresh = [lane for lane in wanted if lane not in taken or side is not None]
-        for lane in (fresh or wanted)[:1]:
-            _take(scene, draft, lane)
-            taken.add(lane)
-
-
-def _take(scene: Setup, draft: DriveDraft, lane: int) -> None:
-    if lane != draft.entry_lane:
-        draft.entry_lane = draft.exit_lane = lane
-        choose_ring_lane(scene, draft)
 
 
 def crosses_beside(functional: FunctionalScenario) -> frozenset[str]:

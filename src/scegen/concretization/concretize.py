@@ -6,7 +6,6 @@ from math import ceil
 
 import numpy as np
 
-from scegen.concretization.abreast import place_abreast
 from scegen.concretization.along.compose import compose_along, tells_along
 from scegen.concretization.answering import answer, touching
 from scegen.concretization.asked import dangers
@@ -23,10 +22,9 @@ from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.encounters import conflict_meetings
 from scegen.concretization.fitting import conditioned, fit, is_anything_said
 from scegen.concretization.hazards.table import ordered_rules
-from scegen.concretization.lane_choice import choose_lanes
 from scegen.concretization.lights import set_lights
 from scegen.concretization.maneuvers import prepare_maneuvers, shape_maneuvers
-from scegen.concretization.meeting_lanes import choose_lanes_that_meet
+from scegen.concretization.meeting_lanes import choose_junction_lanes
 from scegen.concretization.meetings import Meeting
 from scegen.concretization.moments import Moments
 from scegen.concretization.obstacles import (
@@ -132,8 +130,8 @@ def _on_long_enough_arms(
 def _compose(scene: Setup, seed: int) -> ConcreteScenario:
     rules = ordered_rules(scene.functional.hazards)
     _place(scene)
+    choose_junction_lanes(scene, rules)
     expect_obstacles(scene)
-    choose_lanes_that_meet(scene, rules)
     for rule, hazard in rules:
         if rule.prepare is not None:
             rule.prepare(scene, hazard)
@@ -167,14 +165,11 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
 
 
 def _place(scene: Setup) -> None:
-    """Who stands where, and who drives in which lane before any danger is looked at."""
+    """Who stands where, and who drives."""
     place_stationary(scene)
     for drive in scene.logical.drives:
         if drive.participant not in scene.stands:
             scene.drives[drive.participant] = _draft(scene, drive)
-    for draft in scene.drives.values():
-        choose_lanes(scene, draft)
-    place_abreast(scene)
 
 
 def _draft(scene: Setup, drive: Drive) -> DriveDraft:

@@ -327,6 +327,11 @@ class Setup:
             raise MotionInfeasibleError("the ego must drive through the junction", where=name)
         return self.drives[name]
 
+    @property
+    def blocked(self) -> bool:
+        """Whether somebody stands in a lane."""
+        return any(stand.standing.in_lane for stand in self.stands.values())
+
     def concerned(self, name: str) -> list[DriveDraft]:
         """Whose way somebody may come into: named sufferers first, then the ego, then others."""
         named = [to for hazard in self.functional.hazards if name in hazard.by for to in hazard.to]

@@ -1,144 +1,205 @@
-"""Lanes in which those meet whom the logical scenario or a danger says to meet.
+"""Which lanes drives take at a junction: where words place them, and where those meet who are to.
 
-The outermost lane is taken where nothing is said; where each then has a lane of its own, so that
-a conflict is none, other lanes that lead to the same exits are looked at. Where two leave by one
-arm and none of their lanes do, one of them moves over into the other's lane behind the junction.
+The outermost lane is taken where nothing is said. Where two leave by one arm and none of their
+lanes lets them meet, one of them moves over into the other's lane behind the junction.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import product
+from itertools import combinations
 
+from scegen.concretization.abreast import abreast, is_outward, lanes_abreast
 from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.hazards.rule import Rule, pairs
-from scegen.concretization.lane_choice import routes_of
+from scegen.concretization.lane_choice import choose_lanes, routes_of
 from scegen.concretization.meetings import ways_touch
 from scegen.concretization.passing import change_length_m
 from scegen.concretization.room import NeedsLongerArms
+from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
 from scegen.motion.paths import END_MARGIN_M
 from scegen.motion.routing import walk_route
 from scegen.scenario.concrete import LaneChange
 from scegen.scenario.functional import Hazard
 from scegen.scenario.logical import ConflictKind
-from scegen.scenario.vocabulary import JunctionKind, Maneuver
+from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
 
 _MEETS = frozenset({ConflictKind.CROSSING, ConflictKind.MERGING})
-_BEHIND_JUNCTION_M = 2.0
 _SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
+_BEHIND_JUNCTION_M = 2.0
+_AS_IT_WAS, _EGO_AS_IT_WAS = 0.1, 0.15
 
 
 @dataclass(frozen=True, slots=True)
-class _Lanes:
+class Lanes:
     """Lanes of a drive, as in the scenario files."""
 
-    entry_lane: int
-    ring_lane: int | None
-    exit_lane: int
+    entry: int
+    ring: int | None
+    exit: int
 
     @classmethod
-    def of(cls, draft: DriveDraft) -> _Lanes:
+    def of(cls, draft: DriveDraft) -> Lanes:
+        """Those that it has."""
         return cls(draft.entry_lane, draft.ring_lane, draft.exit_lane)
 
     def give(self, draft: DriveDraft) -> None:
-        draft.entry_lane, draft.ring_lane = self.entry_lane, self.ring_lane
-        draft.exit_lane = self.exit_lane
+        """Let it have them; it is to be laid anew."""
+        draft.entry_lane, draft.ring_lane, draft.exit_lane = self.entry, self.ring, self.exit
+        draft.laid_ = draft.course_ = None
 
 
-@dataclass(frozen=True, slots=True)
-class _Couple:
-    """Two from different arms who are to meet; in a danger, or only if nobody else does."""
-
-    first: DriveDraft
-    second: DriveDraft
-    danger: bool = False
-    last_resort: bool = False
+Choice = Mapping[str, Lanes]
+LaneWish = Wish[Lanes]
 
 
-def choose_lanes_that_meet(scene: Setup, rules: list[tuple[Rule, Hazard]]) -> None:
-    """Change lanes where those who are to meet do not, and can: dangers first, then the ego's.
+def choose_junction_lanes(scene: Setup, rules: Sequence[tuple[Rule, Hazard]]) -> None:
+    """Give every drive its lanes.
 
-    Conflicts among others count only where nobody else meets; somebody moves over only for a
-    danger, or where else nobody would meet at all.
+    Of those who are to meet, dangers count first, then the ego's conflicts; those of others only
+    where nobody else could meet. Somebody moves over only for a danger, or where else nobody would
+    meet at all.
     """
-    if any(stand.standing.in_lane for stand in scene.stands.values()):
-        return
-    fixed = _bound_to_lanes(scene)
-    apart: list[_Couple] = []
-    met = False
-    for couple in _wanted(scene, rules):
-        if couple.last_resort and met:
-            break
-        if _meet(scene, couple.first, couple.second) or _change(scene, couple, fixed):
-            fixed |= {couple.first.id, couple.second.id}
-            met = True
-        else:
-            apart.append(couple)
-    for couple in apart:
-        if (couple.danger or not met) and _move_over(scene, couple, fixed):
-            fixed |= {couple.first.id, couple.second.id}
-            met = True
-
-
-def _bound_to_lanes(scene: Setup) -> set[str]:
-    """Those whose lanes follow from something else."""
-    bound: set[str] = set()
     for draft in scene.drives.values():
-        if draft.drive.beside is not None:
-            bound |= {draft.id, draft.drive.beside}
-        if draft.drive.maneuver in _SIDEWAYS:
-            bound |= {d.id for d in scene.drives.values() if d.drive.entry == draft.drive.entry}
-    return bound
+        choose_lanes(scene, draft)
+    usual = {name: Lanes.of(draft) for name, draft in scene.drives.items()}
+    options = {name: _options(scene, scene.drives[name], own) for name, own in usual.items()}
+    placed = [w for w in _from_words(scene) if w.can_be_met(options)]
+    _, before = least_broken(options, placed)
+    for name in _bound(scene, placed):
+        options[name] = [before[name]]
+    meetings = [] if scene.blocked else [*_meetings(scene, rules)]
+    possible = [wish for wish in meetings if wish.can_be_met(options)]
+    if any(wish.weight >= USUAL for wish in possible):
+        possible = [wish for wish in possible if wish.weight >= USUAL]
+    kept = [_stays(scene, name, lanes) for name, lanes in before.items()]
+    _, chosen = least_broken(options, [*placed, *possible, *kept])
+    for name, lanes in chosen.items():
+        lanes.give(scene.drives[name])
+        _note(scene, name, before[name], lanes, possible)
+    met = any(wish.met(chosen) for wish in meetings)
+    for wish in meetings:
+        if not wish.met(chosen) and (wish.weight >= LIKELY or not met):
+            met |= _move_over(scene, *(scene.drives[name] for name in wish.who))
 
 
-def _wanted(scene: Setup, rules: list[tuple[Rule, Hazard]]) -> Iterator[_Couple]:
+def _options(scene: Setup, draft: DriveDraft, own: Lanes) -> list[Lanes]:
+    """The lanes that lead to a drive's exit, its usual ones and then the outermost first."""
+    found = {Lanes(r.entry_lane, r.ring_lane, r.exit_lane) for r in routes_of(scene, draft)}
+    others = sorted(found - {own}, key=lambda o: (-o.entry, -(o.ring or 0), -o.exit))
+    settled = lanes_abreast(scene.functional, scene.logical, scene.road).get(draft.id)
+    alike = [lanes for lanes in (own, *others) if lanes.entry == settled]
+    return alike or [own, *others]
+
+
+def _from_words(scene: Setup) -> Iterator[LaneWish]:
+    """Who drives beside whom, on the side that is said; who is in which lane."""
+    groups: dict[str, list[str]] = {}
+    for drive, other in abreast(scene.logical):
+        name, reference = drive.participant, other.participant
+        if {name, reference} <= scene.drives.keys():
+            groups.setdefault(reference, []).append(name)
+            yield from _beside(scene, name, reference)
+    for names in groups.values():
+        for a, b in combinations(names, 2):
+            yield Wish((a, b), USUAL, _steps(a, b, lambda out: out != 0), f"{a} is not before {b}")
+    for name, draft in scene.drives.items():
+        participant = scene.functional.participant(name)
+        if participant.lanes:
+            yield Wish((name,), SAID, _in(name, participant.lanes), f"{name} is in its lane")
+        said = participant.approaches
+        diagonal = Approach.ADJACENT in said and said & {Approach.AHEAD, Approach.BEHIND}
+        level = draft is scene.ego or draft.drive.entry != scene.ego.drive.entry
+        if diagonal and not level and not draft.drive.beside:
+            yield from _beside(scene, name, scene.ego.id)
+    yield from _clear_of_turning_back(scene)
+
+
+def _clear_of_turning_back(scene: Setup) -> Iterator[LaneWish]:
+    """Who goes straight on is passed on its own side by nobody who turns back from the kerb."""
+    back = {d.drive.entry for d in scene.drives.values() if d.drive.turn is Maneuver.U_TURN}
+    for name, draft in scene.drives.items():
+        plain = draft.drive.maneuver is draft.drive.turn is Maneuver.STRAIGHT
+        if scene.road.kind is JunctionKind.STRAIGHT and plain and draft.drive.entry in back:
+            innermost = frozenset({min(r.entry_lane for r in routes_of(scene, draft))})
+            yield Wish((name,), LIKELY, _in(name, innermost), f"{name} keeps inside")
+
+
+def _beside(scene: Setup, name: str, reference: str) -> Iterator[LaneWish]:
+    """In the next lane, on the side that is said; where none is, rather the inner one."""
+    words = f"{name} is beside {reference}"
+    yield Wish((name, reference), SAID, _steps(name, reference, lambda out: abs(out) == 1), words)
+    outward = is_outward(scene.functional, name, reference)
+    step, weight = (1 if outward else -1), (USUAL / 2 if outward is None else LIKELY)
+    yield Wish((name, reference), weight, _steps(name, reference, lambda out: out == step), words)
+
+
+def _steps(name: str, reference: str, right: Callable[[int], bool]) -> Callable[[Choice], bool]:
+    return lambda lanes: right(lanes[name].entry - lanes[reference].entry)
+
+
+def _in(name: str, allowed: frozenset[int]) -> Callable[[Choice], bool]:
+    return lambda lanes: lanes[name].entry in allowed
+
+
+def _bound(scene: Setup, placed: Sequence[LaneWish]) -> set[str]:
+    """Those whose lanes follow from something else than whom they meet."""
+    bound = {name for wish in placed for name in wish.who}
+    sideways = {d.drive.entry for d in scene.drives.values() if d.drive.maneuver in _SIDEWAYS}
+    return bound | {d.id for d in scene.drives.values() if d.drive.entry in sideways}
+
+
+def _stays(scene: Setup, name: str, own: Lanes) -> LaneWish:
+    weight = _EGO_AS_IT_WAS if name == scene.functional.ego.id else _AS_IT_WAS
+    return Wish((name,), weight, lambda lanes: lanes[name] == own, f"{name} keeps its lanes")
+
+
+def _meetings(scene: Setup, rules: Sequence[tuple[Rule, Hazard]]) -> Iterator[LaneWish]:
     """Who is to meet, the most important first."""
+    ways: dict[tuple[str, Lanes], DriveDraft] = {}
+    known: dict[tuple[tuple[str, Lanes], ...], bool] = {}
+
+    def meet(lanes: Choice, names: tuple[str, str]) -> bool:
+        key = tuple((name, lanes[name]) for name in names)
+        if key not in known:
+            for each in key:
+                ways.setdefault(each, _laid(scene, *each))
+            known[key] = ways_touch(ways[key[0]], ways[key[1]])
+        return known[key]
+
     for rule, hazard in rules:
-        if rule.meets:
-            for cause, sufferer in pairs(scene, hazard):
-                if cause.drive.entry != sufferer.drive.entry:
-                    yield _Couple(cause, sufferer, danger=True)
-    ego = scene.functional.ego.id
-    meeting = [c for c in scene.logical.conflicts if c.kind in _MEETS]
-    for conflict in sorted(meeting, key=lambda c: ego not in {c.first, c.second}):
-        if conflict.first in scene.drives and conflict.second in scene.drives:
-            first, second = scene.drives[conflict.first], scene.drives[conflict.second]
-            yield _Couple(first, second, last_resort=ego not in {first.id, second.id})
+        for cause, sufferer in pairs(scene, hazard) if rule.meets else ():
+            if cause.drive.entry != sufferer.drive.entry:
+                who = (cause.id, sufferer.id)
+                yield Wish(who, LIKELY, lambda lanes, who=who: meet(lanes, who), "they meet")  # type: ignore[misc]
+    for conflict in scene.logical.conflicts:
+        who = (conflict.first, conflict.second)
+        if conflict.kind in _MEETS and scene.drives.keys() >= {*who}:
+            weight = USUAL if scene.functional.ego.id in who else USUAL / 2
+            yield Wish(who, weight, lambda lanes, who=who: meet(lanes, who), "they meet")  # type: ignore[misc]
 
 
-def _change(scene: Setup, couple: _Couple, fixed: set[str]) -> bool:
-    """Give two drives lanes in which they meet, as few new ones as possible; whether there are."""
-    first, second = couple.first, couple.second
-    own = _Lanes.of(first), _Lanes.of(second)
-    choices = [
-        [lanes] if draft.id in fixed else [lanes, *_others(scene, draft, lanes)]
-        for draft, lanes in zip((first, second), own, strict=True)
-    ]
-    ordered = sorted(product(*choices), key=lambda c: (c[0] != own[0]) + (c[1] != own[1]))
-    for tried in ordered[1:]:
-        for draft, lanes in zip((first, second), tried, strict=True):
-            lanes.give(draft)
-        if _meet(scene, first, second):
-            _note(scene, first, own[0], second)
-            _note(scene, second, own[1], first)
-            return True
-    own[0].give(first)
-    own[1].give(second)
-    return False
+def _laid(scene: Setup, name: str, lanes: Lanes) -> DriveDraft:
+    """A drive laid in some lanes; its own stay as they are."""
+    draft = DriveDraft(name, scene.drives[name].kind, scene.drives[name].drive, 1.0)
+    lanes.give(draft)
+    draft.lane_changes = list(scene.drives[name].lane_changes)
+    draft.lay(scene.network)
+    return draft
 
 
-def _move_over(scene: Setup, couple: _Couple, fixed: set[str]) -> bool:
+def _move_over(scene: Setup, first: DriveDraft, second: DriveDraft) -> bool:
     """Let one of two who leave by one arm change into the other's lane there; whether it can.
 
     Rather not the ego: its way is the text's.
     """
-    first, second = couple.first, couple.second
     ring = scene.road.kind is JunctionKind.ROUNDABOUT
     if ring or not scene.network.junctions or first.drive.exit != second.drive.exit:
         return False
     ends = {d.id: _end(scene, d) for d in (first, second)}
     orders = [(first, second), (second, first)]
+    fixed = _bound(scene, ())
     for draft, other in sorted(orders, key=lambda order: order[0] is scene.ego):
         lane = ends[other.id][0]
         if draft.id in fixed or draft.lane_changes or abs(lane - ends[draft.id][0]) != 1:
@@ -148,11 +209,11 @@ def _move_over(scene: Setup, couple: _Couple, fixed: set[str]) -> bool:
             length_m=round(change_length_m(draft.cruise_mps), 3),
             lane_after=lane,
         )
-        if change.position_m + change.length_m > ends[draft.id][2] - END_MARGIN_M:
-            over = change.position_m + change.length_m - ends[draft.id][2] + END_MARGIN_M
+        over = change.position_m + change.length_m - ends[draft.id][2] + END_MARGIN_M
+        if over > 0.0:
             raise NeedsLongerArms(over + 1.0, draft.id)
         draft.lane_changes.append(change)
-        if _meet(scene, draft, other):
+        if ways_touch(*(_laid(scene, each.id, Lanes.of(each)) for each in (draft, other))):
             reason = f"moves over behind the junction, so that its way and that of {other.id} meet"
             scene.note(f"{draft.id}.exit_lane", lane, reason, ends[draft.id][0])
             return True
@@ -162,37 +223,16 @@ def _move_over(scene: Setup, couple: _Couple, fixed: set[str]) -> bool:
 
 def _end(scene: Setup, draft: DriveDraft) -> tuple[int, float, float]:
     """Lane in which a drive ends, where its exit arm begins on the way and where that ends, m."""
-    own = _Lanes.of(draft)
     stretches, lane = walk_route(scene.network, draft.motion(), draft.id)
-    draft.lay(scene.network)
-    begins_m = draft.laid.turning_ends_m
-    own.give(draft)
-    draft.laid_, draft.course_ = None, None
+    begins_m = _laid(scene, draft.id, Lanes.of(draft)).laid.turning_ends_m
     return lane, begins_m, stretches[-1].end_m
 
 
-def _others(scene: Setup, draft: DriveDraft, own: _Lanes) -> list[_Lanes]:
-    """The other lanes that lead to a drive's exit, outermost first."""
-    found = {_Lanes(r.entry_lane, r.ring_lane, r.exit_lane) for r in routes_of(scene, draft)}
-    return sorted(found - {own}, key=lambda o: (-o.entry_lane, -(o.ring_lane or 0), -o.exit_lane))
-
-
-def _meet(scene: Setup, first: DriveDraft, second: DriveDraft) -> bool:
-    """Whether their ways touch in the lanes that they have now; the lanes stay as they are."""
-    own = _Lanes.of(first), _Lanes.of(second)
-    for draft in (first, second):
-        draft.lay(scene.network)
-    touch = ways_touch(first, second)
-    for draft, lanes in zip((first, second), own, strict=True):
-        lanes.give(draft)
-        draft.laid_, draft.course_ = None, None
-    return touch
-
-
-def _note(scene: Setup, draft: DriveDraft, before: _Lanes, other: DriveDraft) -> None:
+def _note(scene: Setup, name: str, before: Lanes, after: Lanes, wishes: Sequence[LaneWish]) -> None:
     """Say which lanes were changed."""
-    for name in ("entry_lane", "ring_lane", "exit_lane"):
-        was, now = getattr(before, name), getattr(draft, name)
-        if was != now and now is not None:
-            reason = f"so that its way and that of {other.id} meet"
-            scene.note(f"{draft.id}.{name}", now, reason, was)
+    partners = [other for wish in wishes if name in wish.who for other in wish.who if other != name]
+    for field in ("entry", "ring", "exit"):
+        was, now = getattr(before, field), getattr(after, field)
+        if was != now and now is not None and partners:
+            reason = f"so that its way and that of {partners[0]} meet"
+            scene.note(f"{name}.{field}_lane", now, reason, was)

@@ -8,11 +8,11 @@ says how many there are.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import combinations, product
 
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.asked import dangers, outward
+from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
 from scegen.errors import MotionInfeasibleError
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import Act, ActKind
@@ -23,10 +23,10 @@ from scegen.scenario.roadway import Carriageway
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
 
+Met = Callable[[Mapping[str, int]], bool]
 MOST_LANES = 3
-_SAID, _LIKELY, _USUAL = 100.0, 10.0, 1.0
-_LANE, _INSIDE = 0.1, 0.01
-"""What one lane more costs, and what driving one lane farther inside does."""
+_LANE = 0.1
+"""What one lane more costs."""
 _INNERMOST = frozenset({1})
 _OVER_THE_LINE = frozenset({HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL})
 _FROM_BESIDE = FROM_BESIDE | {HazardKind.CUT_IN}
@@ -43,19 +43,6 @@ _IN_LINE = frozenset(
 )
 
 
-Met = Callable[[Mapping[str, int], int], bool]
-
-
-@dataclass(frozen=True, slots=True)
-class Wish:
-    """Something wanted of lanes, judged by them and their number; ``who`` it concerns."""
-
-    who: tuple[str, ...]
-    weight: float
-    met: Met
-    words: str
-
-
 def choose_lanes(
     functional: FunctionalScenario,
     logical: LogicalScenario,
@@ -67,26 +54,30 @@ def choose_lanes(
     Raises:
         MotionInfeasibleError: what is said of lanes cannot all be had.
     """
-    wishes = [
-        *_from_words(functional, logical, runners, acts),
-        *_from_acts(functional, runners, acts),
-        *_from_hazards(functional, logical, runners),
-        *_usual(functional, logical, runners),
-    ]
+
+    def wishes_of(count: int) -> list[Wish[int]]:
+        return [
+            *_from_words(functional, logical, runners, acts),
+            *_from_acts(functional, runners, acts, count),
+            *_from_hazards(functional, logical, runners),
+            *_usual(functional, logical, runners, count),
+        ]
+
     said = max(functional.junction.lanes, default=0)
     # Nobody passes another on the other side of a median: there must be a lane for that.
     undivided = functional.junction.carriageway is Carriageway.UNDIVIDED
     counts = [said] if said else range(1 if undivided else 2, MOST_LANES + 1)
     best: tuple[float, int, dict[str, int]] | None = None
     for count in counts:
-        cost, lanes = cheapest(list(runners), wishes, count)
+        cost, lanes = cheapest(list(runners), wishes_of(count), count)
+        cost += _LANE * (count - 1)
         if best is None or cost < best[0] - 1e-9:
             best = cost, count, lanes
     if best is None:
         raise MotionInfeasibleError("there is no lane to drive in")
     cost, count, lanes = best
-    if cost >= _SAID:
-        broken = [w for w in wishes if w.weight >= _SAID and not w.met(lanes, count)]
+    if cost >= SAID:
+        broken = [w for w in wishes_of(count) if w.weight >= SAID and not w.met(lanes)]
         raise MotionInfeasibleError(
             f"on a road with {count} lane(s) a direction not all can be had: "
             + "; ".join(w.words for w in broken[:3]),
@@ -99,46 +90,26 @@ def choose_lanes(
 
 
 def cheapest(
-    names: Sequence[str], wishes: Sequence[Wish], count: int
+    names: Sequence[str], wishes: Sequence[Wish[int]], count: int
 ) -> tuple[float, dict[str, int]]:
-    """The lanes that break the least, branch by branch; the kerb's side where all are equal."""
-    best: tuple[float, dict[str, int]] = (float("inf"), {})
-    last: dict[str, list[Wish]] = {name: [] for name in names}
-    for wish in wishes:
-        last[max(wish.who, key=names.index)].append(wish)
-
-    def extend(n: int, lanes: dict[str, int], cost: float) -> None:
-        nonlocal best
-        if cost >= best[0]:
-            return
-        if n == len(names):
-            best = cost, dict(lanes)
-            return
-        name = names[n]
-        for lane in range(count, 0, -1):
-            lanes[name] = lane
-            broken = sum(w.weight for w in last[name] if not w.met(lanes, count))
-            extend(n + 1, lanes, cost + broken + _INSIDE * (count - lane))
-        del lanes[name]
-
-    extend(0, {}, _LANE * (count - 1))
-    return best
+    """The lanes that break the least of that many; the kerb's side where all are equal."""
+    return least_broken({name: range(count, 0, -1) for name in names}, wishes)
 
 
 def _beside(a: str, b: str, step: int | None) -> Met:
     """``a`` is next to ``b``, ``step`` lanes farther out if that is said."""
     if step is None:
-        return lambda lanes, _: abs(lanes[a] - lanes[b]) == 1
-    return lambda lanes, _: lanes[a] - lanes[b] == step
+        return lambda lanes: abs(lanes[a] - lanes[b]) == 1
+    return lambda lanes: lanes[a] - lanes[b] == step
 
 
-def _room(name: str, step: int) -> Met:
+def _room(name: str, step: int, count: int) -> Met:
     """There is a lane on that side."""
-    return lambda lanes, count: 1 <= lanes[name] + step <= count
+    return lambda lanes: 1 <= lanes[name] + step <= count
 
 
 def _among(name: str, allowed: frozenset[int]) -> Met:
-    return lambda lanes, _: lanes[name] in allowed
+    return lambda lanes: lanes[name] in allowed
 
 
 def _from_words(
@@ -146,20 +117,20 @@ def _from_words(
     logical: LogicalScenario,
     runners: Mapping[str, Runner],
     acts: Sequence[Act],
-) -> list[Wish]:
+) -> list[Wish[int]]:
     """Lanes, sides, lines and lateral distances that are said."""
-    wishes: list[Wish] = []
+    wishes: list[Wish[int]] = []
     aside = _lanes_aside(functional, runners)
     passing = {act.participant for act in acts if act.kind is ActKind.OVERTAKE}
     for (a, b), step in aside.items():
-        wishes.append(Wish((a, b), _SAID, _beside(a, b, step), f"{a} is {step} lanes from {b}"))
+        wishes.append(Wish((a, b), SAID, _beside(a, b, step), f"{a} is {step} lanes from {b}"))
     for name, runner in runners.items():
         participant = functional.participant(name)
         allowed = frozenset({runner.lane}) if runner.lane >= 1 else participant.lanes
         if allowed:
             numbers = ", ".join(str(lane) for lane in sorted(allowed))
             wishes.append(
-                Wish((name,), _SAID, _among(name, allowed), f"{name} is in lane {numbers}")
+                Wish((name,), SAID, _among(name, allowed), f"{name} is in lane {numbers}")
             )
         assignment = logical.assignment(name)
         seen = {r: words for r, words in _seen_from(functional, name) if r in runners}
@@ -173,12 +144,12 @@ def _from_words(
                 step_out = _step_out(functional, assignment, reference, words_of)
                 met = _beside(name, reference, step_out)
                 words = f"{name} is in the lane beside {reference}"
-                wishes.append(Wish((name, reference), _SAID, met, words))
+                wishes.append(Wish((name, reference), SAID, met, words))
             in_line = bool(words_of & {Approach.AHEAD, Approach.BEHIND})
             same_way = runners[reference].forward == runner.forward
             if in_line and same_way and Approach.ADJACENT not in words_of:
                 words = f"{name} is in the lane of {reference}"
-                wishes.append(Wish((name, reference), _SAID, _beside(name, reference, 0), words))
+                wishes.append(Wish((name, reference), SAID, _beside(name, reference, 0), words))
     return wishes
 
 
@@ -222,10 +193,10 @@ def _lanes_aside(
 
 
 def _from_acts(
-    functional: FunctionalScenario, runners: Mapping[str, Runner], acts: Sequence[Act]
-) -> list[Wish]:
+    functional: FunctionalScenario, runners: Mapping[str, Runner], acts: Sequence[Act], count: int
+) -> list[Wish[int]]:
     """Who changes lanes needs one there: the one of the person into whose lane it comes."""
-    wishes: list[Wish] = []
+    wishes: list[Wish[int]] = []
     passing = {act.participant for act in acts if act.kind is ActKind.OVERTAKE}
     for act in acts:
         name = act.participant
@@ -235,23 +206,28 @@ def _from_acts(
         into = runners.get(act.into or "")
         if into is not None and into.forward != runners[name].forward:
             words = f"{name} is next to the lane of {into.id}"
-            wishes += [Wish((n,), _LIKELY, _among(n, _INNERMOST), words) for n in (name, into.id)]
+            wishes += [Wish((n,), LIKELY, _among(n, _INNERMOST), words) for n in (name, into.id)]
         elif into is not None:
             back = None if step is None else -step
             words = f"{name} changes into the lane of {into.id}"
-            wishes.append(Wish((name, into.id), _SAID, _beside(name, into.id, back), words))
+            wishes.append(Wish((name, into.id), SAID, _beside(name, into.id, back), words))
         elif step is not None:
             wishes.append(
-                Wish((name,), _LIKELY, _room(name, step), f"{name} has a lane on its {act.side}")
+                Wish(
+                    (name,),
+                    LIKELY,
+                    _room(name, step, count),
+                    f"{name} has a lane on its {act.side}",
+                )
             )
     return wishes
 
 
 def _from_hazards(
     functional: FunctionalScenario, logical: LogicalScenario, runners: Mapping[str, Runner]
-) -> list[Wish]:
+) -> list[Wish[int]]:
     """Who endangers another from beside is beside it, who does it in line is in its lane."""
-    wishes: list[Wish] = []
+    wishes: list[Wish[int]] = []
     for hazard in dangers(functional, logical):
         for by, to in product(hazard.by, hazard.to):
             if not {by, to} <= runners.keys() or by == to:
@@ -259,36 +235,39 @@ def _from_hazards(
             words = f"{hazard.kind} of {by} to {to}"
             if runners[by].forward != runners[to].forward:
                 if hazard.kind in _OVER_THE_LINE:
-                    near = (Wish((n,), _LIKELY, _among(n, _INNERMOST), words) for n in (by, to))
+                    near = (Wish((n,), LIKELY, _among(n, _INNERMOST), words) for n in (by, to))
                     wishes += near
             elif hazard.kind in _FROM_BESIDE:
-                wishes.append(Wish((by, to), _LIKELY, _beside(by, to, None), words))
+                wishes.append(Wish((by, to), LIKELY, _beside(by, to, None), words))
             elif hazard.kind in _IN_LINE:
-                wishes.append(Wish((by, to), _LIKELY / 2, _beside(by, to, 0), words))
+                wishes.append(Wish((by, to), LIKELY / 2, _beside(by, to, 0), words))
     return wishes
 
 
 def _usual(
-    functional: FunctionalScenario, logical: LogicalScenario, runners: Mapping[str, Runner]
-) -> list[Wish]:
+    functional: FunctionalScenario,
+    logical: LogicalScenario,
+    runners: Mapping[str, Runner],
+    count: int,
+) -> list[Wish[int]]:
     """Drive in line with the ego; change lanes where there is one to change into."""
-    wishes: list[Wish] = []
+    wishes: list[Wish[int]] = []
     ego = functional.ego.id
     wishes += _apart(logical, runners)
     for name, runner in runners.items():
         assignment = logical.assignment(name)
         beside = isinstance(assignment, InLine) and assignment.beside is not None
         if name != ego and runner.forward and not beside:
-            wishes.append(Wish((ego, name), _USUAL, _beside(name, ego, 0), f"{name} is in line"))
+            wishes.append(Wish((ego, name), USUAL, _beside(name, ego, 0), f"{name} is in line"))
         changes = isinstance(assignment, Drive) and assignment.maneuver is Maneuver.LANE_CHANGE
         if changes and isinstance(assignment, Drive) and assignment.changes_to is not None:
             step = outward(functional, assignment.changes_to)
             words = f"{name} has a lane to change into"
-            wishes.append(Wish((name,), _LIKELY, _room(name, step), words))
+            wishes.append(Wish((name,), LIKELY, _room(name, step, count), words))
     return wishes
 
 
-def _apart(logical: LogicalScenario, runners: Mapping[str, Runner]) -> list[Wish]:
+def _apart(logical: LogicalScenario, runners: Mapping[str, Runner]) -> list[Wish[int]]:
     """Two beside the same one are on either side of it, if there is room."""
     beside: dict[str, list[str]] = {}
     for name in runners:
@@ -296,11 +275,11 @@ def _apart(logical: LogicalScenario, runners: Mapping[str, Runner]) -> list[Wish
         if other is not None:
             beside.setdefault(other, []).append(name)
     return [
-        Wish((a, b), _USUAL, _differ(a, b), f"{a} and {b} are on either side")
+        Wish((a, b), USUAL, _differ(a, b), f"{a} and {b} are on either side")
         for names in beside.values()
         for a, b in combinations(names, 2)
     ]
 
 
 def _differ(a: str, b: str) -> Met:
-    return lambda lanes, _: lanes[a] != lanes[b]
+    return lambda lanes: lanes[a] != lanes[b]
