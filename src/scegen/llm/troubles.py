@@ -118,8 +118,9 @@ def _chain(error: BaseException) -> Iterator[BaseException]:
 
 
 def _root(error: Exception, key: str) -> str:
-    """The innermost words of an exception, which are the telling ones."""
-    words = [str(cause) for cause in _chain(error) if str(cause)]
+    """What the system says of an exception; without that the innermost words."""
+    causes = [cause for cause in _chain(error) if str(cause)]
+    words = [str(c) for c in causes if isinstance(c, OSError)] or [str(c) for c in causes]
     return _quote(words[-1] if words else type(error).__name__, key)
 
 
