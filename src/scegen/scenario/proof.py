@@ -38,6 +38,10 @@ class HazardProof(FrozenModel):
     note: str | None = None
 
 
+QUANTITIES = ("_mps", "_mps2", "_m", "_s", "_percent", "_deg")
+"""How fields end that hold a quantity, with its unit."""
+
+
 class ClaimProof(FrozenModel):
     """Whether one statement holds: what was measured, when, and by how much it holds.
 
@@ -64,7 +68,8 @@ class ClaimProof(FrozenModel):
         """What would make it hold."""
         if self.fixed:
             return f"pick another scenario, or change {self.field}"
-        if self.measured is None or self.unit == "1":
+        named = self.field.startswith("spacings.") or self.field.endswith(QUANTITIES)
+        if self.measured is None or not named:
             return f"leave {self.field} out, or something that stands against it"
         unit = self.unit
         return f"{self.measured:.4g} {unit} in {self.field}, or leave something else open"

@@ -1,0 +1,22 @@
+"""What would help is said of a quantity only where the field holds one."""
+
+from __future__ import annotations
+
+import pytest
+
+from scegen.scenario.proof import ClaimProof
+
+
+@pytest.mark.parametrize(
+    ("field", "helps"),
+    [
+        ("acts.act_1.rate_mps2", "4.2 m/s in acts.act_1.rate_mps2"),
+        ("junction.control", "leave junction.control out"),
+    ],
+)
+def test_what_would_help(field, helps):
+    missed = ClaimProof(
+        id="claim_1", kind="rule", statement="said", field=field, holds=False, measured=4.2,
+        unit="m/s",
+    )  # fmt: skip
+    assert missed.helps.startswith(helps)
