@@ -73,9 +73,8 @@ def _built(road: RoadParameters, axis: Axis | None) -> tuple[Arm, ...]:
         built = network.arm_road(described.id)
         outer, length, straight = built.line.start, built.length_m, built.line.segments[0].length_m
         if axis is not None:
-            segments = built.line.segments if described.id == 0 else built.line.reversed().segments
-            length = straight = sum(axis.length_m(segment) for segment in segments)
-            whole = sum(axis.length_m(segment) for segment in axis.line.segments)
+            length = straight = axis.half_m(described.id)
+            whole = axis.half_m(0) + axis.half_m(1)
             outer = Pose(0.0, 0.0, 0.0) if described.id == 0 else Pose(whole, 0.0, pi)
         made.append(
             Arm(
@@ -88,7 +87,7 @@ def _built(road: RoadParameters, axis: Axis | None) -> tuple[Arm, ...]:
                 described.lane_width_m,
                 median_half_m(road.carriageway),
                 inward,
-                (built.edge_t_m(-1), built.edge_t_m(1)),
+                (built.edge_t_m(-1, 0.0), built.edge_t_m(1, 0.0)),
             )
         )
     return tuple(made)

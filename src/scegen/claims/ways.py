@@ -107,7 +107,7 @@ def _way(participant: ConcreteParticipant, concrete: ConcreteScenario, network: 
         for change, before, after in zip(motion.lane_changes, places, places[1:], strict=False)
     )
     turn_end = laid.path_s_m(laid.turning_ends_m)
-    leaves = [turn_end + _INTO_EXIT_M] if network.junctions else [0.0]
+    leaves = [0.0] if network.plain else [turn_end + _INTO_EXIT_M]
     goal = max([*leaves, *(c.end_m + _BEHIND_CHANGE_M for c in changes)])
     goal = max([goal, *(ends_m + _BEHIND_REVERSING_M for _, ends_m in laid.path.backwards)])
     at, curvature = _curvature(laid.path)

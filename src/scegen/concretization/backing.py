@@ -73,7 +73,7 @@ def back_up(scene: Setup, draft: DriveDraft, other: DriveDraft | None) -> None:
     back_m = float(scene.rng.uniform(*_BACK_M))
     if ways is None:
         stops_s = laid.path.length_m / 2 + _BEHIND_MIDDLE_M
-        if scene.network.junctions:
+        if not scene.network.plain:
             stops_s = draft.junction_s_m - draft.body.front_m - _BEFORE_JUNCTION_M
     elif ways[1] < laid.path.length_m - _MERGED_M - _BEFORE_END_M and ways[1] - ways[0] < 40.0:
         stops_s = ways[1] + _CLEAR_M

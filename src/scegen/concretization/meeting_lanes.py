@@ -195,7 +195,7 @@ def _move_over(scene: Setup, first: DriveDraft, second: DriveDraft) -> bool:
     Rather not the ego: its way is the text's.
     """
     ring = scene.road.kind is JunctionKind.ROUNDABOUT
-    if ring or not scene.network.junctions or first.drive.exit != second.drive.exit:
+    if ring or scene.network.plain or first.drive.exit != second.drive.exit:
         return False
     ends = {d.id: _end(scene, d) for d in (first, second)}
     orders = [(first, second), (second, first)]

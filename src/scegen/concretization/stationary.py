@@ -65,9 +65,9 @@ def _first_free_m(scene: Setup, standing: Standing) -> float:
             for other in scene.logical.standings
             if other.arm == standing.arm
         )
-        room = scene.network.junctions and pulls_out
+        room = not scene.network.plain and pulls_out
         return _ROOM_TO_PULL_OUT_M if room else CLEAR_OF_CORNER_M
-    return BLOCKS_AT_M if scene.network.junctions else BLOCKS_STRAIGHT_AT_M
+    return BLOCKS_AT_M if not scene.network.plain else BLOCKS_STRAIGHT_AT_M
 
 
 def _draft(

@@ -121,7 +121,7 @@ def _from_junction_m(scene: Setup, crossing: Crossing) -> float:
         and not stand.standing.in_lane
         and stand.standing.side is crossing.start
     ]
-    usual = _UNMARKED_M if scene.network.junctions else _STRAIGHT_M
+    usual = _UNMARKED_M if not scene.network.plain else _STRAIGHT_M
     if not hidden:
         return usual
     # All stand with their inner bumper at the same clearance: just inside of it is in sight last.

@@ -1,11 +1,11 @@
-"""Who may enter where, as the road itself has it: into a bend, and on a one-way road."""
+"""Who may enter where, as the road itself has it: into a bend, on a one-way road, from a ramp."""
 
 from __future__ import annotations
 
 from scegen.errors import InfeasibleError
 from scegen.scenario.functional import FunctionalScenario, Participant
-from scegen.scenario.roadway import Carriageway
-from scegen.scenario.vocabulary import Approach, Side
+from scegen.scenario.roadway import AuxiliaryLane, Carriageway
+from scegen.scenario.vocabulary import Approach, Maneuver, Side
 
 _IN_AT = frozenset({0})
 
@@ -14,9 +14,13 @@ def on_its_road(functional: FunctionalScenario) -> FunctionalScenario:
     """The description with the entries that its road leaves to who drives.
 
     Raises:
-        InfeasibleError: somebody is said to come the other way of a one-way road, or the ego to
-            enter a bend where it leads to the other side.
+        InfeasibleError: somebody is said to come the other way of a one-way road, the ego to enter
+            a bend where it leads to the other side, or somebody to use a ramp that is not there.
     """
+    if functional.junction.auxiliary is not None:
+        functional = _beside_the_others(functional)
+    else:
+        _nobody_by_ramp(functional)
     bend = functional.junction.bend
     if functional.junction.carriageway is not Carriageway.ONE_WAY:
         if bend is None or bend.side is None:
@@ -27,6 +31,62 @@ def on_its_road(functional: FunctionalScenario) -> FunctionalScenario:
         _one_way(person) if person.id in drivers else person for person in functional.participants
     )
     return functional.model_copy(update={"participants": people})
+
+
+_LEADS = {
+    Maneuver.MERGE: frozenset({AuxiliaryLane.ON_RAMP, AuxiliaryLane.LANE_DROP}),
+    Maneuver.EXIT: frozenset({AuxiliaryLane.OFF_RAMP}),
+}
+"""Which auxiliary lanes a maneuver needs."""
+
+
+def _beside_the_others(functional: FunctionalScenario) -> FunctionalScenario:
+    """The ego's direction has the auxiliary lane, and enters at arm 0; who merges is in it."""
+    junction = functional.junction
+    lane = junction.through_lanes + 1
+    people = []
+    for person in functional.participants:
+        update: dict[str, object] = {}
+        for maneuver, needs in _LEADS.items():
+            if maneuver in person.maneuvers and junction.auxiliary not in needs:
+                _refuse_ramp(person, maneuver, needs)
+        uses = person.maneuvers & _LEADS.keys()
+        if uses or person.id == functional.ego.id:
+            if person.entries and not person.entries & _IN_AT:
+                raise InfeasibleError(
+                    f"{person.id} goes the ego's way, which enters at arm 0",
+                    where=f"participants.{person.id}.entries",
+                    hint="Let it enter at arm 0, or leave its entries open.",
+                )
+            update["entries"] = _IN_AT
+        if Maneuver.MERGE in person.maneuvers:
+            if len(person.maneuvers) > 1 or (person.lanes and lane not in person.lanes):
+                raise InfeasibleError(
+                    f"{person.id} merges: it is in the lane that ends, and must leave it",
+                    where=f"participants.{person.id}",
+                    hint=f"Give it no other maneuver, and no lane or {lane}.",
+                )
+            update["lanes"] = frozenset({lane})
+        people.append(person.model_copy(update=update))
+    lanes = junction.lanes or (junction.through_lanes,) * junction.arms
+    road = junction.model_copy(update={"lanes": lanes})
+    return functional.model_copy(update={"participants": tuple(people), "junction": road})
+
+
+def _nobody_by_ramp(functional: FunctionalScenario) -> None:
+    for person in functional.participants:
+        for maneuver, needs in _LEADS.items():
+            if maneuver in person.maneuvers:
+                _refuse_ramp(person, maneuver, needs)
+
+
+def _refuse_ramp(person: Participant, maneuver: Maneuver, needs: frozenset[AuxiliaryLane]) -> None:
+    wanted = " or ".join(sorted(needs))
+    raise InfeasibleError(
+        f"{person.id} is said to {maneuver}, and the road has no lane for that",
+        where=f"participants.{person.id}.maneuvers",
+        hint=f"Let junction.auxiliary be {wanted}, or leave the maneuver out.",
+    )
 
 
 def _entering(functional: FunctionalScenario, ego: Participant, side: Side) -> FunctionalScenario:

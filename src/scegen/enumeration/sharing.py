@@ -36,6 +36,7 @@ MOST_DEADLOCKS = 4096
 MOST_PAIRS = 400_000
 """Pairs that are kept (some 100 MB at the very most); then they are made anew."""
 
+_SIDEWAYS = {Maneuver.LANE_CHANGE, Maneuver.MERGE, Maneuver.EXIT}
 _MANNERS = {m.value: m for m in (Maneuver.OVERTAKE, Maneuver.STAY)}
 _CHANGES = {f"lane_change_{side.value}": side for side in Side}
 _REVERSES = {r.value: r for r in Reverses}
@@ -116,7 +117,7 @@ class Sharing:
         angles = self._problem.angles_deg
         turn = turn_name(angles, entry, move)
         vehicle = self._problem.vehicles[slot]
-        said = Maneuver.LANE_CHANGE in vehicle.maneuvers
+        said = bool(vehicle.maneuvers & _SIDEWAYS)
         changes_to = _CHANGES.get(manner)
         if changes_to is None and place.beside is not None:
             other, side = place.beside

@@ -13,6 +13,7 @@ from scegen.enumeration import predicates as p
 from scegen.enumeration.on_foot import way_facts, ways_of
 from scegen.scenario.arms import arm_angles_deg, seen_from, turn_deg, turn_name
 from scegen.scenario.functional import FunctionalScenario, Junction, Participant
+from scegen.scenario.roadway import AuxiliaryLane
 from scegen.scenario.vocabulary import (
     Approach,
     CrossedArm,
@@ -20,6 +21,7 @@ from scegen.scenario.vocabulary import (
     HazardKind,
     JunctionKind,
     Maneuver,
+    Side,
 )
 
 QUEUE_LIMIT = 12
@@ -30,6 +32,8 @@ ALONG_WORDS = frozenset({"ahead", "behind", "adjacent_left", "adjacent_right"})
 
 MANNERS: dict[Maneuver, tuple[str, ...]] = {
     Maneuver.LANE_CHANGE: ("lane_change_left", "lane_change_right"),
+    Maneuver.MERGE: ("lane_change_left", "lane_change_right"),
+    Maneuver.EXIT: ("lane_change_left", "lane_change_right"),
     Maneuver.OVERTAKE: ("overtake",),
     Maneuver.STAY: ("stay",),
 }
@@ -68,7 +72,11 @@ def junction_facts(junction: Junction) -> list[Predicate]:
             if other != entry
             for word in sorted(seen_from(angles, entry, other))
         ]
-    facts += [p.Lanes(arm, number) for arm, number in enumerate(junction.lanes)]
+    ending = junction.auxiliary in {AuxiliaryLane.ON_RAMP, AuxiliaryLane.LANE_DROP}
+    facts += [
+        p.Lanes(arm, number + (1 if ending and arm == 0 else 0))
+        for arm, number in enumerate(junction.lanes)
+    ]
     if junction.kind is JunctionKind.ROUNDABOUT:
         facts.append(p.Ring())
     if junction.driving_side is DrivingSide.LEFT:
@@ -128,6 +136,13 @@ def _maneuvers(out: Stated, vehicle: Participant, junction: Junction) -> None:
         if word.startswith("exit_"):
             if int(word.removeprefix("exit_")) <= junction.arms:
                 out.facts.append(p.WantsMove(vehicle.id, ring_move(junction, word)))
+        elif word in {Maneuver.MERGE, Maneuver.EXIT}:
+            kerb, centre = (Side.RIGHT, Side.LEFT)
+            if junction.driving_side is DrivingSide.LEFT:
+                kerb, centre = centre, kerb
+            out.facts.append(p.Wants(vehicle.id, Maneuver.LANE_CHANGE.value))
+            side = centre if word is Maneuver.MERGE else kerb
+            out.facts.append(p.Goes(vehicle.id, side.value))
         elif word is Maneuver.CROSS:
             # A set with other words in it is a vehicle's: it crosses the junction.
             out.facts.append(p.Wants(vehicle.id, Maneuver.STRAIGHT.value))

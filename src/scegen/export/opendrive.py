@@ -9,20 +9,23 @@ from __future__ import annotations
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable
 from copy import deepcopy
+from dataclasses import replace
 
 from scegen.export.library import xodr
 from scegen.export.road_marks import road_mark
 from scegen.export.signs import add_controllers, entry_sign, name_catalogue
 from scegen.road.fillet import wrapped
 from scegen.road.model import (
-    Connection,
     ContactPoint,
     Crosswalk,
+    JunctionArea,
+    Lane,
     LaneType,
     Road,
     RoadLink,
     RoadNetwork,
 )
+from scegen.road.sections import Section, sections, width_pieces
 from scegen.scenario.signals import SignalPlan
 from scegen.scenario.vocabulary import Control
 
@@ -57,8 +60,8 @@ def write_opendrive(
         document.add_road(_road(road, control if road.id in signed else Control.UNCONTROLLED))
     for area in network.junctions:
         junction = xodr.Junction(area.name, area.id)
-        for connection in area.connections:
-            junction.add_connection(_connection(connection))
+        for connection in _connections(area):
+            junction.add_connection(connection)
         document.add_junction(junction)
     root = document.get_element()
     _complete_header(root, network)
@@ -74,6 +77,11 @@ def write_opendrive(
 def _number(value: float) -> float:
     """Rounded far below any tolerance; never -0.0."""
     return round(value, _DIGITS) + 0.0
+
+
+def _coefficient(value: float) -> float:
+    """To nine digits: those of high powers are small."""
+    return float(f"{value:.9g}") + 0.0
 
 
 def _road(road: Road, control: Control) -> xodr.Road:
@@ -134,36 +142,46 @@ def _plan_view(road: Road) -> xodr.PlanView:
 
 
 def _lanes(road: Road) -> xodr.Lanes:
-    centre = xodr.Lane(lane_type=xodr.LaneType.none)
-    centre.add_roadmark(road_mark(road, 0))
-    section = xodr.LaneSection(0, centre)
-    for lane in sorted(road.lanes, key=lambda lane: abs(lane.id)):
-        written = xodr.Lane(lane_type=xodr.LaneType[lane.type.value], a=_number(lane.width_m))
-        if lane.predecessor is not None:
-            written.add_link("predecessor", lane.predecessor)
-        if lane.successor is not None:
-            written.add_link("successor", lane.successor)
-        written.add_roadmark(road_mark(road, lane.id))
-        if lane.id > 0:
-            section.add_left_lane(written)
-        else:
-            section.add_right_lane(written)
     lanes = xodr.Lanes()
-    lanes.add_lanesection(section)
+    for part in sections(road):
+        seen = replace(road, lanes=part.lanes)
+        centre = xodr.Lane(lane_type=xodr.LaneType.none)
+        centre.add_roadmark(road_mark(seen, 0))
+        section = xodr.LaneSection(_number(part.from_m), centre)
+        for lane in sorted(part.lanes, key=lambda lane: abs(lane.id)):
+            written = _lane(lane, part)
+            written.add_roadmark(road_mark(seen, lane.id))
+            if lane.id > 0:
+                section.add_left_lane(written)
+            else:
+                section.add_right_lane(written)
+        lanes.add_lanesection(section)
     if road.lane_offset_m:
         lanes.add_laneoffset(xodr.LaneOffset(0, _number(road.lane_offset_m)))
     return lanes
 
 
-def _connection(connection: Connection) -> xodr.Connection:
-    written = xodr.Connection(
-        connection.incoming_road,
-        connection.connecting_road,
-        xodr.ContactPoint.start,
-        connection.id,
-    )
-    written.add_lanelink(connection.from_lane, connection.to_lane)
+def _lane(lane: Lane, part: Section) -> xodr.Lane:
+    (_, first), *others = width_pieces(lane, part)
+    written = xodr.Lane(xodr.LaneType[lane.type.value], *map(_coefficient, first))
+    for begins, shape in others:
+        written.add_lane_width(*map(_coefficient, shape), soffset=_number(begins))
+    if lane.predecessor is not None:
+        written.add_link("predecessor", lane.predecessor)
+    if lane.successor is not None:
+        written.add_link("successor", lane.successor)
     return written
+
+
+def _connections(area: JunctionArea) -> list[xodr.Connection]:
+    """One for each pair of an incoming and a connecting road, with all the lanes that it links."""
+    written: dict[tuple[int, int], xodr.Connection] = {}
+    for connection in area.connections:
+        pair = connection.incoming_road, connection.connecting_road
+        if pair not in written:
+            written[pair] = xodr.Connection(*pair, xodr.ContactPoint.start, connection.id)
+        written[pair].add_lanelink(connection.from_lane, connection.to_lane)
+    return list(written.values())
 
 
 def _crosswalk(crosswalk: Crosswalk) -> xodr.Object:

@@ -12,9 +12,10 @@ def road_mark(road: Road, lane_id: int) -> xodr.RoadMark:
     """The mark on the outer border of a lane; of lane 0, the centre line.
 
     Solid at the edges of the carriageways, broken between lanes of one direction and on the
-    centre line of a road with one lane each way; none inside junctions.
+    centre line of a road with one lane each way; none inside junctions, but where one direction of
+    a road goes straight on through.
     """
-    if road.junction is not None:
+    if road.junction is not None and not road.goes_on:
         return xodr.RoadMark(xodr.RoadMarkType.none)
     if lane_id == 0:
         return _centre_mark(road)

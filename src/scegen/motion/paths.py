@@ -72,7 +72,7 @@ def _laid(this: _This, motion: DriveMotion, who: str) -> LaidDrive:
     stretches = route_stretches(network, motion, who)
     entry_m = stretches[0].end_m
     end_m = stretches[-1].end_m - END_MARGIN_M
-    latest = entry_m if network.junctions else end_m
+    latest = end_m if network.plain else entry_m
     if motion.start_m >= latest:
         raise MotionInfeasibleError(
             f"starts {motion.start_m:.1f} m along the drive, but arm {motion.entry} ends after "

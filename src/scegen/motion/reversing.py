@@ -119,7 +119,7 @@ def _into_arm(
     """Forwards from where the drive starts into another arm."""
     routes = network.routes.get((motion.entry, arm), ())
     exits = [route.exit_lane for route in routes if route.entry_lane == motion.entry_lane]
-    if not exits or not network.junctions:
+    if not exits or network.plain:
         raise MotionInfeasibleError(
             f"no way leads from arm {arm} backwards into lane {motion.entry_lane} of arm "
             f"{motion.entry}",

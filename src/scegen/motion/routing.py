@@ -10,9 +10,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 from scegen.errors import MotionInfeasibleError
+from scegen.motion.alongside import along_plain
 from scegen.motion.lanes import arm_lane_id, is_ring, ring_lane_id, ring_lane_number
 from scegen.motion.stretches import Shift, Stretch, lane_offset_d_m, stretch
-from scegen.road.model import LaneType, Road, RoadNetwork, Route, RouteStep
+from scegen.road.model import Road, RoadNetwork, Route, RouteStep
 from scegen.scenario.concrete import DriveMotion, LaneChange
 
 _ROUNDING_M = 1e-6
@@ -104,14 +105,15 @@ def walk_route(
             hint="Routes: " + ", ".join(f"{a}->{b}" for a, b in sorted(network.routes)),
         )
     _check_order(motion, who)
+    if network.plain:
+        return along_plain(network, motion, who)
     walk = _Walk(network, motion, who, list(motion.lane_changes), motion.offset_m)
     lane = _along_entry(walk)
-    if network.junctions:
-        route = _choose_route(walk, lane)
-        steps = list(route.steps[1:-1])
-        while steps:
-            steps = _along_step(walk, steps, route)
-        lane = _exit_number(network, motion, route, walk.done[-1])
+    route = _choose_route(walk, lane)
+    steps = list(route.steps[1:-1])
+    while steps:
+        steps = _along_step(walk, steps, route)
+    lane = _exit_number(network, motion, route, walk.done[-1])
     arrived = _along_exit(walk, lane)
     return tuple(walk.done), arrived
 
@@ -141,49 +143,23 @@ def _along_exit(walk: _Walk, lane: int) -> int:
     road = walk.network.arm_road(walk.motion.exit)
     lane_id = arm_lane_id(road, lane, inbound=False)
     piece = walk.stretch(road, lane_id, walk.end_m, forward=False)
-    if not walk.network.junctions:
-        piece = _continued(walk, piece)
     arrived = _on_arm(walk, piece, lane, inbound=False)
     if walk.todo:
         raise walk.refuse(walk.todo[0], walk.done[-1])
     return arrived
 
 
-def _continued(walk: _Walk, piece: Stretch) -> Stretch:
-    """A straight is one road in two halves: a lane change may run across the joint."""
-    before = walk.done[-1]
-    running = [shift for shift in before.shifts if shift.end_m > piece.start_m + _ROUNDING_M]
-    if not running:
-        return piece
-    shift = running[0]
-    middle = shift.u_m + shift.length_m / 2
-    joined = replace(piece, d_m=shift.from_d_m, shifts=(shift,))
-    if middle <= piece.start_m:
-        return joined
-    numbers = [walk.motion.entry_lane, *(c.lane_after for c in walk.motion.lane_changes)]
-    number = numbers[len(before.shifts) - 1]
-    lane_before = arm_lane_id(piece.road, number, inbound=False)
-    return replace(joined, lane=lane_before, lane_after=((middle, piece.lane),))
-
-
 def _on_arm(walk: _Walk, piece: Stretch, lane: int, *, inbound: bool) -> int:
     """Append an arm with its lane changes; returns the lane number at its end."""
-    across = inbound and not walk.network.junctions
     for change in walk.takes(piece.end_m):
-        if change.position_m + change.length_m > piece.end_m + _ROUNDING_M and not across:
+        if change.position_m + change.length_m > piece.end_m + _ROUNDING_M:
             raise walk.refuse(change, piece)
         before = arm_lane_id(piece.road, lane, inbound=inbound)
         after = arm_lane_id(piece.road, change.lane_after, inbound=inbound)
-        if before * after < 0 and any(x.type is LaneType.MEDIAN for x in piece.road.lanes):
-            raise MotionInfeasibleError(
-                f"the lane change at {change.position_m:.1f} m leads across the median",
-                where=walk.who,
-                hint="Change into another lane of this direction, or leave out the median.",
-            )
         piece = walk.shifted(piece, change, before, after)
         lane = change.lane_after
     walk.done.append(piece)
-    if lane == 0 and walk.network.junctions:
+    if lane == 0:
         raise MotionInfeasibleError(
             f"the vehicle is still in the oncoming lane at the end of {piece.road.name}",
             where=walk.who,

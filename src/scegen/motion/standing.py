@@ -49,8 +49,8 @@ def crossing_path(network: RoadNetwork, motion: CrossingMotion, who: str) -> Pat
     road = network.arm_road(motion.arm)
     s = _place_on_arm(road, motion.from_junction_m, who)
     sign = side_sign(motion.start_side)
-    start_t = road.edge_t_m(sign) + sign * motion.setback_m
-    end_t = road.edge_t_m(-sign) - sign * motion.setback_m
+    start_t = road.edge_t_m(sign, s) + sign * motion.setback_m
+    end_t = road.edge_t_m(-sign, s) - sign * motion.setback_m
     length = abs(start_t - end_t)
     if motion.stops_after_m is not None:
         if motion.stops_after_m > length:
@@ -86,11 +86,11 @@ def standing_path(
     road = network.arm_road(motion.arm)
     s = _place_on_arm(road, motion.from_junction_m, who)
     sign = side_sign(motion.side)
-    lane = _standing_lane(road, sign, in_lane=motion.in_lane)
+    lane = _standing_lane(road, s, sign, in_lane=motion.in_lane)
     if lane is not None:
-        t = road.lane_centre_t_m(lane.id)
+        t = road.lane_centre_t_m(lane.id, s)
     else:
-        t = road.edge_t_m(sign) + sign * (BODIES[kind].width_m / 2 + KERB_GAP_M)
+        t = road.edge_t_m(sign, s) + sign * (BODIES[kind].width_m / 2 + KERB_GAP_M)
     forward = (sign == -1) == (network.driving_side is DrivingSide.RIGHT)
     pose = road.line.pose(s, t)
     if not forward:
@@ -107,9 +107,10 @@ def standing_path(
     )
 
 
-def _standing_lane(road: Road, sign: int, *, in_lane: bool) -> Lane | None:
+def _standing_lane(road: Road, s_m: float, sign: int, *, in_lane: bool) -> Lane | None:
     wanted = {LaneType.DRIVING} if in_lane else {LaneType.PARKING, LaneType.SHOULDER}
-    lanes = [lane for lane in road.lanes if lane.id * sign > 0 and lane.type in wanted]
+    there = [lane for lane in road.lanes if lane.width_at_m(s_m) == lane.width_m]
+    lanes = [lane for lane in there if lane.id * sign > 0 and lane.type in wanted]
     return max(lanes, key=lambda lane: abs(lane.id), default=None)
 
 

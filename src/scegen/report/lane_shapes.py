@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import ceil, sqrt
 
 import numpy as np
@@ -10,10 +10,12 @@ from numpy.typing import NDArray
 
 from scegen.road.geometry import ReferenceLine
 from scegen.road.model import LaneType, Road, RoadNetwork
+from scegen.road.sections import Section, sections
 
 Array = NDArray[np.float64]
 _STRIPE_M = 0.5
 _STEP_RAD = 0.08
+_TAPER_M = 4.0
 _OFF_M = 0.02
 """A chord is no farther from its arc than this."""
 
@@ -34,14 +36,17 @@ class RoadShapes:
 
 
 def road_shapes(network: RoadNetwork) -> RoadShapes:
-    """The drawable shapes of a network; marks only where roads do not overlap (no junction)."""
+    """The drawable shapes of a network; marks only where roads do not overlap (no crossing)."""
     shapes = RoadShapes()
     for road in network.roads:
-        poses = _poses(road.line)
-        for sign in (1, -1):
-            _add_side(shapes, road, poses, sign)
-        if road.junction is None:
-            _add_middle(shapes, road, poses)
+        for part in sections(road):
+            seen = replace(road, lanes=part.lanes)
+            places = _places(road, part)
+            poses = _poses(road.line, places)
+            for sign in (1, -1):
+                _add_side(shapes, seen, places, poses, sign)
+        if road.junction is None or road.goes_on:
+            _add_middle(shapes, road, _poses(road.line, _places(road)))
             _add_crosswalks(shapes, road)
     return shapes
 
@@ -51,11 +56,12 @@ def _add_middle(shapes: RoadShapes, road: Road, poses: Array) -> None:
 
     Where one direction has none, there is an edge; a ring has none on its inside.
     """
+    every = {lane.id for lane in road.lanes}
     ids = {lane.id for lane in road.lanes if lane.type is LaneType.DRIVING}
     if {1, -1} <= ids:
         kind = shapes.lane_lines if ids == {1, -1} else shapes.centre_lines
         kind.append(_offset(poses, road.lane_offset_m))
-    elif road.arm is not None:
+    elif road.arm is not None or road.goes_on or len({lane > 0 for lane in every}) > 1:
         for lane in (side[0] for side in (road.driving(1), road.driving(-1)) if side):
             inner = road.lane_centre_t_m(lane) - (road.lane(lane).width_m / 2) * (
                 1 if lane > 0 else -1
@@ -63,15 +69,15 @@ def _add_middle(shapes: RoadShapes, road: Road, poses: Array) -> None:
             shapes.edge_lines.append(_offset(poses, inner))
 
 
-def _add_side(shapes: RoadShapes, road: Road, poses: Array, sign: int) -> None:
+def _add_side(shapes: RoadShapes, road: Road, places: Array, poses: Array, sign: int) -> None:
     lanes = sorted((lane for lane in road.lanes if lane.id * sign > 0), key=lambda n: abs(n.id))
-    inner = road.lane_offset_m
+    inner = np.full(len(places), road.lane_offset_m)
     for lane, beyond in zip(lanes, [*lanes[1:], None], strict=False):
-        outer = inner + sign * lane.width_m
+        outer = inner + sign * np.array([lane.width_at_m(float(s)) for s in places])
         edge = _offset(poses, outer)
         outline = np.concatenate((_offset(poses, inner), edge[::-1]))
         shapes.lanes.setdefault(lane.type, []).append(outline)
-        if lane.type is LaneType.DRIVING and road.junction is None:
+        if lane.type is LaneType.DRIVING and (road.junction is None or road.goes_on):
             goes_on = beyond is not None and beyond.type is LaneType.DRIVING
             (shapes.lane_lines if goes_on else shapes.edge_lines).append(edge)
         inner = outer
@@ -87,17 +93,32 @@ def _add_crosswalks(shapes: RoadShapes, road: Road) -> None:
             shapes.stripes.append(np.array([(p.x_m, p.y_m) for p in poses]))
 
 
-def _poses(line: ReferenceLine) -> Array:
-    """Points (x, y, heading) along a line, as dense as its bends need."""
-    rows = []
-    for segment in line.segments:
+def _places(road: Road, part: Section | None = None) -> Array:
+    """Places along a road, or a section of it, as dense as its bends and tapers need."""
+    low, high = (0.0, road.length_m) if part is None else (part.from_m, part.to_m)
+    found, begins = {low, high}, 0.0
+    for segment in road.line.segments:
         k = abs(segment.curvature_1pm)
         step = min(_STEP_RAD, sqrt(8 * _OFF_M * k))
         count = max(1, ceil(k * segment.length_m / step)) if k else 1
-        rows += [segment.pose(segment.length_m * i / count) for i in range(count + 1)]
-    return np.array([(p.x_m, p.y_m, p.heading_rad) for p in rows])
+        found |= {begins + segment.length_m * i / count for i in range(count + 1)}
+        begins += segment.length_m
+    for extent in (lane.extent for lane in (part.lanes if part else ()) if lane.extent):
+        for at, length in (
+            (extent.from_m, extent.opens_m),
+            (extent.to_m - extent.closes_m, extent.closes_m),
+        ):
+            count = ceil(length / _TAPER_M)
+            found |= {at + length * i / max(count, 1) for i in range(count + 1)}
+    return np.array(sorted(s for s in found if low <= s <= high))
 
 
-def _offset(poses: Array, t_m: float) -> Array:
+def _poses(line: ReferenceLine, places: Array) -> Array:
+    """Points (x, y, heading) of a line at places along it."""
+    poses = [line.pose(float(s)) for s in places]
+    return np.array([(p.x_m, p.y_m, p.heading_rad) for p in poses])
+
+
+def _offset(poses: Array, t_m: float | Array) -> Array:
     x, y, heading = poses.T
     return np.column_stack((x - t_m * np.sin(heading), y + t_m * np.cos(heading)))

@@ -6,9 +6,9 @@ from collections.abc import Set as AbstractSet
 from math import radians
 
 from scegen.road.geometry import Pose, ReferenceLine, Segment
-from scegen.road.model import Crosswalk, Lane, LaneType, Road, RoadLink
+from scegen.road.model import Crosswalk, Extent, Lane, LaneType, Road, RoadLink
 from scegen.scenario.concrete import ArmRoad, RoadParameters
-from scegen.scenario.roadway import Carriageway, Strip
+from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
 from scegen.scenario.vocabulary import DrivingSide
 
 PARKING_WIDTH_M = 2.5
@@ -49,9 +49,33 @@ def arm_lanes(parameters: RoadParameters, arm: ArmRoad) -> tuple[Lane, ...]:
     for sign, count in ((-out, arm.lanes_in), (out, arm.lanes_out)):
         strips = [(LaneType.MEDIAN, median)] if median else []
         strips += [(LaneType.DRIVING, arm.lane_width_m)] * count
-        strips += verge(parameters, arm.id)
-        lanes += [Lane(sign * k, kind, width) for k, (kind, width) in enumerate(strips, start=1)]
+        side: list[tuple[LaneType, float, Extent | None]] = [(*strip, None) for strip in strips]
+        auxiliary = auxiliary_extent(parameters, arm, inward=sign == -out)
+        if auxiliary is not None:
+            side.append((LaneType.DRIVING, arm.lane_width_m, auxiliary))
+        side += [(*strip, None) for strip in verge(parameters, arm.id)]
+        lanes += [
+            Lane(sign * k, kind, width, extent=extent)
+            for k, (kind, width, extent) in enumerate(side, start=1)
+        ]
     return tuple(sorted(lanes, key=lambda lane: -lane.id))
+
+
+def auxiliary_extent(parameters: RoadParameters, arm: ArmRoad, *, inward: bool) -> Extent | None:
+    """Where an arm has the auxiliary lane on one of its sides; None if it has not.
+
+    Traffic of its direction enters at arm 0 and leaves at arm 1. An exit lane begins on the one, an
+    acceleration lane ends on the other, and so does a lane that has been there from the beginning.
+    """
+    auxiliary = parameters.auxiliary
+    if auxiliary is None or inward != (arm.id == 0):
+        return None
+    if auxiliary.kind is AuxiliaryLane.LANE_DROP and arm.id == 0:
+        return Extent(0.0, arm.length_m)
+    if (auxiliary.kind is AuxiliaryLane.OFF_RAMP) != (arm.id == 0):
+        return None
+    begins_m = arm.length_m - auxiliary.length_m - auxiliary.taper_m
+    return Extent(max(begins_m, 0.0), arm.length_m, opens_m=auxiliary.taper_m)
 
 
 def median_half_m(carriageway: Carriageway) -> float:
@@ -63,6 +87,8 @@ def verge(parameters: RoadParameters, arm: int) -> list[tuple[LaneType, float]]:
     """The strips outside the driving lanes, outwards."""
     if Strip.HARD_SHOULDER in parameters.strips:
         return [(LaneType.SHOULDER, SHOULDER_WIDTH_M), (LaneType.BORDER, BORDER_WIDTH_M)]
+    if parameters.auxiliary is not None:
+        return [(LaneType.BORDER, BORDER_WIDTH_M)]
     strips = [(LaneType.SIDEWALK, SIDEWALK_WIDTH_M)]
     if arm in parameters.parking_lanes:
         strips.insert(0, (LaneType.PARKING, PARKING_WIDTH_M))

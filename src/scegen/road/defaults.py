@@ -6,7 +6,7 @@ from collections.abc import Set as AbstractSet
 from math import ceil, radians
 
 from scegen.scenario.arms import arm_angles_deg
-from scegen.scenario.concrete import ArmRoad, RoadParameters
+from scegen.scenario.concrete import ArmRoad, Auxiliary, RoadParameters
 from scegen.scenario.control import controlled_arms
 from scegen.scenario.functional import Junction
 from scegen.scenario.roadway import Carriageway, Strip
@@ -16,6 +16,9 @@ ARM_LENGTH_M = 120.0
 LANE_WIDTH_M = 3.5
 _BESIDE_BEND_M = 20.0
 """So much of each arm at least is straight, before a bend."""
+AUXILIARY_LENGTH_M = 250.0
+AUXILIARY_TAPER_M = 60.0
+"""Usual on motorways: an acceleration or exit lane of some 250 m, and 60 m of taper."""
 SPEED_LIMIT_MPS = 50 / 3.6
 ROUNDABOUT_SPEED_LIMIT_MPS = 30 / 3.6
 
@@ -66,6 +69,11 @@ def plan_road(
         )
         for arm in range(junction.arms)
     )
+    auxiliary = None
+    if junction.auxiliary is not None:
+        auxiliary = Auxiliary(
+            kind=junction.auxiliary, length_m=AUXILIARY_LENGTH_M, taper_m=AUXILIARY_TAPER_M
+        )
     return RoadParameters(
         kind=junction.kind,
         arms=arms,
@@ -79,4 +87,5 @@ def plan_road(
         corner_radius_m=radius,
         carriageway=junction.carriageway,
         strips=junction.strips,
+        auxiliary=auxiliary,
     )

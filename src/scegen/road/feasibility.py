@@ -54,7 +54,7 @@ def _check_carriageway(parameters: RoadParameters) -> None:
     Ways through a crossing lie where the centre lines of its arms are.
     """
     plain = parameters.kind is JunctionKind.STRAIGHT and not parameters.u_turns
-    for field in ("carriageway", "strips"):
+    for field in ("carriageway", "strips", "auxiliary"):
         if not plain and getattr(parameters, field) != RoadParameters.model_fields[field].default:
             msg = f"{field} is only for a road without a junction, on which nobody turns back"
             raise RoadInfeasibleError(msg, where=field)

@@ -6,14 +6,16 @@ Conventions, which export and motion rely on:
   line. In right-hand traffic the lanes towards the junction are right lanes (ids -1, -2, ...),
   those away from it left lanes (1, 2, ...); in left-hand traffic the other way round. Lane
   number k of the scenario files (1 = next to the centre line) is the k-th driving lane of its side.
-* Connecting roads have exactly one driving lane, travelled along s, with the reference line on
-  the lane's centre (lane offset half its width). Its id is -1 in right-hand traffic and 1 in
-  left-hand traffic, because OpenDRIVE lets right lanes run along s only where traffic keeps
-  right (ASAM OpenDRIVE 1.7, 9.1). Take lane ids from routes and connections.
+* Connecting roads of crossings have exactly one driving lane, travelled along s, with the
+  reference line on the lane's centre (lane offset half its width). Its id is -1 in right-hand
+  traffic and 1 in left-hand traffic, because OpenDRIVE lets right lanes run along s only where
+  traffic keeps right (ASAM OpenDRIVE 1.7, 9.1). Take lane ids from routes and connections.
 * Ring roads of a roundabout run in the direction of traffic; their lanes are -1 and -2 (1 and 2
   in left-hand traffic), where ring lane number k of the scenario files, 1 = innermost, is the
   lane with |id| = k.
-* A ``straight`` is two arm roads joined end to end; it has no junction.
+* A ``straight`` is two arm roads joined end to end; it has no junction, unless a ramp joins or
+  leaves. Then a connecting road for each direction, on the same reference line and with the same
+  lanes, joins the arm roads, and one more the ramp, whose lane is the one beyond the outermost.
 """
 
 from __future__ import annotations
@@ -45,11 +47,34 @@ class ContactPoint(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
+class Extent:
+    """The part of its road that a lane has, from ``from_m`` to ``to_m`` along the reference line.
+
+    It widens over the first ``opens_m`` and narrows over the last ``closes_m``, in an S.
+    """
+
+    from_m: float
+    to_m: float
+    opens_m: float = 0.0
+    closes_m: float = 0.0
+
+    def share(self, s_m: float) -> float:
+        """Its width at a place, as a share of the full one."""
+        if not self.from_m <= s_m <= self.to_m:
+            return 0.0
+        opened = (s_m - self.from_m) / self.opens_m if self.opens_m else 1.0
+        left = (self.to_m - s_m) / self.closes_m if self.closes_m else 1.0
+        p = min(opened, left, 1.0)
+        return p * p * (3.0 - 2.0 * p)
+
+
+@dataclass(frozen=True, slots=True)
 class Lane:
-    """A lane of constant width. ``id`` as in OpenDRIVE: negative right of the reference line.
+    """A lane of one width. ``id`` as in OpenDRIVE: negative right of the reference line.
 
     ``predecessor`` and ``successor`` are lane ids of the linked road (None where there is
-    none, or where a junction's connections say it).
+    none, or where a junction's connections say it). ``extent`` is the part of the road that has it,
+    None if all has; ids count all lanes of a side, those that begin or end among them.
     """
 
     id: int
@@ -57,6 +82,13 @@ class Lane:
     width_m: float
     predecessor: int | None = None
     successor: int | None = None
+    extent: Extent | None = None
+
+    def width_at_m(self, s_m: float | None) -> float:
+        """Its width at a place of the road, with None the full one."""
+        if self.extent is None or s_m is None:
+            return self.width_m
+        return self.width_m * self.extent.share(s_m)
 
 
 _STOP_LINE_M = 0.4
@@ -105,6 +137,11 @@ class Road:
     crosswalks: tuple[Crosswalk, ...] = ()
 
     @property
+    def goes_on(self) -> bool:
+        """Whether it leads past a ramp or to one, with what lies beside its lanes."""
+        return self.junction is not None and len(self.lanes) > 1
+
+    @property
     def length_m(self) -> float:
         """Length of the reference line."""
         return self.line.length_m
@@ -125,30 +162,34 @@ class Road:
                 return candidate
         raise KeyError(lane_id)
 
-    def lane_centre_t_m(self, lane_id: int) -> float:
-        """Offset of a lane's centre from the reference line (m, left positive)."""
+    def lane_centre_t_m(self, lane_id: int, s_m: float | None = None) -> float:
+        """Offset of a lane's centre from the reference line (m, left positive).
+
+        At ``s_m``, if lanes inside it begin or end on this road; else where all are there.
+        """
         sign = 1 if lane_id > 0 else -1
         inside = sum(
-            lane.width_m
+            lane.width_at_m(s_m)
             for lane in self.lanes
             if lane.id * sign > 0 and abs(lane.id) < abs(lane_id)
         )
-        return self.lane_offset_m + sign * (inside + self.lane(lane_id).width_m / 2)
+        return self.lane_offset_m + sign * (inside + self.lane(lane_id).width_at_m(s_m) / 2)
 
     def driving(self, sign: int) -> list[int]:
         """Ids of the driving lanes of one side (+1 left, -1 right), from the middle outwards."""
         ids = [x.id for x in self.lanes if x.id * sign > 0 and x.type is LaneType.DRIVING]
         return sorted(ids, key=abs)
 
-    def edge_t_m(self, sign: int) -> float:
+    def edge_t_m(self, sign: int, s_m: float | None = None) -> float:
         """Offset of the outer edge of the last driving lane on one side (+1 left, -1 right).
 
-        Of a side without any, that of the reference line.
+        Of a side without any, that of the reference line; ``s_m`` as for a lane's centre.
         """
         ids = self.driving(sign)
         if not ids:
             return self.lane_offset_m
-        return self.lane_centre_t_m(ids[-1]) + sign * self.lane(ids[-1]).width_m / 2
+        half = self.lane(ids[-1]).width_at_m(s_m) / 2
+        return self.lane_centre_t_m(ids[-1], s_m) + sign * half
 
 
 @dataclass(frozen=True, slots=True)
@@ -202,6 +243,8 @@ class RoadNetwork:
 
     ``routes`` holds every route by (entry, exit), U-turns included where they are asked for;
     it is filled by the builder and is complete: each lane of each arm is on some route.
+    ``plain``: a road without a crossing, its lanes side by side from arm to arm; where a ramp joins
+    or leaves there is a junction nevertheless.
     """
 
     name: str
@@ -210,6 +253,7 @@ class RoadNetwork:
     junctions: tuple[JunctionArea, ...]
     arm_roads: tuple[int, ...]
     routes: dict[tuple[int, int], tuple[Route, ...]] = field(default_factory=dict)
+    plain: bool = False
 
     @cached_property
     def _by_id(self) -> dict[int, Road]:

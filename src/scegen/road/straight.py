@@ -14,6 +14,7 @@ from scegen.road.cross_section import (
     lane_in,
     lane_out,
     median_half_m,
+    side_sign,
 )
 from scegen.road.fillet import chain, wrapped
 from scegen.road.geometry import Pose, ReferenceLine
@@ -27,7 +28,9 @@ from scegen.road.model import (
     Route,
     RouteStep,
 )
+from scegen.road.ramps import build_ramp, gore_m
 from scegen.scenario.concrete import ArmRoad, RoadParameters
+from scegen.scenario.roadway import AuxiliaryLane
 
 BEND_RADIUS_M = 50.0
 """Radius of the centre line of a bend, unless ``corner_radius_m`` gives another."""
@@ -44,6 +47,8 @@ def build_straight(parameters: RoadParameters, name: str) -> RoadNetwork:
         RoadInfeasibleError: if lanes do not continue or it bends too sharply.
     """
     _check(parameters)
+    if gore_m(parameters):
+        return build_ramp(parameters, name)
     arms = tuple(
         arm_road(
             parameters,
@@ -54,6 +59,7 @@ def build_straight(parameters: RoadParameters, name: str) -> RoadNetwork:
         for index, arm in enumerate(parameters.arms)
     )
     arms = tuple(_linked(road, parameters) for road in arms)
+    driving_side = parameters.driving_side
     routes: dict[tuple[int, int], tuple[Route, ...]] = {}
     for entry, leaving in ((0, 1), (1, 0)):
         if not parameters.arms[entry].lanes_in:
@@ -70,15 +76,16 @@ def build_straight(parameters: RoadParameters, name: str) -> RoadNetwork:
                     RouteStep(arms[leaving].id, lane_out(arms[leaving], number), forward=False),
                 ),
             )
-            for number in range(1, parameters.arms[entry].lanes_in + 1)
+            for number in range(1, len(arms[entry].driving(-side_sign(driving_side))) + 1)
         )
     return RoadNetwork(
         name=name,
-        driving_side=parameters.driving_side,
+        driving_side=driving_side,
         roads=arms,
         junctions=(),
         arm_roads=tuple(road.id for road in arms),
         routes=routes,
+        plain=True,
     )
 
 
@@ -94,6 +101,16 @@ def _check(parameters: RoadParameters) -> None:
     if first.lane_width_m != second.lane_width_m:
         msg = f"lanes are {first.lane_width_m:g} m wide on arm 0 and {second.lane_width_m:g} on 1"
         raise RoadInfeasibleError(msg, where="arms", hint="Make the lane widths equal.")
+    auxiliary = parameters.auxiliary
+    if auxiliary is None:
+        return
+    if abs(bend_rad(parameters)) > _STRAIGHT_RAD:
+        raise RoadInfeasibleError("lies in a bend, where none is built", where="auxiliary")
+    side = first if auxiliary.kind is AuxiliaryLane.OFF_RAMP else second
+    needed = auxiliary.length_m + auxiliary.taper_m + MIN_LINE_M
+    if side.length_m < needed:
+        msg = f"needs {needed:g} m of arm {side.id}, which is {side.length_m:g} m long"
+        raise RoadInfeasibleError(msg, where="auxiliary", hint="Make the arm longer.")
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,7 +16,7 @@ from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.model import ArmSet, FrozenModel, Identifier, VocabularySet
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.reversing import Reversal
-from scegen.scenario.roadway import Carriageway, Strip
+from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
 from scegen.scenario.signals import SignalPlan
 from scegen.scenario.vocabulary import (
     Control,
@@ -61,6 +61,19 @@ class Turn(FrozenModel):
     radius_m: float | None = Field(default=None, ge=3.0, le=50.0)
 
 
+class Auxiliary(FrozenModel):
+    """A lane beside the outermost of those that enter at arm 0, for a part of the road.
+
+    ``length_m`` is how long it has its full width: an acceleration lane and one that ends from the
+    inner end of arm 1 on, an exit lane up to the inner end of arm 0. Over ``taper_m`` it narrows
+    to nothing after that, or widens before.
+    """
+
+    kind: AuxiliaryLane
+    length_m: float = Field(gt=0, le=1000)
+    taper_m: float = Field(gt=0, le=200)
+
+
 class RoadParameters(FrozenModel):
     """All that determines the road network.
 
@@ -70,7 +83,7 @@ class RoadParameters(FrozenModel):
     ``parking_lanes`` are arms with a strip for standing vehicles beside the travelled lanes;
     ``u_turns`` arms where turning back is possible; ``turns`` more ways through the crossing;
     ``controlled_arms`` are those whose entering traffic the control's signs or lights stand for.
-    ``carriageway`` and ``strips`` are for a road without a junction.
+    ``carriageway``, ``strips`` and ``auxiliary`` are for a road without a junction.
     """
 
     kind: JunctionKind
@@ -87,6 +100,7 @@ class RoadParameters(FrozenModel):
     controlled_arms: ArmSet = frozenset()
     carriageway: Carriageway = Carriageway.UNDIVIDED
     strips: VocabularySet[Strip] = frozenset()
+    auxiliary: Auxiliary | None = None
 
 
 class AtTime(FrozenModel):

@@ -15,7 +15,7 @@ from scegen.scenario.acts import Act, AfterAct, AfterDistance, WhenMeasure
 from scegen.scenario.bends import Bend
 from scegen.scenario.model import ArmSet, FrozenModel, Identifier, Interval, VocabularySet
 from scegen.scenario.outcome import Outcome
-from scegen.scenario.roadway import Carriageway, Strip
+from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
 from scegen.scenario.spacings import CONTACT, START, Spacing
 from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import (
@@ -59,8 +59,9 @@ class Junction(FrozenModel):
     counter-clockwise from east, one per arm in rising order; empty means the kind's own.
     ``lanes`` is the number of lanes per direction of each arm; empty means one everywhere.
     ``crosswalks`` are the arms that a marked crosswalk runs across. A road without a junction may
-    have another ``carriageway`` than the usual, ``strips`` all along its lanes, and a ``bend``,
-    which the ego enters at arm 0 if its side is said.
+    have another ``carriageway`` than the usual, ``strips`` all along its lanes, a ``bend``,
+    which the ego enters at arm 0 if its side is said, and an ``auxiliary`` lane beside those in the
+    direction that enters at arm 0, the ego's; ``lanes`` does not count it.
     """
 
     kind: JunctionKind
@@ -75,6 +76,13 @@ class Junction(FrozenModel):
     carriageway: Carriageway = Carriageway.UNDIVIDED
     strips: VocabularySet[Strip] = frozenset()
     bend: Bend | None = None
+    auxiliary: AuxiliaryLane | None = None
+
+    @property
+    def through_lanes(self) -> int:
+        """Lanes that go on beside an auxiliary one; where none are said, as few as are usual."""
+        usual = 2 if self.carriageway is Carriageway.DIVIDED else 1
+        return self.lanes[0] if self.lanes else usual
 
     @model_validator(mode="after")
     def _fits_its_kind(self) -> Junction:
@@ -97,12 +105,15 @@ class Junction(FrozenModel):
             msg = "lanes per direction must be 1, 2 or 3; on a road without a junction also 4"
             raise ValueError(msg)
         if self.kind is not JunctionKind.STRAIGHT:
-            for field in ("carriageway", "strips", "bend"):
+            for field in ("carriageway", "strips", "bend", "auxiliary"):
                 if getattr(self, field) != Junction.model_fields[field].default:
                     msg = f"{field} is only for a road without a junction, kind straight"
                     raise ValueError(msg)
         if self.bend is not None and self.arm_angles_deg:
             msg = "a road has a bend or arm_angles_deg, not both"
+            raise ValueError(msg)
+        if self.bend is not None and self.auxiliary is not None:
+            msg = "a road has a bend or an auxiliary lane, not both"
             raise ValueError(msg)
         if any(not 0 <= arm < self.arms for arm in self.crosswalks):
             msg = f"crosswalks names an arm outside 0..{self.arms - 1}"

@@ -10,7 +10,7 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.definitions import Definition, Word
 from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.outcome import OutcomeKind
-from scegen.scenario.roadway import Carriageway, Strip
+from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
 from scegen.scenario.spacings import Measure
 from scegen.scenario.things import ThingKind
 from scegen.scenario.vocabulary import (
@@ -40,6 +40,7 @@ VOCABULARY: dict[type[StrEnum], str] = {
     DrivingSide: "junction.driving_side",
     Carriageway: "junction.carriageway",
     Strip: "junction.strips",
+    AuxiliaryLane: "junction.auxiliary",
     ParticipantKind: "participants[].kind",
     Role: "participants[].role",
     Approach: "participants[].approaches",

@@ -37,3 +37,26 @@ class Strip(Word):
         "the side of a street where vehicles are parked",
         "a motorway; on the hard shoulder; in the breakdown lane",
     )
+
+
+class AuxiliaryLane(Word):
+    """A lane beside the outermost one, for a part of the road only, in the ego's direction."""
+
+    ON_RAMP = (
+        "on_ramp",
+        "a ramp joins: its lane runs beside the others (the acceleration lane) and ends",
+        "a side road, which joins at a junction",
+        "merges from the on-ramp; on the slip road; at the end of the acceleration lane",
+    )
+    OFF_RAMP = (
+        "off_ramp",
+        "an exit: a lane begins beside the others (the deceleration lane) and leads off by a ramp",
+        "an exit of a roundabout or a car park",
+        "takes the exit; leaves the motorway",
+    )
+    LANE_DROP = (
+        "lane_drop",
+        "the outermost lane ends, and who is in it must change",
+        "`on_ramp`, whose lane comes from another road",
+        "the right lane ends; three lanes become two",
+    )

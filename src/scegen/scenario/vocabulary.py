@@ -285,6 +285,18 @@ class Maneuver(Word):
         "`lane_change` without getting past",
         "overtakes the truck",
     )
+    MERGE = (
+        "merge",
+        "is in the lane that ends (`junction.auxiliary`; at first on its ramp) and leaves it",
+        "`lane_change` between lanes that go on",
+        "merges from the on-ramp onto the motorway",
+    )
+    EXIT = (
+        "exit",
+        "changes into the lane that leads off the road by a ramp, and leaves by it",
+        "`exit_1` of a roundabout; `right` at a junction",
+        "takes the motorway exit",
+    )
     CROSS = (
         "cross",
         "goes over a road from its edge, on foot or by bicycle",

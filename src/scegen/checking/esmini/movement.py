@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from scegen.checking.esmini.recording import Movement
-from scegen.checking.opendrive.arms import Arm, match_arms
+from scegen.checking.opendrive.arms import Arm, match_arms, ramp_of
 from scegen.checking.opendrive.locate import lanes_at
 from scegen.checking.opendrive.network import Network
 from scegen.checking.results import Finding, error, warning
@@ -134,7 +134,8 @@ def _way(
     movement: Movement, participant: ConcreteParticipant, network: Network, arms: dict[int, Arm]
 ) -> Iterator[Finding]:
     motion = participant.motion
-    if isinstance(motion, DriveMotion) and not network.junctions:
+    plain = not network.junctions or ramp_of(network, arms) is not None
+    if isinstance(motion, DriveMotion) and plain:
         yield from _on_the_road(movement, participant, network)
     elif isinstance(motion, DriveMotion):
         first = _lanes(network, movement, 0, arms[motion.entry])

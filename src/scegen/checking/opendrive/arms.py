@@ -11,6 +11,7 @@ from typing import NamedTuple
 from scegen.checking.opendrive.lanes import driving, reference
 from scegen.checking.opendrive.network import END, START, Network, Road, other_end, road_place
 from scegen.checking.results import Finding, error
+from scegen.road.ramps import gore_m
 from scegen.scenario.concrete import ConcreteScenario
 
 ANGLE_DEG = 5.0
@@ -75,14 +76,23 @@ def open_ends(network: Network) -> Iterator[Arm]:
                 yield Arm(road, contact)
 
 
+def ramp_of(network: Network, arms: dict[int, Arm]) -> Arm | None:
+    """The open end beside those of the arms: that of a ramp."""
+    known = {arm.road.id for arm in arms.values()}
+    return next((end for end in open_ends(network) if end.road.id not in known), None)
+
+
 def match_arms(network: Network, concrete: ConcreteScenario) -> MatchedArms:
     """Find each arm by the direction in which its outer end lies, not by ids or names.
 
-    ``xodr.arms``: as many open ends as arms, each within 5° of its direction.
+    ``xodr.arms``: as many open ends as arms (and a ramp, if the road has one), each within 5° of
+    its direction.
     """
     free = [arm for arm in open_ends(network) if arm.road.measurable]
-    if len(free) != len(concrete.road.arms):
-        message = f"has {len(free)} open road ends for {len(concrete.road.arms)} arms"
+    ramps = 1 if gore_m(concrete.road) else 0
+    if len(free) != len(concrete.road.arms) + ramps:
+        and_ramps = " and a ramp" if ramps else ""
+        message = f"has {len(free)} open road ends for {len(concrete.road.arms)} arms{and_ramps}"
         return MatchedArms({}, (error("xodr.arms", network.name, message),))
     arms: dict[int, Arm] = {}
     for wanted in concrete.road.arms:

@@ -39,8 +39,32 @@ def lane_graph(network: Network) -> LaneGraph:
             for lane in section.lanes.values():
                 if lane.id != 0 and lane.type == "driving":
                     node = (road.id, index, lane.id)
-                    after[node] = _after(network, road, node, connected)
+                    after[node] = (
+                        *_after(network, road, node, connected),
+                        *_beside(road, node),
+                    )
     return LaneGraph(after)
+
+
+def _beside(road: Road, node: Node) -> tuple[Node, ...]:
+    """The lanes into which one changes: out of a lane that ends here, into one that begins here."""
+    name, index, number = node
+    section = road.sections[index]
+    beside = [number + step for step in (-1, 1) if (number + step) * number > 0]
+    lanes = [section.lanes[n] for n in beside if n in section.lanes]
+    lanes = [lane for lane in lanes if lane.type == "driving"]
+    ahead, behind = (END, START) if road.runs_along_s(number) else (START, END)
+    found = {x.id for x in lanes if _has_end(road, index, x.id, behind)}
+    if _has_end(road, index, number, ahead):
+        found |= {lane.id for lane in lanes}
+    return tuple((name, index, n) for n in sorted(found))
+
+
+def _has_end(road: Road, index: int, number: int, contact: str) -> bool:
+    """Whether a lane begins or ends where its section does, in the middle of the road."""
+    inner = index + (1 if contact == END else -1)
+    lane = road.sections[index].lanes[number]
+    return 0 <= inner < len(road.sections) and lane.link(contact) is None
 
 
 def outer_node(arm: Arm, lane: int) -> Node:

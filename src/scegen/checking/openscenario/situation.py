@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from scegen.checking.opendrive.arms import Arm
+from scegen.checking.opendrive.arms import Arm, ramp_of
 from scegen.checking.opendrive.lanes import lane_pose, reference, section_at
 from scegen.checking.opendrive.locate import OnLane, lanes_at
 from scegen.checking.opendrive.network import Network
@@ -29,6 +29,11 @@ class Situation:
         if self.concrete is None:
             return None
         return next((p for p in self.concrete.participants if p.id == entity), None)
+
+    @property
+    def ramp(self) -> Arm | None:
+        """The outer end of a ramp, where the road has one."""
+        return ramp_of(self.network, self.arms) if self.network and self.arms else None
 
     def lanes_at(self, points: list[complex]) -> list[list[OnLane]]:
         """The lanes under each point; nothing without a road."""

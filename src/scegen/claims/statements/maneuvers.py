@@ -12,6 +12,7 @@ from scegen.claims.boxes import boxes, passes
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test
 from scegen.claims.lateral import lateral_m
 from scegen.claims.moments import SIDEWAYS, at
+from scegen.claims.statements.ramps import by_ramp
 from scegen.claims.statements.touching import touched
 from scegen.claims.told import KPH, Told, either
 from scegen.claims.tolerances import SAME_LANE_M, STANDS_MPS
@@ -47,6 +48,7 @@ def claims(told: Told) -> Iterator[Claim]:
             yield _stands(told, person, pulls_out=False)
         if drive is not None and person.maneuvers:
             yield from _driven(told, drive, field)
+            yield from by_ramp(person, drive, field)
         if drive is not None and _keeps_lane(told, drive):
             does = f"{person.id} keeps its lane" + (
                 "" if told.functional.junction.kind is STRAIGHT else " up to the junction"

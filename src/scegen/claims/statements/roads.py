@@ -12,9 +12,14 @@ from scegen.road.straight import curve_of
 from scegen.scenario.bends import Bend
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.control import controlled_arms, has_crosswalk
-from scegen.scenario.roadway import Carriageway, Strip
+from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
 from scegen.scenario.vocabulary import Side
 
+_AUXILIARY = {
+    AuxiliaryLane.ON_RAMP: "a ramp joins the road",
+    AuxiliaryLane.OFF_RAMP: "a ramp leaves the road",
+    AuxiliaryLane.LANE_DROP: "the outermost lane ends",
+}
 _SAME_MPS = 0.5 / KPH
 _SAME_DEG = 1.0
 _SAME_M = 0.5
@@ -57,6 +62,9 @@ def claims(told: Told) -> Iterator[Claim]:
     if strips:
         statement = f"beside its lanes: {', '.join(plain(x) for x in Strip if x in strips)}"
         yield _road("strips", statement, lambda road: road.strips >= strips)
+    if junction.auxiliary is not None:
+        auxiliary = junction.auxiliary
+        yield _road("auxiliary", _AUXILIARY[auxiliary], partial(_has_auxiliary, auxiliary))
     if junction.arm_angles_deg:
         angles = junction.arm_angles_deg
         statement = f"its arms lie at {', '.join(f'{angle:g}' for angle in angles)} degrees"
@@ -113,6 +121,10 @@ def _built(agrees: Agrees, view: View) -> Judged:
 
 def _limited(limit_mps: float, road: RoadParameters) -> bool:
     return all(abs(arm.speed_limit_mps - limit_mps) <= _SAME_MPS for arm in road.arms)
+
+
+def _has_auxiliary(kind: AuxiliaryLane, road: RoadParameters) -> bool:
+    return road.auxiliary is not None and road.auxiliary.kind is kind
 
 
 def _wide(road: RoadParameters, lanes: tuple[int, ...]) -> bool:

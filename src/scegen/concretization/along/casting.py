@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from scegen.concretization.along.auxiliary import RAMP_MPS, merging
 from scegen.concretization.along.runner import FORTH_M, FORTH_MPS, Runner, Step
 from scegen.concretization.asked import allowed, dangers
 from scegen.concretization.limits import (
@@ -27,6 +28,7 @@ from scegen.scenario.logical import (
     Walking,
 )
 from scegen.scenario.model import Interval
+from scegen.scenario.roadway import AuxiliaryLane
 from scegen.scenario.speed_limits import limit_for_kind_mps
 from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind
 
@@ -114,6 +116,8 @@ def _speeds(
     )
     if cruising is None or cruising < 1.0:
         cruising = limit_mps
+    ramps = functional.junction.auxiliary is AuxiliaryLane.ON_RAMP
+    on_ramp = merging(functional) if ramps else frozenset()
     for runner in runners.values():
         assignment = logical.assignment(runner.id)
         stays = isinstance(assignment, Standing) or (
@@ -126,7 +130,9 @@ def _speeds(
         elif runner.id in said:
             runner.speed_mps = said[runner.id].middle
         else:
-            usual = _USUAL_MPS.get(runner.kind, limit_mps)
+            usual = usual_mps(runner.kind, limit_mps)
+            if runner.id in on_ramp:
+                usual = min(usual, RAMP_MPS)
             speed = min(cruising if runner.forward else limit_mps, usual)
             speed = _endangering(functional, logical, runner, speed, limit_mps)
             runner.speed_mps = allowed(logical, runner.id, speed)
@@ -136,6 +142,11 @@ def _speeds(
     for act in functional.acts:
         if act.kind is ActKind.OVERTAKE and act.into:
             _make_faster(runners, (act.participant,), (act.into,), said)
+
+
+def usual_mps(kind: ParticipantKind, limit_mps: float) -> float:
+    """How fast one of a kind goes where nobody says how fast."""
+    return _USUAL_MPS.get(kind, limit_mps)
 
 
 def _leader_speed(

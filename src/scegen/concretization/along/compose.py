@@ -7,6 +7,7 @@ in time, and where one starts follows.
 
 from __future__ import annotations
 
+from scegen.concretization.along.auxiliary import fitted
 from scegen.concretization.along.crossing import Walk
 from scegen.concretization.along.laying import closest_s, lay
 from scegen.concretization.along.parked import park
@@ -54,6 +55,8 @@ def tells_along(functional: FunctionalScenario, logical: LogicalScenario) -> boo
     """Whether a scenario is one along a road: no junction, nobody reverses, turns or pulls out."""
     if functional.junction.kind is not JunctionKind.STRAIGHT:
         return False
+    if functional.junction.auxiliary is not None:
+        return True
     if any(p.pulls_out for p in functional.participants):
         return False
     ego = logical.assignment(functional.ego.id)
@@ -89,7 +92,7 @@ def compose_along(
     lasts = min(closest + _AFTER_S, _LONGEST_S)
     planned = road or plan(functional, logical, _PLAIN_M, story.lane_count)
     frame = frame_of(story, walks, parked, planned, closest, min(_SPARE * lasts, _LONGEST_S))
-    parameters = road_of(planned, frame)
+    parameters = fitted(road_of(planned, frame), functional, story.runners, frame.joint_m)
     network = build_network(parameters)
     standing = [written_parked(story, frame, p) for p in parked]
     made = _written(story, frame, parameters, network, walks, seed, lasts, standing)
@@ -171,7 +174,7 @@ def _thing(story: Story, frame: Frame, network: RoadNetwork, name: str) -> Stati
         line = network.arm_road(1 - frame.ego_arm).line.reversed()
         pose = line.pose(beyond, y)
     else:
-        pose = line.pose(line.length_m + beyond, y)
+        pose = line.pose(line.length_m + frame.gaps_m[frame.ego_arm] + beyond, y)
     return made_of(name, shape_of(thing.kind), thing.called, pose)
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import combinations, product
 
+from scegen.concretization.along.auxiliary import exiting, merging
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.asked import dangers, outward
 from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
@@ -68,8 +69,9 @@ def choose_lanes(
     undivided = functional.junction.carriageway is Carriageway.UNDIVIDED
     counts = [said] if said else range(1 if undivided else 2, MOST_LANES + 1)
     best: tuple[float, int, dict[str, int]] | None = None
+    beyond = merging(functional)
     for count in counts:
-        cost, lanes = cheapest(list(runners), wishes_of(count), count)
+        cost, lanes = cheapest(list(runners), wishes_of(count), count, beyond)
         cost += _LANE * (count - 1)
         if best is None or cost < best[0] - 1e-9:
             best = cost, count, lanes
@@ -90,10 +92,17 @@ def choose_lanes(
 
 
 def cheapest(
-    names: Sequence[str], wishes: Sequence[Wish[int]], count: int
+    names: Sequence[str],
+    wishes: Sequence[Wish[int]],
+    count: int,
+    beyond: frozenset[str] = frozenset(),
 ) -> tuple[float, dict[str, int]]:
-    """The lanes that break the least of that many; the kerb's side where all are equal."""
-    return least_broken({name: range(count, 0, -1) for name in names}, wishes)
+    """The lanes that break the least of that many; the kerb's side where all are equal.
+
+    Those ``beyond`` are in the lane beside the outermost, which ends.
+    """
+    options = {n: (count + 1,) if n in beyond else range(count, 0, -1) for n in names}
+    return least_broken(options, wishes)
 
 
 def _beside(a: str, b: str, step: int | None) -> Met:
@@ -254,13 +263,22 @@ def _usual(
     wishes: list[Wish[int]] = []
     ego = functional.ego.id
     wishes += _apart(logical, runners)
+    leaving = exiting(functional)
+    for name in leaving & runners.keys():
+        words = f"{name} is in the outermost lane, beside which the exit begins"
+        wishes.append(Wish((name,), SAID, _among(name, frozenset({count})), words))
     for name, runner in runners.items():
         assignment = logical.assignment(name)
         beside = isinstance(assignment, InLine) and assignment.beside is not None
         if name != ego and runner.forward and not beside:
             wishes.append(Wish((ego, name), USUAL, _beside(name, ego, 0), f"{name} is in line"))
         changes = isinstance(assignment, Drive) and assignment.maneuver is Maneuver.LANE_CHANGE
-        if changes and isinstance(assignment, Drive) and assignment.changes_to is not None:
+        if (
+            name not in leaving
+            and changes
+            and isinstance(assignment, Drive)
+            and assignment.changes_to is not None
+        ):
             step = outward(functional, assignment.changes_to)
             words = f"{name} has a lane to change into"
             wishes.append(Wish((name,), LIKELY, _room(name, step, count), words))

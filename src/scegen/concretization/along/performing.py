@@ -2,6 +2,14 @@
 
 from __future__ import annotations
 
+from scegen.concretization.along.auxiliary import (
+    GAINS_MPS2,
+    LOSES_MPS2,
+    RAMP_MPS,
+    exiting,
+    merging,
+)
+from scegen.concretization.along.casting import usual_mps
 from scegen.concretization.along.runner import Move, Runner, Step
 from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import change_of_speed, lasting_s
@@ -16,6 +24,8 @@ from scegen.scenario.acts import Act, ActKind, AfterStart
 from scegen.scenario.concrete import MOST_OFFSET_M
 from scegen.scenario.vocabulary import HazardKind, Side
 
+_PACES = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.STOP, ActKind.SET_OFF})
+_SAME_MPS = 0.5
 _ABRUPT = frozenset({HazardKind.CUT_IN, HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL})
 
 
@@ -29,6 +39,7 @@ def perform(story: Story, act: Act, begins_s: float) -> None:
     if act.kind in {ActKind.CHANGE_LANE, ActKind.SWERVE}:
         moves = _sideways(story, act, runner, begins_s)
         runner.moves += moves
+        runner.steps += _on_the_ramp(story, runner, moves)
         story.ends_s[act.id] = moves[-1].ends_s
         return
     step = _step(story, act, runner, begins_s)
@@ -46,6 +57,29 @@ def _step(story: Story, act: Act, runner: Runner, begins_s: float) -> Step:
     target, rate = change_of_speed(act, before, runner.body, story.grip_mps2, hazard, usual)
     timed = isinstance(act.when, AfterStart)
     return Step(begins_s, target, rate, act.id, hazard, timed=timed)
+
+
+def _on_the_ramp(story: Story, runner: Runner, moves: list[Move]) -> list[Step]:
+    """Who merges gains the speed of the traffic meanwhile, who leaves slows down after it.
+
+    If nothing else is said of its speed.
+    """
+    functional = story.functional
+    if runner.steps or any(a.participant == runner.id and a.kind in _PACES for a in story.acts):
+        return []
+    if runner.id in merging(functional):
+        others = (r for r in story.runners.values() if r.forward and r is not runner)
+        traffic = max((r.speed_mps for r in others), default=story.limit_mps)
+        target = min(traffic, usual_mps(runner.kind, story.limit_mps))
+        said = functional.participant(runner.id).speed_mps is not None
+        if said or target < runner.speed_mps + _SAME_MPS:
+            return []
+        lasts = (target - runner.speed_mps) / GAINS_MPS2
+        begins = max(moves[0].begins_s - lasts / 2, 0.5)
+        return [Step(begins, target, GAINS_MPS2)]
+    if runner.id in exiting(functional) and runner.speed_mps > RAMP_MPS + _SAME_MPS:
+        return [Step(moves[-1].ends_s, RAMP_MPS, LOSES_MPS2)]
+    return []
 
 
 def _sideways(story: Story, act: Act, runner: Runner, begins_s: float) -> list[Move]:
@@ -116,7 +150,8 @@ def _lane_after(story: Story, act: Act, runner: Runner, now: int) -> int:
             return into.lane
     side = act.side or _free_side(story, runner, now)
     lane = now + outward(story.functional, side)
-    return max(story.innermost, min(lane, story.lane_count))
+    leaves = runner.id in exiting(story.functional)
+    return max(story.innermost, min(lane, story.lane_count + leaves))
 
 
 def _free_side(story: Story, runner: Runner, now: int) -> Side:

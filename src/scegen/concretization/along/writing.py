@@ -6,11 +6,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from math import ceil, copysign, hypot
 
+from scegen.concretization.along.auxiliary import fitted, gaps_m, joint_m, room_m
 from scegen.concretization.along.crossing import Walk
 from scegen.concretization.along.parked import Parked
 from scegen.concretization.along.runner import FORTH_M, Runner, Step
 from scegen.concretization.along.story import Story
 from scegen.concretization.profile import NEVER_S
+from scegen.errors import MotionInfeasibleError
 from scegen.motion.paths import END_MARGIN_M
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.road.geometry import Pose, Segment
@@ -57,6 +59,7 @@ class Frame:
     The axis is the middle of the ego's lane, ``axis_y_m`` left of the centre line; ``curve`` is the
     road's bend as the ego drives it. ``met_s`` is when each runner is where the story has it: who
     drives in another lane of a bend comes along it faster or slower than on the axis.
+    ``gaps_m`` is how far from the joint the inner ends of arms 0 and 1 are: a ramp parts them.
     """
 
     begin_m: float
@@ -67,6 +70,7 @@ class Frame:
     curve: Curve | None = None
     axis_y_m: float = 0.0
     met_s: Mapping[str, float] = field(default_factory=dict)
+    gaps_m: tuple[float, float] = (0.0, 0.0)
 
     def station_m(self, runner: Runner, x_m: float) -> float:
         """The place on a drive, from the outer end of its entry arm."""
@@ -101,7 +105,13 @@ class Frame:
     def from_junction_m(self, arm: int, x_m: float) -> float:
         """How far a place is before the inner end of an arm."""
         beyond = self.centre_m(x_m)
-        return max(-beyond if arm == self.ego_arm else beyond, 0.0)
+        before = (-beyond if arm == self.ego_arm else beyond) - self.gaps_m[arm]
+        if before < 0.0 < self.gaps_m[arm]:
+            raise MotionInfeasibleError(
+                f"somebody is {-before:.0f} m inside the junction of a ramp, beside arm {arm}",
+                hint="Say where it is, or leave the ramp out.",
+            )
+        return max(before, 0.0)
 
     def pose(self, x_m: float, y_m: float) -> Pose:
         """The place in a frame whose origin is where the ego comes into the bend."""
@@ -148,6 +158,10 @@ def frame_of(
     joint = least if least <= most or not far else min(far) - _JOINT_CLEAR_M
     curve = curve_of(road)
     if curve is None:
+        if road.auxiliary is not None:
+            joint = joint_m(story.functional, story.runners, joint)
+            before, after = room_m(fitted(road, story.functional, story.runners, joint))
+            begin, end = min(begin, joint - before), max(end, joint + after)
         joint = max(joint, begin + _LEAST_ARM_M)
         end = max(end, joint + _LEAST_ARM_M)
         return Frame(
@@ -156,6 +170,7 @@ def frame_of(
             joint + ceil((end - joint) / _ROUND_M) * _ROUND_M,
             arm,
             lasts_s,
+            gaps_m=gaps_m(road),
         )
     joint = max(joint, min(story.ego.x_m(closest_s), max(most, joint)))
     if arm == 1:
@@ -181,9 +196,12 @@ def _met_s(runner: Runner, ego: Runner, closest_s: float) -> float:
 def road_of(road: RoadParameters, frame: Frame) -> RoadParameters:
     """The road with arms as long as the frame."""
     near, beyond = -frame.centre_m(frame.begin_m), frame.centre_m(frame.end_m)
+    lengths = [
+        (near if arm.id == frame.ego_arm else beyond) - frame.gaps_m[arm.id] for arm in road.arms
+    ]
     arms = tuple(
-        arm.model_copy(update={"length_m": round(near if arm.id == frame.ego_arm else beyond, 3)})
-        for arm in road.arms
+        arm.model_copy(update={"length_m": round(length, 3)})
+        for arm, length in zip(road.arms, lengths, strict=True)
     )
     return road.model_copy(update={"arms": arms})
 
@@ -207,8 +225,8 @@ def written_runner(story: Story, frame: Frame, participant: Participant) -> Conc
         exit_lane=last,
         start_m=round(start, 3),
         offset_m=round(runner.offset_m, 3),
-        turning_starts_m=round(joint, 3),
-        turning_ends_m=round(joint, 3),
+        turning_starts_m=round(joint - frame.gaps_m[entry], 3),
+        turning_ends_m=round(joint + frame.gaps_m[1 - entry], 3),
         lane_changes=changes,
         reversal=reversal,
     )

@@ -12,7 +12,7 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import ARM_COUNTS
 from scegen.scenario.glossary import defined
 from scegen.scenario.outcome import OutcomeKind
-from scegen.scenario.roadway import Carriageway, Strip
+from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
 from scegen.scenario.spacings import Measure
 from scegen.scenario.things import ThingKind
 from scegen.scenario.vocabulary import (
@@ -42,6 +42,7 @@ _DEFINED: dict[str, Iterable[StrEnum]] = {
     "controls": Control,
     "carriageways": Carriageway,
     "strips": Strip,
+    "auxiliary_lanes": AuxiliaryLane,
     "participant_kinds": ParticipantKind,
     "approaches": Approach,
     "maneuvers": [word for word in Maneuver if word not in _EXITS[1:]],

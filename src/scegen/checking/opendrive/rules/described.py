@@ -5,18 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from scegen.checking.opendrive.arms import Arm, match_arms
-from scegen.checking.opendrive.lanes import lane_width
-from scegen.checking.opendrive.network import Network
+from scegen.checking.opendrive.lanes import lane_width, section_at
+from scegen.checking.opendrive.network import START, Network
 from scegen.checking.opendrive.routing import lane_graph, outer_node
 from scegen.checking.opendrive.tolerances import GAP_M
 from scegen.checking.results import Finding, error
 from scegen.scenario.concrete import ArmRoad, ConcreteScenario, RoadParameters
 from scegen.scenario.logical import Drive
-from scegen.scenario.roadway import Carriageway, Strip
+from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
 from scegen.scenario.vocabulary import DrivingSide
 
 SPEED_MPS = 0.01
 """How far a speed limit may be rounded."""
+_INSIDE_M = 1.0
 
 
 def check_described(network: Network, concrete: ConcreteScenario) -> Iterator[Finding]:
@@ -31,18 +32,21 @@ def check_described(network: Network, concrete: ConcreteScenario) -> Iterator[Fi
         place = f"arm {wanted.id} ({arm.place})"
         if arm.road.rule != rule:
             yield error("xodr.described", place, f"has rule {arm.road.rule} instead of {rule}")
-        yield from _lanes(arm, wanted, place)
+        yield from _lanes(arm, wanted, concrete.road, place)
+        yield from _auxiliary(arm, wanted, concrete.road, place)
         yield from _lengthwise(arm, concrete.road, place)
         yield from _furniture(arm, wanted, place, crossed=wanted.id in concrete.road.crosswalks)
     yield from _drives(network, concrete, matched.arms)
 
 
-def _lanes(arm: Arm, wanted: ArmRoad, place: str) -> Iterator[Finding]:
+def _lanes(arm: Arm, wanted: ArmRoad, road: RoadParameters, place: str) -> Iterator[Finding]:
     found = (len(arm.inward), len(arm.outward))
-    if found != (wanted.lanes_in, wanted.lanes_out):
+    drops = road.auxiliary is not None and road.auxiliary.kind is AuxiliaryLane.LANE_DROP
+    lanes_in = wanted.lanes_in + (1 if drops and wanted.id == 0 else 0)
+    if found != (lanes_in, wanted.lanes_out):
         message = (
             f"has {found[0]} lanes in and {found[1]} out "
-            f"instead of {wanted.lanes_in} and {wanted.lanes_out}"
+            f"instead of {lanes_in} and {wanted.lanes_out}"
         )
         yield error("xodr.described", place, message)
     section, s = arm.road.section(arm.contact), arm.road.s_at(arm.contact)
@@ -51,6 +55,32 @@ def _lanes(arm: Arm, wanted: ArmRoad, place: str) -> Iterator[Finding]:
         if abs(width - wanted.lane_width_m) > GAP_M:
             message = f"lane {lane} is {width:.2f} m wide instead of {wanted.lane_width_m:g} m"
             yield error("xodr.described", place, message)
+
+
+def _auxiliary(arm: Arm, wanted: ArmRoad, road: RoadParameters, place: str) -> Iterator[Finding]:
+    """The auxiliary lane has its full width as far as it should, and nowhere is there one more."""
+    auxiliary = road.auxiliary
+    if auxiliary is None:
+        return
+    exit_lane = auxiliary.kind is AuxiliaryLane.OFF_RAMP
+    has_it = wanted.id == (0 if exit_lane else 1)
+    lanes = arm.inward if wanted.id == 0 else arm.outward
+    sign = 1 if lanes[0] > 0 else -1
+    number = lanes[-1] + (sign if has_it else 0)
+    inner, step = arm.road.s_at(arm.inner), 1 if arm.inner == START else -1
+    ends = auxiliary.length_m + auxiliary.taper_m
+    for away, there in (
+        (_INSIDE_M, has_it),
+        (auxiliary.length_m - _INSIDE_M, has_it),
+        (ends + _INSIDE_M, False),
+    ):
+        s = inner + step * min(away, arm.road.length - _INSIDE_M)
+        section = section_at(arm.road, s)
+        lane = section.lanes.get(lanes[-1] + sign)
+        width = lane_width(section, lane.id, s) if lane and lane.type == "driving" else 0.0
+        if abs(width - (wanted.lane_width_m if there else 0.0)) > GAP_M:
+            message = f"its auxiliary lane is {width:.2f} m wide {away:.0f} m from the inner end"
+            yield error("xodr.described", f"{place} lane {number}", message)
 
 
 def _lengthwise(arm: Arm, road: RoadParameters, place: str) -> Iterator[Finding]:

@@ -23,7 +23,10 @@ def check_dead_ends(network: Network) -> Iterator[Finding]:
 
 
 def check_reachability(network: Network) -> Iterator[Finding]:
-    """``xodr.reachable``: each lane out is reached, each arm reaches every other arm."""
+    """``xodr.reachable``: each lane out is reached, each arm reaches every other arm.
+
+    One that leads only in or only out (a ramp, a one-way road) has a way to or from some arm.
+    """
     graph = lane_graph(network)
     arms = list(open_ends(network))
     leaving = {
@@ -34,10 +37,13 @@ def check_reachability(network: Network) -> Iterator[Finding]:
         reached = _from_arm(graph, arm)
         lanes = {key for key, node in leaving.items() if node in reached}
         reached_lanes |= {key for key in lanes if key[0] != i}
+        two_way = arm.inward and arm.outward
         for j, other in enumerate(arms):
-            missing = i != j and arm.inward and other.outward and all(k != j for k, _ in lanes)
-            if missing:
+            both = two_way and other.inward and other.outward
+            if i != j and both and all(k != j for k, _ in lanes):
                 yield error(RULE, arm.place, f"no way leads to {other.place}")
+        if arm.inward and not arm.outward and not any(k != i for k, _ in lanes):
+            yield error(RULE, arm.place, "no way leads to any other arm")
     for i, lane in sorted(set(leaving) - reached_lanes):
         place = lane_place(arms[i].road.id, lane)
         yield error(RULE, place, "is not reached from any other arm")

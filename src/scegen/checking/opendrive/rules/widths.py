@@ -7,6 +7,8 @@ from itertools import pairwise
 
 from scegen.checking.opendrive.lanes import lane_width
 from scegen.checking.opendrive.network import (
+    END,
+    START,
     Lane,
     Network,
     Poly3,
@@ -27,7 +29,10 @@ def check_widths(network: Network) -> Iterator[Finding]:
 
 
 def check_driving_widths(network: Network) -> Iterator[Finding]:
-    """``xodr.lane_width``: a driving lane has a width everywhere, its ends included."""
+    """``xodr.lane_width``: a driving lane has a width everywhere, its ends included.
+
+    It may begin or end with none where it is linked to no other.
+    """
     yield from _narrow(network, GAP_M, lambda lane: lane.type == "driving")
 
 
@@ -38,7 +43,13 @@ def _narrow(network: Network, least: float, asked: Callable[[Lane], bool]) -> It
                 if lane.id == 0 or not asked(lane):
                     continue
                 along = stations(section.s, section.end)
-                width, s = min((lane_width(section, lane.id, s), s) for s in along)
+                widths = [(lane_width(section, lane.id, s), s) for s in along]
+                for end, first in ((START, 0), (END, -1)):
+                    while lane.link(end) is None and len(widths) > 1:
+                        if not 0.0 <= widths[first][0] < GAP_M:
+                            break
+                        widths.pop(first)
+                width, s = min(widths)
                 if width < least:
                     place = lane_place(road.id, lane.id, f"s = {s:.2f} m")
                     yield error("xodr.lane_width", place, f"is {width:.3f} m wide")

@@ -56,8 +56,10 @@ def _drive(
     if situation.network is not None and not situation.network.junctions and _is_aside(motion):
         return  # off the middle of its lane: which lane is below it says nothing
     arm = situation.arms[motion.exit]
-    reached = _on(under[-1], arm)
     number = motion.exit_lane
+    if situation.ramp is not None and number > len(arm.outward):
+        arm, number = situation.ramp, 1
+    reached = _on(under[-1], arm)
     # Lane 0 is that of the oncoming: it stays there.
     wanted = {*arm.inward[:1]} if number == 0 else {*arm.outward[number - 1 : number]}
     if not reached & wanted:

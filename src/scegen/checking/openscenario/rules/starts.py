@@ -33,9 +33,27 @@ def check_starts(situation: Situation) -> Iterator[Finding]:
         lanes = situation.lanes_at([position])[0]
         participant = situation.participant(entity.name)
         if participant is not None and situation.arms:
-            yield from _where_asked(participant, situation.arms, lanes)
+            if not _by_ramp(participant, situation, lanes):
+                yield from _where_asked(participant, situation.arms, lanes)
         elif entity.kind == "Vehicle" and situation.network is not None and not lanes:
             yield error(RULE, entity.name, "starts on no lane of the road network")
+
+
+def _by_ramp(participant: ConcreteParticipant, situation: Situation, lanes: list[OnLane]) -> bool:
+    """Whether one starts where a ramp is: on it or past it; in its lane only if that is asked."""
+    motion, ramp = participant.motion, situation.ramp
+    if ramp is None or not isinstance(motion, DriveMotion):
+        return False
+    aside = motion.entry_lane > len(situation.arms[motion.entry].inward)
+    onward = situation.arms[motion.exit]
+    through = {(onward.road.id, lane) for lane in onward.outward}
+    arms = {arm.road.id for arm in situation.arms.values()}
+    for lane in lanes:
+        if aside and (lane.road == onward.road.id and (lane.road, lane.lane) not in through):
+            return lane.type == "driving"
+        if lane.road not in arms and (aside or lane.road != ramp.road.id):
+            return True
+    return False
 
 
 def _where_asked(

@@ -1,0 +1,113 @@
+"""Where a lane begins or ends beside the others: laid around those who change out of it or into it.
+
+The joint of the road is where a ramp's lane meets the others. Who merges comes along the ramp,
+gains speed in the lane that ends, and leaves it well before; who takes the exit slows down in it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import ceil
+
+from scegen.concretization.along.runner import Runner
+from scegen.errors import MotionInfeasibleError
+from scegen.road.ramps import gore_m
+from scegen.scenario.concrete import RoadParameters
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.roadway import AuxiliaryLane
+from scegen.scenario.vocabulary import Maneuver
+
+RAMP_MPS = 90 / 3.6
+"""A usual speed on ramps of motorways and at the beginning of an acceleration lane."""
+GAINS_MPS2, LOSES_MPS2 = 1.5, 1.5
+"""Comfortable rates with which who merges gains speed, and who leaves loses it."""
+_SETTLES_M, _SPARE_M = 40.0, 30.0
+_LEAST_M = 60.0
+_LONGEST_M = 600.0
+_ROUND_M = 10.0
+
+
+def merging(functional: FunctionalScenario) -> frozenset[str]:
+    """Those who are in the lane that ends."""
+    return frozenset(p.id for p in functional.participants if p.maneuvers == {Maneuver.MERGE})
+
+
+def exiting(functional: FunctionalScenario) -> frozenset[str]:
+    """Those who leave by the ramp."""
+    return frozenset(p.id for p in functional.participants if p.maneuvers == {Maneuver.EXIT})
+
+
+def joint_m(
+    functional: FunctionalScenario, runners: Mapping[str, Runner], otherwise_m: float
+) -> float:
+    """Where the joint must be, by the first who merges or the last who leaves."""
+    moves = _moves_m(functional, runners)
+    if not moves:
+        return otherwise_m
+    if functional.junction.auxiliary is AuxiliaryLane.OFF_RAMP:
+        return max(ends for _, ends in moves) + _SETTLES_M
+    return min(begins for begins, _ in moves) - _SETTLES_M
+
+
+def fitted(
+    road: RoadParameters,
+    functional: FunctionalScenario,
+    runners: Mapping[str, Runner],
+    joint: float,
+) -> RoadParameters:
+    """The road with its auxiliary lane long enough for all who use it.
+
+    Raises:
+        MotionInfeasibleError: they change lanes too far from each other for one.
+    """
+    if road.auxiliary is None:
+        return road
+    farthest = 0.0
+    for begins, ends in _moves_m(functional, runners):
+        off = road.auxiliary.kind is AuxiliaryLane.OFF_RAMP
+        farthest = max(farthest, joint - begins if off else ends - joint)
+    needed = ceil((farthest + _SPARE_M) / _ROUND_M) * _ROUND_M if farthest else 0.0
+    if needed > _LONGEST_M:
+        raise MotionInfeasibleError(
+            f"those who use the auxiliary lane would need {needed:.0f} m of it",
+            where="junction.auxiliary",
+            hint=f"At most {_LONGEST_M:g} m are built: let them change lanes sooner or nearer.",
+        )
+    length = max(road.auxiliary.length_m, needed)
+    update = {"auxiliary": road.auxiliary.model_copy(update={"length_m": length})}
+    return road.model_copy(update=update)
+
+
+def room_m(road: RoadParameters) -> tuple[float, float]:
+    """How long the road must be before the joint and beyond it."""
+    auxiliary = road.auxiliary
+    if auxiliary is None:
+        return 0.0, 0.0
+    lane = auxiliary.length_m + auxiliary.taper_m + _LEAST_M
+    other = gore_m(road) + _LEAST_M
+    return (lane, other) if auxiliary.kind is AuxiliaryLane.OFF_RAMP else (other, lane)
+
+
+def gaps_m(road: RoadParameters) -> tuple[float, float]:
+    """How far from the joint the inner ends of arms 0 and 1 are."""
+    auxiliary = road.auxiliary
+    if auxiliary is None:
+        return 0.0, 0.0
+    gore = gore_m(road)
+    return (0.0, gore) if auxiliary.kind is AuxiliaryLane.OFF_RAMP else (gore, 0.0)
+
+
+def _moves_m(
+    functional: FunctionalScenario, runners: Mapping[str, Runner]
+) -> list[tuple[float, float]]:
+    """Where each who uses the auxiliary lane begins and ends its change of lane."""
+    found = []
+    for name in merging(functional) | exiting(functional):
+        runner = runners.get(name)
+        moves = runner.moves if runner is not None else []
+        lanes = [runner.lane if runner else 0, *(move.lane for move in moves)]
+        outermost = max(lanes)
+        for move, before in zip(moves, lanes, strict=False):
+            if runner is not None and outermost in {move.lane, before} and move.lane != before:
+                found.append((runner.x_m(move.begins_s), runner.x_m(move.ends_s)))
+    return found

@@ -1,0 +1,240 @@
+"""Ramps: a lane that comes from beside a road, or leads off it, at an acute angle.
+
+The two arm roads of a plain road are parted where a ramp joins or leaves. Between them lies a
+junction as long as the ramp's lane needs to part from the others: a connecting road for each
+direction goes straight on, and another leads from or to the ramp. Where the arms have an auxiliary
+lane, its inner end is at the origin, and the ramp's lane goes on in it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import ceil, cos, radians, sin
+
+from scegen.errors import RoadInfeasibleError
+from scegen.road.cross_section import (
+    BORDER_WIDTH_M,
+    CONNECTING_ROADS_FROM,
+    JUNCTIONS_FROM,
+    arm_line,
+    arm_road,
+    lane_in,
+    lane_out,
+    side_sign,
+    verge,
+)
+from scegen.road.fillet import chain
+from scegen.road.geometry import ReferenceLine, Segment
+from scegen.road.links import LaneEnd, connecting_road
+from scegen.road.model import (
+    Connection,
+    ContactPoint,
+    Extent,
+    JunctionArea,
+    Lane,
+    LaneType,
+    Road,
+    RoadLink,
+    RoadNetwork,
+    Route,
+    RouteStep,
+)
+from scegen.scenario.concrete import RoadParameters
+from scegen.scenario.roadway import AuxiliaryLane
+
+RAMP_RADIUS_M = 300.0
+RAMP_ANGLE_RAD = radians(6.0)
+"""A usual acute angle, and an arc that is driven at 100 km/h with less than 3 m/s2 sideways."""
+RAMP_ROAD = 9
+RAMPS = frozenset({AuxiliaryLane.ON_RAMP, AuxiliaryLane.OFF_RAMP})
+_APART_M = 0.5
+_LEAST_RAMP_M = 10.0
+
+
+def gore_m(parameters: RoadParameters) -> float:
+    """Length of the junction at which a ramp joins or leaves; 0 where there is none."""
+    if parameters.auxiliary is None or parameters.auxiliary.kind not in RAMPS:
+        return 0.0
+    verge_m = sum(width for _, width in verge(parameters, 0))
+    aside = verge_m + BORDER_WIDTH_M + _APART_M
+    in_arc = RAMP_RADIUS_M * (1 - cos(RAMP_ANGLE_RAD))
+    straight = max(aside - in_arc, 0.0) / sin(RAMP_ANGLE_RAD)
+    return float(ceil(RAMP_RADIUS_M * sin(RAMP_ANGLE_RAD) + straight * cos(RAMP_ANGLE_RAD)))
+
+
+@dataclass
+class _Parts:
+    """What the network is made of; the gore is on arm 0 if a ramp joins, on arm 1 if one leaves."""
+
+    parameters: RoadParameters
+    arms: tuple[Road, Road]
+    joins: bool
+
+    @property
+    def sign(self) -> int:
+        return side_sign(self.parameters.driving_side)
+
+    @property
+    def lanes(self) -> int:
+        """Driving lanes of the ramp's direction, the auxiliary one left out."""
+        return self.parameters.arms[0].lanes_in
+
+    def through(self, number: int, entry: int) -> Road:
+        """The connecting road of one direction, with all that its arm has on that side."""
+        source, target = self.arms[entry], self.arms[1 - entry]
+        start = source.line.end
+        line = ReferenceLine((Segment(start, gore_m(self.parameters)),))
+        count = self.parameters.arms[entry].lanes_in
+        own = [x for x in source.lanes if x.id * -self.sign > 0]
+        lanes = [
+            replace(lane, predecessor=lane.id, successor=-lane.id, extent=None)
+            for lane in own
+            if entry == 1 or abs(lane.id) <= abs(lane_in(source, count))
+        ]
+        if entry == 0:
+            lanes += self._ending_verge(len(lanes))
+        return Road(
+            id=CONNECTING_ROADS_FROM + number,
+            name=f"through_{entry}",
+            line=line,
+            lanes=tuple(sorted(lanes, key=lambda lane: -lane.id)),
+            speed_limit_mps=source.speed_limit_mps,
+            driving_side=source.driving_side,
+            junction=JUNCTIONS_FROM,
+            predecessor=RoadLink("road", source.id, ContactPoint.END),
+            successor=RoadLink("road", target.id, ContactPoint.END),
+        )
+
+    def _ending_verge(self, inside: int) -> list[Lane]:
+        """The strips beside the lanes, which end where the ramp's lane comes too near."""
+        whole = gore_m(self.parameters)
+        straight = whole - RAMP_RADIUS_M * sin(RAMP_ANGLE_RAD)
+        found = []
+        for k, (kind, width) in enumerate(verge(self.parameters, 0), start=inside + 1):
+            lane = Lane(-self.sign * k, kind, width)
+            if self.joins:
+                extent = Extent(0.0, straight, closes_m=straight)
+                found.append(replace(lane, predecessor=lane.id, extent=extent))
+            else:
+                extent = Extent(whole - straight, whole, opens_m=straight)
+                found.append(replace(lane, successor=-lane.id, extent=extent))
+        return found
+
+    def ramp(self) -> tuple[Road, Road]:
+        """The ramp and the connecting road from it (or to it)."""
+        main = self.arms[1] if self.joins else self.arms[0]
+        number = self.lanes + 1
+        aux = LaneEnd(main, lane_out(main, number) if self.joins else lane_in(main, number))
+        # Away from the main road: the way of who leaves, or of who joins looked back along.
+        away = main.line.pose(main.length_m, main.lane_centre_t_m(aux.lane))
+        arc = RAMP_RADIUS_M * RAMP_ANGLE_RAD
+        straight = (gore_m(self.parameters) - RAMP_RADIUS_M * sin(RAMP_ANGLE_RAD)) / cos(
+            RAMP_ANGLE_RAD
+        )
+        # As far from the origin as the end of the road beside it, so that places agree.
+        beside = 0 if self.joins else 1
+        length = self.arms[beside].length_m + gore_m(self.parameters) - arc - straight
+        if length < _LEAST_RAMP_M:
+            msg = f"arm {beside} is too short for the ramp beside it"
+            raise RoadInfeasibleError(msg, where=f"arms[{beside}].length_m")
+        turns = self.sign if self.joins else -self.sign
+        near = chain(away, [(arc, turns / RAMP_RADIUS_M), (straight, 0.0)])
+        far = chain(near.end, [(length, 0.0)])
+        ramp = self._ramp_road(far.reversed() if self.joins else far)
+        end = LaneEnd(ramp, -self.sign, ContactPoint.END if self.joins else ContactPoint.START)
+        line = near.reversed() if self.joins else near
+        source, target = (end, aux) if self.joins else (aux, end)
+        road = connecting_road(CONNECTING_ROADS_FROM, JUNCTIONS_FROM, line, source, target)
+        border = Lane(-2 * self.sign, LaneType.BORDER, BORDER_WIDTH_M)
+        lanes = sorted((*road.lanes, border), key=lambda lane: -lane.id)
+        return ramp, replace(road, lanes=tuple(lanes))
+
+    def _ramp_road(self, line: ReferenceLine) -> Road:
+        """The ramp, along its traffic: a lane with its middle on the line, a border either side."""
+        width = self.parameters.arms[0].lane_width_m
+        lanes = (
+            Lane(-self.sign, LaneType.DRIVING, width),
+            Lane(-2 * self.sign, LaneType.BORDER, BORDER_WIDTH_M),
+            Lane(self.sign, LaneType.BORDER, BORDER_WIDTH_M),
+        )
+        link = RoadLink("junction", JUNCTIONS_FROM)
+        return Road(
+            id=RAMP_ROAD,
+            name="ramp",
+            line=line,
+            lanes=tuple(sorted(lanes, key=lambda lane: -lane.id)),
+            speed_limit_mps=self.parameters.arms[0].speed_limit_mps,
+            driving_side=self.parameters.driving_side,
+            lane_offset_m=self.sign * width / 2,
+            predecessor=None if self.joins else link,
+            successor=link if self.joins else None,
+        )
+
+
+def build_ramp(parameters: RoadParameters, name: str) -> RoadNetwork:
+    """A straight road that a ramp joins, or that one leaves; the auxiliary lane at the origin.
+
+    Raises:
+        RoadInfeasibleError: the arm beside the ramp is too short for it.
+    """
+    auxiliary = parameters.auxiliary
+    joins = auxiliary is not None and auxiliary.kind is AuxiliaryLane.ON_RAMP
+    link = RoadLink("junction", JUNCTIONS_FROM)
+    away = (gore_m(parameters), 0.0) if joins else (0.0, gore_m(parameters))
+    first, second = (
+        arm_road(parameters, arm, arm_line(arm, distance), link)
+        for arm, distance in zip(parameters.arms, away, strict=True)
+    )
+    parts = _Parts(parameters, (first, second), joins)
+    ramp, connecting = parts.ramp()
+    entries = [entry for entry in (0, 1) if parameters.arms[entry].lanes_in]
+    through = {entry: parts.through(1 + entry, entry) for entry in entries}
+    routes = {(entry, 1 - entry): _routes(parts, entry, road) for entry, road in through.items()}
+    number = parts.lanes + 1
+    lane = -parts.sign
+    if joins:
+        steps = (
+            RouteStep(ramp.id, -parts.sign, forward=True),
+            RouteStep(connecting.id, lane, forward=True),
+            RouteStep(second.id, lane_out(second, number), forward=False),
+        )
+    else:
+        steps = (
+            RouteStep(first.id, lane_in(first, number), forward=True),
+            RouteStep(connecting.id, lane, forward=True),
+            RouteStep(ramp.id, -parts.sign, forward=True),
+        )
+    routes[0, 1] += (Route(0, number, 1, number, None, steps),)
+    pairs = [(route.steps[0], route.steps[1]) for found in routes.values() for route in found]
+    connections = tuple(
+        Connection(k, a.road, b.road, a.lane, b.lane) for k, (a, b) in enumerate(pairs)
+    )
+    return RoadNetwork(
+        name=name,
+        driving_side=parameters.driving_side,
+        roads=(first, second, ramp, connecting, *through.values()),
+        junctions=(JunctionArea(JUNCTIONS_FROM, "ramp", connections),),
+        arm_roads=(first.id, second.id),
+        routes=routes,
+        plain=True,
+    )
+
+
+def _routes(parts: _Parts, entry: int, through: Road) -> tuple[Route, ...]:
+    """The ways straight on from an arm, lane by lane."""
+    source, target = parts.arms[entry], parts.arms[1 - entry]
+    return tuple(
+        Route(
+            entry,
+            number,
+            1 - entry,
+            number,
+            None,
+            (
+                RouteStep(source.id, lane_in(source, number), forward=True),
+                RouteStep(through.id, lane_in(source, number), forward=True),
+                RouteStep(target.id, lane_out(target, number), forward=False),
+            ),
+        )
+        for number in range(1, parts.parameters.arms[entry].lanes_in + 1)
+    )
