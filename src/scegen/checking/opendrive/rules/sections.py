@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
-from scegen.checking.opendrive.lanes import lane_borders
+from scegen.checking.opendrive.lanes import lane_borders, lane_width
 from scegen.checking.opendrive.network import LaneSection, Network, Road, lane_place, road_place
 from scegen.checking.opendrive.tolerances import GAP_M
 from scegen.checking.results import Finding, error
@@ -24,12 +24,13 @@ def check_sections(network: Network) -> Iterator[Finding]:
 
 
 def check_lanes_carry_on(network: Network) -> Iterator[Finding]:
-    """``xodr.section_lanes``: a driving lane does not end where a section does."""
+    """``xodr.section_lanes``: a driving lane that has a width does not end where a section does."""
     for road in network.roads.values():
         for before, after in pairwise(road.sections):
             for lane in before.lanes.values():
                 carries_on = lane.successor in after.lanes and lane.successor != 0
-                if lane.id != 0 and lane.type == "driving" and not carries_on:
+                wide = lane.id != 0 and lane_width(before, lane.id, after.s) > GAP_M
+                if wide and lane.type == "driving" and not carries_on:
                     place = lane_place(road.id, lane.id, f"s = {after.s:.2f} m")
                     message = "does not carry on into a lane of the next section"
                     yield error("xodr.section_lanes", place, message)
